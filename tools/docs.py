@@ -102,6 +102,7 @@ docs/tutorials/designer
 docs/tutorials/researcher
 docs/tutorials/teacher
 docs/tutorials/yielding-frame
+docs/tutorials/twisting-pair
 docs/questions
 ```
 

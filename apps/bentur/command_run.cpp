@@ -9,7 +9,6 @@
 #include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/plan/plan_toml.h"
-#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/story/story.h"
@@ -234,43 +233,33 @@ std::string summary_text(const RunResults& run, const Words& say) {
          "\n";
 }
 
-/// The result files of a run in one folder.
+/// The results of a run and their figures in one folder.
 class RunOutput {
  public:
-  /// Before the work, so that a folder that cannot be written to costs none. @throws as AtomicFiles.
+  /// @throws as RunFolder
   RunOutput(const RunArguments& arguments, Loaded& loaded)
       : arguments_(arguments),
-        rules_{.inputs = loaded.files, .force = arguments.force, .is_netcdf = &is_netcdf_result},
-        files_(arguments.directory, rules_) {
-    // Where the case itself lies there under the name of its copy none is needed.
-    loaded.c.source->copied = !rules_.is_input(folder() / "case.toml");
-    files_.expect("summary.json", ResultKind::summary);
-    files_.expect("impacts.csv", ResultKind::impacts);
-    files_.expect("histories.nc", ResultKind::histories);
-    if (loaded.c.source->copied) files_.expect("case.toml", ResultKind::case_copy);
+        results_(arguments.directory,
+                 {.inputs = loaded.files, .force = arguments.force, .is_netcdf = &is_netcdf_result}, *loaded.c.source) {
+    if (arguments.figures.empty()) return;
     for (const std::string& name : run_figure_names()) {
-      if (!arguments.figures.empty()) expect_figure(folder() / "figures", name, arguments.figures, rules_);
+      expect_figure(results_.folder() / "figures", name, arguments.figures, results_.rules());
     }
   }
 
   void write(const RunResults& run, const std::string& summary) {
-    if (run.c.source->copied) files_.add("case.toml", run.c.source->text, ResultKind::case_copy);
-    files_.add("summary.json", summary, ResultKind::summary);
-    files_.add("impacts.csv", impacts_csv(run.view()), ResultKind::impacts);
-    files_.add("histories.nc", histories_netcdf(run, BENTUR_VERSION), ResultKind::histories);
-    remove_run_figures(folder() / "figures", rules_);  // never figures of one run beside the results of another
-    files_.commit();
+    results_.write(*run.c.source, summary, impacts_csv(run.view()), histories_netcdf(run, BENTUR_VERSION));
   }
 
   /// Draws what the run has to show into the folder "figures" beside its results.
   void write_pictures(const RunResults& run) const {
-    const std::filesystem::path pictures = folder() / "figures";
+    const std::filesystem::path pictures = results_.folder() / "figures";
     try {
       FigureOptions options;
       options.say = figure_words(arguments_.language);
       options.language = arguments_.language;
       const std::vector<NamedFigure> figures = run_figures(run, options);
-      write_figures(pictures, figures, arguments_.figures, rules_);
+      write_figures(pictures, figures, arguments_.figures, results_.rules());
       if (arguments_.quiet) return;
       std::string list;
       for (const NamedFigure& one : figures) list += (list.empty() ? "" : ", ") + one.name;
@@ -282,11 +271,8 @@ class RunOutput {
   }
 
  private:
-  [[nodiscard]] std::filesystem::path folder() const { return arguments_.directory; }
-
   const RunArguments& arguments_;
-  OutputRules rules_;
-  AtomicFiles files_;
+  RunFolder results_;
 };
 
 /// All records of a suite in short. @throws Failure after what is done has been told, where it was stopped.
@@ -328,10 +314,10 @@ void execute(const RunArguments& arguments) {
   }
   if (arguments.file.empty() && arguments.record) refuse("--record needs a CASE");
   if (!arguments.file.empty() && is_plan_case(arguments.file)) {
-    if (!arguments.directory.empty()) refuse("--output does not go with buildings in plan: --json prints the summary");
+    if (!arguments.figures.empty()) refuse("--figures does not go with buildings in plan");
     if (arguments.record) refuse("--record is for a case with excitation.kind = \"suite\"");
-    if (!arguments.json && !arguments.quiet) refuse("of buildings in plan the summary is printed as JSON: give --json");
-    return run_plan(arguments.file, arguments.quiet, arguments.language);
+    return run_plan({arguments.file, arguments.directory, arguments.json, arguments.quiet, arguments.force},
+                    arguments.language);
   }
   Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro")
                                          : load_for_run(arguments.file, arguments.record, arguments.language);
@@ -348,8 +334,7 @@ void execute(const RunArguments& arguments) {
     print(fitted(summary_text(run, Words(arguments.language))));
   }
   if (output && !arguments.quiet) {
-    message(fmt::format("Wrote summary.json, impacts.csv, histories.nc{} into {}",
-                        loaded.c.source->copied ? " and case.toml" : "", arguments.directory));
+    message(written_line(*loaded.c.source, arguments.directory));
   }
   if (!arguments.figures.empty()) output->write_pictures(run);
 }

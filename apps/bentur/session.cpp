@@ -114,6 +114,17 @@ Loaded load_example(const std::string& name) {
   throw Failure(exit_bad_input, "no example \"" + name + "\"; there are:" + known);
 }
 
+void refuse_unless_done(Status status, const std::string& message, double done, const std::string& language) {
+  if (status == Status::stopped) {
+    const std::string stopped = fmt::format(
+        "Stopped at {:.0f} % of the work. Nothing is written; results written before are as they were", 100 * done);
+    throw Failure(exit_other, error_words(stopped, language));
+  }
+  if (status != Status::done && status != Status::collapsed) {
+    throw Failure(exit_numbers_failed, error_words("the numbers failed: " + message, language));
+  }
+}
+
 RunResults simulate(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
   SolveOptions options = solve_options(loaded.c);
   options.output_step = output_step;
@@ -127,26 +138,9 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress, con
   }
   const std::string warning = long_run_text(loaded, needed);
   if (progress && !warning.empty()) message(warning);
-  double done = 0;
-  Response response;
-  {
-    const StopOnSignal stop;
-    Progress display("of the duration simulated");
-    options.progress = [&](double fraction) {
-      done = fraction;
-      if (progress) display.show(fraction);
-      return !StopOnSignal::asked();
-    };
-    response = solve(loaded.problem, loaded.c.analysis.solver, options);
-  }
-  if (response.status == Status::stopped) {
-    const std::string stopped = fmt::format(
-        "Stopped at {:.0f} % of the work. Nothing is written; results written before are as they were", 100 * done);
-    throw Failure(exit_other, error_words(stopped, language));
-  }
-  if (response.status != Status::done && response.status != Status::collapsed) {
-    throw Failure(exit_numbers_failed, error_words("the numbers failed: " + response.message, language));
-  }
+  Response response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
+    return solve(loaded.problem, loaded.c.analysis.solver, shown);
+  });
   return run_results(loaded.c, loaded.problem, std::move(response));
 }
 
@@ -175,37 +169,37 @@ std::string record_line(const RecordEcho& record, const Words& say) {
                             {"duration", number(record.duration)}});
 }
 
-std::string excitation_line(const Case& c, const Words& say) {
+std::string excitation_line(const ExcitationSpec& excitation, const Units& units, const Words& say) {
   std::string line;
-  const std::string acceleration = c.units.length + "/s²";
-  if (c.excitation.record) {
-    const RecordEcho& record = *c.excitation.record;
+  const std::string acceleration = units.length + "/s²";
+  if (excitation.record) {
+    const RecordEcho& record = *excitation.record;
     line = record_line(record, say) + "\n       " +
            say("cli.record_peak", {{"read", number(record.pga_read)},
                                    {"unit", unit_of(record)},
                                    {"applied", number(record.pga)},
                                    {"acceleration", acceleration}});
-  } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&c.excitation.motion)) {
+  } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&excitation.motion)) {
     line =
         say("cli.harmonic", {{"phase", say(harmonic->phase == HarmonicMotion::Phase::sine ? "cli.sine" : "cli.cosine")},
                              {"period", number(harmonic->period)},
                              {"amplitude", number(harmonic->displacement_amplitude)},
-                             {"length", c.units.length},
-                             {"peak", number(peak_acceleration(c.excitation.motion))},
+                             {"length", units.length},
+                             {"peak", number(peak_acceleration(excitation.motion))},
                              {"acceleration", acceleration}});
-  } else if (c.excitation.suite) {
-    line = suite_line(*c.excitation.suite, say);
-  } else if (c.excitation.spectrum) {
-    const SpectrumSpec& spectrum = *c.excitation.spectrum;
+  } else if (excitation.suite) {
+    line = suite_line(*excitation.suite, say);
+  } else if (excitation.spectrum) {
+    const SpectrumSpec& spectrum = *excitation.spectrum;
     return say("cli.spectrum", {{"name", spectrum.file.empty() ? spectrum.shape : spectrum.file},
-                                {"parameters", spectrum_parameters(spectrum, c.units)},
+                                {"parameters", spectrum_parameters(spectrum, units)},
                                 {"damping", number(spectrum.spectrum.damping_ratio)},
                                 {"corrected", spectrum.spectrum.corrects_damping ? say("cli.corrected") : ""},
                                 {"combination", spectrum.combination == ModalCombination::cqc ? "CQC" : "SRSS"}});
   } else {
     return say("cli.free");
   }
-  const std::vector<double>& delays = c.excitation.delays;
+  const std::vector<double>& delays = excitation.delays;
   if (std::any_of(delays.begin(), delays.end(), [](double delay) { return delay != 0; })) {
     std::string all;
     for (const double delay : delays) all += (all.empty() ? "" : ", ") + number(delay);
@@ -214,12 +208,26 @@ std::string excitation_line(const Case& c, const Words& say) {
   return line;
 }
 
-std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told) {
+std::string excitation_line(const Case& c, const Words& say) { return excitation_line(c.excitation, c.units, say); }
+
+namespace {
+
+std::string told_text(const std::vector<std::string>& lines, const Story& story, const Words& say, Told told) {
   std::string text;
-  for (const std::string& line : story_lines(problem, story, say, told)) text += with_spaces(wrapped(line)) + "\n";
+  for (const std::string& line : lines) text += with_spaces(wrapped(line)) + "\n";
   if (told == Told::remarks) return text;
   for (const StoryTable& table : story.tables) text += "\n" + table_text(said(table, say));
   return text;
+}
+
+}  // namespace
+
+std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told) {
+  return told_text(story_lines(problem, story, say, told), story, say, told);
+}
+
+std::string story_text(const std::vector<std::string>& gaps, const Story& story, const Words& say, Told told) {
+  return told_text(story_lines(gaps, story, say, told), story, say, told);
 }
 
 std::string proportions_text(const Building& building, const Proportions& found, const ShownUnits& shown,

@@ -78,6 +78,29 @@ class StopOnSignal {
   struct sigaction interrupt_ = {}, terminate_ = {};  ///< as they were
 };
 
+/// @throws Failure as solve_shown().
+void refuse_unless_done(Status status, const std::string& message, double done, const std::string& language);
+
+/// Calls `solve` while Ctrl-C stops it and work of more than two seconds shows how far it is, with `progress` and where
+/// standard error is a terminal. `options` get the progress that does both. @throws Failure when it is stopped
+/// (exit_other) and when the numbers fail (exit_numbers_failed); a storey that collapsed is no failure.
+template <class Options, class Solve>
+auto solve_shown(Options options, bool progress, const std::string& language, const Solve& solve) {
+  double done = 0;
+  const StopOnSignal stop;
+  auto response = [&] {
+    Progress display("of the duration simulated");
+    options.progress = [&](double fraction) {
+      done = fraction;
+      if (progress) display.show(fraction);
+      return !StopOnSignal::asked();
+    };
+    return solve(options);
+  }();
+  refuse_unless_done(response.status, response.message, done, language);
+  return response;
+}
+
 /// Solves with the solver of the case; with histories every `output_step` [s] unless 0. Says so beforehand where it may
 /// take long. With `progress`, work of more than two seconds shows how far it is, if standard error is a terminal.
 /// @throws Failure when it takes more than the case's limits (exit_bad_input), when the numbers fail
@@ -90,6 +113,7 @@ class StopOnSignal {
 
 /// What shakes the buildings, in one line: the record as it was read, or the harmonic motion.
 [[nodiscard]] std::string excitation_line(const Case& c, const Words& say);
+[[nodiscard]] std::string excitation_line(const ExcitationSpec& excitation, const Units& units, const Words& say);
 /// The unit of a record's numbers: "m/s²".
 [[nodiscard]] std::string unit_of(const RecordEcho& record);
 /// What was read from a record file, and how.
@@ -97,6 +121,8 @@ class StopOnSignal {
 
 /// story_lines(), wrapped, and of an outcome the tables of the story.
 [[nodiscard]] std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told);
+[[nodiscard]] std::string story_text(const std::vector<std::string>& gaps, const Story& story, const Words& say,
+                                     Told told);
 
 /// "743 kgf, first period 0.164 s, 0.05467 s per storey".
 [[nodiscard]] std::string proportions_text(const Building& building, const Proportions& found, const ShownUnits& shown,

@@ -1,12 +1,17 @@
-// Rows of sticks stood in plan: symmetric floors with their stiffness in two planes, shaken along x.
+// Rows of sticks stood in plan: symmetric floors with their stiffness in two planes, shaken along x; and these plans
+// turned and mirrored.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/plan/plan_case.h"
@@ -63,11 +68,29 @@ std::optional<PlanBuildingSpec> twin_of(const BuildingSpec& spec, double corner)
   return twin;
 }
 
-std::vector<std::vector<double>> triples_of(const std::vector<std::vector<double>>& lists) {
+/// A plan under a map of the common plan that takes rectangles to rectangles.
+Footprint under(const Eigen::Matrix2d& map, const Footprint& from) {
+  return {.corner = (map * from.corner).cwiseMin(map * from.far_corner()), .size = map.cwiseAbs() * from.size};
+}
+void put_under(const Eigen::Matrix2d& map, PlanBuildingSpec& building) {
+  if (auto* wall = std::get_if<PlanWall>(&building.structure)) {
+    wall->footprint = under(map, wall->footprint);
+    return;
+  }
+  Plan& plan = std::get<Plan>(building.structure);
+  const Footprint from = plan.footprint;
+  plan.footprint = under(map, from);
+  for (PlanPlane& plane : plan.planes) {
+    plane.through = map * (from.corner + plane.through) - plan.footprint.corner;
+    plane.direction = map * plane.direction;
+  }
+}
+
+std::vector<std::vector<double>> triples_of(const std::vector<std::vector<double>>& lists, const Eigen::Matrix2d& map) {
   std::vector<std::vector<double>> all;
   for (const std::vector<double>& list : lists) {
     std::vector<double>& one = all.emplace_back();
-    for (const double x : list) one.insert(one.end(), {x, 0.0, 0.0});
+    for (const double x : list) one.insert(one.end(), {x * map(0, 0), x * map(1, 0), 0.0});
   }
   return all;
 }
@@ -86,7 +109,7 @@ bool ends_part(const Case& c) {
 }
 
 /// Nothing where the row has more in it than sticks and walls one distance apart.
-std::optional<PlanCase> twin_of(const Case& c, int points) {
+std::optional<PlanCase> twin_of(const Case& c, int points, const Eigen::Matrix2d& map) {
   if (is_without_motion(c) || !c.links.empty() || ends_part(c)) return std::nullopt;
   PlanCase twin;
   twin.units = c.units;
@@ -101,6 +124,7 @@ std::optional<PlanCase> twin_of(const Case& c, int points) {
     const auto building = twin_of(c.buildings[b], corner);
     if (!building) return std::nullopt;
     twin.buildings.push_back(*building);
+    put_under(map, twin.buildings.back());
   }
   for (std::size_t g = 0; g < c.gaps.size(); ++g) {
     const StructuralModel left = structural_model(c.buildings[g]), right = structural_model(c.buildings[g + 1]);
@@ -109,12 +133,17 @@ std::optional<PlanCase> twin_of(const Case& c, int points) {
                     .stretch = *facing(twin.buildings[g].footprint(), twin.buildings[g + 1].footprint())};
     gap.stretch.width = c.gaps[g].widths.front();  // without the round-off of where edges are
     gap.levels = floors_of_points(c.gaps[g], {c.buildings[g], left}, {c.buildings[g + 1], right});
+    if (gap.stretch.swapped) {
+      std::swap(gap.left, gap.right);
+      for (LevelPair& level : gap.levels) std::swap(level.left_floor, level.right_floor);
+    }
     gap.points = c.gaps[g].contact.law == "restitution" ? 2 : points;
     gap.contact = c.gaps[g].contact;
     twin.gaps.push_back(std::move(gap));
   }
   twin.excitation[0] = c.excitation;
-  twin.initial = {triples_of(c.initial.displacements), triples_of(c.initial.velocities)};
+  twin.angle = std::atan2(map(1, 0), map(0, 0)) * 180 / std::numbers::pi;
+  twin.initial = {triples_of(c.initial.displacements, map), triples_of(c.initial.velocities, map)};
   twin.analysis = c.analysis;
   return twin;
 }
@@ -126,20 +155,23 @@ void expect_alike(const Eigen::VectorXd& plan, const Eigen::VectorXd& row, doubl
   EXPECT_LE((plan - row).cwiseAbs().maxCoeff(), tolerance * largest) << what << "\n" << plan << "\n\n" << row;
 }
 
-void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Response& row, double tolerance) {
+void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Response& row, double tolerance,
+                  bool along_y) {
   ASSERT_EQ(plan.status, Status::done) << plan.message;
   ASSERT_EQ(row.status, Status::done) << row.message;
   for (std::size_t b = 0; b < row.buildings.size(); ++b) {
     const PlanPeaks& found = plan.buildings[b];
     const BuildingPeaks& wanted = row.buildings[b];
-    expect_alike(found.x, wanted.displacement, tolerance, "displacement");
-    expect_alike(plan.buildings_no_contact[b].x, wanted.displacement_no_contact, tolerance, "free displacement");
-    expect_alike(found.north, wanted.displacement, tolerance, "edge");
-    expect_alike(found.acceleration_x, wanted.acceleration, tolerance, "acceleration");
-    EXPECT_LE(found.rotation.maxCoeff() * twin_size.y(), 1e-9 * found.x.maxCoeff());
-    EXPECT_LE(found.y.maxCoeff(), 1e-9 * found.x.maxCoeff());
+    const PlanPeaks& free = plan.buildings_no_contact[b];
+    const Eigen::VectorXd& moves = along_y ? found.y : found.x;
+    expect_alike(moves, wanted.displacement, tolerance, "displacement");
+    expect_alike(along_y ? free.y : free.x, wanted.displacement_no_contact, tolerance, "free displacement");
+    expect_alike(along_y ? found.east : found.north, wanted.displacement, tolerance, "edge");
+    expect_alike(along_y ? found.acceleration_y : found.acceleration_x, wanted.acceleration, tolerance, "acceleration");
+    EXPECT_LE(found.rotation.maxCoeff() * twin_size.y(), 1e-9 * moves.maxCoeff());
+    EXPECT_LE((along_y ? found.x : found.y).maxCoeff(), 1e-9 * moves.maxCoeff());
     if (problem.buildings[b].is_rigid()) continue;
-    expect_alike(found.shear_x, wanted.storey_shear, tolerance, "storey shear");
+    expect_alike(along_y ? found.shear_y : found.shear_x, wanted.storey_shear, tolerance, "storey shear");
   }
   std::size_t point = 0, level = 0;
   for (const PlanGap& gap : problem.gaps) {
@@ -161,6 +193,12 @@ void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Re
 
 TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
   int twins = 0, walls = 0, impacts = 0;
+  Eigen::Matrix2d quarter, mirror;
+  quarter << 0, -1, 1, 0;
+  mirror << -1, 0, 0, 1;
+  const Eigen::Matrix2d straight = Eigen::Matrix2d::Identity();
+  const std::vector<std::pair<int, Eigen::Matrix2d>> ways = {{2, straight},  {3, straight}, {2, quarter},
+                                                             {2, -straight}, {2, mirror},   {2, quarter * mirror}};
   for (const fs::path& folder :
        {fs::path(BENTUR_SOURCE_DIR) / "examples", fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference"}) {
     if (!fs::exists(folder)) continue;
@@ -169,14 +207,16 @@ TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
       Diagnostics diagnostics;
       const auto row = read_case(entry.path(), diagnostics);
       if (!row) continue;  // a study
-      for (const int points : {2, 3}) {
-        const auto twin = twin_of(*row, points);
+      std::optional<Response> wanted;
+      for (const auto& [points, map] : ways) {
+        const auto twin = twin_of(*row, points, map);
         if (!twin) break;
-        SCOPED_TRACE(entry.path().filename().string() + ", points " + std::to_string(points));
+        SCOPED_TRACE(testing::Message() << entry.path().filename().string() << ", points " << points << "\n" << map);
+        if (!wanted) wanted = solve(make_problem(*row));
         const PlanProblem problem = make_plan_problem(*twin);
         const PlanResponse plan = solve(problem);
         const bool integrated = std::any_of(row->gaps.begin(), row->gaps.end(), is_integrated_law);
-        expect_twins(problem, plan, solve(make_problem(*row)), integrated ? 1e-8 : 1e-9);
+        expect_twins(problem, plan, *wanted, integrated ? 1e-8 : 1e-9, map(0, 0) == 0);
         twins += 1;
         for (const PlanBuilding& building : problem.buildings) walls += building.is_rigid() ? 1 : 0;
         impacts += static_cast<int>(plan.impacts.size());

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The worked examples of docs/examples and the tutorial with commands: each command of a page prints what stands below it.
+"""The worked examples of docs/examples and tutorials with commands: each command of a page prints what stands below it.
 
 The program under test is the environment variable BENTUR, the repository BENTUR_SOURCE. Numbers may differ by a per cent
 (counts by one), as another machine's round-off moves an impact here and there.
@@ -15,7 +15,8 @@ SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"]).resolve()
 sys.path.insert(0, str(SOURCE / "tools"))
 import worked_pages  # noqa: E402
 
-PAGES = sorted((SOURCE / "docs/examples").glob("*.md")) + [SOURCE / "docs/tutorials/yielding-frame.md"]
+PAGES = sorted((SOURCE / "docs/examples").glob("*.md")) + [
+    SOURCE / "docs/tutorials" / page for page in ("yielding-frame.md", "twisting-pair.md")]
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 

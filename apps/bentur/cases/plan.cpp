@@ -2,13 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/files/netcdf_kind.h"
+#include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/report/errors.h"
 #include "bentur/structure/modes.h"
+#include "cases/plan_text.h"
+#include "output/output.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -18,18 +26,22 @@ namespace {
 struct LoadedPlan {
   PlanCase c;
   PlanProblem problem;
+  RunOptions options;
 };
 
-LoadedPlan load_plan(const std::string& file, const std::string& language) {
+/// @param histories whether the run keeps them
+LoadedPlan load_plan(const std::string& file, const std::string& language, bool histories = false) {
   Diagnostics diagnostics;
   PlanProblem problem;
   std::optional<PlanCase> c = read_plan_case(file, diagnostics, &problem);
   if (!c) throw Failure(diagnostics, language);
-  const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, run_options(*c)));
+  RunOptions options = run_options(*c);
+  if (histories) options.output_step = c->analysis.output_step;
+  const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, options));
   if (!refusal.empty()) {
     throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));
   }
-  return {*std::move(c), std::move(problem)};
+  return {*std::move(c), std::move(problem), std::move(options)};
 }
 
 std::string building_line(const PlanBuilding& building) {
@@ -104,25 +116,28 @@ void print_plan_modes(const std::string& file, bool by_jacobi, bool json) {
   print(fitted(text));
 }
 
-void run_plan(const std::string& file, bool quiet, const std::string& language) {
-  LoadedPlan loaded = load_plan(file, language);
-  PlanResponse response;
-  {
-    const StopOnSignal stop;
-    Progress display("of the duration simulated");
-    RunOptions options = run_options(loaded.c);
-    options.progress = [&](double fraction) {
-      if (!quiet) display.show(fraction);
-      return !StopOnSignal::asked();
-    };
-    response = solve(loaded.problem, loaded.c.analysis.solver, options);
+void run_plan(const PlanRunArguments& arguments, const std::string& language) {
+  LoadedPlan loaded = load_plan(arguments.file, language, !arguments.directory.empty());
+  std::optional<RunFolder> folder;
+  if (!arguments.directory.empty()) {
+    std::vector<std::filesystem::path> inputs = files_read(loaded.c);
+    inputs.emplace_back(arguments.file);
+    folder.emplace(arguments.directory,
+                   OutputRules{.inputs = std::move(inputs), .force = arguments.force, .is_netcdf = &is_netcdf_result},
+                   *loaded.c.source);
   }
-  if (response.status == Status::stopped) throw Failure(exit_other, error_words("Stopped", language));
-  if (response.status != Status::done) {
-    throw Failure(exit_numbers_failed, error_words("the numbers failed: " + response.message, language));
+  PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const RunOptions& shown) {
+    return solve(loaded.problem, loaded.c.analysis.solver, shown);
+  });
+  const PlanRun run{std::move(loaded.c), std::move(loaded.problem), std::move(response)};
+  const std::string summary = plan_summary_json(run, BENTUR_VERSION);
+  if (folder) folder->write(*run.c.source, summary, impacts_csv(run), histories_netcdf(run, BENTUR_VERSION));
+  if (arguments.json) {
+    print(summary);
+  } else if (!arguments.quiet) {
+    print(fitted(plan_summary_text(run, Words(language))));
   }
-  if (!quiet)
-    print(plan_summary_json({std::move(loaded.c), std::move(loaded.problem), std::move(response)}, BENTUR_VERSION));
+  if (folder && !arguments.quiet) message(written_line(*run.c.source, arguments.directory));
 }
 
 }  // namespace bentur::cli

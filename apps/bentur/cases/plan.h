@@ -8,7 +8,13 @@ namespace bentur::cli {
 
 void check_plan(const std::string& file, const std::string& language);
 void print_plan_modes(const std::string& file, bool by_jacobi, bool json);
-/// Prints the summary as JSON, unless `quiet`.
-void run_plan(const std::string& file, bool quiet, const std::string& language);
+
+struct PlanRunArguments {
+  std::string file;
+  std::string directory;  ///< for the results; empty: none are written
+  bool json = false, quiet = false, force = false;
+};
+/// Prints the summary, as JSON or as tables, unless `quiet`.
+void run_plan(const PlanRunArguments& arguments, const std::string& language);
 
 }  // namespace bentur::cli

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "bentur/io/output/atomic_file.h"
+#include "bentur/model/case.h"
 
 namespace bentur::cli {
 
@@ -23,5 +25,25 @@ class OutputFile {
   ResultKind kind_;
   std::optional<AtomicFiles> files_;
 };
+
+/// The files that tell of a run, in one folder: summary.json, impacts.csv, histories.nc and case.toml.
+class RunFolder {
+ public:
+  /// Before the work, so that a folder that cannot be written to costs none. Where the case itself lies there under the
+  /// name of its copy, `source` is told that none is made. @throws as AtomicFiles.
+  RunFolder(std::filesystem::path folder, OutputRules rules, CaseSource& source);
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] const OutputRules& rules() const { return rules_; }
+  void write(const CaseSource& source, const std::string& summary, const std::string& impacts,
+             const std::string& histories);
+
+ private:
+  std::filesystem::path folder_;
+  OutputRules rules_;
+  AtomicFiles files_;
+};
+
+/// "Wrote summary.json, impacts.csv, histories.nc and case.toml into results".
+[[nodiscard]] std::string written_line(const CaseSource& source, const std::string& folder);
 
 }  // namespace bentur::cli

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -10,5 +11,7 @@ namespace bentur {
 /// `histories.nc` as bytes: run_file() as NetCDF-4, CF conventions, opens in xarray. The same histories give the same
 /// bytes. @throws std::runtime_error with the library's reason.
 [[nodiscard]] std::string histories_netcdf(const RunResults& results, std::string_view version);
+/// The same of buildings in plan: plan_file().
+[[nodiscard]] std::string histories_netcdf(const PlanRun& run, std::string_view version);
 
 }  // namespace bentur

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bentur/core/number_text.h"
-#include "bentur/model/quantities.h"
+#include "bentur/model/internal/quantity_column.h"
 
 namespace bentur {
 
@@ -18,22 +19,27 @@ std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantit
     if (quantity->label[language].empty() || !is_wanted(*quantity)) continue;
     if (!is_told_at_any(*quantity, r, places)) continue;
     std::vector<double> values;
-    const double factor = quantity->shown_factor * r.shown.factor(quantity->units);
-    for (const QuantityPlace& at : places) values.push_back(factor * value_of(*quantity, r, at));
-    std::vector<std::string> cells = column(values);
-    if (quantity->decimals) {
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        cells[i] = std::isnan(values[i]) ? "–" : fmt::format("{:.{}f}", values[i], *quantity->decimals);
-      }
-    }
-    const std::string_view unit = quantity->shown_unit;
-    columns.push_back({std::string(quantity->label[language]),
-                       unit.empty() ? unit_text(quantity->units, r.shown.units) : std::string(unit), std::move(cells)});
+    for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, r, at));
+    columns.push_back(column_of(*quantity, std::move(values), r.shown, language));
   }
   return columns;
 }
 
 }  // namespace
+
+TableColumn column_of(const Quantity& quantity, std::vector<double> values, const ShownUnits& shown,
+                      std::size_t language) {
+  for (double& value : values) value *= quantity.shown_factor * shown.factor(quantity.units);
+  std::vector<std::string> cells = column(values);
+  if (quantity.decimals) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      cells[i] = std::isnan(values[i]) ? "–" : fmt::format("{:.{}f}", values[i], *quantity.decimals);
+    }
+  }
+  const std::string_view unit = quantity.shown_unit;
+  return {std::string(quantity.label[language]),
+          unit.empty() ? unit_text(quantity.units, shown.units) : std::string(unit), std::move(cells)};
+}
 
 std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
                                        std::size_t language) {

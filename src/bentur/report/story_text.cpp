@@ -118,11 +118,20 @@ std::string upper_case(std::string text) {
 }
 
 std::vector<std::string> story_lines(const Problem& problem, const Story& story, const Words& say, Told told) {
+  std::vector<std::string> gaps;
+  for (std::size_t left = 0; left + 1 < problem.buildings.size(); ++left) {
+    gaps.push_back(gap_name(problem, static_cast<Eigen::Index>(left)));
+  }
+  return story_lines(gaps, story, say, told);
+}
+
+std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const Story& story, const Words& say,
+                                     Told told) {
   std::vector<std::string> lines;
   for (const SaidStatement& one : said(story.statements, say)) {
     if ((one.severity == Severity::remark) != (told == Told::remarks)) continue;
     std::string line = one.badge.empty() ? one.text : upper_case(one.badge) + ": " + one.text;
-    if (problem.buildings.size() > 2 && one.gap) line.insert(0, gap_name(problem, *one.gap) + ": ");
+    if (gaps.size() > 1 && one.gap) line.insert(0, gaps.at(static_cast<std::size_t>(*one.gap)) + ": ");
     if (one.kind.starts_with("remark.")) line = say("cli.remark", {{"text", line}});
     lines.push_back(std::move(line));
   }

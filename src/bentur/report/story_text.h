@@ -40,6 +40,9 @@ struct SaidTable {
 enum class Told { outcome, remarks };
 /// A line a statement, the gravest first: "BADGE: text", behind the gap's name in a row of several gaps; remarks as
 /// "remark: text".
+/// @param gaps the names of all gaps, in the order in which statements count them
+[[nodiscard]] std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const Story& story,
+                                                   const Words& say, Told told);
 [[nodiscard]] std::vector<std::string> story_lines(const Problem& problem, const Story& story, const Words& say,
                                                    Told told);
 

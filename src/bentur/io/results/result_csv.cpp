@@ -7,19 +7,14 @@
 #include <cstddef>
 
 namespace bentur {
-namespace {
 
-/// "peak_force [kgf]".
-std::string heading(const Quantity& quantity, const Units& units) {
+std::string csv_heading(const Quantity& quantity, const Units& units) {
   std::string unit = unit_text(quantity.units, units);
   for (std::size_t dot = unit.find("·"); dot != std::string::npos; dot = unit.find("·")) unit.replace(dot, 2, " ");
   return std::string(quantity.key) + (unit.empty() ? "" : " [" + unit + "]");
 }
 
-/// A number to its last digit, without the sign of a zero.
 std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value + 0.0); }
-
-}  // namespace
 
 std::string csv_field(const std::string& text) {
   const bool is_formula = text.find_first_of("=+-@\t") == 0;
@@ -34,7 +29,7 @@ std::string csv_field(const std::string& text) {
 std::string impacts_csv(const RunView& run) {
   const std::vector<const Quantity*> columns = quantities_of(Owner::impact);
   std::string csv = fmt::format("left,right,elevation [{}],struck", run.units.length);
-  for (const Quantity* quantity : columns) csv += "," + heading(*quantity, run.units);
+  for (const Quantity* quantity : columns) csv += "," + csv_heading(*quantity, run.units);
   csv += "\n";
   for (Eigen::Index i = 0; i < std::ssize(run.response.impacts); ++i) {
     const ContactPoint& point = run.problem.points.at(static_cast<std::size_t>(run.response.impacts[i].point));

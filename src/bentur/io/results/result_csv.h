@@ -10,6 +10,11 @@ namespace bentur {
 /// = + - @ or a tab, begins with an apostrophe.
 [[nodiscard]] std::string csv_field(const std::string& text);
 
+/// "peak_force [kgf]", of a quantity with this name.
+[[nodiscard]] std::string csv_heading(const Quantity& quantity, const Units& units);
+/// A number to its last digit, without the sign of a zero; empty for NaN.
+[[nodiscard]] std::string csv_number(double value);
+
 /// `impacts.csv`: one row per impact by start, a header row with units, numbers to the last digit (RFC 4180, LF). Every
 /// quantity of an impact is a column, behind those that say where it was; one that is not known stays empty.
 [[nodiscard]] std::string impacts_csv(const RunView& run);

@@ -21,24 +21,10 @@ std::optional<GoverningLevel> governing_reversed(std::vector<LevelSeparation> le
   return governing_level(levels, scale);
 }
 
-const char* motion_word(const GapFacts& facts) {
-  // Of results read back the record's numbers are not known.
-  if (std::holds_alternative<SampledMotion>(facts.problem.motion) || facts.c.excitation.record) {
-    return "story.this_motion";
-  }
-  return std::holds_alternative<HarmonicMotion>(facts.problem.motion) ? "story.this_harmonic" : "story.this_vibration";
-}
-
 Statement need_statement(const GapFacts& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
-  const std::string& length = facts.c.units.length;
-  Statement statement{.kind = std::move(kind),
-                      .severity = level.is_short() ? Severity::warning : Severity::finding,
-                      .gap = gap,
-                      .buildings = {gap, gap + 1},
-                      .level = level.elevation};
-  statement.values = {value_in("needed", level.gap_needed, length), value_in("level", level.elevation, length),
-                      value_in("width", level.width, length),
-                      value_in("difference", std::abs(level.gap_needed - level.width), length)};
+  Statement statement = need_of(level, facts.c.units.length, std::move(kind));
+  statement.gap = gap;
+  statement.buildings = {gap, gap + 1};
   if (level.watched) {
     add_faces(facts.problem, facts.problem.watched[*level.watched], statement.values);
     statement.values.push_back(word_of("faces", "story.faces"));
@@ -166,6 +152,26 @@ StoryTable screening_table(const GapFacts& facts, Eigen::Index gap) {
 
 }  // namespace
 
+Statement need_of(const GoverningLevel& level, const std::string& length, std::string kind) {
+  return {.kind = std::move(kind),
+          .severity = level.is_short() ? Severity::warning : Severity::finding,
+          .level = level.elevation,
+          .values = {value_in("needed", level.gap_needed, length), value_in("level", level.elevation, length),
+                     value_in("width", level.width, length),
+                     value_in("difference", std::abs(level.gap_needed - level.width), length)}};
+}
+
+const char* need_kind(const GoverningLevel& level) {
+  const bool touch = level.width == 0 && level.gap_needed == 0;
+  return touch ? "gap_touch" : level.is_short() ? "gap_short" : "gap_enough";
+}
+
+const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation) {
+  // Of results read back the record's numbers are not known.
+  if (std::holds_alternative<SampledMotion>(motion) || excitation.record) return "story.this_motion";
+  return std::holds_alternative<HarmonicMotion>(motion) ? "story.this_harmonic" : "story.this_vibration";
+}
+
 const char* silence_word(RuleFinding::Silence silence) {
   switch (silence) {
     case RuleFinding::Silence::no_level:
@@ -230,12 +236,8 @@ void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& 
     statements.push_back(need_statement(facts, gap, level, level.is_short() ? "spectral_short" : "spectral_enough"));
     return;
   }
-  const bool touch = level.width == 0 && level.gap_needed == 0;
-  statements.push_back(need_statement(facts, gap, level,
-                                      touch              ? "gap_touch"
-                                      : level.is_short() ? "gap_short"
-                                                         : "gap_enough"));
-  statements.back().values.push_back(word_of("motion", motion_word(facts)));
+  statements.push_back(need_statement(facts, gap, level, need_kind(level)));
+  statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation)));
   tell_reversed(facts, gap, levels, statements);
 }
 

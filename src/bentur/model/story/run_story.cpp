@@ -24,6 +24,24 @@ Statement model_statement(const RunResults& run) {
   return statement;
 }
 
+void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement) {
+  if (point.peak_force > 0) {
+    statement.kind = "pounding";
+    statement.values.push_back(value_in("force", shown.force * point.peak_force, shown.units.force));
+    statement.values.push_back(value_in("time", point.peak_force_time.value_or(0), "s"));
+    if (hardest != nullptr) {
+      statement.values.push_back(value_in("contact", 1e3 * (hardest->end - hardest->start), "ms"));
+      statement.values.push_back(word_of("lasting", "story.lasting"));
+    } else {
+      statement.values.push_back(text_of("lasting", ""));
+    }
+  } else {
+    statement.kind = "pounding_impulse";
+    statement.values.push_back(value_in("speed", point.peak_closing_speed, shown.units.length + "/s"));
+    statement.values.push_back(value_in("time", hardest != nullptr ? hardest->start : 0, "s"));
+  }
+}
+
 GapFacts facts_of(const RunResults& run) {
   return {.c = run.c,
           .problem = run.problem,
@@ -39,11 +57,10 @@ using Eigen::Index;
 using story::add_faces;
 using story::count_of;
 using story::GapFacts;
+using story::percent;
 using story::text_of;
 using story::value_in;
 using story::word_of;
-
-constexpr double percent = 100;
 
 std::string acceleration_unit(const Units& units) { return units.length + "/s²"; }
 
@@ -186,24 +203,8 @@ void tell_impacts(const RunResults& run, const GapOutcome& found, std::vector<St
   statement.values.push_back(count_of("touched", found.touched));
   statement.values.push_back(count_of("points", std::ssize(found.gap.points)));
   statement.values.push_back(value_in("level", *statement.level, length));
-  const Impact* const hardest = hardest_impact(run.response, *found.hardest);
-  const PointSummary& point = run.response.points[*found.hardest];
-  const ShownUnits shown = shown_units(run.c.units, run.response);
-  if (point.peak_force > 0) {
-    statement.kind = "pounding";
-    statement.values.push_back(value_in("force", shown.force * point.peak_force, shown.units.force));
-    statement.values.push_back(value_in("time", point.peak_force_time.value_or(0), "s"));
-    if (hardest != nullptr) {
-      statement.values.push_back(value_in("contact", 1e3 * (hardest->end - hardest->start), "ms"));
-      statement.values.push_back(word_of("lasting", "story.lasting"));
-    } else {
-      statement.values.push_back(text_of("lasting", ""));
-    }
-  } else {
-    statement.kind = "pounding_impulse";
-    statement.values.push_back(value_in("speed", point.peak_closing_speed, length + "/s"));
-    statement.values.push_back(value_in("time", hardest != nullptr ? hardest->start : 0, "s"));
-  }
+  story::tell_blow(run.response.points[*found.hardest], hardest_impact(run.response, *found.hardest),
+                   shown_units(run.c.units, run.response), statement);
   statements.push_back(std::move(statement));
 }
 

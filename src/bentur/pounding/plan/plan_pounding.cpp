@@ -19,6 +19,7 @@ namespace bentur {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// What yielding did in the storeys of a plane, whose elements begin at `member`, which is moved on past them.
@@ -129,6 +130,35 @@ void summarise_friction(const std::vector<Impact>& impacts, std::vector<PlanFric
   }
 }
 
+/// @param places of the system's points, places_of()
+PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const std::vector<Index>& places) {
+  PlanHistories histories{.time = std::move(solution.samples.time),
+                          .ground_acceleration = std::move(solution.samples.ground_acceleration)};
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Index n = problem.buildings[b].model.floors();
+    const auto history = [&](PlanOutput kind) -> const MatrixXd& {
+      return solution.outputs[b][static_cast<std::size_t>(kind)].history;
+    };
+    histories.x.emplace_back(history(PlanOutput::movement).topRows(n));
+    histories.y.emplace_back(history(PlanOutput::movement).middleRows(n, n));
+    histories.rotation.push_back(history(PlanOutput::rotation));
+    histories.acceleration_x.emplace_back(history(PlanOutput::acceleration).topRows(n));
+    histories.acceleration_y.emplace_back(history(PlanOutput::acceleration).bottomRows(n));
+  }
+  const Index count = std::ssize(places);
+  const auto in_order = [&](const MatrixXd& rows) {
+    MatrixXd all = MatrixXd::Zero(count, std::ssize(histories.time));
+    const Index first = count - rows.rows();  // those that rub are the last
+    for (Index i = 0; i < rows.rows(); ++i) all.row(places[first + i]) = rows.row(i);
+    return all;
+  };
+  histories.opening = in_order(solution.samples.opening);
+  histories.force = in_order(solution.samples.force);
+  histories.slip = in_order(solution.samples.slip);
+  histories.force_along = in_order(solution.samples.force_along);
+  return histories;
+}
+
 /// Every number that is told is one.
 bool is_finite(const PlanResponse& response) {
   const auto finite = [](const PlanPeaks& peaks) {
@@ -194,6 +224,7 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const RunOp
   response.steps = solution.steps;
   response.events = solution.events;
   response.buildings = peaks_of(problem, solution);
+  if (options.output_step > 0) response.histories = histories_of(problem, solution, places);
   response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);
   summarise_friction(response.impacts, response.friction);

@@ -31,6 +31,17 @@ struct PlanFriction {
   double friction_loss = 0;          ///< [force·length]
 };
 
+/// Samples, a column each; of every building its floors, of contacts those of all gaps in their order.
+struct PlanHistories {
+  std::vector<double> time = {};                ///< [s]
+  Eigen::MatrixXd ground_acceleration = {};     ///< of both motions along their own axes, without delay [length/s²]
+  std::vector<Eigen::MatrixXd> x = {}, y = {};  ///< of the centres of mass, from the own base [length]
+  std::vector<Eigen::MatrixXd> rotation = {};   ///< [rad]
+  std::vector<Eigen::MatrixXd> acceleration_x = {}, acceleration_y = {};  ///< absolute [length/s²]
+  Eigen::MatrixXd opening = {}, force = {};                               ///< [length], [force]
+  Eigen::MatrixXd slip = {}, force_along = {};                            ///< s and F_t (P-6); 0 where nothing rubs
+};
+
 /// What the response of buildings in plan was; the impacts' points count the contacts of all gaps.
 struct PlanResponse {
   Status status = Status::done;
@@ -43,6 +54,7 @@ struct PlanResponse {
   std::vector<PlanFriction> friction;           ///< of the same points; zero where nothing rubs
   std::vector<Impact> impacts;                  ///< by start, then point, then end
   std::optional<EnergyAudit> energy = {};       ///< when asked for
+  PlanHistories histories = {};                 ///< empty unless asked for
   std::vector<Discrepancy> discrepancies = {};
 };
 

@@ -6,6 +6,7 @@
 
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/io/results/internal/asked_json.h"
+#include "bentur/model/plan/plan_quantities.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -20,188 +21,95 @@ Json numbers_or_null(const VectorXd& values) {
   return json;
 }
 
-/// Peaks over those without contact; null where those are round-off.
-Json amplification(const VectorXd& with, const VectorXd& without, double least) {
-  Json json = Json::array();
-  for (Index i = 0; i < with.size(); ++i) {
-    json.push_back(without(i) > least ? Json(with(i) / without(i)) : Json(nullptr));
-  }
-  return json;
-}
-
-/// Below these a free peak is round-off, and has no amplification.
-struct RoundOff {
-  double displacement = 0;  ///< of the largest free peak of the case, rotations times half the longest side [length]
-  double rotation = 0;      ///< that over this half [rad]
-};
-
-RoundOff round_off_of(const PlanRun& run) {
-  constexpr double round_off = 1e-9;
-  double largest = 0, side = 0;
-  for (const PlanBuilding& building : run.problem.buildings) {
-    side = std::max(side, building.model.footprint.size.maxCoeff());
-  }
-  for (const PlanPeaks& free : run.response.buildings_no_contact) {
-    largest = std::max({largest, free.x.maxCoeff(), free.y.maxCoeff(), 0.5 * side * free.rotation.maxCoeff()});
-  }
-  return {round_off * largest, round_off * largest / (0.5 * side)};
-}
-
-Json planes_json(const PlanModel& model, const PlanPeaks& peaks) {
-  Json planes = Json::array();
-  for (std::size_t p = 0; p < peaks.planes.size(); ++p) {
-    const PlanPeaks::Plane& plane = peaks.planes[p];
-    Json json = {{"name", model.planes[p].name},
-                 {"peak_drift_ratio", numbers_or_null(plane.drift_ratio)},
-                 {"peak_shear", numbers_or_null(plane.shear)}};
-    if (plane.yielding.ductility.size() > 0) {
-      json["ductility"] = numbers_or_null(plane.yielding.ductility);
-      json["residual_drift_ratio"] = numbers_or_null(plane.yielding.residual_drift_ratio);
-      json["hysteretic_energy"] = numbers_or_null(plane.yielding.hysteretic_energy);
+/// Every quantity of one owner at these places, by its pointer; of floors and planes a list.
+void put_quantities(Json& json, PlanOwner owner, const PlanRun& run, const std::vector<PlanPlace>& places) {
+  const bool is_list = owner == PlanOwner::floor || owner == PlanOwner::plane;
+  for (const PlanQuantity& one : plan_quantities()) {
+    if (one.owner != owner) continue;
+    Json list = Json::array();
+    for (const double value : values_at(one, run, places)) {
+      const bool is_flag = std::holds_alternative<bool Impact::*>(one.told.source);
+      list.push_back(is_flag              ? Json(value != 0)
+                     : is_whole(one.told) ? Json(static_cast<long>(value))
+                                          : or_null_if_unknown(value));
     }
-    planes.push_back(std::move(json));
+    if (list.empty()) continue;
+    const std::string pointer(one.told.pointer.empty() ? "/" + std::string(one.told.key) : one.told.pointer);
+    json[Json::json_pointer(pointer)] = is_list ? std::move(list) : std::move(list.front());
   }
-  return planes;
 }
 
-Json plan_building_json(const PlanRun& run, std::size_t b, const RoundOff& least) {
+Json plan_building_json(const PlanRun& run, std::size_t b) {
   const PlanBuilding& building = run.problem.buildings[b];
-  const PlanPeaks& with = run.response.buildings[b];
-  const PlanPeaks& free = run.response.buildings_no_contact[b];
+  const auto item = static_cast<Index>(b);
   Json json = {{"name", building.name}, {"elevations", building.model.elevations}};
-  if (building.is_rigid()) {
-    json["peak_displacement_x"] = numbers_or_null(with.x);
-    json["peak_displacement_y"] = numbers_or_null(with.y);
-    json["peak_acceleration_x"] = numbers_or_null(with.acceleration_x);
-    json["peak_acceleration_y"] = numbers_or_null(with.acceleration_y);
-    return json;
+  if (!building.is_rigid()) {
+    json["periods"] = numbers_or_null(modal_properties(building.modes, building.model.load.col(0)).periods);
   }
-  json["periods"] = numbers_or_null(modal_properties(building.modes, building.model.load.col(0)).periods);
-  json["peak_displacement_x"] = numbers_or_null(with.x);
-  json["peak_displacement_x_no_contact"] = numbers_or_null(free.x);
-  json["amplification_x"] = amplification(with.x, free.x, least.displacement);
-  json["peak_displacement_y"] = numbers_or_null(with.y);
-  json["peak_displacement_y_no_contact"] = numbers_or_null(free.y);
-  json["amplification_y"] = amplification(with.y, free.y, least.displacement);
-  json["peak_rotation"] = numbers_or_null(with.rotation);
-  json["peak_rotation_no_contact"] = numbers_or_null(free.rotation);
-  json["amplification_rotation"] = amplification(with.rotation, free.rotation, least.rotation);
-  json["peak_edge_displacement"] = {{"south", numbers_or_null(with.south)},
-                                    {"north", numbers_or_null(with.north)},
-                                    {"west", numbers_or_null(with.west)},
-                                    {"east", numbers_or_null(with.east)}};
-  json["peak_acceleration_x"] = numbers_or_null(with.acceleration_x);
-  json["peak_acceleration_y"] = numbers_or_null(with.acceleration_y);
-  json["peak_angular_acceleration"] = numbers_or_null(with.angular_acceleration);
-  json["peak_storey_shear_x"] = numbers_or_null(with.shear_x);
-  json["peak_storey_shear_y"] = numbers_or_null(with.shear_y);
-  json["peak_storey_torque"] = numbers_or_null(with.torque);
-  json["planes"] = planes_json(building.model, with);
+  put_quantities(json, PlanOwner::floor, run, floors_of(run.problem, item));
+  if (building.is_rigid()) return json;
+  json["planes"] = Json::array();
+  for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
+    Json plane = {{"name", building.model.planes[p].name}};
+    put_quantities(plane, PlanOwner::plane, run, floors_of(run.problem, item, p));
+    json["planes"].push_back(std::move(plane));
+  }
   return json;
 }
 
 Json pair_json(const PlanPoint& at) { return {at.x(), at.y()}; }
 
-Json plan_point_json(const PlanGap& gap, const PlanContact& contact, const PointSummary& point,
-                     const PlanFriction& friction, const ContactSpec& spec) {
-  Json json = {{"elevation", contact.elevation},
-               {"at", pair_json(gap.stretch.middle(contact.along))},
-               {"width", gap.stretch.width},
-               {"gap_needed", point.gap_needed},
-               {"gap_needed_reversed", or_null(point.gap_needed_reversed)},
-               {"impacts", point.impacts},
-               {"slow_starts", point.slow_starts},
-               {"contact_duration", point.contact_duration},
-               {"peak_force", point.peak_force},
-               {"peak_force_time", or_null(point.peak_force_time)},
-               {"peak_penetration", point.peak_penetration},
-               {"peak_closing_speed", point.peak_closing_speed},
-               {"impulse", point.impulse},
-               {"energy_lost", point.energy_lost},
-               {"peak_tension", point.peak_tension},
-               {"contact", contact_json(*contact.law, spec)}};
+/// @param index among the contacts of all gaps
+Json plan_point_json(const PlanRun& run, Index index) {
+  const PlanContactPlace place = contact_at(run.problem, index);
+  const PlanContact& contact = *place.contact;
+  Json json = {{"elevation", contact.elevation}, {"at", pair_json(place.at)}};
+  put_quantities(json, PlanOwner::point, run, {{index}});
+  json["contact"] = contact_json(*contact.law, run.c.gaps.at(place.gap).contact);
   if (!contact.rubbing) return json;
-  json["peak_tangential_force"] = friction.peak_tangential_force;
-  json["tangential_impulse"] = friction.tangential_impulse;
-  json["sliding"] = friction.sliding;
-  json["friction_loss"] = friction.friction_loss;
   json["contact"]["friction"] = contact.rubbing->friction();
   json["contact"]["tangential_stiffness"] = contact.rubbing->tangential_stiffness();
   return json;
 }
 
-/// Floors between base and top of the other building that have no contact there, so that nothing is told of how near
-/// they come to its columns.
-Json not_watched_json(const PlanProblem& problem, const PlanGap& gap) {
-  Json json = Json::array();
-  for (const int side : {0, 1}) {
-    const PlanBuilding& building = problem.buildings[side == 0 ? gap.left : gap.right];
-    const PlanModel& other = problem.buildings[side == 0 ? gap.right : gap.left].model;
-    const double base = other.elevations.front() - other.storey_heights.front();
-    for (Index f = 0; f < building.model.floors(); ++f) {
-      const double elevation = building.model.elevations[f];
-      const bool touches = std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& contact) {
-        return (side == 0 ? contact.left_floor : contact.right_floor) == f;
-      });
-      if (touches || elevation < base || elevation > other.elevations.back()) continue;
-      json.push_back({{"floor_of", building.name}, {"elevation", elevation}});
-    }
-  }
-  return json;
+Json between_json(const PlanProblem& problem, const PlanGap& gap) {
+  return {problem.buildings[gap.left].name, problem.buildings[gap.right].name};
 }
 
-/// @param first the gap's first contact among those of all gaps
-Json plan_gap_json(const PlanRun& run, std::size_t g, std::size_t first) {
+Json plan_gap_json(const PlanRun& run, std::size_t g) {
   const PlanGap& gap = run.problem.gaps[g];
-  Json points = Json::array();
+  const Index first = first_contact(run.problem, g);
+  Json points = Json::array(), not_watched = Json::array();
   double needed = 0, reversed = 0;
   bool both_ways = run.c.analysis.both_ways;
-  for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
-    const PointSummary& point = run.response.points.at(first + i);
+  for (Index i = first; i < first + std::ssize(gap.contacts); ++i) {
+    const PointSummary& point = run.response.points.at(i);
     needed = std::max(needed, point.gap_needed);
     reversed = std::max(reversed, point.gap_needed_reversed.value_or(0));
     both_ways = both_ways && point.gap_needed_reversed.has_value();
-    points.push_back(
-        plan_point_json(gap, gap.contacts[i], point, run.response.friction.at(first + i), run.c.gaps.at(g).contact));
-    if (!run.c.analysis.both_ways) points.back()["gap_needed_reversed"] = nullptr;
+    points.push_back(plan_point_json(run, i));
   }
-  return {{"between", {run.problem.buildings[gap.left].name, run.problem.buildings[gap.right].name}},
+  for (const UnwatchedFloor& one : unwatched_floors(run.problem, gap)) {
+    const PlanBuilding& building = run.problem.buildings[one.building];
+    not_watched.push_back({{"floor_of", building.name}, {"elevation", building.model.elevations[one.floor]}});
+  }
+  return {{"between", between_json(run.problem, gap)},
           {"normal", gap.stretch.across == 0 ? "x" : "y"},
           {"width", gap.stretch.width},
           {"stretch", {gap.stretch.from, gap.stretch.to}},
           {"gap_needed", needed},
           {"gap_needed_reversed", both_ways ? Json(reversed) : Json(nullptr)},
-          {"not_watched", not_watched_json(run.problem, gap)},
+          {"not_watched", std::move(not_watched)},
           {"points", std::move(points)}};
 }
 
-/// A contact point by its place among those of all gaps.
-std::pair<const PlanGap&, const PlanContact&> contact_at(const PlanProblem& problem, std::size_t point) {
-  std::size_t g = 0;
-  while (point >= problem.gaps.at(g).contacts.size()) point -= problem.gaps[g++].contacts.size();
-  return {problem.gaps[g], problem.gaps[g].contacts[point]};
-}
-
-Json plan_impact_json(const PlanProblem& problem, const Impact& impact) {
-  const auto& [gap, contact] = contact_at(problem, static_cast<std::size_t>(impact.point));
-  const PlanPoint at = gap.stretch.middle(contact.along);
-  Json json = {{"between", {problem.buildings[gap.left].name, problem.buildings[gap.right].name}},
-               {"elevation", contact.elevation},
-               {"x", at.x()},
-               {"y", at.y()},
-               {"start", impact.start},
-               {"end", impact.end},
-               {"open_ended", impact.open_ended},
-               {"closing_speed", impact.closing_speed},
-               {"separation_speed", impact.separation_speed},
-               {"restitution", or_null(impact.restitution())},
-               {"peak_force", impact.peak_force},
-               {"peak_force_time", impact.peak_force_time},
-               {"peak_penetration", impact.peak_penetration},
-               {"impulse", impact.impulse},
-               {"energy_lost", impact.energy_lost},
-               {"peak_tension", impact.peak_tension}};
-  if (contact.rubbing) json["tangential_impulse"] = impact.tangential_impulse;
+Json plan_impact_json(const PlanRun& run, Index index) {
+  const PlanContactPlace place = contact_at(run.problem, run.response.impacts[index].point);
+  Json json = {{"between", between_json(run.problem, run.problem.gaps[place.gap])},
+               {"elevation", place.contact->elevation},
+               {"x", place.at.x()},
+               {"y", place.at.y()}};
+  put_quantities(json, PlanOwner::impact, run, {{index}});
   return json;
 }
 
@@ -238,14 +146,9 @@ Json discrepancies_json(const std::vector<Discrepancy>& discrepancies) {
 
 std::string plan_summary_json(const PlanRun& run, std::string_view version) {
   Json buildings = Json::array(), gaps = Json::array(), impacts = Json::array();
-  const RoundOff least = round_off_of(run);
-  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b, least));
-  std::size_t first = 0;
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    gaps.push_back(plan_gap_json(run, g, first));
-    first += run.problem.gaps[g].contacts.size();
-  }
-  for (const Impact& impact : run.response.impacts) impacts.push_back(plan_impact_json(run.problem, impact));
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b));
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) gaps.push_back(plan_gap_json(run, g));
+  for (Index i = 0; i < std::ssize(run.response.impacts); ++i) impacts.push_back(plan_impact_json(run, i));
   return text_of({{"title", run.c.title},
                   {"units", units_json(run.c.units)},
                   {"version", version},

@@ -9,6 +9,7 @@
 
 namespace bentur::story {
 
+inline constexpr double percent = 100;
 inline constexpr double reached = 1e-9;  ///< of a capacity: what is so near it has come to it
 
 /// What the gaps of a story are told from, of a run or by a spectrum.
@@ -32,6 +33,14 @@ struct GapFacts {
   return {std::move(name), std::move(key), {}, true};
 }
 
+/// What a hit is told by, and the kind of statement that does: the force and how long it lasts, or of contacts without
+/// force the speed. `hardest`: of the point; null where it is not known.
+void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement);
+/// What is needed and given at a level, and whether it is enough; the kinds "gap_…" of it.
+[[nodiscard]] Statement need_of(const GoverningLevel& level, const std::string& length, std::string kind);
+[[nodiscard]] const char* need_kind(const GoverningLevel& level);
+/// The word for what moves the buildings.
+[[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
 void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.

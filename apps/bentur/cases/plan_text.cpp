@@ -1,0 +1,114 @@
+#include "cases/plan_text.h"
+
+#include <algorithm>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/plan_story.h"
+#include "session.h"
+#include "text/table.h"
+
+namespace bentur::cli {
+namespace {
+
+using Eigen::Index;
+
+std::string with_columns(Table table, std::vector<TableColumn> columns) {
+  for (TableColumn& column : columns)
+    table.add(std::move(column.label), std::move(column.unit), std::move(column.cells));
+  return table.text();
+}
+
+/// The contact points of a gap, level after level from the top down, each along the stretch.
+std::string contact_table(const PlanRun& run, std::size_t g, const Words& say) {
+  std::vector<PlanPlace> places;
+  for (Index i = 0; i < std::ssize(run.problem.gaps[g].contacts); ++i) {
+    places.push_back({first_contact(run.problem, g) + i});
+  }
+  std::stable_sort(places.begin(), places.end(), [&](const PlanPlace& a, const PlanPlace& b) {
+    return contact_at(run.problem, a.item).contact->elevation > contact_at(run.problem, b.item).contact->elevation;
+  });
+  std::vector<double> elevation, x, y;
+  for (const PlanPlace& at : places) {
+    const PlanContactPlace place = contact_at(run.problem, at.item);
+    elevation.push_back(place.contact->elevation);
+    x.push_back(place.at.x());
+    y.push_back(place.at.y());
+  }
+  Table table;
+  table.add(say("cli.level"), run.c.units.length, elevation);
+  table.add("x", run.c.units.length, x);
+  table.add("y", run.c.units.length, y);
+  return with_columns(std::move(table), table_columns(PlanOwner::point, false, run, places, say.number()));
+}
+
+std::string floor_table(const PlanRun& run, Index building, bool of_forces, const Words& say) {
+  std::vector<PlanPlace> places = floors_of(run.problem, building);
+  std::reverse(places.begin(), places.end());
+  const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
+  Table table;
+  table.add(say("cli.level"), run.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
+  return with_columns(std::move(table), table_columns(PlanOwner::floor, of_forces, run, places, say.number()));
+}
+
+std::string plane_table(const PlanRun& run, Index building, const Words& say) {
+  const PlanModel& model = run.problem.buildings[building].model;
+  std::vector<PlanPlace> places;
+  std::vector<std::string> names;
+  std::vector<double> levels;
+  for (Index p = 0; p < std::ssize(model.planes); ++p) {
+    for (Index f = model.floors() - 1; f >= 0; --f) {
+      places.push_back({building, f, p});
+      names.push_back(model.planes[p].name);
+      levels.push_back(model.elevations[f]);
+    }
+  }
+  if (places.empty()) return {};
+  Table table;
+  table.add(say("column.plane"), "", names);
+  table.add(say("cli.level"), run.c.units.length, levels);
+  return "\n" + say("cli.planes", {{"building", run.problem.buildings[building].name}}) + "\n\n" +
+         with_columns(std::move(table), table_columns(PlanOwner::plane, false, run, places, say.number()));
+}
+
+}  // namespace
+
+std::string plan_summary_text(const PlanRun& run, const Words& say) {
+  const PlanProblem& problem = run.problem;
+  const std::vector<std::string> gaps = gap_names(problem);
+  std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
+  text += excitation_line(run.c.excitation[0], run.c.units, say) + "\n";
+  if (!std::holds_alternative<NoMotion>(problem.motions[1])) {
+    text += say("cli.along_y", {{"motion", excitation_line(run.c.excitation[1], run.c.units, say)}}) + "\n";
+  }
+  const Story story = plan_story(run);
+  text += "\n" + story_text(gaps, story, say, Told::outcome);
+  for (std::size_t g = 0; g < gaps.size(); ++g) {
+    text += "\n" + say("cli.contact", {{"gap", gaps[g]}}) + "\n\n" + contact_table(run, g, say);
+  }
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    text += "\n" + say("cli.peaks", {{"building", problem.buildings[b].name}}) + "\n\n";
+    text += floor_table(run, b, false, say) + "\n" + floor_table(run, b, true, say);
+    if (problem.buildings[b].is_rigid()) text += "  " + say("cli.moves") + "\n";
+    text += plane_table(run, b, say);
+  }
+  text += "\n" + say("cli.storeys") + "\n\n" + story_text(gaps, story, say, Told::remarks);
+  if (run.response.energy) {
+    const ShownUnits shown = shown_units(run);
+    text += "\n" +
+            say("cli.energy", {{"input", number(shown.force * run.response.energy->peak_input)},
+                               {"force", shown.units.force},
+                               {"length", run.c.units.length},
+                               {"residual", number(run.response.energy->relative_residual())}}) +
+            "\n";
+  }
+  return text + "\n" +
+         say("cli.solver", {{"solver", solver_name(run.c.analysis.solver)},
+                            {"time", number(problem.duration)},
+                            {"ms", number(1e3 * run.response.wall_time)},
+                            {"steps", std::to_string(run.response.steps)},
+                            {"events", std::to_string(run.response.events)}}) +
+         "\n";
+}
+
+}  // namespace bentur::cli

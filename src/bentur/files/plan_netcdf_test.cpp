@@ -1,0 +1,112 @@
+// What the files of a run of buildings in plan hold, against the run and against one another.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bentur/files/netcdf.h"
+#include "bentur/files/result_netcdf.h"
+#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/results/plan/plan_csv.h"
+
+namespace bentur {
+namespace {
+
+PlanRun twisting_pair(double output_step) {
+  Diagnostics diagnostics;
+  PlanProblem problem;
+  auto c = read_plan_case(std::string(BENTUR_SOURCE_DIR) + "/examples/plan/twisting-pair.toml", diagnostics, &problem);
+  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
+  RunOptions options = run_options(*c);
+  options.output_step = output_step;
+  options.energy_audit = true;
+  PlanResponse response = solve(problem, c->analysis.solver, options);
+  return {*std::move(c), std::move(problem), std::move(response)};
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+TEST(PlanNetcdf, HoldsTheRunAndItsHistories) {
+  const PlanRun run = twisting_pair(0.001);
+  ASSERT_EQ(run.response.status, Status::done) << run.response.message;
+  const NetcdfReader file(histories_netcdf(run, "test"), "histories.nc");
+  const std::size_t times = file.dimension_size("time");
+  EXPECT_EQ(times, 15001U);
+  EXPECT_EQ(file.at("displacement_x_1").shape, (std::vector<std::size_t>{times, 2}));
+  EXPECT_EQ(file.attribute("displacement_x_1", "units"), "m");
+  EXPECT_EQ(file.attribute("rotation_2", "units"), "rad");
+  EXPECT_EQ(file.texts("building_name"), (std::vector<std::string>{"Walled", "Frame"}));
+  EXPECT_EQ(file.texts("plane_name_1"),
+            (std::vector<std::string>{"south wall", "north frame", "west frame", "east frame"}));
+  EXPECT_EQ(file.numbers("footprint_2"), (std::vector<double>{12.04, 0, 12.04 + 15, 18}));
+  // Samples stay within the peaks of the continuous response, and come near.
+  for (const auto& [history, peak] :
+       {std::pair{"displacement_x_1", "peak_displacement_x_1"}, std::pair{"displacement_y_2", "peak_displacement_y_2"},
+        std::pair{"rotation_1", "peak_rotation_1"}, std::pair{"acceleration_x_1", "peak_acceleration_x_1"},
+        std::pair{"force", "peak_force"}, std::pair{"force_along", "peak_tangential_force"}}) {
+    const double sampled = largest(file.numbers(history)), whole = largest(file.numbers(peak));
+    EXPECT_LE(sampled, whole * (1 + 1e-12)) << history;
+    EXPECT_GE(sampled, 0.97 * whole) << history;  // a sample every millisecond, impacts of 40
+  }
+  // The opening at a corner is what both floors move there, the slip likewise (P-1), (P-6).
+  const std::vector<double> x_left = file.numbers("displacement_x_1"), y_left = file.numbers("displacement_y_1"),
+                            turn_left = file.numbers("rotation_1"), x_right = file.numbers("displacement_x_2"),
+                            y_right = file.numbers("displacement_y_2"), turn_right = file.numbers("rotation_2");
+  const std::vector<double> opening = file.numbers("opening"), slip = file.numbers("slip"),
+                            force = file.numbers("force"), along = file.numbers("force_along");
+  const std::vector<double> y = file.numbers("point_y"), level = file.numbers("point_elevation");
+  const std::size_t points = y.size();
+  ASSERT_EQ(points, 4U);
+  long slid = 0;
+  for (std::size_t t = 0; t < times; ++t) {
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::size_t floor = 2 * t + (level[i] > 4 ? 1 : 0), at = t * points + i;
+      const double closed =
+          x_left[floor] - turn_left[floor] * (y[i] - 9) - (x_right[floor] - turn_right[floor] * (y[i] - 9));
+      const double moved = y_left[floor] + 6 * turn_left[floor] - (y_right[floor] - 7.5 * turn_right[floor]);
+      ASSERT_NEAR(opening[at], 0.04 - closed, 1e-14) << t;
+      ASSERT_NEAR(slip[at], moved, 1e-14) << t;
+      ASSERT_LE(std::abs(along[at]), 0.3 * force[at] * (1 + 1e-9)) << t;
+      ASSERT_EQ(force[at] > 0, opening[at] < 0) << t;
+      slid += force[at] > 0 && std::abs(along[at]) > 0.3 * force[at] * (1 - 1e-9) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(slid, 10);
+  // Energies at the same instants.
+  EXPECT_EQ(file.at("energy_input").shape, (std::vector<std::size_t>{times}));
+  EXPECT_EQ(file.numbers("impact_point").size(), run.response.impacts.size());
+  EXPECT_EQ(largest(file.numbers("impact_tangential_impulse")) > 0, true);
+}
+
+TEST(PlanNetcdf, WithoutSamplesHoldsWhatHasNoTime) {
+  const NetcdfReader file(histories_netcdf(twisting_pair(0), "test"), "histories.nc");
+  EXPECT_FALSE(file.has("displacement_x_1"));
+  EXPECT_TRUE(file.has("peak_displacement_x_1"));
+  EXPECT_TRUE(file.has("gap_needed") || file.has("point_gap_needed"));
+}
+
+TEST(PlanNetcdf, SamplesChangeNothing) {
+  const PlanRun with = twisting_pair(0.01), without = twisting_pair(0);
+  EXPECT_EQ(impacts_csv(with), impacts_csv(without));
+  EXPECT_EQ(with.response.buildings[0].rotation, without.response.buildings[0].rotation);
+}
+
+TEST(PlanCsv, HasARowForEachImpact) {
+  const PlanRun run = twisting_pair(0);
+  const std::string csv = impacts_csv(run);
+  EXPECT_EQ(csv.substr(0, csv.find(",start")), "left,right,elevation [m],x [m],y [m]");
+  EXPECT_NE(csv.find(",tangential_impulse [kN s]\n"), std::string::npos);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + std::ssize(run.response.impacts));
+  EXPECT_NE(csv.find("\nWalled,Frame,6.7,12.02,18,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bentur

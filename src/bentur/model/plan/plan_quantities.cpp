@@ -1,0 +1,294 @@
+#include "bentur/model/plan/plan_quantities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <utility>
+
+#include "bentur/core/errors.h"
+#include "bentur/model/internal/quantity_column.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Lists = VectorXd PlanPeaks::*;
+using Value = std::function<double(const PlanRun&, const PlanPlace&)>;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double entry(const VectorXd& list, Index i) { return i < list.size() ? list(i) : none; }
+
+/// A free peak below this is round-off, and has no amplification.
+struct RoundOff {
+  double displacement = 0;  ///< of the largest free peak of the case, rotations times half the longest side [length]
+  double rotation = 0;      ///< that over this half [rad]
+};
+
+RoundOff round_off_of(const PlanRun& run) {
+  constexpr double round_off = 1e-9;
+  double largest = 0, side = 0;
+  for (const PlanBuilding& building : run.problem.buildings) {
+    side = std::max(side, building.model.footprint.size.maxCoeff());
+  }
+  for (const PlanPeaks& free : run.response.buildings_no_contact) {
+    largest = std::max({largest, free.x.maxCoeff(), free.y.maxCoeff(), 0.5 * side * free.rotation.maxCoeff()});
+  }
+  return {round_off * largest, round_off * largest / (0.5 * side)};
+}
+
+Value with(Lists list) {
+  return [list](const PlanRun& run, const PlanPlace& at) {
+    return entry(run.response.buildings[at.item].*list, at.floor);
+  };
+}
+Value without(Lists list) {
+  return [list](const PlanRun& run, const PlanPlace& at) {
+    return entry(run.response.buildings_no_contact[at.item].*list, at.floor);
+  };
+}
+Value amplification(Lists list, double RoundOff::*least) {
+  return [list, least](const PlanRun& run, const PlanPlace& at) {
+    const double free = without(list)(run, at);
+    return free > round_off_of(run).*least ? with(list)(run, at) / free : none;
+  };
+}
+
+const PlanPeaks::Plane& plane_at(const PlanRun& run, const PlanPlace& at) {
+  return run.response.buildings[at.item].planes[at.plane];
+}
+Value of_plane(VectorXd PlanPeaks::Plane::*list) {
+  return [list](const PlanRun& run, const PlanPlace& at) { return entry(plane_at(run, at).*list, at.floor); };
+}
+Value of_yielding(VectorXd BuildingPeaks::Yielding::*list) {
+  return [list](const PlanRun& run, const PlanPlace& at) { return entry(plane_at(run, at).yielding.*list, at.floor); };
+}
+Value of_friction(double PlanFriction::*member) {
+  return [member](const PlanRun& run, const PlanPlace& at) {
+    return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : none;
+  };
+}
+double impact_friction(const PlanRun& run, const PlanPlace& at) {
+  const Impact& impact = run.response.impacts[at.item];
+  return contact_at(run.problem, impact.point).contact->rubbing ? impact.tangential_impulse : none;
+}
+
+/// Where a plan has what a quantity of a row's points or impacts tells; empty where it has not.
+Value of_row(const Quantity& quantity) {
+  const auto& source = quantity.source;
+  if (quantity.key == "point_width") {
+    return [](const PlanRun& run, const PlanPlace& at) {
+      return run.problem.gaps[contact_at(run.problem, at.item).gap].stretch.width;
+    };
+  }
+  if (quantity.key == "point_gap_needed_reversed") {
+    return [](const PlanRun& run, const PlanPlace& at) {
+      return run.c.analysis.both_ways ? run.response.points[at.item].gap_needed_reversed.value_or(none) : none;
+    };
+  }
+  if (const auto* const real = std::get_if<double PointSummary::*>(&source)) {
+    if (*real == &PointSummary::peak_left || *real == &PointSummary::peak_right) return {};
+    return [member = *real](const PlanRun& run, const PlanPlace& at) { return run.response.points[at.item].*member; };
+  }
+  if (const auto* const count = std::get_if<int PointSummary::*>(&source)) {
+    return [member = *count](const PlanRun& run, const PlanPlace& at) {
+      return static_cast<double>(run.response.points[at.item].*member);
+    };
+  }
+  if (const auto* const time = std::get_if<std::optional<double> PointSummary::*>(&source)) {
+    return [member = *time](const PlanRun& run, const PlanPlace& at) {
+      return (run.response.points[at.item].*member).value_or(none);
+    };
+  }
+  if (quantity.owner != Owner::impact) return {};
+  if (quantity.key == "restitution") {
+    return [](const PlanRun& run, const PlanPlace& at) {
+      return run.response.impacts[at.item].restitution().value_or(none);
+    };
+  }
+  if (quantity.key == "duration") {
+    return [](const PlanRun& run, const PlanPlace& at) {
+      return run.response.impacts[at.item].end - run.response.impacts[at.item].start;
+    };
+  }
+  if (const auto* const real = std::get_if<double Impact::*>(&source)) {
+    return [member = *real](const PlanRun& run, const PlanPlace& at) { return run.response.impacts[at.item].*member; };
+  }
+  if (const auto* const flag = std::get_if<bool Impact::*>(&source)) {
+    return [member = *flag](const PlanRun& run, const PlanPlace& at) {
+      return run.response.impacts[at.item].*member ? 1.0 : 0.0;
+    };
+  }
+  return {};
+}
+
+constexpr PlanOwner floor = PlanOwner::floor, plane = PlanOwner::plane, point = PlanOwner::point,
+                    impact = PlanOwner::impact;
+constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known;
+
+// clang-format off
+std::deque<PlanQuantity> made() {
+  const Owner of = Owner::floor;
+  std::deque<PlanQuantity> all = {
+      // Floors, and the storeys below them.
+      {floor, {"peak_displacement_x", of, "L", "max |u_x|", "largest displacement along x of the centre of mass relative to the own base", {"Along x", "Sepanjang x"}, {}}, with(&PlanPeaks::x)},
+      {floor, {"peak_displacement_x_no_contact", of, "L", "max |u_x⁰|", "largest displacement along x with contact switched off", {"Without contact", "Tanpa kontak"}, {}}, without(&PlanPeaks::x), moving},
+      {floor, {"amplification_x", of, "1", "max |u_x| / max |u_x⁰|", "largest displacement along x over that with contact switched off", {}, {}}, amplification(&PlanPeaks::x, &RoundOff::displacement), moving},
+      {floor, {"peak_displacement_y", of, "L", "max |u_y|", "largest displacement along y of the centre of mass relative to the own base", {"Along y", "Sepanjang y"}, {}}, with(&PlanPeaks::y)},
+      {floor, {"peak_displacement_y_no_contact", of, "L", "max |u_y⁰|", "largest displacement along y with contact switched off", {"Without contact", "Tanpa kontak"}, {}}, without(&PlanPeaks::y), moving},
+      {floor, {"amplification_y", of, "1", "max |u_y| / max |u_y⁰|", "largest displacement along y over that with contact switched off", {}, {}}, amplification(&PlanPeaks::y, &RoundOff::displacement), moving},
+      {floor, {"peak_rotation", of, "rad", "max |θ|", "largest rotation", {"Rotation", "Rotasi"}, {}, {}, "mrad", 1e3}, with(&PlanPeaks::rotation), moving},
+      {floor, {"peak_rotation_no_contact", of, "rad", "max |θ⁰|", "largest rotation with contact switched off", {"Without contact", "Tanpa kontak"}, {}, {}, "mrad", 1e3}, without(&PlanPeaks::rotation), moving},
+      {floor, {"amplification_rotation", of, "1", "max |θ| / max |θ⁰|", "largest rotation over that with contact switched off", {}, {}}, amplification(&PlanPeaks::rotation, &RoundOff::rotation), moving},
+      {floor, {"peak_displacement_south", of, "L", "max |u_x|", "largest displacement along x of the lower edge", {}, {}, "/peak_edge_displacement/south"}, with(&PlanPeaks::south), moving},
+      {floor, {"peak_displacement_north", of, "L", "max |u_x|", "largest displacement along x of the upper edge", {}, {}, "/peak_edge_displacement/north"}, with(&PlanPeaks::north), moving},
+      {floor, {"peak_displacement_west", of, "L", "max |u_y|", "largest displacement along y of the left edge", {}, {}, "/peak_edge_displacement/west"}, with(&PlanPeaks::west), moving},
+      {floor, {"peak_displacement_east", of, "L", "max |u_y|", "largest displacement along y of the right edge", {}, {}, "/peak_edge_displacement/east"}, with(&PlanPeaks::east), moving},
+      {floor, {"peak_acceleration_x", of, "L s-2", "max |ü_x + a_x|", "largest absolute acceleration along x", {"Acceleration x", "Percepatan x"}, {}}, with(&PlanPeaks::acceleration_x)},
+      {floor, {"peak_acceleration_y", of, "L s-2", "max |ü_y + a_y|", "largest absolute acceleration along y", {"Acceleration y", "Percepatan y"}, {}}, with(&PlanPeaks::acceleration_y)},
+      {floor, {"peak_angular_acceleration", of, "rad s-2", "max |θ̈|", "largest angular acceleration", {"Angular acceleration", "Percepatan sudut"}, {}}, with(&PlanPeaks::angular_acceleration), moving},
+      {floor, {"peak_storey_shear_x", of, "F", "max |V_x|", "largest storey shear along x, without dashpots", {"Storey shear x", "Gaya geser tingkat x"}, {}}, with(&PlanPeaks::shear_x), moving},
+      {floor, {"peak_storey_shear_y", of, "F", "max |V_y|", "largest storey shear along y, without dashpots", {"Storey shear y", "Gaya geser tingkat y"}, {}}, with(&PlanPeaks::shear_y), moving},
+      {floor, {"peak_storey_torque", of, "F L", "max |T|", "largest torque of the storey about the centre of mass of the floor above", {"Torque", "Torsi"}, {}}, with(&PlanPeaks::torque), moving},
+      // Storeys of planes, by the floor above them.
+      {plane, {"peak_drift_ratio", of, "1", "max |Δ|/h", "largest drift of the plane over storey height", {"Drift", "Simpangan antartingkat"}, {}, {}, "%", 100}, of_plane(&PlanPeaks::Plane::drift_ratio)},
+      {plane, {"peak_shear", of, "F", "max |V|", "largest force of the plane", {"Force", "Gaya"}, {}}, of_plane(&PlanPeaks::Plane::shear)},
+      {plane, {"ductility", of, "1", "max |Δ|/Δ_y", "largest drift of the plane over that at yield", {"Ductility", "Daktilitas"}, {}, {}, {}, 1, 3}, of_yielding(&BuildingPeaks::Yielding::ductility), known},
+      {plane, {"residual_drift_ratio", of, "1", "Δ_r/h", "drift of the plane left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::residual_drift_ratio), known},
+      {plane, {"hysteretic_energy", of, "F L", "E_h", "energy that the storey of the plane has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, {}}, of_yielding(&BuildingPeaks::Yielding::hysteretic_energy), known},
+  };
+  for (const Quantity* const quantity : quantities_of(Owner::point)) {
+    if (Value value = of_row(*quantity)) all.push_back({point, *quantity, std::move(value)});
+  }
+  all.push_back({point, {"peak_tangential_force", Owner::point, "F", "max |F_t|", "largest force along the joint", {"Along the joint", "Sepanjang celah"}, {}}, of_friction(&PlanFriction::peak_tangential_force), known});
+  all.push_back({point, {"tangential_impulse", Owner::point, "F s", "Σ ∫F_t dt", "impulse along the joint of all impacts", {"Impulse along it", "Impuls sepanjang itu"}, {}}, of_friction(&PlanFriction::tangential_impulse), known});
+  all.push_back({point, {"sliding", Owner::point, "L", "Σ |Δs|", "path slid along the joint", {"Slides", "Menggeser"}, {}}, of_friction(&PlanFriction::sliding), known});
+  all.push_back({point, {"friction_loss", Owner::point, "F L", "Σ E_t", "energy that friction dissipated", {"Lost by friction", "Hilang oleh gesekan"}, {}}, of_friction(&PlanFriction::friction_loss), known});
+  for (const Quantity* const quantity : quantities_of(Owner::impact)) {
+    if (Value value = of_row(*quantity)) all.push_back({impact, *quantity, std::move(value)});
+  }
+  all.push_back({impact, {"tangential_impulse", Owner::impact, "F s", "∫F_t dt", "impulse along the joint", {"Along the joint", "Sepanjang celah"}, {}}, impact_friction, known});
+  return all;
+}
+// clang-format on
+
+/// What a run has of these units at most, of its lengths, accelerations and forces; turning at the longest side.
+double size_of(const PlanRun& run, std::string_view units) {
+  double displacement = 0, acceleration = 0, force = 0, side = 0;
+  for (const PlanBuilding& one : run.problem.buildings) side = std::max(side, one.model.footprint.size.maxCoeff());
+  const auto most = [](double& of, std::initializer_list<const VectorXd*> lists) {
+    for (const VectorXd* const list : lists) {
+      for (const double value : *list) of = std::max(of, value);
+    }
+  };
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    most(displacement, {&peaks.x, &peaks.y});
+    most(acceleration, {&peaks.acceleration_x, &peaks.acceleration_y});
+    most(force, {&peaks.shear_x, &peaks.shear_y});
+  }
+  for (const PointSummary& one : run.response.points) force = std::max(force, one.peak_force);
+  if (units == "L") return displacement;
+  if (units == "rad") return displacement / side;
+  if (units == "L s-2") return acceleration;
+  if (units == "rad s-2") return acceleration / side;
+  if (units == "F") return force;
+  return units == "F L" ? force * displacement : 0;
+}
+
+bool is_force(const PlanQuantity& one) {
+  const auto names = [&](std::string_view part) { return one.told.key.find(part) != std::string_view::npos; };
+  return one.owner == PlanOwner::floor && (names("acceleration") || names("shear") || names("torque"));
+}
+
+}  // namespace
+
+const std::deque<PlanQuantity>& plan_quantities() {
+  static const std::deque<PlanQuantity> all = made();
+  return all;
+}
+
+const PlanQuantity& plan_quantity_named(std::string_view key, PlanOwner owner) {
+  for (const PlanQuantity& one : plan_quantities()) {
+    if (one.told.key == key && one.owner == owner) return one;
+  }
+  throw InvalidParameter("quantity", std::string(key), "must be one of plan_quantities()");
+}
+
+std::vector<double> values_at(const PlanQuantity& quantity, const PlanRun& run, const std::vector<PlanPlace>& places) {
+  using When = PlanQuantity::When;
+  std::vector<double> values;
+  if (places.empty()) return values;
+  if (quantity.when == When::of_what_moves && run.problem.buildings[places.front().item].is_rigid()) return values;
+  for (const PlanPlace& at : places) values.push_back(quantity.value(run, at));
+  const auto is_none = [](double value) { return std::isnan(value); };
+  if (quantity.when == When::where_known && std::all_of(values.begin(), values.end(), is_none)) values.clear();
+  return values;
+}
+
+std::vector<PlanPlace> floors_of(const PlanProblem& problem, Index building, Index plane) {
+  std::vector<PlanPlace> places;
+  for (Index f = 0; f < problem.buildings[building].model.floors(); ++f) places.push_back({building, f, plane});
+  return places;
+}
+
+PlanContactPlace contact_at(const PlanProblem& problem, Index contact) {
+  std::size_t gap = 0;
+  for (; contact >= std::ssize(problem.gaps.at(gap).contacts); ++gap) contact -= std::ssize(problem.gaps[gap].contacts);
+  const PlanContact& found = problem.gaps[gap].contacts[contact];
+  return {gap, &found, problem.gaps[gap].stretch.middle(found.along)};
+}
+
+Index first_contact(const PlanProblem& problem, std::size_t gap) {
+  Index first = 0;
+  for (std::size_t g = 0; g < gap; ++g) first += std::ssize(problem.gaps[g].contacts);
+  return first;
+}
+
+std::vector<UnwatchedFloor> unwatched_floors(const PlanProblem& problem, const PlanGap& gap) {
+  std::vector<UnwatchedFloor> floors;
+  for (const bool is_left : {true, false}) {
+    const Index building = is_left ? gap.left : gap.right;
+    const PlanModel& model = problem.buildings[building].model;
+    const PlanModel& other = problem.buildings[is_left ? gap.right : gap.left].model;
+    const double base = other.elevations.front() - other.storey_heights.front();
+    for (Index f = 0; f < model.floors(); ++f) {
+      const double elevation = model.elevations[f];
+      const bool touches = std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& contact) {
+        return (is_left ? contact.left_floor : contact.right_floor) == f;
+      });
+      if (!touches && elevation >= base && elevation <= other.elevations.back()) floors.push_back({building, f});
+    }
+  }
+  return floors;
+}
+
+ShownUnits shown_units(const PlanRun& run) {
+  double largest = 0;
+  for (const PointSummary& one : run.response.points) largest = std::max({largest, one.peak_force, one.peak_tension});
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    for (const VectorXd* const list : {&peaks.shear_x, &peaks.shear_y}) {
+      for (const double shear : *list) largest = std::max(largest, shear);
+    }
+  }
+  return shown_units(run.c.units, largest);
+}
+
+std::vector<TableColumn> table_columns(PlanOwner owner, bool of_forces, const PlanRun& run,
+                                       const std::vector<PlanPlace>& places, std::size_t language) {
+  const ShownUnits shown = shown_units(run);
+  std::vector<TableColumn> columns;
+  for (const PlanQuantity& one : plan_quantities()) {
+    if (one.owner != owner || one.told.label[language].empty() || is_force(one) != of_forces) continue;
+    std::vector<double> values = values_at(one, run, places);
+    const bool is_known = !std::all_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+    if (!is_known) continue;
+    const double least = 1e-12 * size_of(run, one.told.units);
+    for (double& value : values) value = std::abs(value) < least ? 0 : value;
+    columns.push_back(column_of(one.told, std::move(values), shown, language));
+  }
+  return columns;
+}
+
+}  // namespace bentur

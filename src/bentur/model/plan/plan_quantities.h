@@ -1,0 +1,67 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/quantities.h"
+
+namespace bentur {
+
+/// What quantities of buildings in plan are one of; of a plane one for each storey.
+enum class PlanOwner { floor, plane, point, impact };
+
+/// Number of the building, of the contact among those of all gaps, or of the impact; of the floor, or the floor above
+/// the storey; and of the plane.
+struct PlanPlace {
+  Eigen::Index item = 0, floor = 0, plane = 0;
+};
+
+/// A number that is told of a run of buildings in plan: what Quantity is of a row. Of points and impacts a row's are
+/// among them.
+struct PlanQuantity {
+  enum class When { always, of_what_moves, where_known };  ///< of what moves: not of walls
+  PlanOwner owner = PlanOwner::floor;
+  Quantity told;                                                  ///< its words; `value` stands in for its source
+  std::function<double(const PlanRun&, const PlanPlace&)> value;  ///< NaN where there is none
+  When when = When::always;
+};
+
+/// All of them, in the order in which files and tables have them.
+[[nodiscard]] const std::deque<PlanQuantity>& plan_quantities();
+/// The one of this key and owner. @throws InvalidParameter where there is none.
+[[nodiscard]] const PlanQuantity& plan_quantity_named(std::string_view key, PlanOwner owner);
+/// Its values at places of one building, or of points or impacts; empty where it is not told of these.
+[[nodiscard]] std::vector<double> values_at(const PlanQuantity& quantity, const PlanRun& run,
+                                            const std::vector<PlanPlace>& places);
+/// The floors of a building, or the storeys of one of its planes, from the lowest up.
+[[nodiscard]] std::vector<PlanPlace> floors_of(const PlanProblem& problem, Eigen::Index building,
+                                               Eigen::Index plane = 0);
+
+/// A contact by its place among those of all gaps.
+struct PlanContactPlace {
+  std::size_t gap = 0;
+  const PlanContact* contact = nullptr;
+  PlanPoint at;  ///< in the middle of the gap [length]
+};
+[[nodiscard]] PlanContactPlace contact_at(const PlanProblem& problem, Eigen::Index contact);
+/// The first of a gap's contacts among those of all gaps.
+[[nodiscard]] Eigen::Index first_contact(const PlanProblem& problem, std::size_t gap);
+
+/// Floors between base and top of the building on the other side that have no contact there.
+struct UnwatchedFloor {
+  Eigen::Index building = 0, floor = 0;
+};
+[[nodiscard]] std::vector<UnwatchedFloor> unwatched_floors(const PlanProblem& problem, const PlanGap& gap);
+
+/// In the units in which people are told of it: by its largest contact force or storey shear.
+[[nodiscard]] ShownUnits shown_units(const PlanRun& run);
+
+/// Columns of a table for people of those quantities that have a label and, `of_forces` or not, are of accelerations,
+/// shears and torques. What none of the places has is left out; round-off is shown as 0.
+[[nodiscard]] std::vector<TableColumn> table_columns(PlanOwner owner, bool of_forces, const PlanRun& run,
+                                                     const std::vector<PlanPlace>& places, std::size_t language = 0);
+
+}  // namespace bentur

@@ -1,0 +1,378 @@
+#include "bentur/model/story/plan_story.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/internal/story_parts.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using story::count_of;
+using story::percent;
+using story::text_of;
+using story::value_in;
+using story::word_of;
+
+/// The word for the corner of a footprint that a place is at; nullptr where it is none.
+const char* corner_word(const Footprint& footprint, const PlanPoint& at) {
+  const auto side = [&](int i) {
+    return at[i] == footprint.corner[i] ? 0 : at[i] == footprint.far_corner()[i] ? 1 : -1;
+  };
+  constexpr const char* words[2][2] = {{"story.corner.lower_left", "story.corner.upper_left"},
+                                       {"story.corner.lower_right", "story.corner.upper_right"}};
+  return side(0) < 0 || side(1) < 0 ? nullptr : words[side(0)][side(1)];
+}
+
+/// {level} of a contact: its elevation, its place, and whose corner strikes there.
+void add_place(const PlanRun& run, const PlanContactPlace& place, std::vector<StoryValue>& values) {
+  const PlanGap& gap = run.problem.gaps[place.gap];
+  const std::string& length = run.c.units.length;
+  const char* corner = nullptr;
+  for (const int side : {0, 1}) {
+    const PlanBuilding& building = run.problem.buildings[side == 0 ? gap.left : gap.right];
+    if (corner != nullptr) break;
+    corner = corner_word(building.model.footprint, gap.stretch.on_edge(side, place.contact->along));
+    if (corner == nullptr) continue;
+    values.push_back(text_of("corner_of", building.name));
+    values.push_back(word_of("corner", corner));
+  }
+  values.push_back(value_in("elevation", place.contact->elevation, length));
+  values.push_back(value_in("x", place.at.x(), length));
+  values.push_back(value_in("y", place.at.y(), length));
+  values.push_back(word_of("level", corner != nullptr ? "story.place_at_corner" : "story.place"));
+}
+
+/// A statement of a gap, with {left}, {right} and {duration}.
+Statement of_gap(const PlanRun& run, std::size_t g, std::string kind, Severity severity = Severity::finding) {
+  const PlanGap& gap = run.problem.gaps[g];
+  const auto [first, second] = std::minmax(gap.left, gap.right);
+  return {.kind = std::move(kind),
+          .severity = severity,
+          .gap = static_cast<Index>(g),
+          .buildings = {first, second},
+          .values = {text_of("left", run.problem.buildings[first].name),
+                     text_of("right", run.problem.buildings[second].name),
+                     value_in("duration", run.problem.duration, "s")}};
+}
+
+/// The hardest impact of a contact; nullptr where it has none.
+const Impact* hardest_of(const PlanRun& run, Index contact) {
+  const Impact* hardest = nullptr;
+  for (const Impact& one : run.response.impacts) {
+    if (one.point == contact && (hardest == nullptr || is_harder(one, *hardest))) hardest = &one;
+  }
+  return hardest;
+}
+
+void tell_impacts(const PlanRun& run, std::size_t g, bool is_watched, std::vector<Statement>& statements) {
+  const Index first = first_contact(run.problem, g), count = std::ssize(run.problem.gaps[g].contacts);
+  long impacts = 0, touched = 0;
+  Index hit = -1;
+  const Impact* hardest = nullptr;
+  for (Index i = first; i < first + count; ++i) {
+    const Impact* const one = hardest_of(run, i);
+    impacts += run.response.points[i].impacts;
+    touched += one != nullptr ? 1 : 0;
+    if (one == nullptr || (hardest != nullptr && !is_harder(*one, *hardest))) continue;
+    hardest = one;
+    hit = i;
+  }
+  Statement statement = of_gap(run, g, is_watched ? "no_pounding" : "no_impact");
+  if (hardest != nullptr) {
+    const PlanContactPlace place = contact_at(run.problem, hit);
+    statement.severity = Severity::warning;
+    statement.level = place.contact->elevation;
+    statement.values.push_back(count_of("times", impacts));
+    statement.values.push_back(count_of("touched", touched));
+    statement.values.push_back(count_of("n", count));
+    statement.values.push_back(word_of("points", "story.count.contact_points.many"));
+    add_place(run, place, statement.values);
+    story::tell_blow(run.response.points[hit], hardest, shown_units(run), statement);
+  }
+  statements.push_back(std::move(statement));
+}
+
+/// How far anything of a building moves without contact along an axis, 0 x or 1 y [length].
+double reach_of(const PlanPeaks& free, int axis) {
+  return axis == 0 ? std::max(free.south.maxCoeff(), free.north.maxCoeff())
+                   : std::max(free.west.maxCoeff(), free.east.maxCoeff());
+}
+
+/// What is needed, with the motion as it is or reversed; of floors that nobody watches it can only be too little.
+void tell_need(const PlanRun& run, std::size_t g, bool is_watched, std::vector<Statement>& statements) {
+  const PlanGap& gap = run.problem.gaps[g];
+  const Index first = first_contact(run.problem, g), count = std::ssize(gap.contacts);
+  const auto& free = run.response.buildings_no_contact;
+  const auto level_of = [&](const auto& need) {
+    Index worst = first;
+    for (Index i = first; i < first + count; ++i) worst = need(i) > need(worst) ? i : worst;
+    GoverningLevel level;
+    level.elevation = contact_at(run.problem, worst).contact->elevation;
+    level.width = gap.stretch.width;
+    level.gap_needed = need(worst);
+    level.scale = reach_of(free[gap.left], gap.stretch.across) + reach_of(free[gap.right], gap.stretch.across);
+    return std::pair(level, worst);
+  };
+  const auto tell = [&](const std::pair<GoverningLevel, Index>& found, const char* kind) {
+    if (!is_watched && !found.first.is_short()) return;
+    Statement statement = of_gap(run, g, kind);
+    Statement need = story::need_of(found.first, run.c.units.length, kind);
+    std::erase_if(need.values, [](const StoryValue& value) { return value.name == "level"; });
+    statement.severity = need.severity;
+    statement.level = need.level;
+    std::move(need.values.begin(), need.values.end(), std::back_inserter(statement.values));
+    add_place(run, contact_at(run.problem, found.second), statement.values);
+    const std::size_t mover = std::holds_alternative<NoMotion>(run.problem.motions[0]) ? 1 : 0;
+    statement.values.push_back(
+        word_of("motion", story::motion_word(run.problem.motions[mover], run.c.excitation[mover])));
+    statement.values.push_back(text_of("faces", ""));
+    statements.push_back(std::move(statement));
+  };
+  if (count == 0) return;
+  const auto forth = level_of([&](Index i) { return run.response.points[i].gap_needed; });
+  tell(forth, story::need_kind(forth.first));
+  if (!run.c.analysis.both_ways || !run.response.points[first].gap_needed_reversed) return;
+  const auto back = level_of([&](Index i) { return run.response.points[i].gap_needed_reversed.value_or(0); });
+  tell(back, back.first.is_short() ? "reversed_short" : "reversed_enough");
+}
+
+/// Buildings that face one another, have no contact, and could meet by how far both move.
+void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& statements) {
+  const std::vector<PlanBuilding>& buildings = run.problem.buildings;
+  for (Index a = 0; a < std::ssize(buildings); ++a) {
+    for (Index b = a + 1; b < std::ssize(buildings); ++b) {
+      const auto stretch = facing(buildings[a].model.footprint, buildings[b].model.footprint);
+      const bool is_modelled = std::any_of(run.problem.gaps.begin(), run.problem.gaps.end(), [&](const PlanGap& gap) {
+        return std::min(gap.left, gap.right) == a && std::max(gap.left, gap.right) == b;
+      });
+      if (!stretch || is_modelled) continue;
+      const double reach =
+          reach_of(run.response.buildings[a], stretch->across) + reach_of(run.response.buildings[b], stretch->across);
+      if (reach < stretch->width) continue;
+      const std::string& length = run.c.units.length;
+      statements.push_back({.kind = "pair_without_contact",
+                            .severity = Severity::danger,
+                            .buildings = {a, b},
+                            .values = {text_of("left", buildings[a].name), text_of("right", buildings[b].name),
+                                       value_in("width", stretch->width, length), value_in("reach", reach, length)}});
+    }
+  }
+}
+
+/// A quantity of floors where it is largest over all buildings; NaN where none has one.
+struct Largest {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  PlanPlace at = {};
+  const char* axis = "";
+};
+Largest largest(const PlanRun& run, std::initializer_list<std::pair<const char*, const char*>> keys) {
+  Largest most;
+  for (const auto& [key, axis] : keys) {
+    const PlanQuantity& quantity = plan_quantity_named(key, PlanOwner::floor);
+    for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+      for (const PlanPlace& at : floors_of(run.problem, b)) {
+        const double value = quantity.value(run, at);
+        if (std::isnan(value) || value <= most.value) continue;
+        most = {value, at, axis};
+      }
+    }
+  }
+  return most;
+}
+
+/// {building} and {level}, with the axis where there is one.
+Statement of_floor(const PlanRun& run, const Largest& found, std::string kind) {
+  const PlanBuilding& building = run.problem.buildings[found.at.item];
+  const double level = building.model.elevations[found.at.floor];
+  Statement statement{.kind = std::move(kind),
+                      .buildings = {found.at.item},
+                      .level = level,
+                      .values = {text_of("building", building.name)}};
+  const bool has_axis = *found.axis != '\0';
+  statement.values.push_back(value_in(has_axis ? "elevation" : "level", level, run.c.units.length));
+  if (!has_axis) return statement;
+  statement.values.push_back(text_of("axis", found.axis));
+  statement.values.push_back(word_of("level", "story.level_along"));
+  return statement;
+}
+
+/// The floor that contact turns the most of those that do not turn alone; false where there is none.
+bool tell_turns_anew(const PlanRun& run, std::vector<Statement>& statements) {
+  constexpr double round_off = 1e-9;
+  Largest most;
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const PlanPeaks &with = run.response.buildings[b], &alone = run.response.buildings_no_contact[b];
+    const double side = run.problem.buildings[b].model.footprint.size.maxCoeff();
+    for (const PlanPlace& at : floors_of(run.problem, b)) {
+      const double moves = round_off * std::max(with.x(at.floor), with.y(at.floor));
+      const double value = with.rotation(at.floor);
+      if (side * alone.rotation(at.floor) > moves || !(side * value > moves) || value <= most.value) continue;
+      most = {value, at, ""};
+    }
+  }
+  if (std::isnan(most.value)) return false;
+  statements.push_back(of_floor(run, most, "turned_by_contact"));
+  statements.back().values.push_back(value_in("with", 1e3 * most.value, "mrad"));
+  return true;
+}
+
+void tell_amplification(const PlanRun& run, std::vector<Statement>& statements) {
+  if (run.response.impacts.empty()) return;
+  const Largest moves = largest(run, {{"amplification_x", "x"}, {"amplification_y", "y"}});
+  const Largest turns = largest(run, {{"amplification_rotation", ""}});
+  const auto tell = [&](const Largest& found, const char* kind, Eigen::VectorXd PlanPeaks::*list, double factor,
+                        const std::string& unit) {
+    Statement statement = of_floor(run, found, kind);
+    statement.values.push_back(value_in("factor", found.value));
+    const auto value = [&](const std::vector<PlanPeaks>& of) {
+      return factor * (of[found.at.item].*list)(found.at.floor);
+    };
+    statement.values.push_back(value_in("with", value(run.response.buildings), unit));
+    statement.values.push_back(value_in("without", value(run.response.buildings_no_contact), unit));
+    statements.push_back(std::move(statement));
+  };
+  constexpr double more = 1 + 1e-9;
+  if (moves.value > more) {
+    tell(moves, "amplified", *moves.axis == 'x' ? &PlanPeaks::x : &PlanPeaks::y, 1, run.c.units.length);
+  }
+  if (turns.value > more) tell(turns, "turned", &PlanPeaks::rotation, 1e3, "mrad");
+  const bool starts = tell_turns_anew(run, statements);
+  const bool any = moves.value > more || turns.value > more || starts;
+  if (!any && !std::isnan(moves.value)) statements.push_back({.kind = "not_amplified"});
+}
+
+void tell_acceleration(const PlanRun& run, std::vector<Statement>& statements) {
+  const Largest most = largest(run, {{"peak_acceleration_x", "x"}, {"peak_acceleration_y", "y"}});
+  if (std::isnan(most.value)) return;
+  Statement statement = of_floor(run, most, "acceleration");
+  statement.values.push_back(value_in("acceleration", most.value, run.c.units.length + "/s²"));
+  statement.values.push_back(value_in("in_g", most.value / run.c.units.gravity, "g"));
+  statements.push_back(std::move(statement));
+}
+
+/// "A, south wall".
+std::string plane_name(const PlanRun& run, Index b, std::size_t plane) {
+  return run.problem.buildings[b].name + ", " + run.problem.buildings[b].model.planes[plane].name;
+}
+
+/// Of each building the plane with the largest ductility and that with the largest drift, where that is beyond what
+/// stands for collapse.
+void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const auto& planes = run.response.buildings[b].planes;
+    double ductility = 1, drift = run.c.analysis.collapse_drift;
+    std::optional<std::pair<std::size_t, Index>> yields, drifts;
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      for (Index f = 0; f < planes[p].drift_ratio.size(); ++f) {
+        const auto& list = planes[p].yielding.ductility;
+        if (f < list.size() && list(f) > ductility) {
+          ductility = list(f);
+          yields = {p, f};
+        }
+        if (planes[p].drift_ratio(f) > drift) {
+          drift = planes[p].drift_ratio(f);
+          drifts = {p, f};
+        }
+      }
+    }
+    if (drifts) {
+      statements.push_back({.kind = "drift_beyond",
+                            .severity = Severity::danger,
+                            .buildings = {b},
+                            .level = run.problem.buildings[b].model.elevations[drifts->second],
+                            .values = {text_of("building", plane_name(run, b, drifts->first)),
+                                       count_of("storey", drifts->second + 1), value_in("drift", percent * drift, "%"),
+                                       value_in("limit", percent * run.c.analysis.collapse_drift, "%")}});
+    }
+    if (!yields) continue;
+    const auto& alone = run.response.buildings_no_contact[b].planes[yields->first].yielding.ductility;
+    statements.push_back(
+        {.kind = "storey_yields",
+         .buildings = {b},
+         .values = {text_of("building", plane_name(run, b, yields->first)), value_in("ductility", ductility),
+                    count_of("storey", yields->second + 1), value_in("alone", alone(yields->second)),
+                    word_of("comparison", "story.ductility_alone")}});
+  }
+}
+
+void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
+  for (const std::size_t i : {0U, 1U}) {
+    const double pga = peak_acceleration(run.problem.motions[i]);
+    if (!(pga > 0)) continue;
+    Statement statement{
+        .kind = run.c.angle == 0 ? "pga_along" : "pga_along_turned",
+        .values = {text_of("axis", i == 0 ? "x" : "y"), value_in("angle", run.c.angle),
+                   value_in("pga", pga, run.c.units.length + "/s²"), value_in("in_g", pga / run.c.units.gravity, "g")}};
+    statements.push_back(std::move(statement));
+  }
+}
+
+/// Small rotations: ½θ² times the arm is left out of every opening (docs/theory/plan.md).
+void tell_rotations(const PlanRun& run, std::vector<Statement>& statements) {
+  constexpr double share = 0.1;  // of the largest penetration
+  double penetration = 0;
+  for (const PointSummary& point : run.response.points) penetration = std::max(penetration, point.peak_penetration);
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const PlanModel& model = run.problem.buildings[b].model;
+    double left_out = 0;
+    for (Index f = 0; f < model.floors(); ++f) {
+      const PlanPoint& centre = model.centres[f];
+      const PlanPoint arm = centre.cwiseMax(model.footprint.size - centre);
+      const double theta = run.response.buildings[b].rotation(f);
+      left_out = std::max(left_out, 0.5 * theta * theta * arm.norm());
+    }
+    if (penetration == 0 || left_out <= share * penetration) continue;
+    Statement statement{.kind = "remark.small_rotations", .severity = Severity::remark, .buildings = {b}};
+    statement.values = {value_in("value", left_out, run.c.units.length),
+                        value_in("penetration", penetration, run.c.units.length)};
+    statement.subject = run.problem.buildings[b].name;
+    statements.push_back(std::move(statement));
+  }
+}
+
+Statement model_statement(const PlanRun& run) {
+  bool yields = false;
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
+  }
+  return {.kind = "model_plan",
+          .severity = Severity::remark,
+          .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
+          .items = {{word_of("what", "remarks.no_gravity")}, {word_of("what", "remarks.no_soil")}}};
+}
+
+}  // namespace
+
+std::vector<std::string> gap_names(const PlanProblem& problem) {
+  std::vector<std::string> names;
+  for (const PlanGap& gap : problem.gaps) names.push_back(gap_name(problem, gap));
+  return names;
+}
+
+Story plan_story(const PlanRun& run) {
+  Story told;
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const auto unwatched = static_cast<long>(unwatched_floors(run.problem, run.problem.gaps[g]).size());
+    tell_impacts(run, g, unwatched == 0, told.statements);
+    tell_need(run, g, unwatched == 0, told.statements);
+    if (unwatched == 0) continue;
+    told.statements.push_back(of_gap(run, g, "unwatched", Severity::warning));
+    told.statements.back().values.push_back(count_of("unwatched_floors", unwatched));
+  }
+  tell_pairs_without_contact(run, told.statements);
+  tell_planes(run, told.statements);
+  tell_amplification(run, told.statements);
+  tell_acceleration(run, told.statements);
+  tell_motion(run, told.statements);
+  sort_by_severity(told.statements);
+  tell_rotations(run, told.statements);
+  told.statements.push_back(model_statement(run));
+  return told;
+}
+
+}  // namespace bentur

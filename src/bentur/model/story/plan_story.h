@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/story/story.h"
+
+namespace bentur {
+
+/// Of a run of buildings in plan: who collides where and how hard, the gap needed both ways round, what contact does to
+/// the buildings, planes that yield, the ground motion as applied, what the model leaves out. Gaps of statements are
+/// those of the problem.
+[[nodiscard]] Story plan_story(const PlanRun& run);
+
+/// The gaps of a problem by name, in their order.
+[[nodiscard]] std::vector<std::string> gap_names(const PlanProblem& problem);
+
+}  // namespace bentur
