@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <numbers>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -79,6 +80,30 @@ Progress::~Progress() {
   if (visible_) std::fputs("\r\033[K", stderr);
 }
 
+Notice::Notice(const std::string& what) {
+  if (::isatty(STDERR_FILENO) != 1) return;
+  const auto tell = [this, what] {
+    std::unique_lock lock(mutex_);
+    if (changed_.wait_for(lock, std::chrono::seconds(1), [this] { return over_; })) return;
+    std::fputs(what.c_str(), stderr);
+    changed_.wait(lock, [this] { return over_; });
+    std::fputs("\r\033[K", stderr);
+  };
+  try {
+    teller_ = std::thread(tell);
+  } catch (const std::system_error&) {  // no thread can be had: nothing is told
+  }
+}
+
+Notice::~Notice() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  changed_.notify_one();
+  if (teller_.joinable()) teller_.join();
+}
+
 Failure::Failure(const Diagnostics& diagnostics, const std::string& language)
     : Failure(exit_bad_input, all_of(diagnostics, language)) {}
 
@@ -87,6 +112,7 @@ Loaded load(const std::filesystem::path& file, Purpose purpose, const std::strin
   std::vector<Building> buildings;
   std::optional<Case> c;
   {
+    const Notice notice("reading the case and computing the modes of its buildings");
     Progress display("of the spectra of the records");
     c = read_case(file, diagnostics, &buildings, [&](double fraction) { display.show(fraction); });
   }

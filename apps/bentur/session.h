@@ -3,9 +3,12 @@
 #include <signal.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <filesystem>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
@@ -46,6 +49,21 @@ class Progress {
   std::chrono::steady_clock::time_point shown_ = start_;
   bool terminal_ = false;
   bool visible_ = false;
+};
+
+/// What is being done, where it is not over within a second, on one line of a terminal that is cleared at the end.
+class Notice {
+ public:
+  explicit Notice(const std::string& what);
+  ~Notice();
+  Notice(const Notice&) = delete;
+  Notice& operator=(const Notice&) = delete;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool over_ = false;
+  std::thread teller_;
 };
 
 struct Loaded {

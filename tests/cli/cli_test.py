@@ -189,6 +189,22 @@ duration = 5.0
         self.assertRegex(text, pattern)
         return text
 
+    @unittest.skipIf(SANITIZED, "a minute there")
+    def test_a_case_that_takes_more_than_a_second_to_check_says_what_is_done(self):
+        case = self.folder / "tall.toml"
+        storeys = {"storey_heights": [3] * 1000, "masses": [100] * 1000, "stiffnesses": [1e6] * 1000}
+        stick = "{ " + ", ".join(f"{key} = {value}" for key, value in storeys.items()) + " }"
+        case.write_text(f"""[units]\nlength = "m"\nforce = "kN"
+[[building]]\nname = "tall"\ndamping = 0.05\nstick = {stick}
+[[building]]\nname = "taller"\ndamping = 0.05\nstick = {stick}
+[[gap]]\nbetween = ["tall", "taller"]\nwidth = 0.1\ncontact = {{ law = "linear", stiffness = 1e6 }}
+[excitation]\nkind = "harmonic"\nperiod = 0.5\ndisplacement_amplitude = 0.01\n[analysis]\nduration = 1\n""")
+        process, terminal = self.start_on_terminal("check", case)
+        self.read_until(terminal, "computing the modes of its buildings")
+        self.read_until(terminal, r"\x1b\[K")
+        self.assertIn(b"1000 floors", process.communicate(timeout=120)[0])
+        self.assertEqual(process.returncode, 0)
+
     def test_progress_on_a_terminal_and_what_a_stop_leaves(self):
         case = self.endless()
         process, terminal = self.start_on_terminal("run", case, "-o", self.folder / "out")
