@@ -271,13 +271,13 @@ def traced(build, programs, count, kept):
 
 
 def tried(build, programs, number, tests, module):
-    """What became of one mutant: who noticed it, or `survived`, or `the same`."""
+    """What became of one mutant: who noticed it, or `survived`, or `the same`. Its own module's tests come first."""
     chosen = {"BENTUR_MUTANT": str(number)}
     mine = sorted((seconds, test) for test, (seconds, reached) in tests.items() if number in reached)
     groups = {}
     for seconds, test in mine:
         groups.setdefault((0 if seconds < 0.3 else seconds, test.split()[0]), []).append((seconds, test.split()[1]))
-    for (_, name), of_group in sorted(groups.items()):
+    for (_, name), of_group in sorted(groups.items(), key=lambda one: (one[0][0], one[0][1] != f"{module}_test", one[0])):
         seconds = sum(s for s, _ in of_group)
         for start in range(0, len(of_group), 60):
             some = ":".join(test for _, test in of_group[start:start + 60])
