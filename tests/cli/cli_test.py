@@ -1093,6 +1093,16 @@ class PlanCases(CommandLine):
         self.assertNotIn("the 0.4 m given there", words)
         self.assertIn("whether the gap is enough there is not known", words)
 
+    def test_beyond_its_limits_nothing_is_run(self):
+        for limit, english, indonesian in (("steps = 10", "steps or more, over the limit of 10. Is that meant?",
+                                            "langkah atau lebih, melebihi batas 10."),
+                                           ("memory = 1", "MB of memory, over the limit of 1:", "perlu memori")):
+            case = self.case("duration = 15.0", f"duration = 15.0\nlimits = {{ {limit} }}")
+            results = self.folder / "results"
+            self.assertIn(english, self.fails(2, "run", case, "-o", results).stderr)
+            self.assertIn(indonesian, self.fails(2, "run", case, "--lang", "id").stderr)
+            self.assertFalse(results.exists())
+
     def test_modes(self):
         told = self.done("modes", self.CASE).stdout
         self.assertEqual(len(re.findall(r"^ +\d ", told, re.M)), 12)

@@ -13,6 +13,7 @@
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
+#include "bentur/model/limits.h"
 #include "bentur/report/errors.h"
 #include "bentur/structure/modes.h"
 #include "cases/plan_text.h"

@@ -30,13 +30,16 @@ std::string fastest_text(const Case& c, const Problem& problem, const Effort::Fa
   return fmt::format("{} Hz, {}", number(fastest.frequency), fastest_source(c, problem, fastest));
 }
 
-std::string beyond_limits(const Case& c, const Problem& problem, const Effort& effort) {
-  const LimitsSpec& limits = c.analysis.limits;
+namespace {
+
+/// @param why what makes it so many steps, as a sentence before a space
+template <class Why>
+std::string beyond(const LimitsSpec& limits, const Effort& effort, const Why& why) {
   if (effort.certain_steps > limits.steps) {
     return fmt::format(
-        "a run takes {:.3g} steps or more, over the limit of {:.3g}. The fastest motion is {}. "
-        "Is that meant? [analysis] limits = {{ steps = {:.1e} }} lets it run",
-        effort.certain_steps, limits.steps, fastest_text(c, problem, effort.apart), 2 * effort.most_steps);
+        "a run takes {:.3g} steps or more, over the limit of {:.3g}. {}Is that meant? [analysis] limits = {{ steps = "
+        "{:.1e} }} lets it run",
+        effort.certain_steps, limits.steps, why(), 2 * effort.most_steps);
   }
   if (effort.memory > 1e6 * limits.memory) {
     const double of_histories = effort.memory - effort.memory_of_steps;
@@ -50,6 +53,17 @@ std::string beyond_limits(const Case& c, const Problem& problem, const Effort& e
         effort.samples, histories ? "output_step larger or " : "", std::ceil(effort.memory / 1e6));
   }
   return {};
+}
+
+}  // namespace
+
+std::string beyond_limits(const Case& c, const Problem& problem, const Effort& effort) {
+  return beyond(c.analysis.limits, effort,
+                [&] { return fmt::format("The fastest motion is {}. ", fastest_text(c, problem, effort.apart)); });
+}
+
+std::string beyond_limits(const PlanCase& c, const Effort& effort) {
+  return beyond(c.analysis.limits, effort, [] { return ""; });
 }
 
 }  // namespace bentur

@@ -1,7 +1,5 @@
 #include "bentur/model/plan/plan_case.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -105,23 +103,6 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
   problem.duration = c.analysis.duration;
   validate(problem);
   return problem;
-}
-
-std::string beyond_limits(const PlanCase& c, const Effort& effort) {
-  const LimitsSpec& limits = c.analysis.limits;
-  if (effort.certain_steps > limits.steps) {
-    return fmt::format(
-        "a run takes {:.3g} steps or more, over the limit of {:.3g}. Is that meant? [analysis] limits = {{ steps = "
-        "{:.1e} }} lets it run",
-        effort.certain_steps, limits.steps, 2 * effort.most_steps);
-  }
-  if (effort.memory > 1e6 * limits.memory) {
-    return fmt::format(
-        "a run takes {:.3g} MB of memory, over the limit of {:.3g}. Make duration shorter, or let it run with "
-        "[analysis] limits = {{ memory = {:.0f} }}",
-        effort.memory / 1e6, limits.memory, std::ceil(effort.memory / 1e6));
-  }
-  return {};
 }
 
 RunOptions run_options(const PlanCase& c) {

@@ -64,9 +64,6 @@ struct PlanCase {
 /// The same of buildings that make_plan_building() has made of the case's.
 [[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> buildings);
 
-/// Why a run is refused before any work is done; empty where it is within the case's limits.
-[[nodiscard]] std::string beyond_limits(const PlanCase& c, const Effort& effort);
-
 /// What a single run of a case is asked for, its limit of steps too.
 [[nodiscard]] RunOptions run_options(const PlanCase& c);
 

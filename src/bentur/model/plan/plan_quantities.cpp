@@ -124,7 +124,7 @@ Value of_row(const Quantity& quantity) {
   return {};
 }
 
-constexpr PlanOwner floor = PlanOwner::floor, plane = PlanOwner::plane, point = PlanOwner::point,
+constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, point = PlanOwner::point,
                     impact = PlanOwner::impact;
 constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known;
 
@@ -153,11 +153,11 @@ std::deque<PlanQuantity> made() {
       {floor, {"peak_storey_shear_y", of, "F", "max |V_y|", "largest storey shear along y, without dashpots", {"Storey shear y", "Gaya geser tingkat y"}, {}}, with(&PlanPeaks::shear_y), moving},
       {floor, {"peak_storey_torque", of, "F L", "max |T|", "largest torque of the storey about the centre of mass of the floor above", {"Torque", "Torsi"}, {}}, with(&PlanPeaks::torque), moving},
       // Storeys of planes, by the floor above them.
-      {plane, {"peak_drift_ratio", of, "1", "max |Δ|/h", "largest drift of the plane over storey height", {"Drift", "Simpangan antartingkat"}, {}, {}, "%", 100}, of_plane(&PlanPeaks::Plane::drift_ratio)},
-      {plane, {"peak_shear", of, "F", "max |V|", "largest force of the plane", {"Force", "Gaya"}, {}}, of_plane(&PlanPeaks::Plane::shear)},
-      {plane, {"ductility", of, "1", "max |Δ|/Δ_y", "largest drift of the plane over that at yield", {"Ductility", "Daktilitas"}, {}, {}, {}, 1, 3}, of_yielding(&BuildingPeaks::Yielding::ductility), known},
-      {plane, {"residual_drift_ratio", of, "1", "Δ_r/h", "drift of the plane left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::residual_drift_ratio), known},
-      {plane, {"hysteretic_energy", of, "F L", "E_h", "energy that the storey of the plane has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, {}}, of_yielding(&BuildingPeaks::Yielding::hysteretic_energy), known},
+      {plane_, {"peak_drift_ratio", of, "1", "max |Δ|/h", "largest drift of the plane over storey height", {"Drift", "Simpangan antartingkat"}, {}, {}, "%", 100}, of_plane(&PlanPeaks::Plane::drift_ratio)},
+      {plane_, {"peak_shear", of, "F", "max |V|", "largest force of the plane", {"Force", "Gaya"}, {}}, of_plane(&PlanPeaks::Plane::shear)},
+      {plane_, {"ductility", of, "1", "max |Δ|/Δ_y", "largest drift of the plane over that at yield", {"Ductility", "Daktilitas"}, {}, {}, {}, 1, 3}, of_yielding(&BuildingPeaks::Yielding::ductility), known},
+      {plane_, {"residual_drift_ratio", of, "1", "Δ_r/h", "drift of the plane left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::residual_drift_ratio), known},
+      {plane_, {"hysteretic_energy", of, "F L", "E_h", "energy that the storey of the plane has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, {}}, of_yielding(&BuildingPeaks::Yielding::hysteretic_energy), known},
   };
   for (const Quantity* const quantity : quantities_of(Owner::point)) {
     if (Value value = of_row(*quantity)) all.push_back({point, *quantity, std::move(value)});

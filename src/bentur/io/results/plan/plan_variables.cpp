@@ -52,8 +52,8 @@ class PlanVariables : private VariablePass<Teller> {
       if (one.owner != owner) continue;
       std::vector<double> values = values_at(one, run_, places);
       if (values.empty()) continue;
-      ResultVariable variable{before + file_name(one.told) + after, along, udunits(one.told.units, run_.c.units),
-                              std::string(one.told.long_name) + of};
+      ResultVariable variable{fmt::format("{}{}{}", before, file_name(one.told), after), along,
+                              udunits(one.told.units, run_.c.units), std::string(one.told.long_name) + of};
       if (!one.told.symbol.empty()) variable.attributes.push_back({"symbol", std::string(one.told.symbol)});
       made(std::move(variable), values);
     }
