@@ -17,6 +17,7 @@
 #include <memory>
 #include <numeric>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -315,6 +316,21 @@ void NetcdfWriter::chunk(Variable variable, const std::vector<std::size_t>& size
   check(nc_set_var_chunk_cache(group, id, cache_bytes, cache_slots, preemption));
 }
 
+/// How many places a block has, or all of the variable.
+std::size_t NetcdfWriter::places(int group, int variable, const NetcdfBlock& block) const {
+  int rank = 0;
+  check(nc_inq_varndims(group, variable, &rank));
+  std::vector<int> dimensions(static_cast<std::size_t>(rank));
+  check(nc_inq_vardimid(group, variable, dimensions.data()));
+  std::size_t count = 1;
+  for (std::size_t d = 0; d < dimensions.size(); ++d) {
+    std::size_t length = 0;
+    if (block.start.empty()) check(nc_inq_dimlen(group, dimensions[d], &length));
+    count *= block.start.empty() ? length : block.count[d];
+  }
+  return count;
+}
+
 void NetcdfWriter::put(Variable variable, const ResultValues& values, const NetcdfBlock& block) const {
   const void* data = std::visit([](const auto& of_one_type) -> const void* { return of_one_type.data(); }, values);
   std::vector<const char*> pointers;
@@ -323,6 +339,11 @@ void NetcdfWriter::put(Variable variable, const ResultValues& values, const Netc
     data = pointers.data();
   }
   const auto [group, id] = variables_.at(static_cast<std::size_t>(variable));
+  const std::size_t count = std::visit([](const auto& of_one_type) { return of_one_type.size(); }, values);
+  if (count != places(group, id, block)) {  // the library would read beyond them
+    throw std::logic_error(fmt::format("{}: a variable is given {} values for {} places", name_, count,
+                                       places(group, id, block)));
+  }
   check(block.start.empty() ? nc_put_var(group, id, data)
                             : nc_put_vara(group, id, block.start.data(), block.count.data(), data));
 }

@@ -97,6 +97,7 @@ class NetcdfWriter {
   /// Stores a variable in pieces of this size along each dimension; before its first put().
   void chunk(Variable variable, const std::vector<std::size_t>& sizes) const;
   /// Writes a block of a variable. `values` are of the variable's type, and as many as the block has places.
+  /// @throws std::logic_error where they are not as many.
   void put(Variable variable, const ResultValues& values, const NetcdfBlock& block = {}) const;
 
   /// Closes the file. @return its bytes where it is in memory, else nothing.
@@ -104,6 +105,7 @@ class NetcdfWriter {
 
  private:
   void check(int status) const;
+  [[nodiscard]] std::size_t places(int group, int variable, const NetcdfBlock& block) const;
 
   /// Number of the group that "group/name" is in, the file's own of another name.
   int group_of(const std::string& name);

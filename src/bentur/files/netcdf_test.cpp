@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <stdexcept>
+#include <vector>
 
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/case_toml.h"
@@ -119,6 +121,16 @@ TEST(NetcdfWriterTest, WritesBlocksOfEveryTypeInMemoryAndOnDisk) {
     EXPECT_EQ(file->dimension_size("part/column"), 1U);
     EXPECT_EQ(file->dimension_size("nothing"), 0U);
   }
+}
+
+// The library would read what lies behind the values in memory.
+TEST(NetcdfWriterTest, TakesAsManyValuesAsThereArePlaces) {
+  NetcdfWriter file("made-up.nc", NetcdfWriter::Place::memory);
+  EXPECT_THROW(file.add({"table", {{"row", 2}, {"column", 2}}, "", "table", {}, std::vector{1.0, 2.0}}),
+               std::logic_error);
+  const auto row = file.add({"row", {{"row", 2}}, "", "row", {}, {}});
+  EXPECT_THROW(file.put(row, std::vector{1.0, 2.0}, {{0}, {1}}), std::logic_error);
+  file.put(row, std::vector{1.0}, {{1}, {1}});
 }
 
 TEST(NetcdfWriterTest, SaysWhatTheLibraryRefuses) {

@@ -37,11 +37,15 @@ double largest(const std::vector<double>& values) {
 TEST(PlanNetcdf, HoldsTheRunAndItsHistories) {
   const PlanRun run = twisting_pair(0.001);
   ASSERT_EQ(run.response.status, Status::done) << run.response.message;
-  const NetcdfReader file(histories_netcdf(run, "test"), "histories.nc");
+  const std::string bytes = histories_netcdf(run, "test");
+  EXPECT_EQ(bytes, histories_netcdf(run, "test"));
+  const NetcdfReader file(bytes, "histories.nc");
   const std::size_t times = file.dimension_size("time");
   EXPECT_EQ(times, 15001U);
   EXPECT_EQ(file.at("displacement_x_1").shape, (std::vector<std::size_t>{times, 2}));
   EXPECT_EQ(file.attribute("displacement_x_1", "units"), "m");
+  EXPECT_EQ(file.at("ground_acceleration").shape, (std::vector<std::size_t>{times, 1}));  // along one axis
+  EXPECT_NEAR(largest(file.numbers("ground_acceleration")), 3.4, 1e-3);
   EXPECT_EQ(file.attribute("rotation_2", "units"), "rad");
   EXPECT_EQ(file.texts("building_name"), (std::vector<std::string>{"Walled", "Frame"}));
   EXPECT_EQ(file.texts("plane_name_1"),

@@ -29,7 +29,7 @@ class PlanVariables : private VariablePass<Teller> {
     const PlanHistories& histories = run_.response.histories;
     pass({"time", {time_}, "s", "time", {{"axis", "T"}}}, histories.time);
     pass({"ground_acceleration",
-          {time_, {"component", 2}},
+          {time_, {"component", static_cast<std::size_t>(histories.ground_acceleration.rows())}},
           length_ + " s-2",
           "components of the ground acceleration, along their own axes, without delay"},
          histories.ground_acceleration);
