@@ -22,20 +22,30 @@ namespace {
 
 using namespace bentur::test;
 
+/// What a run of a problem looks into.
+struct Ready {
+  System given;
+  engine::ModalSystem system{given};
+  engine::Elements::Laws laws = engine::laws_of(given, system, given.contacts);
+  engine::TimeGrid grid{given, true};
+  Solver solver = ExactSolver{};
+  engine::FlightPlan plan{system, grid, given.duration, true};
+
+  explicit Ready(const Problem& problem) : given(system_of(problem)) {}
+  Ready(const Ready&) = delete;
+  Ready& operator=(const Ready&) = delete;
+  [[nodiscard]] engine::Run::Setup setup() const { return {system, given, laws, solver, grid, plan}; }
+};
+
 /// From the first instant on it looks at every gap.
 Response whole_run(const Problem& problem) {
-  const System given = system_of(problem);
-  const engine::ModalSystem system(given);
-  const engine::Elements::Laws laws = engine::laws_of(given, system, given.contacts);
-  const engine::TimeGrid grid(given, true);
-  const Solver solver = ExactSolver{};
-  const engine::FlightPlan plan(system, grid, problem.duration, true);
+  const Ready ready(problem);
   engine::Elements::Scales scales;
   for (const ContactPoint& point : problem.points) {
     scales.displacement.push_back(1e-3 + point.width);
     scales.speed.push_back(1e-2);
   }
-  engine::PoundingRun run({system, given, laws, solver, grid, plan}, scales, 0, {});
+  engine::PoundingRun run(ready.setup(), scales, 0, {});
   Response response;
   response.status = run.to_end({});
   run.elements().finish(problem.duration);
@@ -74,13 +84,8 @@ TEST(Shortcuts, TheSpeedsOfPointsAreThoseOfTheirFloors) {
                            {contact(1, 1, 0), contact(1, 1, 1), contact(1, 1, 2)}, 1);
     problem.initial_velocity = {Eigen::Map<const Eigen::Vector3d>(speeds.data()),
                                 Eigen::Map<const Eigen::Vector3d>(speeds.data() + 3)};
-    const System given = system_of(problem);
-    const engine::ModalSystem system(given);
-    const engine::Elements::Laws laws = engine::laws_of(given, system, given.contacts);
-    const engine::TimeGrid grid(given, true);
-    const Solver solver = ExactSolver{};
-    const engine::FlightPlan plan(system, grid, problem.duration, true);
-    engine::FreeRun run({system, given, laws, solver, grid, plan});
+    const Ready ready(problem);
+    engine::FreeRun run(ready.setup());
     ASSERT_EQ(run.to_end({}), Status::done);
     const std::vector<double> found = run.take_result().speeds;
     ASSERT_EQ(found.size(), 3);
