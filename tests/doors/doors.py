@@ -14,11 +14,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).parents[2]
-sys.path.append(str(ROOT / "tests"))
-from part import part
-
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
-SOME_EXAMPLES = part(EXAMPLES, 3)
 CASES = sorted((ROOT / "tests" / "doors").glob("*.toml"))  # others, in which a door once stood alone
 
 

@@ -340,9 +340,8 @@ void NetcdfWriter::put(Variable variable, const ResultValues& values, const Netc
   }
   const auto [group, id] = variables_.at(static_cast<std::size_t>(variable));
   const std::size_t count = std::visit([](const auto& of_one_type) { return of_one_type.size(); }, values);
-  if (count != places(group, id, block)) {  // the library would read beyond them
-    throw std::logic_error(
-        fmt::format("{}: a variable is given {} values for {} places", name_, count, places(group, id, block)));
+  if (const std::size_t room = places(group, id, block); count != room) {  // the library would read beyond them
+    throw std::logic_error(fmt::format("{}: a variable is given {} values for {} places", name_, count, room));
   }
   check(block.start.empty() ? nc_put_var(group, id, data)
                             : nc_put_vara(group, id, block.start.data(), block.count.data(), data));
