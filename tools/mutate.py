@@ -7,9 +7,9 @@ statement is left out. All changes are compiled into one build, in build/mutate,
 are linked with the changed libraries, so that only these are compiled anew.
 
 Each test is first run alone, to see which changes it comes by and how long it takes. Then each change is tried with the
-tests that come by it, the quick ones first, until one fails: it is noticed. What no test notices is tried with 1,000
-random cases (tests/mutation/answers.cpp); where they answer the same to the bit, it counts for nothing, but in `study`,
-which these cases do not use. Results are kept in build/mutate/results.json and gone on with.
+tests that come by it, the quick ones first, until one fails: it is noticed. What none of these notices is tried with
+the tests of the command line, and then with 1,000 random cases (tests/mutation/answers.cpp); where they answer the
+same to the bit, it counts for nothing, but in `study`, which these cases do not use. Results are kept in build/mutate/results.json and gone on with.
 """
 
 import argparse
@@ -28,6 +28,7 @@ import time
 SHARES = {"elements": 50, "contact": 45, "solve": 90, "model": 45, "study": 40}  # of 270
 TESTS = ["elements_test", "contact_test", "structure_test", "solve_test", "pounding_test", "model_test", "io_test",
          "study_test", "files_test", "runner_test", "system_test"]
+SUITES = ["reported/reported", "sweep/exchange", "suite/suite", "sweep/ida", "sweep/remedy", "sweep/sweep", "cli/cli"]
 LONGEST = 20  # [s] of a test that is used
 SWAPS = [(" < ", " <= "), (" <= ", " < "), (" > ", " >= "), (" >= ", " > "), (" == ", " != "), (" != ", " == "),
          (" && ", " || "), (" || ", " && "), (" + ", " - "), (" - ", " + "), ("std::min(", "std::max("),
@@ -270,6 +271,13 @@ def traced(build, programs, count, kept):
     trace.unlink(missing_ok=True)
 
 
+def run_suite(build, programs, suite, timeout, **environment):
+    """A test in Python that starts the program."""
+    return run(sys.executable, [build.root / f"tests/{suite}_test.py"], timeout, BENTUR=str(programs["bentur"]),
+               BENTUR_SOURCE=str(build.root), BENTUR_MPI="0", BENTUR_SANITIZED="0", BENTUR_BASH="/bin/bash",
+               **environment)
+
+
 def tried(build, programs, number, tests, module):
     """What became of one mutant: who noticed it, or `survived`, or `the same`. Its own module's tests come first."""
     chosen = {"BENTUR_MUTANT": str(number)}
@@ -283,6 +291,9 @@ def tried(build, programs, number, tests, module):
             some = ":".join(test for _, test in of_group[start:start + 60])
             if run(programs[name], [f"--gtest_filter={some}", "--gtest_fail_fast"], 10 * seconds + 10, **chosen)[0] != 0:
                 return name
+    for suite, seconds in build.suites.items():
+        if run_suite(build, programs, suite, 3 * seconds + 30, **chosen)[0] != 0:
+            return suite
     if module == "study":
         return "survived"
     outputs = [subprocess.run(["nice", "-n", "19", programs["answers"], "1000"], capture_output=True, timeout=1200,
@@ -328,7 +339,8 @@ def main():
     what = hashlib.sha256(json.dumps(mutants).encode()).hexdigest()
     if kept["of"] != what:  # sources or seed are others: what is known of others' mutants does not count
         kept.update(of=what, tests={}, results={})
-    programs = {name: build.link(name) for name in [*TESTS, "answers"] if name in asked_targets(build)}
+    programs = {name: build.link(name) for name in [*TESTS, "answers", "bentur"]
+                if name in asked_targets(build)}
 
     def keep():
         kept_in.with_suffix(".new").write_text(json.dumps(kept))
@@ -340,6 +352,10 @@ def main():
         if time.time() > end:
             break
     keep()
+    tries = {suite: run_suite(build, programs, suite, 600) for suite in SUITES}
+    build.suites = {suite: seconds for suite, (status, seconds) in tries.items() if status == 0}
+    if left := set(SUITES) - set(build.suites):
+        print("left out, as they fail without a change:", ", ".join(sorted(left)))
     order = list(enumerate(mutants))
     random.Random(asked.seed).shuffle(order)  # so that a run that is cut short is a sample
     for number, mutant in order:
@@ -353,7 +369,7 @@ def main():
 
 def asked_targets(build):
     """Tests that have been built; ./dev mutate builds all."""
-    places = [build.release / "tests", *(build.release / "src/bentur").iterdir()]
+    places = [build.release / "tests", build.release / "apps/bentur", *(build.release / "src/bentur").iterdir()]
     return {file.name for place in places for file in place.glob("*") if file.is_file() and os.access(file, os.X_OK)} | {
         "answers" for _ in [0] if (build.release / "tests/mutation/answers").exists()}
 
