@@ -31,6 +31,7 @@ struct Transform {
   std::string name;
   Case c;
   std::function<Response(Response)> back;
+  double later = 0;  ///< than the case itself [s]
 };
 
 std::vector<Transform> transforms(const RandomCase& random_case, const Problem& problem, unsigned seed) {
@@ -41,11 +42,12 @@ std::vector<Transform> transforms(const RandomCase& random_case, const Problem& 
     if (const auto* sampled = std::get_if<SampledMotion>(&c.excitation.motion); sampled != nullptr && seed % 2 == 0) {
       const int zeros = 1 + static_cast<int>(seed / 2 % 40);
       list.push_back({fmt::format("{} zeros in front", zeros), padded(c, zeros),
-                      [by = zeros * sampled->time_step](Response r) { return earlier(std::move(r), by); }});
+                      [by = zeros * sampled->time_step](Response r) { return earlier(std::move(r), by); },
+                      zeros * sampled->time_step});
     } else {
       const double by = seed % 4 == 0 ? 0.5 : 0.013 * (seed % 17 + 1);
-      list.push_back(
-          {fmt::format("{:.4g} s later", by), delayed(c, by), [by](Response r) { return earlier(std::move(r), by); }});
+      list.push_back({fmt::format("{:.4g} s later", by), delayed(c, by),
+                      [by](Response r) { return earlier(std::move(r), by); }, by});
     }
   }
   const std::array<std::pair<const char*, UnitChange>, 6> units = {{{"cm, kgf", {100, 1 / 9.80665}},
@@ -79,9 +81,26 @@ std::pair<unsigned, unsigned> chosen_cases() {
 
 constexpr unsigned parts = 4;  // run at the same time
 
-/// Rebounds without loss at a gap of next to nothing follow one another without end.
+/// Rebounds without loss at a gap of next to nothing follow one another without end, or nearly so.
 bool has_too_many_events(const Response& response) {
-  return response.status == Status::failed && response.message.starts_with("more than 100000 events");
+  return (response.status == Status::failed && response.message.starts_with("more than 100000 events")) ||
+         response.impacts.size() > 50000;
+}
+
+/// Whether a case that begins touching, as when it is described, differs as much from itself as times at which it
+/// begins do: these are rounded, and round-off leaves open when floors that touch begin to press.
+bool is_moved_by_time(const Case& c, const Problem& problem, double by, const Response& other,
+                      const Difference& apart) {
+  const bool touches = std::any_of(problem.points.begin(), problem.points.end(),
+                                   [](const ContactPoint& point) { return point.width == 0; });
+  double most = 0;
+  for (int n = 1; touches && n <= 8 && 10 * most < std::min(apart.size, 1.0); ++n) {
+    const double later = by + 0.0137 * n;
+    const Response moved = earlier(solve(make_problem(delayed(c, later))), later);
+    most = std::max(
+        most, difference(other, starting_as(other, with_whole_rests(moved, problem), problem), problem.duration).size);
+  }
+  return 10 * most >= std::min(apart.size, 1.0);
 }
 
 struct Tally {
@@ -92,13 +111,14 @@ struct Tally {
 void examine(unsigned seed, const std::filesystem::path& folder, Tally& tally) {
   const RandomCase random_case = CaseGenerator(seed).make();
   const Problem problem = make_problem(random_case.c);
-  const Response base = solve(problem);
+  const Response base = with_whole_rests(solve(problem), problem);
   tally.impacts += static_cast<long>(base.impacts.size());
   Movement movement(problem, base,
                     [&](unsigned of) { return make_problem(perturbed(random_case, of, farthest_displacement(base))); });
   bool is_sensitive = false, is_unexplained = false;
   for (const Transform& transform : transforms(random_case, problem, seed)) {
-    const Response other = starting_as(base, transform.back(solve(make_problem(transform.c))), problem);
+    const Response other =
+        starting_as(base, with_whole_rests(transform.back(solve(make_problem(transform.c))), problem), problem);
     ++tally.compared;
     const Difference apart = difference(base, other, problem.duration);
     if (base.status == Status::done && apart.size <= same) continue;
@@ -106,7 +126,9 @@ void examine(unsigned seed, const std::filesystem::path& folder, Tally& tally) {
       ++tally.endless;
       continue;
     }
-    if (base.status == Status::done && other.status == Status::done && movement.explains(apart)) {
+    if (base.status == Status::done && other.status == Status::done &&
+        (movement.explains(apart) ||
+         (transform.later > 0 && is_moved_by_time(random_case.c, problem, transform.later, other, apart)))) {
       is_sensitive = true;
       continue;
     }
@@ -147,6 +169,15 @@ TEST(Integration, KnowsPeaksWhereDampingSetsThePace) {
   Tally tally;
   for (const unsigned seed : {2323U, 3772U, 3791U, 4636U}) examine(seed, folder_of(0), tally);
   EXPECT_GT(tally.impacts, 0);
+}
+
+// Each was found once among many: surfaces that creep back and are forgotten at the very step that ends with their next
+// touch; rests after rebounds without end; floors that touch from the start.
+TEST(KnownRows, AreTheSameHoweverTheyAreDescribed) {
+  Tally tally;
+  for (const unsigned seed : {106765U, 101641U, 104405U, 110252U}) examine(seed, folder_of(0), tally);
+  EXPECT_GT(tally.impacts, 0);
+  EXPECT_EQ(tally.unexplained, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, Invariance, testing::Range(0U, parts));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,29 @@ inline Response starting_as(const Response& base, Response response, const Probl
     const bool known = n > 0 && std::max(impact.closing_speed, like.closing_speed) > slow;
     if (!known && std::abs(impact.start - like.start) < near * problem.duration) impact.start = like.start;
   }
+  return response;
+}
+
+/// Where a contact comes to rest by rebounds that have no end, the solver ends them, and how many there were and when
+/// the last one was is a matter of round-off. Those that are slower than this, of all impacts, count as part of the
+/// rest.
+inline Response with_whole_rests(Response response, const Problem& problem) {
+  const double slow = 0x1p-13 * largest(response, &Impact::closing_speed);
+  std::vector<Impact> kept;
+  for (Impact impact : response.impacts) {
+    const auto at_point = [&](const Impact& one) { return one.point == impact.point; };
+    const bool rests =
+        impact.end > impact.start && problem.points[static_cast<std::size_t>(impact.point)].law->restitution();
+    while (rests) {
+      const auto last = std::find_if(kept.rbegin(), kept.rend(), at_point);
+      if (last == kept.rend() || last->end > last->start || last->closing_speed >= slow) break;
+      impact.start = last->start;
+      impact.impulse += last->impulse;
+      kept.erase(std::next(last).base());
+    }
+    kept.push_back(impact);
+  }
+  response.impacts = std::move(kept);
   return response;
 }
 
@@ -69,7 +93,9 @@ class Movement {
 
   void note(const Response& moved) {
     if (moved.status != Status::done) return;
-    most_ = std::max(most_, difference(*base_, starting_as(*base_, moved, *problem_), problem_->duration).size);
+    most_ = std::max(most_, difference(*base_, starting_as(*base_, with_whole_rests(moved, *problem_), *problem_),
+                                       problem_->duration)
+                                .size);
   }
 
   const Problem* problem_;

@@ -227,10 +227,10 @@ void Stepper::finish_expansion(const Start& start, Expansion& motion, State& to)
   fill_resting(start, to, motion);
 }
 
-/// Forces of resting elements are found at five places of the step and interpolated.
+/// Forces of resting elements are found at eight places of the step and interpolated.
 void Stepper::fill_resting(const Start& start, const State& to, Expansion& motion) const {
   if (start.forces.resting.empty()) return;
-  constexpr int nodes = 5;
+  constexpr int nodes = 8;
   using Square = Eigen::Matrix<double, nodes, nodes>;
   static const Square to_powers = [] {
     Square powers;

@@ -327,7 +327,7 @@ void Elements::accumulate(const Expansion& motion, double time, double end) {
   accumulate_rubbing(motion, time, end);
 }
 
-void Elements::note_touches(const Expansion& motion, double time, double end, State& state) {
+void Elements::note_touches(const Expansion& motion, double time, double end, const State& state) {
   for (Index i = idle_; i < count(); ++i) {
     if (!awaits(i)) continue;
     const double touch = surface(branches_[i]);
@@ -346,11 +346,10 @@ void Elements::note_touches(const Expansion& motion, double time, double end, St
     touches_[i] = {time + s * motion.h(), first_derivative(beyond, s) / motion.h()};
   }
   if (end * motion.h() > 0.0) coupled_.go_on();
-  if (forces_.fading > 0.0) forget_faded(time + end * motion.h(), state);
 }
 
-/// A surface that has come back to within round-off of its place is a fresh one.
 void Elements::forget_faded(double time, State& state) {
+  if (forces_.fading == 0.0) return;
   for (Index i = idle_; i < count(); ++i) {
     for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
       const Guard& guard = branches_[i].guards[g];

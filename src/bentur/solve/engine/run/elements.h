@@ -108,7 +108,11 @@ class Elements {
 
   /// Notes when the openings of bodies that are apart last were zero, up to `end` of the expanded step, which began at
   /// `time`; `state` is that at `end`. To be called after every step, before change().
-  void note_touches(const Expansion& motion, double time, double end, State& state);
+  void note_touches(const Expansion& motion, double time, double end, const State& state);
+
+  /// A surface that has come back to within round-off of its place at `time` is a fresh one. To be called between
+  /// steps, once what ended the last one has changed: its branch may be the one that is left.
+  void forget_faded(double time, State& state);
 
   /// A flight has been taken: nothing is at the beginning of its branch any more.
   void go_on() { coupled_.go_on(); }
@@ -177,7 +181,6 @@ class Elements {
   void set(Eigen::Index element, const LawState& law_state, State& state);
   void gather(State& state);
   void take_work(Eigen::Index element, double deformation);
-  void forget_faded(double time, State& state);
   void let_go(Eigen::Index element, State& state);
   void note_opening(Eigen::Index element, double time, const State& state);
   void collide(Eigen::Index element, double time, State& state);

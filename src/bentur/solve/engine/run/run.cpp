@@ -267,6 +267,7 @@ void Run::take_steps(double start, double length) {
     arrive();
     arrived(start + elapsed);
     if (!trouble_.empty() || passed_) return;
+    elements_.forget_faded(start + elapsed, state_);
     // A force that jumps about, as one of a user's own may, leaves no step long enough to get anywhere.
     if (stepper_.is_adapted() && ++adapted > adapted_steps_limit * (1.0 + elapsed * replayed_forces_.rate)) {
       fail(no_step, time);
