@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# run.sh core|page|units [--part] MODULE...: builds that part of the studio and tests it; --part: one of three modules
-# (tests/part.py). 77 where something for it is missing.
+# run.sh build [--part] MODULE...: builds the studio and unit tests of modules; --part: of one of three (tests/part.py).
+# run.sh core|page: tests that part of it; run.sh units [--part] MODULE...: runs those tests. 77 where something for it
+# is missing.
 set -eu
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 here=$root/web/test
@@ -12,15 +13,23 @@ if [ "${1:-}" = --part ]; then
   mapfile -t modules < <(printf '%s\n' "$@" | python3 "$root/tests/part.py" 3)
   set -- "${modules[@]}"
 fi
-"$root/web/build.sh" "$part" "${@/%/_test}"
+built() { [ -e "$1" ] || { echo "skipped: ${1#"$root/"} has not been built"; exit 77; }; }
 case $part in
-  core) node --test "$here/core.test.mjs" ;;
+  build)
+    "$root/web/build.sh" units "${@/%/_test}"
+    "$root/web/build.sh" page
+    ;;
+  core)
+    built "$BENTUR_WASM"
+    node --test "$here/core.test.mjs"
+    ;;
   units)
     # Files are those of the machine, through node. What emscripten does not have is pipes and devices (it makes plain files),
     # hard links, locks, processes, and the permissions that new files usually have.
     left_out='-InputFile.FoldersPipesAndDevicesAreRefusedAtOnce:OutputRulesTest.InputsAreKnownUnderEveryName:'
     left_out+='AtomicFilesTest.NewFilesHaveTheUsualPermissions:AtomicFilesTest.WhatKilled*:JournalFile.HasOneWriter'
     # Two at a time, each heard when it is done.
+    built "$BENTUR_WASM"
     cd "$root/build/web/bentur/src/bentur"
     for module in "$@"; do echo "$module/${module}_test.js"; done | xargs -n 1 -P 2 bash -c '
       said=$(node "$1" --gtest_brief=1 --gtest_filter="$0" 2>&1); status=$?
@@ -28,6 +37,8 @@ case $part in
     ;;
   page)
     command -v chromium >/dev/null || { echo "skipped: chromium is not installed"; exit 77; }
-    BENTUR_PAGE=$root/build/web/bentur-studio.html node --test "$here/page.test.mjs" "$here/doors.test.mjs"
+    export BENTUR_PAGE=$root/build/web/bentur-studio.html
+    built "$BENTUR_PAGE"
+    node --test "$here/page.test.mjs" "$here/doors.test.mjs"
     ;;
 esac
