@@ -69,18 +69,28 @@ void Expansion::begin(Index first, Index count, double h, int degree) {
 
 void Expansion::set_resting_force(Index element, const Polynomial& force) { resting_force_[element] = force; }
 
-/// Hands on all coordinates that were filled, in fours that are all constant or not.
+/// Hands on all coordinates that were filled, in fours that are all constant or not; those that move together as far as
+/// they stand side by side.
 template <class Take>
 void Expansion::in_ranges(const Take& take) const {
   constexpr Index four = 4;
+  Index from = first_;
+  Index to = first_;
+  const auto hand_on = [&] {
+    if (to > from) take(from, to - from, true);
+  };
   for (const ModalSystem::Block& block : system_->blocks) {
     if (block.begin < first_ || block.begin >= first_ + count_) continue;
-    take(block.begin, block.moving_size, true);
-    for (Index j = block.begin + block.moving_size; j < block.begin + block.padded_size; j += four) {
+    to = block.begin + block.moving_size;
+    if (block.moving_size == block.padded_size) continue;
+    hand_on();
+    for (Index j = to; j < block.begin + block.padded_size; j += four) {
       const auto in = [j](Index at) { return at >= j && at < j + four; };
       take(j, four, std::any_of(moving_.begin(), moving_.end(), in));
     }
+    from = to = block.begin + block.padded_size;
   }
+  hand_on();
 }
 
 bool Expansion::find_end(State& state, Eigen::VectorXd& acceleration) {
