@@ -13,8 +13,9 @@
 namespace bentur::test {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
-inline constexpr double weak = 1e-3;  // of the hardest impact: weaker ones are known to its errors
-inline constexpr double same = 1e-6;  // relative: what two descriptions of one case may differ by
+inline constexpr double weak = 1e-3;     // of the hardest impact: weaker ones are known to its errors
+inline constexpr double nothing = 1e-9;  // of the hardest impact: a rest under so little ends when round-off says so
+inline constexpr double same = 1e-6;     // relative: what two descriptions of one case may differ by
 
 /// How far two responses are apart, and in what.
 struct Difference {
@@ -78,8 +79,9 @@ inline Difference difference(const Response& one, const Response& other, double 
     for (std::size_t i = 0; i < a.size(); ++i) {
       const auto of = [&](const char* what) { return fmt::format("point {}, impact {}, {}", point, i, what); };
       result.note(a[i].start, b[i].start, duration, of("start"));
-      result.note(a[i].end, b[i].end, duration, of("end"));
-      const double length = a[i].end - a[i].start;
+      const bool ends = a[i].impulse > nothing * hardest;
+      if (ends) result.note(a[i].end, b[i].end, duration, of("end"));
+      const double length = ends ? a[i].end - a[i].start : 0;
       const double weakness = a[i].impulse > 0 ? std::max(1.0, weak * hardest / a[i].impulse) : 1.0;
       if (length > 0) result.note(length, b[i].end - b[i].start, length * weakness, of("duration"));
       const auto of_impact = [&](double Impact::*member, double most, const char* what) {
