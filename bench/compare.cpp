@@ -234,6 +234,7 @@ void describe(const std::filesystem::path& file, const Case& c, const Problem& p
                     {"delays", problem.delays},
                     {"rayleigh", {{"alpha", rayleigh.alpha()}, {"beta", rayleigh.beta()}}},
                     {"contacts", contacts(problem)},
+                    {"largest_displacement", largest_displacement(solve(problem))},
                     {"frames", frames},
                     {"frames_peak_force", peak_force(solve(of_frames))},
                     {"matrices", matrices},

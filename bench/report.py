@@ -20,13 +20,15 @@ from monograph_figures import draw  # noqa: E402
 from wrap import wrapped  # noqa: E402
 
 OURS = ["exact", "exact after free response", "exact of frames"]
-GENERIC = ["cvode", "arkode order 5", "arkode order 8", "odeint dopri5"]
+HEYOKA = "heyoka", "heyoka less calls"  # as it is called from Python, and without what those calls take
+GENERIC = ["cvode", "arkode order 5", "arkode order 8", "odeint dopri5", HEYOKA[1]]
 OPENSEES = ["opensees frames", "opensees matrices"]
 ACCURACIES = [1e-3, 1e-6, 1e-9]
 STYLES = {solver: {"tone": tone, "line": line, "mark": mark} for solver, tone, line, mark in (
     ("adaptive", "blue", "solid", "disc"), ("runge-kutta", "blue", "dashed", "circle"), ("cvode", "orange", "solid", "square"),
     ("arkode order 5", "orange", "dashed", "triangle"), ("arkode order 8", "purple", "solid", "diamond"),
     ("odeint dopri5", "green", "solid", "disc"), ("odeint all peaks", "green", "dashed", "circle"),
+    (HEYOKA[0], "teal", "solid", "diamond"), (HEYOKA[1], "teal", "dashed", "triangle"),
     ("opensees frames", "black", "solid", "square"), ("opensees matrices", "grey", "dashed", "cross"))}
 
 
@@ -81,10 +83,15 @@ class Runs:
         return math.exp((1 - part) * math.log(self.times[i]) + part * math.log(self.times[i + 1]))
 
 
-def collect(rows):
+def collect(rows, heyoka):
     cases = {}
     for row in rows:
         cases.setdefault(row["case"], {}).setdefault(row["solver"], []).append(row)
+    for name, case in cases.items():
+        calls = min((float(row["calls"]) for row in heyoka if row["case"] == name), default=0.0)
+        if HEYOKA[0] in case:
+            case[HEYOKA[1]] = [row | {key: float(row[key]) - calls for key in ("minimum", "median")}
+                               for row in case[HEYOKA[0]]]
     return cases
 
 
@@ -110,7 +117,19 @@ def accuracy_rows(name, case):
     return rows
 
 
-def accuracies(cases):
+def calls_of(rows):
+    """What is beside heyoka's integration: calls from and to Python, compilation; of the rows of one case."""
+    if not rows:
+        return ""
+    compiled = [float(row["compilation"]) for row in rows]
+    calls = min(float(row["calls"]) for row in rows)
+    return (f"heyoka: {seconds(calls)} of its time are calls from and to Python, for {rows[0]['segments']} "
+            f"segments of the record and the events; orders {rows[0]['order']} to {rows[-1]['order']}, whose steppers took "
+            f"{seconds(compiled[0])} to {seconds(compiled[-1])} to compile, which is not in it." +
+            (" With finer tolerances they would take too long to compile." if rows[-1]["given_up"] else "") + "\n\n")
+
+
+def accuracies(cases, heyoka):
     text = ("Times to come to a peak force with a relative error of 1e-3, 1e-6, 1e-9; of `exact`, which has no setting, "
             "minimum and median of one solution. “×”: how many times as long as `exact`, at 1e-6, for OpenSees at "
             "1e-3.\n\n")
@@ -122,6 +141,7 @@ def accuracies(cases):
         text += table(["", "minimum", "median", "impacts"], [[row[0].split(": ")[1], *row[1:]] for row in ours]) + "\n"
         text += table(["", *(f"at {accuracy:.0e}" for accuracy in ACCURACIES), "×", "least error", "impacts"],
                       others) + "\n"
+        text += calls_of([row for row in heyoka if row["case"] == name])
     return text
 
 
@@ -259,16 +279,19 @@ def figure(program, folder, cases):
 def main():
     folder, root = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     rows = read(folder / "runs.csv")
-    cases = collect(rows)
+    heyoka = read(folder / "heyoka.csv")
+    cases = collect(rows, heyoka)
     text = machine(folder) + ratios(cases)
     if not any(solver in case for case in cases.values() for solver in OPENSEES):
         text += "OpenSees was not run: `./dev bench --peers` installs it.\n\n"
+    if not heyoka:
+        text += "heyoka was not run: `./dev bench --peers` installs it.\n\n"
     if not any("cvode" in case for case in cases.values()):
         text += "SUNDIALS was not installed (Debian: libsundials-dev).\n\n"
     sweep = folder / "sweep.txt"
     if sweep.exists():
         text += "Gap sweep on two threads: " + sweep.read_text().split(": ")[0].strip() + ".\n\n"
-    text += "### Accuracy and time\n\n" + accuracies(cases)
+    text += "### Accuracy and time\n\n" + accuracies(cases, heyoka)
     text += "### Growth and the floor\n\n" + cost_model(read(folder / "growth.csv"), read(folder / "rates.csv"))
     text += "### Hinges\n\n" + hinges(read(folder / "hinges.csv"))
     text += "### Parts\n\n" + parts(folder / "parts.json")
