@@ -27,7 +27,7 @@ namespace {
 struct LoadedPlan {
   PlanCase c;
   PlanProblem problem;
-  RunOptions options;
+  SolveOptions options;
 };
 
 /// @param histories whether the run keeps them
@@ -36,7 +36,7 @@ LoadedPlan load_plan(const std::string& file, const std::string& language, bool 
   PlanProblem problem;
   std::optional<PlanCase> c = read_plan_case(file, diagnostics, &problem);
   if (!c) throw Failure(diagnostics, language);
-  RunOptions options = run_options(*c);
+  SolveOptions options = solve_options(*c);
   if (histories) options.output_step = c->analysis.output_step;
   const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, options));
   if (!refusal.empty()) {
@@ -127,7 +127,7 @@ void run_plan(const PlanRunArguments& arguments, const std::string& language) {
                    OutputRules{.inputs = std::move(inputs), .force = arguments.force, .is_netcdf = &is_netcdf_result},
                    *loaded.c.source);
   }
-  PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const RunOptions& shown) {
+  PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
   const PlanRun run{std::move(loaded.c), std::move(loaded.problem), std::move(response)};
