@@ -49,6 +49,7 @@ struct PlanCase {
   double angle = 0;                          ///< of both, from x and y counter-clockwise [degrees] (P-3)
   InitialSpec initial;                       ///< u_x, u_y, θ of each floor
   AnalysisSpec analysis;
+  CodeSpec code = {};  ///< lists over the gaps are in the order of `gaps`
   std::optional<CaseSource> source = {};
 };
 
