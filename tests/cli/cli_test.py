@@ -1111,7 +1111,7 @@ class PlanCases(CommandLine):
         self.assertEqual(gap["gap_needed_reversed"], run["gaps"][0]["gap_needed_reversed"])
         text = self.done("gap", self.CASE).stdout
         levels = text[text.index("The gap needed at every level"):text.index("What the rules ask for")]
-        rows = [line.split() for line in levels.splitlines()[6:] if line.strip()]
+        rows = [line.split() for line in levels.splitlines()[5:] if line.strip()]
         self.assertEqual(len(rows), 4)
         points = {(point["elevation"], *point["at"]): point for point in gap["points"]}
         for row in rows:
