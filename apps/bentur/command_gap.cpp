@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "arguments.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/rules_json.h"
 #include "bentur/model/gap/spectral_gap.h"
@@ -16,6 +12,8 @@
 #include "bentur/report/errors.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/gap/gap_study_story.h"
+#include "cases/gap_text.h"
+#include "cases/plan.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "session.h"
@@ -31,36 +29,6 @@ struct GapArguments {
   std::optional<int> record;
   std::string language = "en";
 };
-
-/// What a user may want to know of the rules: those not shown and why, and what the numbers are worth.
-std::string codes_note(const CodeSpec& code, const Words& say) {
-  if (code.rules.empty()) {
-    std::vector<std::string_view> titles;
-    for (const CodeRule& rule : code_rules()) titles.push_back(rule.title);
-    return "\n" + wrapped(say("cli.no_codes", {{"titles", fmt::format("{}", fmt::join(titles, ", "))}})) + "\n";
-  }
-  std::vector<std::string> others;
-  for (const CodeRule& rule : code_rules()) {
-    if (std::any_of(code.rules.begin(), code.rules.end(), [&](const auto& given) { return given.rule == rule.name; })) {
-      continue;
-    }
-    std::vector<std::string_view> keys;
-    for (const Key& key : rule.keys) {
-      if (key.is_required()) keys.push_back(key.name);
-    }
-    others.push_back(fmt::format("  code.{}: {}\n", rule.name, fmt::join(keys, ", ")));
-  }
-  std::string text = "\n" + wrapped(say("gap.codes_note")) + "\n" + say("cli.takes") + "\n";
-  for (const CodeRuleSpec& given : code.rules) {
-    const CodeRule& rule = *find_code_rule(given.rule);
-    text += "  " + wrapped(fmt::format("{}: {}", rule.title, rule.assumes)) + "\n";
-  }
-  if (!others.empty()) {
-    text += "\n" + wrapped(say.count("cli.not_shown", static_cast<long>(others.size()))) + "\n" +
-            fmt::format("{}", fmt::join(others, ""));
-  }
-  return text;
-}
 
 /// Peak displacements of one building by both combinations, highest first.
 std::string peaks_text(const Building& building, const SpectralPeaks& peaks, const std::string& length,
@@ -81,25 +49,6 @@ std::string peaks_text(const Building& building, const SpectralPeaks& peaks, con
          "\n\n" + table.text();
 }
 
-/// Statements, the tables of every gap, remarks.
-std::string tables_text(const Problem& problem, const Story& story, const Words& say) {
-  std::string text = story_text(problem, {story.statements}, say, Told::outcome);
-  std::optional<Eigen::Index> gap;
-  for (const StoryTable& table : story.tables) {
-    if (table.gap != gap && problem.buildings.size() > 2) text += "\n" + gap_name(problem, table.gap.value()) + "\n";
-    gap = table.gap;
-    text += "\n" + table_text(said(table, say));
-  }
-  return text + "\n" + story_text(problem, {story.statements}, say, Told::remarks);
-}
-
-/// The same, and what the numbers mean.
-std::string gaps_text(const Case& c, const Problem& problem, const Story& story, const std::string& note,
-                      const Words& say) {
-  return "\n" + tables_text(problem, story, say) + "\n" + wrapped(note) + "\n\n" + wrapped(say("screening.note")) +
-         "\n" + codes_note(c.code, say);
-}
-
 void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   const Case& c = loaded.c;
   const SpectrumSpec& spectrum = *c.excitation.spectrum;
@@ -113,7 +62,8 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     text += "\n" + peaks_text(loaded.problem.buildings[b], spectral.peaks[b], c.units.length, say);
   }
-  text += gaps_text(c, loaded.problem, spectral_story(c, loaded.problem, spectral), say("spectral.note"), say);
+  text += all_gaps_text(gap_names(loaded.problem), c.code, spectral_story(c, loaded.problem, spectral),
+                        {say("spectral.note"), say("screening.note")}, say);
   if (!c.code.rules.empty()) text += wrapped(say(spectrum.reduction.empty() ? "cli.unreduced" : "cli.reduced")) + "\n";
   print(fitted(text));
 }
@@ -169,6 +119,7 @@ void run_rules(const GapArguments& arguments) {
                   error_words("bentur gap: --record is for simulated gaps, not for --rules", arguments.language));
   }
   const Words say(arguments.language);
+  if (is_plan_case(arguments.file)) return print_plan_rules(arguments.file, arguments.json, arguments.language);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   const Case& c = loaded.c;
   if (arguments.json) {
@@ -178,7 +129,7 @@ void run_rules(const GapArguments& arguments) {
   std::string text = c.title.empty() ? "" : c.title + "\n\n";
   const Story story = height_rules_story(c, loaded.problem);
   if (!story.tables.empty())
-    text += tables_text(loaded.problem, story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
+    text += tables_text(gap_names(loaded.problem), story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
   print(fitted(text + codes_note(c.code, say)));
 }
 
@@ -192,6 +143,13 @@ void run(const GapArguments& arguments) {
   }
   if (arguments.at)
     throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
+  if (is_plan_case(arguments.file)) {
+    if (arguments.record) {
+      throw Failure(exit_bad_input,
+                    error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
+    }
+    return print_plan_gaps(arguments.file, arguments.json, arguments.language);
+  }
   const Words say(arguments.language);
   Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
@@ -206,7 +164,8 @@ void run(const GapArguments& arguments) {
   }
   std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
   text += excitation_line(loaded.c, say) + "\n";
-  print(fitted(text + gaps_text(results.c, results.problem, gap_story(results), say("cli.gap_note"), say)));
+  print(fitted(text + all_gaps_text(gap_names(results.problem), results.c.code, gap_story(results),
+                                    {say("cli.gap_note"), say("screening.note")}, say)));
 }
 
 }  // namespace

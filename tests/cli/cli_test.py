@@ -1078,20 +1078,66 @@ class PlanCases(CommandLine):
         self.assertNotIn("story.", words)
         self.assertNotRegex(words, r"\{\w+\}")
 
-    def test_says_nothing_of_a_gap_that_is_not_watched_all_the_way(self):
+    def test_says_where_contact_is_not_modelled(self):
         case = self.case("clearance = 0.10 ", "clearance = 0.03 ")
         wall = 'name = "W"\nrigid = true\nelevations = [3.5]\nplan = { corner = [-0.52, 0], size = [0.5, 18] }'
         case.write_text(case.read_text() + "\n[[building]]\n" + wall + "\n")
         words = " ".join(self.done("run", case).stdout.split())
         self.assertIn("CONTACT NOT MODELLED: Walled and Frame stand 0.04 m apart", words)
-        case = self.case("corner = [12.04, 0.0]", "corner = [12.4, 0.0]")
-        case.write_text(case.read_text().replace("clearance = 0.10 ", "clearance = 0.50 "))
+
+    def test_watches_floors_that_face_edges(self):
+        case = self.case("[3.5, 3.2]\nmasses = [250", "[3.5, 2.0]\nmasses = [250")
+        for command in "run", "gap":
+            words = " ".join(self.done(command, case).stdout.split())
+            self.assertIn("POUNDING THAT IS NOT MODELLED: The floor of", words)
+            self.assertIn("between two of its floors at", words)
+            self.assertIn("In plan floors strike floors alone", words)
+        gap = json.loads(self.done("gap", case, "--json").stdout)["gaps"][0]
+        self.assertEqual({(floor["floor_of"], floor["elevation"], floor["faces"]) for floor in gap["watched_floors"]},
+                         {("Walled", 5.5, "edge")} if gap["watched_floors"][0]["floor_of"] == "Walled"
+                         else {("Frame", 5.5, "edge")})
+        self.assertEqual(sorted(floor["at"][1] for floor in gap["watched_floors"]), [0, 18])
+        case.write_text(case.read_text().replace("corner = [12.04, 0.0]", "corner = [12.4, 0.0]")
+                        .replace("clearance = 0.10 ", "clearance = 0.50 "))
         words = " ".join(self.done("run", case).stdout.split())
-        self.assertIn("the 0.4 m given there", words)
-        case.write_text(case.read_text().replace("[3.5, 3.2]\nmasses = [250", "[3.5, 2.0]\nmasses = [250"))
-        words = " ".join(self.done("run", case).stdout.split())
-        self.assertNotIn("the 0.4 m given there", words)
-        self.assertIn("whether the gap is enough there is not known", words)
+        self.assertIn("the 0.4 m given there leave", words)
+        self.assertNotIn("NOT MODELLED", words)
+
+    def test_gap(self):
+        told = json.loads(self.done("gap", self.CASE, "--json").stdout)
+        run = json.loads(self.done("run", self.CASE, "--json").stdout)
+        gap = told["gaps"][0]
+        self.assertEqual(gap["gap_needed"], run["gaps"][0]["gap_needed"])
+        self.assertEqual(gap["gap_needed_reversed"], run["gaps"][0]["gap_needed_reversed"])
+        text = self.done("gap", self.CASE).stdout
+        levels = text[text.index("The gap needed at every level"):text.index("What the rules ask for")]
+        rows = [line.split() for line in levels.splitlines()[5:] if line.strip()]
+        self.assertEqual(len(rows), 4)
+        points = {(point["elevation"], *point["at"]): point for point in gap["points"]}
+        for row in rows:
+            point = points[tuple(float(cell) for cell in row[:3])]
+            for cell, key in zip(row[4:], ("gap_needed", "gap_needed_reversed", "abs", "srss")):
+                self.assertAlmostEqual(float(cell), point[key], delta=1e-3 * point[key])
+        words = " ".join(text.split())
+        self.assertIn("Not evaluated: DDC (needs periods of one direction)", words)
+        self.assertIn("the upper right corner of Walled", words)
+        # Rules of codes, from displacements and from heights alone.
+        case = self.case("[analysis]", '[code]\nen-1998-1 = { behaviour_factor = 3 }\n'
+                         'gb-50011-2010 = { intensity = 8, system = "frame" }\n[analysis]')
+        asked = json.loads(self.done("gap", case, "--json").stdout)["gaps"][0]["points"][3]
+        codes = {one["rule"]: one["gap"] for one in asked["codes"]}
+        self.assertAlmostEqual(codes["gb-50011-2010"], 0.1)
+        self.assertAlmostEqual(codes["en-1998-1"], 0.7 * 3 * asked["srss"])
+        self.assertIn("EN 1998-1:2004", self.done("gap", case).stdout)
+        self.assertIn("too small", self.done("gap", "--rules", case).stdout)
+        heights = json.loads(self.done("gap", "--rules", case, "--json").stdout)["gaps"][0]
+        self.assertEqual([rule["given_is"] for rule in heights["rules"]], ["not_evaluated", "too_small"])
+        for arguments in ([], ["--rules"]):
+            indonesian = " ".join(self.done("gap", case, "--lang", "id", *arguments).stdout.split())
+            self.assertIn("GB 50011-2010", indonesian)
+            self.assertNotRegex(indonesian, r"\{\w+\}|\bstory\.|\bgap\.[a-z]")
+        self.assertIn("suite", self.fails(2, "gap", self.CASE, "--record", "1").stderr)
+        self.assertIn("[ida]", self.fails(2, "gap", self.CASE, "--at", "1").stderr)
 
     def test_beyond_its_limits_nothing_is_run(self):
         for limit, english, indonesian in (("steps = 10", "steps or more, over the limit of 10. Is that meant?",

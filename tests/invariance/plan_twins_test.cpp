@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "bentur/io/case/case_toml.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_pair.h"
 
 namespace bentur {
 namespace {
@@ -137,6 +138,7 @@ std::optional<PlanCase> twin_of(const Case& c, int points, const Eigen::Matrix2d
       std::swap(gap.left, gap.right);
       for (LevelPair& level : gap.levels) std::swap(level.left_floor, level.right_floor);
     }
+    gap.level_tolerance = c.gaps[g].level_tolerance;
     gap.points = c.gaps[g].contact.law == "restitution" ? 2 : points;
     gap.contact = c.gaps[g].contact;
     twin.gaps.push_back(std::move(gap));
@@ -153,6 +155,48 @@ void expect_alike(const Eigen::VectorXd& plan, const Eigen::VectorXd& row, doubl
   ASSERT_EQ(plan.size(), row.size()) << what;
   const double largest = row.cwiseAbs().maxCoeff();
   EXPECT_LE((plan - row).cwiseAbs().maxCoeff(), tolerance * largest) << what << "\n" << plan << "\n\n" << row;
+}
+
+/// What is needed at one level both ways round, and how far both sides go; `turned`: L is the row's right.
+template <class Summary>
+void expect_level(const Summary& plan, const Summary& row, double tolerance, bool turned) {
+  EXPECT_NEAR(plan.gap_needed, row.gap_needed, tolerance * (1e-9 + row.gap_needed));
+  ASSERT_EQ(plan.gap_needed_reversed.has_value(), row.gap_needed_reversed.has_value());
+  const double reversed = row.gap_needed_reversed.value_or(0);
+  EXPECT_NEAR(plan.gap_needed_reversed.value_or(0), reversed, tolerance * (1e-9 + reversed));
+  EXPECT_NEAR(plan.peak_left, turned ? row.peak_right : row.peak_left, tolerance * (1e-9 + row.peak_left));
+  EXPECT_NEAR(plan.peak_right, turned ? row.peak_left : row.peak_right, tolerance * (1e-9 + row.peak_right));
+}
+
+/// What the gaps watch, each floor of the row at both ends. @return how many
+int expect_watched_twins(const PlanProblem& problem, const PlanResponse& plan, const Problem& row_problem,
+                         const Response& row, double tolerance) {
+  std::size_t at = 0;
+  int count = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    const Eigen::Index left = std::min(gap.left, gap.right);
+    const std::vector<Eigen::Index> of_row = gap_at(row_problem, left).watched;
+    EXPECT_EQ(gap.watched.size(), 2 * of_row.size());
+    for (const PlanWatched& one : gap.watched) {
+      // Floors that meet are of L, which may be either building.
+      const auto same = std::find_if(of_row.begin(), of_row.end(), [&](Eigen::Index i) {
+        const WatchedFloor& floor = row_problem.watched[i];
+        if (floor.floor_of == one.floor_of) return floor.floor == one.floor && floor.facing_floor == one.facing_floor;
+        return floor.facing_floor == one.floor && one.facing_floor == floor.floor;
+      });
+      if (same == of_row.end()) {
+        ADD_FAILURE() << "a floor at " << one.elevation << " is not watched in the row";
+        return count;
+      }
+      const WatchedSummary &found = plan.watched.at(at++), &wanted = row.watched[*same];
+      expect_level(found, wanted, tolerance, gap.left > gap.right);
+      EXPECT_NEAR(found.least_opening, wanted.least_opening, tolerance * (gap.stretch.width + wanted.gap_needed));
+      EXPECT_EQ(found.closes, wanted.closes);
+      ++count;
+    }
+  }
+  EXPECT_EQ(plan.watched.size(), at);
+  return count;
 }
 
 void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Response& row, double tolerance,
@@ -181,7 +225,7 @@ void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Re
       const double elevation = gap.contacts[i].elevation;
       for (; i < gap.contacts.size() && gap.contacts[i].elevation == elevation; ++i, ++point) {
         EXPECT_EQ(plan.points[point].impacts, wanted.impacts);
-        EXPECT_NEAR(plan.points[point].gap_needed, wanted.gap_needed, tolerance * (1e-9 + wanted.gap_needed));
+        expect_level(plan.points[point], wanted, tolerance, gap.left > gap.right);
         force += plan.points[point].peak_force;
         impulse += plan.points[point].impulse;
       }
@@ -192,7 +236,7 @@ void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Re
 }
 
 TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
-  int twins = 0, walls = 0, impacts = 0;
+  int twins = 0, walls = 0, impacts = 0, watched = 0;
   Eigen::Matrix2d quarter, mirror;
   quarter << 0, -1, 1, 0;
   mirror << -1, 0, 0, 1;
@@ -212,11 +256,23 @@ TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
         const auto twin = twin_of(*row, points, map);
         if (!twin) break;
         SCOPED_TRACE(testing::Message() << entry.path().filename().string() << ", points " << points << "\n" << map);
-        if (!wanted) wanted = solve(make_problem(*row));
+        const Problem row_problem = make_problem(*row);
+        const SolveOptions options{.levels = true, .both_ways = true};
+        if (!wanted) wanted = solve(row_problem, ExactSolver{}, options);
         const PlanProblem problem = make_plan_problem(*twin);
-        const PlanResponse plan = solve(problem);
+        const PlanResponse plan = solve(problem, ExactSolver{}, options);
         const bool integrated = std::any_of(row->gaps.begin(), row->gaps.end(), is_integrated_law);
         expect_twins(problem, plan, *wanted, integrated ? 1e-8 : 1e-9, map(0, 0) == 0);
+        watched += expect_watched_twins(problem, plan, row_problem, *wanted, integrated ? 1e-8 : 1e-9);
+        for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
+          const PlanGap& gap = problem.gaps[g];
+          const RunResults pair = pair_of({*twin, problem, plan}, g);
+          const Eigen::Index left = std::min(gap.left, gap.right);
+          const double needed = gap_needed(row_problem, *wanted, left);
+          EXPECT_NEAR(gap_needed(pair.problem, pair.response, 0), needed, 1e-8 * needed);
+          EXPECT_EQ(unmodelled_contacts(pair.problem, pair.response, 0).size(),
+                    2 * unmodelled_contacts(row_problem, *wanted, left).size());
+        }
         twins += 1;
         for (const PlanBuilding& building : problem.buildings) walls += building.is_rigid() ? 1 : 0;
         impacts += static_cast<int>(plan.impacts.size());
@@ -225,7 +281,8 @@ TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
   }
   EXPECT_GE(twins, 4);
   EXPECT_GT(impacts, 100);
-  std::printf("%d twins, %d walls, %d impacts\n", twins, walls, impacts);
+  EXPECT_GT(watched, 10);
+  std::printf("%d twins, %d walls, %d impacts, %d watched\n", twins, walls, impacts, watched);
 }
 
 }  // namespace

@@ -14,8 +14,10 @@
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/story/plan_story.h"
 #include "bentur/report/errors.h"
 #include "bentur/structure/modes.h"
+#include "cases/gap_text.h"
 #include "cases/plan_text.h"
 #include "output/output.h"
 #include "session.h"
@@ -27,7 +29,7 @@ namespace {
 struct LoadedPlan {
   PlanCase c;
   PlanProblem problem;
-  RunOptions options;
+  SolveOptions options;
 };
 
 /// @param histories whether the run keeps them
@@ -36,7 +38,7 @@ LoadedPlan load_plan(const std::string& file, const std::string& language, bool 
   PlanProblem problem;
   std::optional<PlanCase> c = read_plan_case(file, diagnostics, &problem);
   if (!c) throw Failure(diagnostics, language);
-  RunOptions options = run_options(*c);
+  SolveOptions options = solve_options(*c);
   if (histories) options.output_step = c->analysis.output_step;
   const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, options));
   if (!refusal.empty()) {
@@ -117,6 +119,30 @@ void print_plan_modes(const std::string& file, bool by_jacobi, bool json) {
   print(fitted(text));
 }
 
+void print_plan_gaps(const std::string& file, bool json, const std::string& language) {
+  LoadedPlan loaded = load_plan(file, language);
+  PlanResponse response = solve_shown(loaded.options, true, language, [&](const SolveOptions& shown) {
+    return solve(loaded.problem, loaded.c.analysis.solver, shown);
+  });
+  const PlanRun run{std::move(loaded.c), std::move(loaded.problem), std::move(response)};
+  if (json) return print(plan_gap_json(run, BENTUR_VERSION));
+  const Words say(language);
+  print(fitted(plan_motion_text(run, say) + all_gaps_text(gap_names(run.problem), run.c.code, plan_gap_story(run),
+                                                          {say("cli.plan_gap_note")}, say)));
+}
+
+void print_plan_rules(const std::string& file, bool json, const std::string& language) {
+  const LoadedPlan loaded = load_plan(file, language);
+  if (json) return print(plan_height_rules_json(loaded.c, loaded.problem, BENTUR_VERSION));
+  const Words say(language);
+  std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n\n";
+  const Story story = plan_height_rules_story(loaded.c, loaded.problem);
+  if (!story.tables.empty()) {
+    text += tables_text(gap_names(loaded.problem), story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
+  }
+  print(fitted(text + codes_note(loaded.c.code, say)));
+}
+
 void run_plan(const PlanRunArguments& arguments, const std::string& language) {
   LoadedPlan loaded = load_plan(arguments.file, language, !arguments.directory.empty());
   std::optional<RunFolder> folder;
@@ -127,7 +153,7 @@ void run_plan(const PlanRunArguments& arguments, const std::string& language) {
                    OutputRules{.inputs = std::move(inputs), .force = arguments.force, .is_netcdf = &is_netcdf_result},
                    *loaded.c.source);
   }
-  PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const RunOptions& shown) {
+  PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
   const PlanRun run{std::move(loaded.c), std::move(loaded.problem), std::move(response)};

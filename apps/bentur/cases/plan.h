@@ -9,6 +9,10 @@ namespace bentur::cli {
 void check_plan(const std::string& file, const std::string& language);
 void print_plan_modes(const std::string& file, bool by_jacobi, bool json);
 
+/// What its gaps need and rules ask, simulated, and what rules ask from heights alone.
+void print_plan_gaps(const std::string& file, bool json, const std::string& language);
+void print_plan_rules(const std::string& file, bool json, const std::string& language);
+
 struct PlanRunArguments {
   std::string file;
   std::string directory;  ///< for the results; empty: none are written

@@ -73,14 +73,19 @@ std::string plane_table(const PlanRun& run, Index building, const Words& say) {
 
 }  // namespace
 
+std::string plan_motion_text(const PlanRun& run, const Words& say) {
+  std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
+  text += excitation_line(run.c.excitation[0], run.c.units, say) + "\n";
+  if (!std::holds_alternative<NoMotion>(run.problem.motions[1])) {
+    text += say("cli.along_y", {{"motion", excitation_line(run.c.excitation[1], run.c.units, say)}}) + "\n";
+  }
+  return text;
+}
+
 std::string plan_summary_text(const PlanRun& run, const Words& say) {
   const PlanProblem& problem = run.problem;
   const std::vector<std::string> gaps = gap_names(problem);
-  std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
-  text += excitation_line(run.c.excitation[0], run.c.units, say) + "\n";
-  if (!std::holds_alternative<NoMotion>(problem.motions[1])) {
-    text += say("cli.along_y", {{"motion", excitation_line(run.c.excitation[1], run.c.units, say)}}) + "\n";
-  }
+  std::string text = plan_motion_text(run, say);
   const Story story = plan_story(run);
   text += "\n" + story_text(gaps, story, say, Told::outcome);
   for (std::size_t g = 0; g < gaps.size(); ++g) {

@@ -7,6 +7,9 @@
 
 namespace bentur::cli {
 
+/// The title, and what shakes the buildings.
+[[nodiscard]] std::string plan_motion_text(const PlanRun& run, const Words& say);
+
 /// What is told of a run of buildings in plan on a terminal.
 [[nodiscard]] std::string plan_summary_text(const PlanRun& run, const Words& say);
 

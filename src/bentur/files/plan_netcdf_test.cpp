@@ -21,7 +21,7 @@ PlanRun twisting_pair(double output_step) {
   PlanProblem problem;
   auto c = read_plan_case(std::string(BENTUR_SOURCE_DIR) + "/examples/plan/twisting-pair.toml", diagnostics, &problem);
   if (!c) throw std::runtime_error(diagnostics.errors().front().text());
-  RunOptions options = run_options(*c);
+  SolveOptions options = solve_options(*c);
   options.output_step = output_step;
   options.energy_audit = true;
   PlanResponse response = solve(problem, c->analysis.solver, options);

@@ -106,52 +106,35 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
   return points;
 }
 
-/// The watched floors of one gap, those of the left building first.
+/// The watched floors of one gap, from the lowest up.
 void watch_gap(const GapSpec& spec, int gap, const std::vector<Building>& buildings,
                const std::vector<ContactPoint>& points, std::vector<WatchedFloor>& all) {
   const auto left = static_cast<std::size_t>(gap);
   const StructuralModel* const models[] = {&buildings[left].model, &buildings[left + 1].model};
   const FloorLevels levels[] = {levels_of(*models[0]), levels_of(*models[1])};
-  const double round_off = round_off_of_levels(levels[0], levels[1]);
-  const std::vector<LevelPair> pairs = level_floors(levels[0], levels[1], spec.level_tolerance);
-  const auto row = [&](std::size_t side, double elevation) {
-    return sway_at(*models[side], elevation, side == 0 ? Face::right : Face::left);
+  const auto touches = [&](int side, int floor) {
+    return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) {
+      return point.left == gap && (side == 0 ? point.left_floor : point.right_floor) == floor;
+    });
   };
-  const auto floor_row = [&](std::size_t side, int floor) -> Eigen::VectorXd {
-    return Eigen::VectorXd::Unit(models[side]->dofs(), floor);
-  };
-  for (std::size_t side = 0; side < 2; ++side) {
-    const FloorLevels& neighbour = levels[1 - side];
-    for (int floor = 0; floor < static_cast<int>(levels[side].elevations.size()); ++floor) {
-      const auto of = [&](const auto& pair) { return (side == 0 ? pair.left_floor : pair.right_floor) == floor; };
-      const auto has_point = [&](const ContactPoint& point) { return point.left == gap && of(point); };
-      if (std::any_of(points.begin(), points.end(), has_point)) continue;
-      WatchedFloor watched;
-      watched.left = gap;
-      watched.floor_of = gap + static_cast<int>(side);
-      watched.floor = floor;
-      watched.elevation = levels[side].elevations[static_cast<std::size_t>(floor)];
-      const auto pair = std::find_if(pairs.begin(), pairs.end(), of);
-      if (pair != pairs.end()) {
-        if (side == 1) continue;  // watched from the left one
-        watched.elevation = pair->elevation;
-        watched.facing_floor = pair->right_floor;
-        watched.left_row = floor_row(0, pair->left_floor);
-        watched.right_row = floor_row(1, pair->right_floor);
-      } else {
-        if (watched.elevation < neighbour.base - round_off ||
-            watched.elevation > neighbour.elevations.back() + round_off) {
-          continue;
-        }
-        Eigen::VectorXd own = floor_row(side, floor);
-        Eigen::VectorXd column =
-            row(1 - side, std::clamp(watched.elevation, neighbour.base, neighbour.elevations.back()));
-        watched.left_row = side == 0 ? own : column;
-        watched.right_row = side == 0 ? column : own;
-      }
-      watched.width = watched_width(points, gap, watched.elevation).value_or(spec.widths.front());
-      all.push_back(std::move(watched));
-    }
+  for (const FacingFloor& found : facing_floors(levels[0], levels[1], spec.level_tolerance, touches)) {
+    const auto row = [&](int side) -> Eigen::VectorXd {
+      const StructuralModel& model = *models[side];
+      const std::optional<int> floor = side == found.side ? std::optional(found.floor) : found.facing;
+      if (floor) return Eigen::VectorXd::Unit(model.dofs(), *floor);
+      const double elevation = std::clamp(found.elevation, levels[side].base, model.elevations.back());
+      return sway_at(model, elevation, side == 0 ? Face::right : Face::left);
+    };
+    WatchedFloor watched;
+    watched.left = gap;
+    watched.floor_of = gap + found.side;
+    watched.floor = found.floor;
+    watched.facing_floor = found.facing;
+    watched.elevation = found.elevation;
+    watched.left_row = row(0);
+    watched.right_row = row(1);
+    watched.width = watched_width(points, gap, watched.elevation).value_or(spec.widths.front());
+    all.push_back(std::move(watched));
   }
 }
 
@@ -350,10 +333,7 @@ std::vector<WatchedFloor> watched_floors(const Case& c, const std::vector<Buildi
                                          const std::vector<ContactPoint>& points) {
   std::vector<WatchedFloor> all;
   for (std::size_t gap = 0; gap < c.gaps.size(); ++gap) {
-    const std::size_t first = all.size();
     watch_gap(c.gaps[gap], static_cast<int>(gap), buildings, points, all);
-    std::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
-                     [](const WatchedFloor& a, const WatchedFloor& b) { return a.elevation < b.elevation; });
   }
   return all;
 }
@@ -397,12 +377,14 @@ Problem problem_of(const Case& c, std::vector<Building> buildings) {
 
 }  // namespace
 
-SolveOptions solve_options(const Case& c) {
+SolveOptions solve_options(const Case& c) { return solve_options(c.analysis); }
+
+SolveOptions solve_options(const AnalysisSpec& analysis) {
   SolveOptions options;
   options.levels = true;
-  options.both_ways = c.analysis.both_ways;
-  options.energy_audit = c.analysis.energy_audit;
-  options.most_steps = static_cast<long>(c.analysis.limits.steps);
+  options.both_ways = analysis.both_ways;
+  options.energy_audit = analysis.energy_audit;
+  options.most_steps = static_cast<long>(analysis.limits.steps);
   return options;
 }
 

@@ -227,6 +227,7 @@ struct SpecAndModel {
 /// What a single run of a case is asked for: levels, both ways round and the energy audit as the case says, its limit
 /// of steps; no histories.
 [[nodiscard]] SolveOptions solve_options(const Case& c);
+[[nodiscard]] SolveOptions solve_options(const AnalysisSpec& analysis);
 
 /// Floor levels of a model.
 [[nodiscard]] FloorLevels levels_of(const StructuralModel& model);

@@ -57,6 +57,12 @@ std::vector<Contact> contacts_of(const Problem& problem) {
   return contacts;
 }
 
+std::optional<Index> face_floor(const Problem& problem, std::size_t level, int side) {
+  const std::size_t points = problem.points.size();
+  return level < points ? face_floor(problem, problem.points[level], side)
+                        : face_floor(problem.watched[level - points], side);
+}
+
 System system_of(const Problem& problem, bool levels) {
   System system;
   for (const Building& building : problem.buildings) system.bodies.push_back(body_of(building));
@@ -68,7 +74,13 @@ System system_of(const Problem& problem, bool levels) {
   }
   system.limits = drift_limits(problem);
   for (const WatchedFloor& floor : problem.watched) system.watched.push_back(watched(problem, floor));
-  if (levels) system.watched_free = level_interfaces(problem, system);
+  if (levels) {
+    std::vector<Interface> faces;
+    for (const Contact& contact : system.contacts) faces.push_back(contact.at);
+    faces.insert(faces.end(), system.watched.begin(), system.watched.end());
+    system.watched_free = level_interfaces(
+        faces, [&](std::size_t level, int side) { return face_floor(problem, level, side).has_value(); });
+  }
   system.motions = {problem.motion};
   system.delays = problem.delays;
   system.initial_displacement = problem.initial_displacement;

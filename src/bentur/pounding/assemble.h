@@ -10,6 +10,9 @@ namespace bentur {
 /// A valid problem as the solver takes it. @param levels both faces of each level are watched in the free response too
 [[nodiscard]] System system_of(const Problem& problem, bool levels = false);
 
+/// Index of the floor that a face is of a level, points first and watched floors after them; nothing of a column's.
+[[nodiscard]] std::optional<Eigen::Index> face_floor(const Problem& problem, std::size_t level, int side);
+
 /// Its contact points alone.
 [[nodiscard]] std::vector<Contact> contacts_of(const Problem& problem);
 

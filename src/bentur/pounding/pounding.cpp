@@ -10,6 +10,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/checks/self_checks.h"
+#include "bentur/pounding/internal/asked.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/pounding/internal/progress_of_parts.h"
@@ -18,22 +19,6 @@
 
 namespace bentur {
 namespace {
-
-GroundMotion reversed(GroundMotion motion) {
-  if (auto* sampled = std::get_if<SampledMotion>(&motion)) {
-    for (double& value : sampled->acceleration) value = -value;
-  }
-  if (auto* harmonic = std::get_if<HarmonicMotion>(&motion)) harmonic->displacement_amplitude *= -1;
-  return motion;
-}
-
-/// Of points and watched floors alike.
-template <typename Summary>
-void take_reversed(const std::vector<Summary>& from, std::vector<Summary>& to) {
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    to[i].gap_needed_reversed = from.empty() ? std::nullopt : std::optional(from[i].gap_needed);
-  }
-}
 
 /// What the reversed motion needs, where that is asked for and the free response has not told it; nothing where it
 /// collapses or there is none.
@@ -65,15 +50,6 @@ std::optional<double> times(const GroundMotion& motion, const GroundMotion& othe
   const bool alike = std::equal(a.begin(), a.end(), b.begin(),
                                 [&](double x, double y) { return std::abs(x - factor * y) <= round_off * peak; });
   return alike ? std::optional(factor) : std::nullopt;
-}
-
-RunOptions run_options(const SolveOptions& options) {
-  return {.output_step = options.output_step,
-          .course = options.course,
-          .most_steps = options.most_steps,
-          .energy_audit = options.energy_audit,
-          .energy_step = options.energy_step,
-          .progress = options.progress};
 }
 
 bool starts_from_rest(const Problem& problem) {
@@ -129,7 +105,14 @@ CheckedFree free_of(Problem problem, const Solver& solver, const std::function<b
   Response response = free_response(given, free.solution());
   if (levels) {
     const bool mirrored = response.status == Status::done && is_mirrored(given);
-    report_levels(given, free.solution().watched_free, mirrored, response);
+    const auto peak_of = [&](std::size_t level, int side) -> std::optional<double> {
+      const std::optional<Eigen::Index> floor = face_floor(given, level, side);
+      if (!floor) return std::nullopt;
+      const Eigen::Index left =
+          level < given.points.size() ? given.points[level].left : given.watched[level - given.points.size()].left;
+      return response.buildings[left + side].displacement_no_contact(*floor);
+    };
+    report_levels(free.solution().watched_free, mirrored, peak_of, response.points, response.watched);
   }
   return {std::move(given), solver, std::move(free), 1.0, std::move(response)};
 }

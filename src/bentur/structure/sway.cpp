@@ -9,17 +9,22 @@ namespace bentur {
 
 double base_of(const StructuralModel& model) { return model.elevations.front() - model.storey_heights.front(); }
 
-Eigen::VectorXd sway_at(const StructuralModel& model, double elevation, Face face) {
-  const double base = base_of(model);
-  const double top = model.elevations.back();
+StoreyPlace storey_place(const std::vector<double>& elevations, const std::vector<double>& heights, double elevation) {
+  const double base = elevations.front() - heights.front();
+  const double top = elevations.back();
   const double slack = 1e-6 * (top - base);
   if (!(elevation >= base - slack && elevation <= top + slack)) {
     throw InvalidParameter("elevation", std::to_string(elevation), "must be between the base and the top");
   }
-  const auto above = std::lower_bound(model.elevations.begin(), model.elevations.end() - 1, elevation);
-  const Eigen::Index upper = above - model.elevations.begin();
+  const auto above = std::lower_bound(elevations.begin(), elevations.end() - 1, elevation);
+  const Eigen::Index upper = above - elevations.begin();
+  const double length = heights[upper];
+  return {upper, length > 0 ? std::clamp(1 - (*above - elevation) / length, 0.0, 1.0) : 1.0};  // a slab has none
+}
+
+Eigen::VectorXd sway_at(const StructuralModel& model, double elevation, Face face) {
+  const auto [upper, s] = storey_place(model.elevations, model.storey_heights, elevation);
   const double length = model.storey_heights[upper];
-  const double s = length > 0 ? std::clamp(1 - (*above - elevation) / length, 0.0, 1.0) : 1.0;  // a slab has none
   Eigen::VectorXd row = Eigen::VectorXd::Zero(model.dofs());
   const Eigen::MatrixXd& joints = face == Face::left ? model.left_joints : model.right_joints;
   if (joints.size() == 0) {

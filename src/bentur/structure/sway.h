@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "bentur/structure/building.h"
 
@@ -8,6 +9,17 @@ namespace bentur {
 
 /// The face of a building that looks at a neighbour.
 enum class Face { left, right };
+
+/// Where an elevation is: in the storey below floor `upper`, at the part `s` of it from below, 1 at the floor.
+struct StoreyPlace {
+  Eigen::Index upper = 0;
+  double s = 1;
+};
+
+/// @param elevations of the floors and `heights` of the storeys below them [length], from the lowest up
+/// @throws InvalidParameter unless the elevation is between base and top, to a millionth of the height.
+[[nodiscard]] StoreyPlace storey_place(const std::vector<double>& elevations, const std::vector<double>& heights,
+                                       double elevation);
 
 /// Sway of the outermost column at an elevation, as a row over the dofs [-, or length on a rotation that was kept]. Of
 /// a frame the cubic with the sways and the joint rotations at the ends of that storey's column (the shape functions of

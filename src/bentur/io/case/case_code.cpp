@@ -17,7 +17,7 @@ std::optional<std::vector<bool>> read_flags(const TomlView& value, std::size_t g
     const auto flag = value.as_flag();
     return flag ? std::optional(std::vector<bool>(gaps, *flag)) : std::nullopt;
   }
-  if (!value.is_list_of("true or false", {gaps, "one per gap"})) return std::nullopt;
+  if (gaps == 0 || !value.is_list_of("true or false", {gaps, "one per gap"})) return std::nullopt;
   std::vector<bool> flags;
   for (const TomlView& one : value.items()) flags.push_back(one.as_flag().value_or(false));
   return flags;
@@ -77,11 +77,10 @@ CodeRuleSpec read_rule(const TableView& table, std::size_t buildings, const Unit
 
 }  // namespace
 
-CodeSpec read_code(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings) {
+CodeSpec read_code(const TomlView& root, const Units& units, std::size_t buildings, std::size_t gaps) {
   CodeSpec code;
   const auto view = TableView(root, case_keys()).table("code");
   if (!view) return code;
-  const std::size_t gaps = buildings.empty() ? 0 : buildings.size() - 1;
   if (const auto aligned = view->find("floors_aligned")) code.floors_aligned = read_flags(*aligned, gaps);
   if (const auto owner = view->find("same_owner")) {
     code.same_owner = read_flags(*owner, gaps).value_or(std::vector<bool>{});
@@ -93,7 +92,7 @@ CodeSpec read_code(const TomlView& root, const Units& units, const std::vector<R
     if (!view->has(std::string(rule.name))) continue;
     any = true;
     if (const auto table = view->table(rule.name)) {
-      code.rules.push_back(read_rule(*table, buildings.size(), units));
+      code.rules.push_back(read_rule(*table, buildings, units));
     } else {
       code.rules.push_back({.rule = std::string(rule.name)});
     }

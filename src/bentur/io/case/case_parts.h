@@ -188,7 +188,8 @@ void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, co
 [[nodiscard]] ScreeningSpec read_screening(const TomlView& root);
 
 /// case_code.cpp
-[[nodiscard]] CodeSpec read_code(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings);
+/// @param gaps how many there are; 0: that is not known, and lists over them are not looked at
+[[nodiscard]] CodeSpec read_code(const TomlView& root, const Units& units, std::size_t buildings, std::size_t gaps);
 
 /// case_project.cpp
 [[nodiscard]] std::optional<ProjectSpec> read_project(const TomlView& root, const std::filesystem::path& folder,

@@ -252,7 +252,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   ReadCase read;
   Case& c = read.c;
   if (const auto plan = plan_of(root)) {
-    plan->error("is of buildings in plan, which bentur check, modes and run take: nothing else does");
+    plan->error("is of buildings in plan, which bentur check, modes, run and gap take: nothing else does");
     return read;
   }
   (void)TableView::of(root, case_keys());
@@ -267,7 +267,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   bool moves = false;
   c.initial = read_initial(root, buildings, moves);
   c.analysis = read_analysis(root, c.excitation);
-  c.code = read_code(root, c.units, buildings);
+  c.code = read_code(root, c.units, buildings.size(), buildings.empty() ? 0 : buildings.size() - 1);
   c.screening = read_screening(root);
   c.project = read_project(root, folder, diagnostics);
   check_values(root, case_keys());

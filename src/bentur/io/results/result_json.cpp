@@ -9,6 +9,7 @@
 
 #include "bentur/io/results/internal/asked_json.h"
 #include "bentur/io/results/internal/code_json.h"
+#include "bentur/io/results/internal/gap_json.h"
 #include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/story/story.h"
@@ -196,49 +197,6 @@ Json solver_json(const Solver& solver, const Response& response) {
   return json;
 }
 
-/// Of one watched floor: where it is, and what it needs or does.
-Json watched_json(const Problem& problem, const WatchedFloor& floor) {
-  return {{"floor_of", problem.buildings[static_cast<std::size_t>(floor.floor_of)].name},
-          {"elevation", floor.elevation},
-          {"faces", floor.facing_floor ? "floor" : "column"},
-          {"width", floor.width}};
-}
-
-/// Every watched floor of a gap, and what it does in the run.
-Json watched_list(const Problem& problem, const Response& response, const Gap& gap) {
-  Json list = Json::array();
-  for (const Eigen::Index i : gap.watched) {
-    Json json = watched_json(problem, problem.watched[i]);
-    const WatchedSummary& summary = response.watched.at(i);
-    json["gap_needed"] = summary.gap_needed;
-    json["gap_needed_reversed"] = or_null(summary.gap_needed_reversed);
-    json["peak_left_no_contact"] = or_null_if_unknown(summary.peak_left);
-    json["peak_right_no_contact"] = or_null_if_unknown(summary.peak_right);
-    json["least_opening"] = summary.least_opening;
-    json["time"] = summary.least_time;
-    list.push_back(json);
-  }
-  return list;
-}
-
-/// Those that met what they face, the deepest first.
-Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap, const std::string& length) {
-  Json list = Json::array();
-  for (const Eigen::Index i : unmodelled_contacts(problem, response, gap)) {
-    const WatchedFloor& floor = problem.watched[i];
-    list.push_back({{"floor_of", problem.buildings[static_cast<std::size_t>(floor.floor_of)].name},
-                    {"elevation", floor.elevation},
-                    {"least_opening", response.watched[i].least_opening},
-                    {"time", response.watched[i].least_time},
-                    {"to_model", remedy_text(problem, floor, length)}});
-  }
-  return list;
-}
-
-Json between(const Problem& problem, Eigen::Index gap) {
-  return {problem.buildings[gap].name, problem.buildings[gap + 1].name};
-}
-
 }  // namespace
 
 std::string summary_json(const RunResults& results, std::string_view version) {
@@ -252,7 +210,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   for (const Gap& gap : gaps_of(run.problem)) {
     Json points = Json::array();
     for (const Eigen::Index i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.left).contact));
-    Json json = {{"between", between(run.problem, gap.left)}};
+    Json json = {{"between", between_json(run.problem, gap.left)}};
     put_quantities(json, Owner::gap, run, gap.left);
     json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.left, c.units.length);
     json["points"] = points;
@@ -298,82 +256,6 @@ std::string modes_json(const std::vector<Building>& buildings, const Units& unit
   }
   return text_of({{"buildings", all}});
 }
-
-namespace {
-
-Json codes_json(const std::vector<CodeSeparation>& codes) {
-  Json json = Json::array();
-  for (const CodeSeparation& code : codes) json.push_back(code_separation_json(code));
-  return json;
-}
-
-Json screening_json(const Case& c, const Problem& problem, Eigen::Index gap) {
-  Json json = Json::array();
-  for (const ScreeningFinding& found : screening(problem, gap, c.screening, c.units)) {
-    json.push_back({{"rule", found.rule->name},
-                    {"value", found.value},
-                    {"limit", or_null(found.limit)},
-                    {"unit", found.rule->unit == "length" ? c.units.length : std::string(found.rule->unit)},
-                    {"verdict", verdict_text(found.verdict)},
-                    {"source", found.rule->source},
-                    {"wording", found.rule->wording}});
-  }
-  return json;
-}
-
-/// What a level needs, or a whole gap.
-Json separation_json(const LevelSeparation& separation) {
-  Json json = {{"gap_needed", separation.gap_needed},
-               {"abs", or_null_if_unknown(separation.abs)},
-               {"srss", or_null_if_unknown(separation.srss)},
-               {"ddc", or_null_if_unknown(separation.ddc)},
-               {"codes", codes_json(separation.codes)}};
-  if (separation.gap_needed_reversed) json["gap_needed_reversed"] = *separation.gap_needed_reversed;
-  return json;
-}
-
-/// What each rule asks where it falls short the most.
-Json findings_json(const std::vector<RuleFinding>& findings, const std::vector<LevelSeparation>& levels) {
-  Json json = Json::array();
-  for (const RuleFinding& found : findings) {
-    Json one = {{"rule", found.rule}};
-    if (found.at) {
-      const FacingLevel& level = levels[*found.at].level;
-      one.update({{"gap", found.gap},
-                  {"elevation", level.elevation},
-                  {"width", level.width},
-                  {"given_is", found.is_short ? "too_small" : "enough"},
-                  {"understates", found.understates}});
-    } else {
-      one.update({{"given_is", "not_evaluated"}, {"reason", silence_name(found.silence)}});
-    }
-    json.push_back(one);
-  }
-  return json;
-}
-
-/// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings stand.
-Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels, double scale,
-                 bool collapsed, Eigen::Index gap) {
-  Json points = Json::array(), watched = Json::array();
-  for (const LevelSeparation& one : levels) {
-    if (one.level.is_point) {
-      points.push_back({{"elevation", one.level.elevation}, {"width", one.level.width}});
-    } else {
-      watched.push_back(watched_json(problem, problem.watched[one.level.index]));
-    }
-    (one.level.is_point ? points : watched).back().update(separation_json(one));
-  }
-  Json json = {{"between", between(problem, gap)}};
-  json.update(separation_json(largest_of(levels)));
-  json["rules"] = findings_json(rule_findings(problem, levels, c.code, scale, collapsed), levels);
-  json["points"] = points;
-  json["watched_floors"] = watched;
-  json["screening"] = screening_json(c, problem, gap);
-  return json;
-}
-
-}  // namespace
 
 std::string gap_json(const RunResults& results, std::string_view version) {
   const Problem& problem = results.problem;

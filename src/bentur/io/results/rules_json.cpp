@@ -70,19 +70,23 @@ OrderedJson code_rules_json(const CodeSpec& code) {
 }
 
 std::string_view silence_name(RuleFinding::Silence silence) {
-  constexpr std::string_view names[] = {"",        "no_level",      "collapsed",    "linked",
-                                        "unknown", "property_line", "displacements"};
+  constexpr std::string_view names[] = {"",        "no_level",      "collapsed",     "linked",
+                                        "unknown", "property_line", "displacements", "turning"};
   return names[static_cast<std::size_t>(silence)];
+}
+
+OrderedJson height_gap_json(const Case& c, const Problem& problem, Eigen::Index gap) {
+  OrderedJson rules = OrderedJson::array();
+  for (const HeightFinding& found : height_findings(problem, gap, c.code, c.units)) {
+    rules.push_back(finding_json(found));
+  }
+  return {{"between", {problem.buildings[gap].name, problem.buildings[gap + 1].name}}, {"rules", rules}};
 }
 
 std::string height_rules_json(const Case& c, const Problem& problem, std::string_view version) {
   OrderedJson gaps = OrderedJson::array();
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
-    OrderedJson rules = OrderedJson::array();
-    for (const HeightFinding& found : height_findings(problem, gap, c.code, c.units)) {
-      rules.push_back(finding_json(found));
-    }
-    gaps.push_back({{"between", {problem.buildings[gap].name, problem.buildings[gap + 1].name}}, {"rules", rules}});
+    gaps.push_back(height_gap_json(c, problem, gap));
   }
   const OrderedJson json = {
       {"title", c.title},

@@ -25,10 +25,16 @@ Json values_json(const std::vector<StoryValue>& values) {
 }  // namespace
 
 std::string statements_json(const Problem& problem, const std::vector<Statement>& statements) {
+  std::vector<std::string> names;
+  for (const Building& building : problem.buildings) names.push_back(building.name);
+  return statements_json(names, statements);
+}
+
+std::string statements_json(const std::vector<std::string>& names, const std::vector<Statement>& statements) {
   Json json = Json::array();
   for (const Statement& statement : statements) {
     Json buildings = Json::array(), items = Json::array();
-    for (const Eigen::Index b : statement.buildings) buildings.push_back(problem.buildings.at(b).name);
+    for (const Eigen::Index b : statement.buildings) buildings.push_back(names.at(b));
     for (const auto& item : statement.items) items.push_back(values_json(item));
     Json one = {{"kind", statement.kind},
                 {"severity", severity_name(statement.severity)},

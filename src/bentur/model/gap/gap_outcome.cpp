@@ -51,6 +51,7 @@ std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>
       if (level.is_point != points) continue;
       if (worst && one->gap_needed - level.width <= worst->gap_needed - worst->width) continue;
       worst = {points ? std::nullopt : std::optional(level.index),
+               points ? level.index : 0,
                level.elevation,
                level.width,
                one->gap_needed,
@@ -132,7 +133,7 @@ GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::
   return outcome;
 }
 
-Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {
+Remedy remedy_for(const Problem& problem, const WatchedFloor& floor, bool in_plan) {
   if (floor.facing_floor) return {Remedy::Kind::name_elevation, floor.elevation, 0};
   const bool of_left = floor.floor_of == floor.left;
   const FloorLevels own = levels_of(problem.buildings[static_cast<Eigen::Index>(floor.floor_of)].model);
@@ -150,12 +151,13 @@ Remedy remedy_for(const Problem& problem, const WatchedFloor& floor) {
       }
     }
   }
+  if (in_plan) return {Remedy::Kind::give_floor, floor.elevation, 0};
   const bool is_frame = faced_building(problem, floor).model.left_joints.size() > 0;
   return {is_frame ? Remedy::Kind::strike_column : Remedy::Kind::give_columns, floor.elevation, 0};
 }
 
-std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const std::string& length) {
-  const Remedy remedy = remedy_for(problem, floor);
+std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const std::string& length, bool in_plan) {
+  const Remedy remedy = remedy_for(problem, floor, in_plan);
   const std::string& other = faced_building(problem, floor).name;
   switch (remedy.kind) {
     case Remedy::Kind::name_elevation:
@@ -167,6 +169,10 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
       return fmt::format(
           "gap.strikes_columns = true with {} among gap.elevations lets it strike the column of {} there",
           number(remedy.level), other);
+    case Remedy::Kind::give_floor:
+      return fmt::format(
+          "floors of buildings in plan strike floors alone: a rough model gives {} a floor at level {} {}", other,
+          number(remedy.level), length);
     case Remedy::Kind::give_columns:
       break;
   }

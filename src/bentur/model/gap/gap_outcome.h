@@ -15,6 +15,7 @@ namespace bentur {
 /// watched floor.
 struct GoverningLevel {
   std::optional<Eigen::Index> watched;             ///< index into Problem::watched; nothing: a contact point
+  Eigen::Index point = 0;                          ///< of that the index into Problem::points
   double elevation = 0;                            ///< [length]
   double width = 0;                                ///< given [length]
   double gap_needed = 0;                           ///< [length]
@@ -73,15 +74,18 @@ struct Remedy {
     raise_tolerance,  ///< a floor of the other building is near: let them meet by gap.level_tolerance
     strike_column,    ///< it faces a column of a frame: name it in gap.elevations with gap.strikes_columns
     give_columns,     ///< it faces a building whose columns are not known: give that one as a frame
+    give_floor,       ///< in plan: nothing is struck between floors
   };
   Kind kind = Kind::give_columns;
   double level = 0;      ///< [length] of the level to name, or of the floor that is near
   double tolerance = 0;  ///< [length] that lets them meet
 };
-[[nodiscard]] Remedy remedy_for(const Problem& problem, const WatchedFloor& floor);
+/// @param in_plan of a pair of buildings in plan
+[[nodiscard]] Remedy remedy_for(const Problem& problem, const WatchedFloor& floor, bool in_plan = false);
 
 /// The same in words. `length` is the case's unit.
-[[nodiscard]] std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const std::string& length);
+[[nodiscard]] std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const std::string& length,
+                                      bool in_plan = false);
 
 /// "the floor of A", whose elevation is known from elsewhere.
 [[nodiscard]] std::string floor_text(const Problem& problem, const WatchedFloor& floor);

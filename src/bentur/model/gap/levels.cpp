@@ -54,6 +54,33 @@ std::vector<LevelPair> level_floors(const FloorLevels& left, const FloorLevels& 
   return pairs;
 }
 
+std::vector<FacingFloor> facing_floors(const FloorLevels& left, const FloorLevels& right,
+                                       std::optional<double> tolerance,
+                                       const std::function<bool(int side, int floor)>& touches) {
+  const double round_off = round_off_of_levels(left, right);
+  const std::vector<LevelPair> pairs = level_floors(left, right, tolerance);
+  std::vector<FacingFloor> all;
+  for (const int side : {0, 1}) {
+    const FloorLevels& own = side == 0 ? left : right;
+    const FloorLevels& neighbour = side == 0 ? right : left;
+    for (int floor = 0; floor < static_cast<int>(own.elevations.size()); ++floor) {
+      if (touches(side, floor)) continue;
+      const auto pair = std::find_if(pairs.begin(), pairs.end(), [&](const LevelPair& one) {
+        return (side == 0 ? one.left_floor : one.right_floor) == floor;
+      });
+      const double elevation = level(own, floor);
+      if (pair != pairs.end()) {
+        if (side == 0) all.push_back({0, floor, pair->right_floor, pair->elevation});  // once
+      } else if (elevation >= neighbour.base - round_off && elevation <= neighbour.elevations.back() + round_off) {
+        all.push_back({side, floor, std::nullopt, elevation});
+      }
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const FacingFloor& a, const FacingFloor& b) { return a.elevation < b.elevation; });
+  return all;
+}
+
 const LevelPair* pair_at(double elevation, const std::vector<LevelPair>& pairs, const FloorLevels& left,
                          const FloorLevels& right) {
   const double round_off = round_off_of_levels(left, right);

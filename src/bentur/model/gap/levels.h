@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,20 @@ struct LevelPair {
 /// floors.
 [[nodiscard]] std::vector<LevelPair> level_floors(const FloorLevels& left, const FloorLevels& right,
                                                   std::optional<double> tolerance = std::nullopt);
+
+/// A floor that faces its neighbour between that one's base and top and touches it nowhere.
+struct FacingFloor {
+  int side = 0;                    ///< 0 of the left building, 1 of the right one
+  int floor = 0;                   ///< index of it
+  std::optional<int> facing = {};  ///< of the other building's floor at its level; nothing: a column between two
+  double elevation = 0;            ///< [length]
+};
+
+/// All of them, from the lowest up, those of the left building first where they are at one elevation. Two that meet are
+/// one, of the left building. @param touches whether a floor of a side (0, 1) has contact there
+[[nodiscard]] std::vector<FacingFloor> facing_floors(const FloorLevels& left, const FloorLevels& right,
+                                                     std::optional<double> tolerance,
+                                                     const std::function<bool(int side, int floor)>& touches);
 
 /// The pair that an elevation names: it is at one of the floors or between them. Null where there is none.
 [[nodiscard]] const LevelPair* pair_at(double elevation, const std::vector<LevelPair>& pairs, const FloorLevels& left,

@@ -165,7 +165,7 @@ LevelSeparation largest_of(const std::vector<LevelSeparation>& levels) {
 }
 
 std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
-                                       const CodeSpec& code, double scale, bool collapsed) {
+                                       const CodeSpec& code, double scale, bool collapsed, bool in_plan) {
   using Silence = RuleFinding::Silence;
   std::vector<RuleFinding> findings;
   const auto add = [&](std::string_view rule, std::string_view title, const auto& asked) {
@@ -189,8 +189,10 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
     found.is_short = found.at && falls_short(levels[*found.at].level.width, found.gap, scale);
     if (!found.is_short) {
       const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);
+      const bool turning = rule == "ddc" && in_plan && !known;
       found.silence = levels.empty() ? Silence::no_level
                       : linked       ? Silence::linked
+                      : turning      ? Silence::turning
                       : !known       ? (is_unsaid ? Silence::property_line : Silence::unknown)
                       : collapsed    ? Silence::collapsed
                                      : Silence::none;

@@ -65,6 +65,7 @@ struct RuleFinding {
     unknown,        ///< what it combines is not known at some level
     property_line,  ///< a property line stands in the gap, of which its clause does not speak
     displacements,  ///< heights alone do not say
+    turning,        ///< it needs a period of each building across the gap: floors that turn have none
   };
   std::string rule;                    ///< "abs", "srss", "ddc", or a name of code_rules()
   std::string title;                   ///< as people call it
@@ -81,8 +82,10 @@ struct RuleFinding {
 /// @param levels of one gap
 /// @param scale displacement_scale() [length], for round-off
 /// @param collapsed whether the free response ended before its time
+/// @param in_plan of a pair of buildings in plan
 [[nodiscard]] std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
-                                                     const CodeSpec& code, double scale, bool collapsed);
+                                                     const CodeSpec& code, double scale, bool collapsed,
+                                                     bool in_plan = false);
 
 /// Whether a link ties the two buildings of a gap, or one of them to a third.
 [[nodiscard]] bool is_linked(const Problem& problem, Eigen::Index gap);

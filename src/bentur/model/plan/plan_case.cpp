@@ -1,5 +1,6 @@
 #include "bentur/model/plan/plan_case.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -82,6 +83,32 @@ std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<P
   return contacts;
 }
 
+FloorLevels levels_of(const PlanModel& model) {
+  return {model.elevations, model.elevations.front() - model.storey_heights.front()};
+}
+
+std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap, const std::vector<PlanBuilding>& buildings) {
+  const auto touches = [&](int side, int floor) {
+    return std::any_of(gap.levels.begin(), gap.levels.end(), [&](const LevelPair& level) {
+      return (side == 0 ? level.left_floor : level.right_floor) == floor;
+    });
+  };
+  std::vector<PlanWatched> watched;
+  for (const FacingFloor& found :
+       facing_floors(levels_of(buildings.at(gap.left).model), levels_of(buildings.at(gap.right).model),
+                     gap.level_tolerance, touches)) {
+    PlanWatched one{.floor_of = found.side == 0 ? gap.left : gap.right,
+                    .floor = found.floor,
+                    .facing_floor = found.facing,
+                    .elevation = found.elevation};
+    for (const double end : {gap.stretch.from, gap.stretch.to}) {
+      one.along = end;
+      watched.push_back(one);
+    }
+  }
+  return watched;
+}
+
 PlanProblem make_plan_problem(const PlanCase& c) {
   std::vector<PlanBuilding> buildings;
   for (const PlanBuildingSpec& spec : c.buildings) buildings.push_back(make_plan_building(spec));
@@ -92,7 +119,8 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
   PlanProblem problem;
   problem.buildings = std::move(buildings);
   for (const PlanGapSpec& gap : c.gaps) {
-    problem.gaps.push_back({gap.left, gap.right, gap.stretch, contacts_of(gap, c.buildings)});
+    problem.gaps.push_back(
+        {gap.left, gap.right, gap.stretch, contacts_of(gap, c.buildings), watched_floors(gap, problem.buildings)});
   }
   problem.motions = {c.excitation[0].motion, c.excitation[1].motion};
   problem.axes = axes_at(c.angle);
@@ -105,8 +133,6 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
   return problem;
 }
 
-RunOptions run_options(const PlanCase& c) {
-  return {.most_steps = static_cast<long>(c.analysis.limits.steps), .energy_audit = c.analysis.energy_audit};
-}
+SolveOptions solve_options(const PlanCase& c) { return solve_options(c.analysis); }
 
 }  // namespace bentur

@@ -33,9 +33,10 @@ struct PlanBuildingSpec {
 struct PlanGapSpec {
   Eigen::Index left = 0, right = 0;  ///< L and R of its stretch (P-6)
   Stretch stretch;
-  std::vector<LevelPair> levels = {};  ///< floors of L and R that meet, from the lowest up
-  int points = 2;                      ///< of each level
-  ContactSpec contact = {};            ///< lists are over the levels
+  std::vector<LevelPair> levels = {};          ///< floors of L and R that meet, from the lowest up
+  int points = 2;                              ///< of each level
+  ContactSpec contact = {};                    ///< lists are over the levels
+  std::optional<double> level_tolerance = {};  ///< [length] as level_floors() takes it
 };
 
 /// A case as plain data, validated, in its own consistent units.
@@ -48,6 +49,7 @@ struct PlanCase {
   double angle = 0;                          ///< of both, from x and y counter-clockwise [degrees] (P-3)
   InitialSpec initial;                       ///< u_x, u_y, θ of each floor
   AnalysisSpec analysis;
+  CodeSpec code = {};  ///< lists over the gaps are in the order of `gaps`
   std::optional<CaseSource> source = {};
 };
 
@@ -59,13 +61,21 @@ struct PlanCase {
 [[nodiscard]] std::vector<PlanContact> contacts_of(const PlanGapSpec& gap,
                                                    const std::vector<PlanBuildingSpec>& buildings);
 
+/// What the gap watches: both ends of the stretch at every floor that faces the other building between that one's base
+/// and top and has no contact there; two that are at one level as one.
+[[nodiscard]] std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap,
+                                                      const std::vector<PlanBuilding>& buildings);
+
+/// Floor levels of a model.
+[[nodiscard]] FloorLevels levels_of(const PlanModel& model);
+
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
 [[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c);
 /// The same of buildings that make_plan_building() has made of the case's.
 [[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> buildings);
 
-/// What a single run of a case is asked for, its limit of steps too.
-[[nodiscard]] RunOptions run_options(const PlanCase& c);
+/// What a single run of a case is asked for, as that of a row.
+[[nodiscard]] SolveOptions solve_options(const PlanCase& c);
 
 /// A run of buildings in plan, just solved.
 struct PlanRun {

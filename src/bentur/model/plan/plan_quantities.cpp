@@ -8,6 +8,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/model/internal/quantity_column.h"
+#include "bentur/model/plan/plan_pair.h"
 
 namespace bentur {
 namespace {
@@ -89,7 +90,6 @@ Value of_row(const Quantity& quantity) {
     };
   }
   if (const auto* const real = std::get_if<double PointSummary::*>(&source)) {
-    if (*real == &PointSummary::peak_left || *real == &PointSummary::peak_right) return {};
     return [member = *real](const PlanRun& run, const PlanPlace& at) { return run.response.points[at.item].*member; };
   }
   if (const auto* const count = std::get_if<int PointSummary::*>(&source)) {
@@ -100,6 +100,14 @@ Value of_row(const Quantity& quantity) {
   if (const auto* const time = std::get_if<std::optional<double> PointSummary::*>(&source)) {
     return [member = *time](const PlanRun& run, const PlanPlace& at) {
       return (run.response.points[at.item].*member).value_or(none);
+    };
+  }
+  if (quantity.owner == Owner::gap) {
+    return [quantity](const PlanRun& run, const PlanPlace& at) {
+      const RunResults pair = pair_of(run, at.item);
+      const RunView view = pair.view();
+      const bool asked = quantity.key != "gap_needed_reversed" || run.c.analysis.both_ways;
+      return asked ? value_of(quantity, view, {}) : none;
     };
   }
   if (quantity.owner != Owner::impact) return {};
@@ -124,7 +132,7 @@ Value of_row(const Quantity& quantity) {
   return {};
 }
 
-constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, point = PlanOwner::point,
+constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, point = PlanOwner::point, gap = PlanOwner::gap,
                     impact = PlanOwner::impact;
 constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known;
 
@@ -166,6 +174,7 @@ std::deque<PlanQuantity> made() {
   all.push_back({point, {"tangential_impulse", Owner::point, "F s", "Σ ∫F_t dt", "impulse along the joint of all impacts", {"Impulse along it", "Impuls sepanjang itu"}, {}}, of_friction(&PlanFriction::tangential_impulse), known});
   all.push_back({point, {"sliding", Owner::point, "L", "Σ |Δs|", "path slid along the joint", {"Slides", "Menggeser"}, {}}, of_friction(&PlanFriction::sliding), known});
   all.push_back({point, {"friction_loss", Owner::point, "F L", "Σ E_t", "energy that friction dissipated", {"Lost by friction", "Hilang oleh gesekan"}, {}}, of_friction(&PlanFriction::friction_loss), known});
+  for (const Quantity* const quantity : quantities_of(Owner::gap)) all.push_back({gap, *quantity, of_row(*quantity)});
   for (const Quantity* const quantity : quantities_of(Owner::impact)) {
     if (Value value = of_row(*quantity)) all.push_back({impact, *quantity, std::move(value)});
   }
@@ -244,24 +253,6 @@ Index first_contact(const PlanProblem& problem, std::size_t gap) {
   Index first = 0;
   for (std::size_t g = 0; g < gap; ++g) first += std::ssize(problem.gaps[g].contacts);
   return first;
-}
-
-std::vector<UnwatchedFloor> unwatched_floors(const PlanProblem& problem, const PlanGap& gap) {
-  std::vector<UnwatchedFloor> floors;
-  for (const bool is_left : {true, false}) {
-    const Index building = is_left ? gap.left : gap.right;
-    const PlanModel& model = problem.buildings[building].model;
-    const PlanModel& other = problem.buildings[is_left ? gap.right : gap.left].model;
-    const double base = other.elevations.front() - other.storey_heights.front();
-    for (Index f = 0; f < model.floors(); ++f) {
-      const double elevation = model.elevations[f];
-      const bool touches = std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& contact) {
-        return (is_left ? contact.left_floor : contact.right_floor) == f;
-      });
-      if (!touches && elevation >= base && elevation <= other.elevations.back()) floors.push_back({building, f});
-    }
-  }
-  return floors;
 }
 
 ShownUnits shown_units(const PlanRun& run) {

@@ -11,16 +11,16 @@
 namespace bentur {
 
 /// What quantities of buildings in plan are one of; of a plane one for each storey.
-enum class PlanOwner { floor, plane, point, impact };
+enum class PlanOwner { floor, plane, point, gap, impact };
 
-/// Number of the building, of the contact among those of all gaps, or of the impact; of the floor, or the floor above
-/// the storey; and of the plane.
+/// Number of the building, of the contact among those of all gaps, of the gap, or of the impact; of the floor, or the
+/// floor above the storey; and of the plane.
 struct PlanPlace {
   Eigen::Index item = 0, floor = 0, plane = 0;
 };
 
-/// A number that is told of a run of buildings in plan: what Quantity is of a row. Of points and impacts a row's are
-/// among them.
+/// A number that is told of a run of buildings in plan: what Quantity is of a row. Of points, gaps and impacts a row's
+/// are among them.
 struct PlanQuantity {
   enum class When { always, of_what_moves, where_known };  ///< of what moves: not of walls
   PlanOwner owner = PlanOwner::floor;
@@ -49,12 +49,6 @@ struct PlanContactPlace {
 [[nodiscard]] PlanContactPlace contact_at(const PlanProblem& problem, Eigen::Index contact);
 /// The first of a gap's contacts among those of all gaps.
 [[nodiscard]] Eigen::Index first_contact(const PlanProblem& problem, std::size_t gap);
-
-/// Floors between base and top of the building on the other side that have no contact there.
-struct UnwatchedFloor {
-  Eigen::Index building = 0, floor = 0;
-};
-[[nodiscard]] std::vector<UnwatchedFloor> unwatched_floors(const PlanProblem& problem, const PlanGap& gap);
 
 /// In the units in which people are told of it: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const PlanRun& run);

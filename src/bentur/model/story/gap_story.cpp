@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
@@ -22,16 +24,28 @@ std::optional<GoverningLevel> governing_reversed(std::vector<LevelSeparation> le
 }
 
 Statement need_statement(const GapFacts& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
-  Statement statement = need_of(level, facts.c.units.length, std::move(kind));
+  const std::string& length = facts.c.units.length;
+  Statement statement{.kind = std::move(kind),
+                      .severity = level.is_short() ? Severity::warning : Severity::finding,
+                      .level = level.elevation,
+                      .values = {value_in("needed", level.gap_needed, length)}};
+  add_level(facts, !level.watched, level.watched.value_or(level.point), level.elevation, statement.values);
+  statement.values.push_back(value_in("width", level.width, length));
+  statement.values.push_back(value_in("difference", std::abs(level.gap_needed - level.width), length));
   statement.gap = gap;
   statement.buildings = {gap, gap + 1};
   if (level.watched) {
-    add_faces(facts.problem, facts.problem.watched[*level.watched], statement.values);
+    add_faces(facts.problem, facts.problem.watched[*level.watched], facts.in_plan != nullptr, statement.values);
     statement.values.push_back(word_of("faces", "story.faces"));
   } else {
     statement.values.push_back(text_of("faces", ""));
   }
   return statement;
+}
+
+const char* need_kind(const GoverningLevel& level) {
+  const bool touch = level.width == 0 && level.gap_needed == 0;
+  return touch ? "gap_touch" : level.is_short() ? "gap_short" : "gap_enough";
 }
 
 void tell_reversed(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
@@ -48,8 +62,27 @@ void tell_reversed(const GapFacts& facts, Eigen::Index gap, const std::vector<Le
 
 std::vector<RuleFinding> findings_of(const GapFacts& facts, const std::vector<LevelSeparation>& levels,
                                      Eigen::Index gap) {
-  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed);
+  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed,
+                       facts.in_plan != nullptr);
 }
+
+/// Where levels are in plan; in a row these columns are left out.
+struct PlaceColumns {
+  StoryColumn x, y;
+
+  explicit PlaceColumns(const std::string& length) : x{"x", length}, y{"y", length} {}
+  /// @param level null: there is none in this row
+  void add(const GapFacts& facts, const FacingLevel* level) {
+    if (facts.in_plan == nullptr) return;
+    const bool known = level != nullptr;
+    const PlanPoint at = known ? place_of(*facts.in_plan, level->is_point, level->index) : PlanPoint(none, none);
+    x.numbers.push_back(at.x());
+    y.numbers.push_back(at.y());
+  }
+  void put(const GapFacts& facts, StoryTable& table) const {
+    if (facts.in_plan != nullptr) table.columns.insert(table.columns.end(), {x, y});
+  }
+};
 
 StoryTable level_table(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
   const std::string& length = facts.c.units.length;
@@ -61,15 +94,17 @@ StoryTable level_table(const GapFacts& facts, Eigen::Index gap, const std::vecto
   StoryColumn reversed{"column.reversed", length}, abs{"ABS", length}, srss{"SRSS", length}, ddc{"DDC", length};
   StoryColumn verdict{.label = "gap.given_is", .are_words = true}, governs{.label = "", .are_words = true};
   const auto shown = [&](double value) { return value > 0 && !falls_short(0, value, scale) ? 0 : value; };
+  PlaceColumns place(length);
+  const char* const between = facts.in_plan != nullptr ? "gap.edge" : "gap.column";
   StoryTable table{.kind = "levels", .gap = gap};
   for (auto one = levels.rbegin(); one != levels.rend(); ++one) {
     const FacingLevel& level = one->level;
-    const bool is_governing =
-        governing && (level.is_point ? !governing->watched && governing->elevation == level.elevation
-                                     : governing->watched == level.index);
+    const bool is_governing = governing && (level.is_point ? !governing->watched && governing->point == level.index
+                                                           : governing->watched == level.index);
     const bool is_short = falls_short(level.width, std::max(one->gap_needed, reversed_at(*one)), scale);
     if (is_governing && is_short) table.marked.push_back(elevation.numbers.size());
     elevation.numbers.push_back(level.elevation);
+    place.add(facts, &level);
     given.numbers.push_back(level.width);
     needed.numbers.push_back(shown(one->gap_needed));
     reversed.numbers.push_back(one->gap_needed_reversed ? shown(*one->gap_needed_reversed) : none);
@@ -79,14 +114,16 @@ StoryTable level_table(const GapFacts& facts, Eigen::Index gap, const std::vecto
     verdict.texts.emplace_back(is_short ? "gap.too_close" : "gap.wide_enough");
     governs.texts.emplace_back(is_governing ? "gap.governs" : "");
     const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];
-    kind.texts.emplace_back(floor == nullptr ? "gap.contact" : floor->facing_floor ? "gap.floor" : "gap.column");
+    kind.texts.emplace_back(floor == nullptr ? "gap.contact" : floor->facing_floor ? "gap.floor" : between);
     owner.texts.push_back(floor == nullptr ? "" : facts.problem.buildings[floor->floor_of].name);
   }
   const auto known = [](const StoryColumn& column) {
     return std::any_of(column.numbers.begin(), column.numbers.end(), [](double x) { return !std::isnan(x); });
   };
   const bool watches = std::any_of(owner.texts.begin(), owner.texts.end(), [](const auto& name) { return name != ""; });
-  table.columns = {elevation, given, needed};
+  table.columns = {elevation};
+  place.put(facts, table);
+  table.columns.insert(table.columns.end(), {given, needed});
   if (known(reversed)) table.columns.push_back(reversed);
   table.columns.insert(table.columns.end(), {abs, srss});
   if (known(ddc)) table.columns.push_back(ddc);
@@ -101,6 +138,7 @@ StoryTable rule_table(const GapFacts& facts, Eigen::Index gap, const std::vector
   StoryColumn title{.label = "gap.code"}, clause{.label = "gap.clause"}, asked{"gap.asked", length};
   StoryColumn level{"column.elevation", length}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn left{"gap.left_to_line", length}, right{"gap.right_to_line", length}, wording{.label = "gap.wording"};
+  PlaceColumns place(length);
   bool property_line = false;
   StoryTable table{.kind = "rules", .gap = gap};
   for (const RuleFinding& found : findings_of(facts, levels, gap)) {
@@ -110,13 +148,16 @@ StoryTable rule_table(const GapFacts& facts, Eigen::Index gap, const std::vector
     clause.texts.emplace_back(code != nullptr ? code->clause : "–");
     asked.numbers.push_back(found.at ? found.gap : none);
     level.numbers.push_back(found.at ? levels[*found.at].level.elevation : none);
+    place.add(facts, found.at ? &levels[*found.at].level : nullptr);
     verdict.texts.emplace_back(found.is_short ? "gap.too_close" : silence_word(found.silence));
     left.numbers.push_back(found.to_left.value_or(none));
     right.numbers.push_back(found.to_right.value_or(none));
     wording.texts.emplace_back(code != nullptr ? code->wording : "–");
     property_line = property_line || found.to_left || found.to_right;
   }
-  table.columns = {title, clause, asked, level, verdict};
+  table.columns = {title, clause, asked, level};
+  place.put(facts, table);
+  table.columns.push_back(verdict);
   if (property_line) table.columns.insert(table.columns.end(), {left, right});
   if (!facts.c.code.rules.empty()) table.columns.push_back(wording);
   return table;
@@ -152,20 +193,6 @@ StoryTable screening_table(const GapFacts& facts, Eigen::Index gap) {
 
 }  // namespace
 
-Statement need_of(const GoverningLevel& level, const std::string& length, std::string kind) {
-  return {.kind = std::move(kind),
-          .severity = level.is_short() ? Severity::warning : Severity::finding,
-          .level = level.elevation,
-          .values = {value_in("needed", level.gap_needed, length), value_in("level", level.elevation, length),
-                     value_in("width", level.width, length),
-                     value_in("difference", std::abs(level.gap_needed - level.width), length)}};
-}
-
-const char* need_kind(const GoverningLevel& level) {
-  const bool touch = level.width == 0 && level.gap_needed == 0;
-  return touch ? "gap_touch" : level.is_short() ? "gap_short" : "gap_enough";
-}
-
 const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation) {
   // Of results read back the record's numbers are not known.
   if (std::holds_alternative<SampledMotion>(motion) || excitation.record) return "story.this_motion";
@@ -186,6 +213,8 @@ const char* silence_word(RuleFinding::Silence silence) {
       return "story.silence.property_line";
     case RuleFinding::Silence::displacements:
       return "story.silence.displacements";
+    case RuleFinding::Silence::turning:
+      return "story.silence.turning";
     case RuleFinding::Silence::none:
       break;
   }
@@ -239,6 +268,59 @@ void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& 
   statements.push_back(need_statement(facts, gap, level, need_kind(level)));
   statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation)));
   tell_reversed(facts, gap, levels, statements);
+}
+
+void add_level(const GapFacts& facts, bool is_point, Eigen::Index index, double elevation,
+               std::vector<StoryValue>& values) {
+  if (facts.in_plan != nullptr) {
+    add_place(*facts.plan, *facts.in_plan, is_point, index, facts.c.units.length, values);
+  } else {
+    values.push_back(value_in("level", elevation, facts.c.units.length));
+  }
+}
+
+void tell_unmodelled(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements) {
+  const std::vector<Eigen::Index> met = unmodelled_contacts(facts.problem, *facts.response, gap);
+  if (met.empty()) return;
+  const bool in_plan = facts.in_plan != nullptr;
+  const std::string& length = facts.c.units.length;
+  const WatchedFloor& floor = facts.problem.watched[met.front()];
+  const WatchedSummary& summary = facts.response->watched[met.front()];
+  const Remedy remedy = remedy_for(facts.problem, floor, in_plan);
+  std::set<std::pair<Eigen::Index, Eigen::Index>> floors;  // in plan one may be at both ends
+  for (const Eigen::Index i : met) floors.emplace(facts.problem.watched[i].floor_of, facts.problem.watched[i].floor);
+  const auto more = static_cast<long>(floors.size()) - 1;
+  Statement statement{.kind = "unmodelled",
+                      .severity = Severity::danger,
+                      .gap = gap,
+                      .buildings = {gap, gap + 1},
+                      .level = floor.elevation};
+  add_level(facts, false, met.front(), floor.elevation, statement.values);
+  statement.values.push_back(value_in("depth", -summary.least_opening, length));
+  statement.values.push_back(value_in("time", summary.least_time, "s"));
+  statement.values.push_back(value_in("to_name", remedy.level, length));
+  add_faces(facts.problem, floor, in_plan, statement.values);
+  if (more > 0) statement.values.push_back(count_of("more_floors", more));
+  statement.values.push_back(more > 0 ? word_of("others", "story.unmodelled_others") : text_of("others", ""));
+  switch (remedy.kind) {
+    case Remedy::Kind::name_elevation:
+      statement.values.push_back(word_of("remedy", "story.remedy.elevation"));
+      break;
+    case Remedy::Kind::raise_tolerance:
+      statement.values.push_back(value_in("tolerance", remedy.tolerance));
+      statement.values.push_back(word_of("remedy", "story.remedy.tolerance"));
+      break;
+    case Remedy::Kind::strike_column:
+      statement.values.push_back(word_of("remedy", "story.remedy.strike"));
+      break;
+    case Remedy::Kind::give_columns:
+      statement.values.push_back(word_of("remedy", "story.remedy.columns"));
+      break;
+    case Remedy::Kind::give_floor:
+      statement.values.push_back(word_of("remedy", "story.remedy.floor"));
+      break;
+  }
+  statements.push_back(std::move(statement));
 }
 
 void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/model/story/internal/story_parts.h"
 
@@ -26,25 +27,6 @@ const char* corner_word(const Footprint& footprint, const PlanPoint& at) {
   constexpr const char* words[2][2] = {{"story.corner.lower_left", "story.corner.upper_left"},
                                        {"story.corner.lower_right", "story.corner.upper_right"}};
   return side(0) < 0 || side(1) < 0 ? nullptr : words[side(0)][side(1)];
-}
-
-/// {level} of a contact: its elevation, its place, and whose corner strikes there.
-void add_place(const PlanRun& run, const PlanContactPlace& place, std::vector<StoryValue>& values) {
-  const PlanGap& gap = run.problem.gaps[place.gap];
-  const std::string& length = run.c.units.length;
-  const char* corner = nullptr;
-  for (const int side : {0, 1}) {
-    const PlanBuilding& building = run.problem.buildings[side == 0 ? gap.left : gap.right];
-    if (corner != nullptr) break;
-    corner = corner_word(building.model.footprint, gap.stretch.on_edge(side, place.contact->along));
-    if (corner == nullptr) continue;
-    values.push_back(text_of("corner_of", building.name));
-    values.push_back(word_of("corner", corner));
-  }
-  values.push_back(value_in("elevation", place.contact->elevation, length));
-  values.push_back(value_in("x", place.at.x(), length));
-  values.push_back(value_in("y", place.at.y(), length));
-  values.push_back(word_of("level", corner != nullptr ? "story.place_at_corner" : "story.place"));
 }
 
 /// A statement of a gap, with {left}, {right} and {duration}.
@@ -69,7 +51,7 @@ const Impact* hardest_of(const PlanRun& run, Index contact) {
   return hardest;
 }
 
-void tell_impacts(const PlanRun& run, std::size_t g, bool is_watched, std::vector<Statement>& statements) {
+void tell_impacts(const PlanRun& run, std::size_t g, bool is_modelled, std::vector<Statement>& statements) {
   const Index first = first_contact(run.problem, g), count = std::ssize(run.problem.gaps[g].contacts);
   long impacts = 0, touched = 0;
   Index hit = -1;
@@ -82,7 +64,7 @@ void tell_impacts(const PlanRun& run, std::size_t g, bool is_watched, std::vecto
     hardest = one;
     hit = i;
   }
-  Statement statement = of_gap(run, g, is_watched ? "no_pounding" : "no_impact");
+  Statement statement = of_gap(run, g, is_modelled ? "no_pounding" : "no_impact");
   if (hardest != nullptr) {
     const PlanContactPlace place = contact_at(run.problem, hit);
     statement.severity = Severity::warning;
@@ -91,7 +73,8 @@ void tell_impacts(const PlanRun& run, std::size_t g, bool is_watched, std::vecto
     statement.values.push_back(count_of("touched", touched));
     statement.values.push_back(count_of("n", count));
     statement.values.push_back(word_of("points", "story.count.contact_points.many"));
-    add_place(run, place, statement.values);
+    const PlanGap& gap = run.problem.gaps[g];
+    story::add_place(run.problem, gap, true, hit - first, run.c.units.length, statement.values);
     story::tell_blow(run.response.points[hit], hardest, shown_units(run), statement);
   }
   statements.push_back(std::move(statement));
@@ -103,43 +86,42 @@ double reach_of(const PlanPeaks& free, int axis) {
                    : std::max(free.west.maxCoeff(), free.east.maxCoeff());
 }
 
-/// What is needed, with the motion as it is or reversed; of floors that nobody watches it can only be too little.
-void tell_need(const PlanRun& run, std::size_t g, bool is_watched, std::vector<Statement>& statements) {
-  const PlanGap& gap = run.problem.gaps[g];
-  const Index first = first_contact(run.problem, g), count = std::ssize(gap.contacts);
-  const auto& free = run.response.buildings_no_contact;
-  const auto level_of = [&](const auto& need) {
-    Index worst = first;
-    for (Index i = first; i < first + count; ++i) worst = need(i) > need(worst) ? i : worst;
-    GoverningLevel level;
-    level.elevation = contact_at(run.problem, worst).contact->elevation;
-    level.width = gap.stretch.width;
-    level.gap_needed = need(worst);
-    level.scale = reach_of(free[gap.left], gap.stretch.across) + reach_of(free[gap.right], gap.stretch.across);
-    return std::pair(level, worst);
-  };
-  const auto tell = [&](const std::pair<GoverningLevel, Index>& found, const char* kind) {
-    if (!is_watched && !found.first.is_short()) return;
-    Statement statement = of_gap(run, g, kind);
-    Statement need = story::need_of(found.first, run.c.units.length, kind);
-    std::erase_if(need.values, [](const StoryValue& value) { return value.name == "level"; });
-    statement.severity = need.severity;
-    statement.level = need.level;
-    std::move(need.values.begin(), need.values.end(), std::back_inserter(statement.values));
-    add_place(run, contact_at(run.problem, found.second), statement.values);
-    const std::size_t mover = std::holds_alternative<NoMotion>(run.problem.motions[0]) ? 1 : 0;
-    statement.values.push_back(
-        word_of("motion", story::motion_word(run.problem.motions[mover], run.c.excitation[mover])));
-    statement.values.push_back(text_of("faces", ""));
-    statements.push_back(std::move(statement));
-  };
-  if (count == 0) return;
-  const auto forth = level_of([&](Index i) { return run.response.points[i].gap_needed; });
-  tell(forth, story::need_kind(forth.first));
-  if (!run.c.analysis.both_ways || !run.response.points[first].gap_needed_reversed) return;
-  const auto back = level_of([&](Index i) { return run.response.points[i].gap_needed_reversed.value_or(0); });
-  tell(back, back.first.is_short() ? "reversed_short" : "reversed_enough");
-}
+/// What is told of the gaps of rows too, as of a gap in plan.
+class PairStory {
+ public:
+  PairStory(const PlanRun& run, std::size_t g)
+      : run_(run), g_(g), pair_(pair_of(run, g)), facts_(story::facts_of(pair_)) {
+    facts_.in_plan = &run.problem.gaps[g];
+    facts_.plan = &run.problem;
+  }
+
+  [[nodiscard]] bool meets_unmodelled() const { return !unmodelled_contacts(pair_.problem, pair_.response, 0).empty(); }
+
+  /// @param tell one of those of story_parts.h
+  void tell(void (*tell)(const story::GapFacts&, Index, std::vector<Statement>&), std::vector<Statement>& to) const {
+    std::vector<Statement> told;
+    tell(facts_, 0, told);
+    for (Statement& statement : told) {
+      const auto [first, second] = std::minmax(run_.problem.gaps[g_].left, run_.problem.gaps[g_].right);
+      statement.gap = static_cast<Index>(g_);
+      statement.buildings = {first, second};
+      to.push_back(std::move(statement));
+    }
+  }
+
+  void put_tables(std::vector<StoryTable>& to) const {
+    for (StoryTable& table : story::gap_tables(facts_, 0)) {
+      table.gap = static_cast<Index>(g_);
+      to.push_back(std::move(table));
+    }
+  }
+
+ private:
+  const PlanRun& run_;
+  std::size_t g_;
+  RunResults pair_;
+  story::GapFacts facts_;
+};
 
 /// Buildings that face one another, have no contact, and could meet by how far both move.
 void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& statements) {
@@ -354,15 +336,38 @@ std::vector<std::string> gap_names(const PlanProblem& problem) {
   return names;
 }
 
+namespace story {
+
+void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, Index index, const std::string& length,
+               std::vector<StoryValue>& values) {
+  const double along = is_point ? gap.contacts[index].along : gap.watched[index].along;
+  const double elevation = is_point ? gap.contacts[index].elevation : gap.watched[index].elevation;
+  const char* corner = nullptr;
+  for (const int side : {0, 1}) {
+    const PlanBuilding& building = problem.buildings[side == 0 ? gap.left : gap.right];
+    if (corner != nullptr) break;
+    corner = corner_word(building.model.footprint, gap.stretch.on_edge(side, along));
+    if (corner == nullptr) continue;
+    values.push_back(text_of("corner_of", building.name));
+    values.push_back(word_of("corner", corner));
+  }
+  const PlanPoint at = gap.stretch.middle(along);
+  values.push_back(value_in("elevation", elevation, length));
+  values.push_back(value_in("x", at.x(), length));
+  values.push_back(value_in("y", at.y(), length));
+  values.push_back(word_of("level", corner != nullptr ? "story.place_at_corner" : "story.place"));
+}
+
+}  // namespace story
+
 Story plan_story(const PlanRun& run) {
   Story told;
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    const auto unwatched = static_cast<long>(unwatched_floors(run.problem, run.problem.gaps[g]).size());
-    tell_impacts(run, g, unwatched == 0, told.statements);
-    tell_need(run, g, unwatched == 0, told.statements);
-    if (unwatched == 0) continue;
-    told.statements.push_back(of_gap(run, g, "unwatched", Severity::warning));
-    told.statements.back().values.push_back(count_of("unwatched_floors", unwatched));
+    const PairStory pair(run, g);
+    pair.tell(story::tell_unmodelled, told.statements);
+    tell_impacts(run, g, !pair.meets_unmodelled(), told.statements);
+    pair.tell(story::tell_need, told.statements);
+    pair.tell(story::tell_rules, told.statements);
   }
   tell_pairs_without_contact(run, told.statements);
   tell_planes(run, told.statements);
@@ -370,9 +375,49 @@ Story plan_story(const PlanRun& run) {
   tell_acceleration(run, told.statements);
   tell_motion(run, told.statements);
   sort_by_severity(told.statements);
+  story::tell_quotations(run.c.code, told.statements);
   tell_rotations(run, told.statements);
   told.statements.push_back(model_statement(run));
   return told;
+}
+
+Story plan_gap_story(const PlanRun& run) {
+  Story told;
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const PairStory pair(run, g);
+    pair.tell(story::tell_unmodelled, told.statements);
+    pair.tell(story::tell_need, told.statements);
+    pair.tell(story::tell_rules, told.statements);
+    pair.put_tables(told.tables);
+  }
+  tell_pairs_without_contact(run, told.statements);
+  tell_motion(run, told.statements);
+  sort_by_severity(told.statements);
+  story::tell_quotations(run.c.code, told.statements);
+  told.statements.push_back(model_statement(run));
+  return told;
+}
+
+Story plan_height_rules_story(const PlanCase& c, const PlanProblem& problem) {
+  Story all;
+  for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
+    const RunResults pair = pair_of(c, problem, g);
+    Story told;
+    story::tell_heights(pair.c, pair.problem, 0, told);
+    const auto [first, second] = std::minmax(problem.gaps[g].left, problem.gaps[g].right);
+    for (Statement& statement : told.statements) {
+      statement.gap = static_cast<Index>(g);
+      statement.buildings = {first, second};
+      all.statements.push_back(std::move(statement));
+    }
+    for (StoryTable& table : told.tables) {
+      table.gap = static_cast<Index>(g);
+      all.tables.push_back(std::move(table));
+    }
+  }
+  sort_by_severity(all.statements);
+  story::tell_quotations(c.code, all.statements);
+  return all;
 }
 
 }  // namespace bentur

@@ -13,6 +13,12 @@ namespace bentur {
 /// those of the problem.
 [[nodiscard]] Story plan_story(const PlanRun& run);
 
+/// Of its gaps alone: what is needed and what rules ask, with a table of levels and of rules for each.
+[[nodiscard]] Story plan_gap_story(const PlanRun& run);
+
+/// What rules of [code] ask of the gaps from heights alone, before anything is computed.
+[[nodiscard]] Story plan_height_rules_story(const PlanCase& c, const PlanProblem& problem);
+
 /// The gaps of a problem by name, in their order.
 [[nodiscard]] std::vector<std::string> gap_names(const PlanProblem& problem);
 

@@ -82,15 +82,20 @@ StoryTable height_table(const Case& c, Eigen::Index gap, const std::vector<Heigh
 }
 
 }  // namespace
+
+void tell_heights(const Case& c, const Problem& problem, Eigen::Index gap, Story& told) {
+  const std::vector<HeightFinding> findings = height_findings(problem, gap, c.code, c.units);
+  if (findings.empty()) return;
+  tell_height_rules(c, gap, findings, told.statements);
+  told.tables.push_back(height_table(c, gap, findings));
+}
+
 }  // namespace story
 
 Story height_rules_story(const Case& c, const Problem& problem) {
   Story told;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
-    const std::vector<HeightFinding> findings = height_findings(problem, gap, c.code, c.units);
-    if (findings.empty()) continue;
-    story::tell_height_rules(c, gap, findings, told.statements);
-    told.tables.push_back(story::height_table(c, gap, findings));
+    story::tell_heights(c, problem, gap, told);
   }
   sort_by_severity(told.statements);
   story::tell_quotations(c.code, told.statements);

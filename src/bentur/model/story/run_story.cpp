@@ -54,7 +54,6 @@ GapFacts facts_of(const RunResults& run) {
 namespace {
 
 using Eigen::Index;
-using story::add_faces;
 using story::count_of;
 using story::GapFacts;
 using story::percent;
@@ -147,41 +146,6 @@ void tell_columns(const RunResults& run, Index gap, std::vector<Statement>& stat
     if (beyond > 1) statements.back().values.push_back(count_of("beyond", beyond));
     statements.back().values.push_back(beyond > 1 ? word_of("others", "story.columns_beyond") : text_of("others", ""));
   }
-}
-
-void tell_unmodelled(const RunResults& run, const GapOutcome& found, std::vector<Statement>& statements) {
-  if (found.unmodelled.empty()) return;
-  const std::string& length = run.c.units.length;
-  const WatchedFloor& floor = run.problem.watched[found.unmodelled.front()];
-  const WatchedSummary& summary = run.response.watched[found.unmodelled.front()];
-  const Remedy remedy = remedy_for(run.problem, floor);
-  const auto more = static_cast<long>(found.unmodelled.size()) - 1;
-  Statement statement{.kind = "unmodelled",
-                      .severity = Severity::danger,
-                      .gap = found.gap.left,
-                      .buildings = {found.gap.left, found.gap.left + 1},
-                      .level = floor.elevation};
-  statement.values = {value_in("level", floor.elevation, length), value_in("depth", -summary.least_opening, length),
-                      value_in("time", summary.least_time, "s"), value_in("to_name", remedy.level, length)};
-  add_faces(run.problem, floor, statement.values);
-  if (more > 0) statement.values.push_back(count_of("more_floors", more));
-  statement.values.push_back(more > 0 ? word_of("others", "story.unmodelled_others") : text_of("others", ""));
-  switch (remedy.kind) {
-    case Remedy::Kind::name_elevation:
-      statement.values.push_back(word_of("remedy", "story.remedy.elevation"));
-      break;
-    case Remedy::Kind::raise_tolerance:
-      statement.values.push_back(value_in("tolerance", remedy.tolerance));
-      statement.values.push_back(word_of("remedy", "story.remedy.tolerance"));
-      break;
-    case Remedy::Kind::strike_column:
-      statement.values.push_back(word_of("remedy", "story.remedy.strike"));
-      break;
-    case Remedy::Kind::give_columns:
-      statement.values.push_back(word_of("remedy", "story.remedy.columns"));
-      break;
-  }
-  statements.push_back(std::move(statement));
 }
 
 void tell_impacts(const RunResults& run, const GapOutcome& found, std::vector<Statement>& statements) {
@@ -393,7 +357,7 @@ Story run_story(const RunResults& run) {
   Story told;
   tell_collapse(run, told.statements);
   for (const GapOutcome& found : all) tell_columns(run, found.gap.left, told.statements);
-  for (const GapOutcome& found : all) tell_unmodelled(run, found, told.statements);
+  for (const GapOutcome& found : all) story::tell_unmodelled(facts, found.gap.left, told.statements);
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
   story::tell_breaking(run, told);
@@ -416,7 +380,7 @@ Story gap_story(const RunResults& run) {
   Story told;
   tell_collapse(run, told.statements);
   for (const Gap& gap : gaps_of(run.problem)) {
-    tell_unmodelled(run, gap_outcome(run.problem, run.response, gap.left), told.statements);
+    story::tell_unmodelled(facts, gap.left, told.statements);
     story::tell_need(facts, gap.left, told.statements);
     story::tell_rules(facts, gap.left, told.statements);
   }

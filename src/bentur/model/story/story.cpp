@@ -76,10 +76,11 @@ const std::string& faced_name(const Problem& problem, const WatchedFloor& floor)
   return problem.buildings[2 * floor.left + 1 - floor.floor_of].name;
 }
 
-void add_faces(const Problem& problem, const WatchedFloor& floor, std::vector<StoryValue>& values) {
+void add_faces(const Problem& problem, const WatchedFloor& floor, bool in_plan, std::vector<StoryValue>& values) {
+  const char* const column = in_plan ? "story.the_edge_of" : "story.the_column_of";
   values.push_back(text_of("building", problem.buildings[floor.floor_of].name));
   values.push_back(text_of("faced_building", faced_name(problem, floor)));
-  values.push_back(word_of("faced", floor.facing_floor ? "story.the_floor_of" : "story.the_column_of"));
+  values.push_back(word_of("faced", floor.facing_floor ? "story.the_floor_of" : column));
 }
 
 }  // namespace story

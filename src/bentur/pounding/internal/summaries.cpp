@@ -301,6 +301,14 @@ void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& po
   }
 }
 
+void summarise(const Solution& solution, const std::vector<double>& widths, std::vector<WatchedSummary>& watched) {
+  for (std::size_t i = 0; i < watched.size(); ++i) {
+    watched[i].least_opening = widths[i] - solution.watched[i].reach;
+    watched[i].least_time = solution.watched[i].time;
+    watched[i].closes = watched[i].least_opening < -round_off_watched * (widths[i] + solution.scales[i]);
+  }
+}
+
 Response free_response(const Problem& problem, const Solution& free) {
   Response response;
   response.status = free.status;
@@ -343,13 +351,9 @@ void take_solution(const Problem& problem, Solution&& solution, Response& respon
   response.impacts = std::move(solution.impacts);
   summarise(response.impacts, response.points);
   summarise_columns(problem, response.buildings, response.points);
-  for (std::size_t i = 0; i < response.watched.size(); ++i) {
-    const double width = problem.watched[i].width;
-    WatchedSummary& watched = response.watched[i];
-    watched.least_opening = width - solution.watched[i].reach;
-    watched.least_time = solution.watched[i].time;
-    watched.closes = watched.least_opening < -round_off_watched * (width + solution.scales[i]);
-  }
+  std::vector<double> widths;
+  for (const WatchedFloor& floor : problem.watched) widths.push_back(floor.width);
+  summarise(solution, widths, response.watched);
   response.links = links_of(solution);
   response.histories = histories_of(problem, std::move(solution.samples), solution, &OutputsFound::history);
   response.course = histories_of(problem, std::move(solution.course), solution, &OutputsFound::course);

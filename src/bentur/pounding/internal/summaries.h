@@ -13,6 +13,9 @@ namespace bentur {
 /// Adds impacts to the totals of their points.
 void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points);
 
+/// How near watched floors came. @param widths what they are apart at rest [length], one each
+void summarise(const Solution& solution, const std::vector<double>& widths, std::vector<WatchedSummary>& watched);
+
 /// Puts a solution with contact into the response that free_response() made.
 void take_solution(const Problem& problem, Solution&& solution, Response& response);
 

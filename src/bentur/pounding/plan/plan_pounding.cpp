@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "bentur/pounding/checks/self_checks.h"
+#include "bentur/pounding/internal/asked.h"
+#include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/pounding/internal/progress_of_parts.h"
 #include "bentur/pounding/internal/summaries.h"
@@ -180,6 +182,8 @@ bool is_finite(const PlanResponse& response) {
              [](const PlanFriction& p) {
                return std::isfinite(p.peak_tangential_force + p.tangential_impulse + p.sliding + p.friction_loss);
              }) &&
+         std::all_of(response.watched.begin(), response.watched.end(),
+                     [](const WatchedSummary& w) { return std::isfinite(w.gap_needed + w.least_opening); }) &&
          std::all_of(response.points.begin(), response.points.end(), [](const PointSummary& p) {
            return std::isfinite(p.gap_needed + p.contact_duration + p.peak_force + p.peak_tension + p.peak_penetration +
                                 p.peak_closing_speed + p.impulse + p.energy_lost);
@@ -198,45 +202,85 @@ void check_response(const PlanProblem& problem, const Solver& solver, const Self
                  {response.status, response.message, response.discrepancies});
 }
 
+/// What points and watched floors need in the free response, and with `levels` what rules take.
+/// @param mirrored whether the reversed motion gives the response times −1
+void take_free(const PlanProblem& problem, const Solution& free, bool levels, bool mirrored, PlanResponse& response) {
+  const std::vector<Index> places = places_of(problem);
+  response.points.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) response.points[places[i]].gap_needed = free.needed[i];
+  for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
+  if (!levels) return;
+  const auto no_floor = [](std::size_t, int) -> std::optional<double> { return std::nullopt; };
+  report_levels(free.watched_free, mirrored, no_floor, response.points, response.watched);
+}
+
+/// What the reversed motion needs, where that is asked for and the free response has not told it.
+void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveOptions& options, bool mirrored,
+                  PlanResponse& response) {
+  if (!options.both_ways) {
+    take_reversed({}, response.points);
+    take_reversed({}, response.watched);
+  }
+  const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
+                                 [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
+  const bool ended = response.status == Status::stopped || response.status == Status::failed;
+  if (!options.both_ways || ended || mirrored || !moves) return;
+  PlanProblem other = problem;
+  for (GroundMotion& motion : other.motions) motion = reversed(std::move(motion));
+  const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
+  const FreeSolution free(system_of(other), solver, go_on, options.most_steps);
+  if (free.solution().status != Status::done) return;
+  PlanResponse needs;
+  take_free(other, free.solution(), false, false, needs);
+  take_reversed(needs.points, response.points);
+  take_reversed(needs.watched, response.watched);
+}
+
+std::vector<double> watched_widths(const PlanProblem& problem) {
+  std::vector<double> widths;
+  for (const PlanGap& gap : problem.gaps) widths.insert(widths.end(), gap.watched.size(), gap.stretch.width);
+  return widths;
+}
+
 }  // namespace
 
-PlanResponse solve(const PlanProblem& problem, const Solver& solver, const RunOptions& options) {
+PlanResponse solve(const PlanProblem& problem, const Solver& solver, const SolveOptions& options) {
   const auto began = std::chrono::steady_clock::now();
   validate(problem);
-  const System system = system_of(problem);
+  const bool levels = options.levels || options.both_ways;
+  const System system = system_of(problem, levels);
   const ProgressOfParts progress(options.progress);
-  RunOptions rest = options;
+  RunOptions rest = run_options(options);
+  rest.course = false;
   rest.progress = progress.rest;
   const FreeSolution free(system, solver, progress.free, options.most_steps);
   PlanResponse response;
   response.buildings_no_contact = peaks_of(problem, free.solution());
   const bool mirrored = free.solution().status == Status::done && is_mirrored(problem);
+  take_free(problem, free.solution(), levels, mirrored, response);
+  response.friction.resize(response.points.size());
   const std::vector<Index> places = places_of(problem);
-  response.points.resize(places.size());
-  response.friction.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    response.points[places[i]].gap_needed = free.solution().needed[i];
-    if (mirrored) response.points[i].gap_needed_reversed = free.solution().watched_free[i].reach;
-  }
   Solution solution = free.solve(system.contacts, rest);
   response.status = solution.status;
   response.message = std::move(solution.message);
   response.steps = solution.steps;
   response.events = solution.events;
   response.buildings = peaks_of(problem, solution);
+  summarise(solution, watched_widths(problem), response.watched);
   if (options.output_step > 0) response.histories = histories_of(problem, solution, places);
   response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);
   summarise_friction(response.impacts, response.friction);
   response.energy = std::move(solution.energy);
   check_response(problem, solver, solution.checks, response);
+  add_reversed(problem, solver, options, mirrored, response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }
 
-Effort effort(const PlanProblem& problem, const Solver& solver, const RunOptions& options) {
+Effort effort(const PlanProblem& problem, const Solver& solver, const SolveOptions& options) {
   validate(problem);
-  return effort(system_of(problem), solver, options);
+  return effort(system_of(problem, options.levels || options.both_ways), solver, run_options(options));
 }
 
 }  // namespace bentur

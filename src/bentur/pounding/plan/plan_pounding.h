@@ -1,8 +1,7 @@
 #pragma once
 
 #include "bentur/pounding/plan/plan_problem.h"
-#include "bentur/pounding/response.h"
-#include "bentur/solve/effort.h"
+#include "bentur/pounding/pounding.h"
 
 namespace bentur {
 
@@ -52,6 +51,7 @@ struct PlanResponse {
   std::vector<PlanPeaks> buildings_no_contact;  ///< the same with contact switched off
   std::vector<PointSummary> points;             ///< of all gaps, as their contacts
   std::vector<PlanFriction> friction;           ///< of the same points; zero where nothing rubs
+  std::vector<WatchedSummary> watched;          ///< of all gaps, as what they watch
   std::vector<Impact> impacts;                  ///< by start, then point, then end
   std::optional<EnergyAudit> energy = {};       ///< when asked for
   PlanHistories histories = {};                 ///< empty unless asked for
@@ -59,11 +59,11 @@ struct PlanResponse {
 };
 
 /// The free response first, then the response with contact. Numerical trouble is a status with time and reason, never
-/// an exception. @throws InvalidParameter when the problem or the solver's parameter is not valid.
+/// an exception; no course is kept. @throws InvalidParameter when the problem or the solver's parameter is not valid.
 [[nodiscard]] PlanResponse solve(const PlanProblem& problem, const Solver& solver = ExactSolver{},
-                                 const RunOptions& options = {});
+                                 const SolveOptions& options = {});
 
 /// What a run takes (effort.h). @throws InvalidParameter as solve().
-[[nodiscard]] Effort effort(const PlanProblem& problem, const Solver& solver, const RunOptions& options);
+[[nodiscard]] Effort effort(const PlanProblem& problem, const Solver& solver, const SolveOptions& options);
 
 }  // namespace bentur

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/contact/laws/rubbing.h"
+#include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/structure/plan/plan_body.h"
 
@@ -37,27 +38,56 @@ Eigen::Matrix2Xd axes_of(const PlanProblem& problem) {
   return problem.axes.col(second ? 1 : 0);
 }
 
-/// How far a contact's point of one side moves along a direction.
-BodyRow side_of(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact, int side,
+/// A place where both edges of a stretch may come near: of each building its floor, or where it has none there its edge
+/// between floors, at an elevation [length].
+struct EdgePlace {
+  std::optional<Index> left_floor, right_floor;
+  double elevation = 0, along = 0;
+};
+
+EdgePlace place_of(const PlanContact& contact) {
+  return {contact.left_floor, contact.right_floor, contact.elevation, contact.along};
+}
+
+EdgePlace place_of(const PlanGap& gap, const PlanWatched& watched) {
+  EdgePlace place{watched.floor, watched.facing_floor, watched.elevation, watched.along};
+  if (watched.floor_of != gap.left) std::swap(place.left_floor, place.right_floor);
+  return place;
+}
+
+/// How far the edge of one side moves there along a direction.
+BodyRow side_of(const PlanProblem& problem, const PlanGap& gap, const EdgePlace& place, int side,
                 const PlanPoint& direction) {
   const double sign = side == 0 ? 1.0 : -1.0;
   const Index building = side == 0 ? gap.left : gap.right;
-  const Index floor = side == 0 ? contact.left_floor : contact.right_floor;
-  const PlanPoint at = gap.stretch.on_edge(side, contact.along);
-  BodyRow row{.body = building, .row = sign * problem.buildings[building].model.movement(floor, at, direction)};
+  const std::optional<Index> floor = side == 0 ? place.left_floor : place.right_floor;
+  const PlanModel& model = problem.buildings[building].model;
+  const PlanPoint at = gap.stretch.on_edge(side, place.along);
+  const double base = model.elevations.front() - model.storey_heights.front();
+  const double elevation = std::clamp(place.elevation, base, model.elevations.back());
+  BodyRow row{
+      .body = building,
+      .row = sign * (floor ? model.movement(*floor, at, direction) : model.movement_at(elevation, at, direction))};
   if (problem.kinematics == Kinematics::absolute) row.ground = sign * axes_of(problem).transpose() * direction;
   return row;
 }
 
-Interface interface_of(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact,
+/// L and R in this order, which level_interfaces() keeps.
+Interface interface_of(const PlanProblem& problem, const PlanGap& gap, const EdgePlace& place,
                        const PlanPoint& direction) {
-  return {side_of(problem, gap, contact, 0, direction), side_of(problem, gap, contact, 1, direction)};
+  return {side_of(problem, gap, place, 0, direction), side_of(problem, gap, place, 1, direction)};
+}
+
+/// δ is the sum of both sides: bodies go in their order.
+Interface in_order(Interface at) {
+  if (at.right.body >= 0 && at.left.body > at.right.body) std::swap(at.left, at.right);
+  return at;
 }
 
 /// Points that collide without a force cannot be inside one another: no force would part them.
 void check_start(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
   if (!contact.law->restitution() || problem.initial_displacement.empty()) return;
-  const Interface at = interface_of(problem, gap, contact, gap.stretch.normal());
+  const Interface at = interface_of(problem, gap, place_of(contact), gap.stretch.normal());
   const double left = at.left.row.dot(problem.initial_displacement[gap.left]);
   const double right = -at.right.row.dot(problem.initial_displacement[gap.right]);
   require(!overlap(gap.stretch.width, left, right), "gaps", gap_name(problem, gap),
@@ -81,6 +111,15 @@ void check_gap(const PlanProblem& problem, const PlanGap& gap) {
             "must have a law and a place for every contact");
     require(contact.rubbing == nullptr || &contact.rubbing->normal() == contact.law.get(), "gaps", name,
             "must rub with the law of the contact");
+  }
+  for (const PlanWatched& watched : gap.watched) {
+    const bool of_left = watched.floor_of == gap.left;
+    require(of_left || watched.floor_of == gap.right, "gaps", name, "must watch floors of its two buildings");
+    const Index own = problem.buildings[watched.floor_of].model.floors();
+    const Index other = problem.buildings[of_left ? gap.right : gap.left].model.floors();
+    require(watched.floor >= 0 && watched.floor < own && std::isfinite(watched.along + watched.elevation) &&
+                (!watched.facing_floor || (*watched.facing_floor >= 0 && *watched.facing_floor < other)),
+            "gaps", name, "must watch floors of its two buildings");
   }
 }
 
@@ -121,28 +160,32 @@ void validate(const PlanProblem& problem) {
   }
 }
 
-System system_of(const PlanProblem& problem) {
+System system_of(const PlanProblem& problem, bool levels) {
   System system;
   const Eigen::Matrix2Xd axes = axes_of(problem);
   for (const PlanBuilding& building : problem.buildings) system.bodies.push_back(body_of(building, axes));
+  std::vector<Interface> faces;
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      const auto along = [&](const PlanPoint& direction) {
-        Interface at = interface_of(problem, gap, contact, direction);
-        if (gap.left > gap.right) std::swap(at.left, at.right);  // δ is their sum: bodies go in their order
-        return at;
-      };
-      const Interface at = along(gap.stretch.normal());
+      faces.push_back(interface_of(problem, gap, place_of(contact), gap.stretch.normal()));
+      const Interface at = in_order(faces.back());
       if (contact.rubbing) {
-        system.rubbing.push_back({at, along(gap.stretch.tangent()), contact.rubbing, gap.stretch.width});
+        const Interface along = in_order(interface_of(problem, gap, place_of(contact), gap.stretch.tangent()));
+        system.rubbing.push_back({at, along, contact.rubbing, gap.stretch.width});
       } else {
         system.contacts.push_back({at, contact.law, gap.stretch.width});
       }
-      Interface& reversed = system.watched_free.emplace_back(at);
-      for (BodyRow* side : {&reversed.left, &reversed.right}) {
-        side->row *= -1.0;
-        side->ground *= -1.0;
-      }
+    }
+  }
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanWatched& watched : gap.watched) {
+      faces.push_back(interface_of(problem, gap, place_of(gap, watched), gap.stretch.normal()));
+      system.watched.push_back(in_order(faces.back()));
+    }
+  }
+  if (levels) {
+    for (Interface& one : level_interfaces(faces, [](std::size_t, int) { return false; })) {
+      system.watched_free.push_back(in_order(std::move(one)));
     }
   }
   for (const GroundMotion& motion : problem.motions) {

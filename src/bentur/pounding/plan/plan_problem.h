@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,22 @@ struct PlanContact {
   std::shared_ptr<const Rubbing> rubbing = {};   ///< that law with friction along the stretch; null: without
 };
 
+/// An end of the stretch at a floor that faces the other building where no contact is modelled: nothing acts there, but
+/// how near it comes is watched.
+struct PlanWatched {
+  Eigen::Index floor_of = 0;                      ///< index of the building whose floor it is: L or R
+  Eigen::Index floor = 0;                         ///< index of that floor
+  std::optional<Eigen::Index> facing_floor = {};  ///< of the other building; nothing: the edge between two floors
+  double elevation = 0;                           ///< [length]
+  double along = 0;                               ///< on the stretch [length]
+};
+
 /// What lies between two buildings that face each other.
 struct PlanGap {
   Eigen::Index left = 0, right = 0;  ///< L and R of the stretch, indices into PlanProblem::buildings
   Stretch stretch;
   std::vector<PlanContact> contacts = {};  ///< level after level from the lowest up, each along the stretch
+  std::vector<PlanWatched> watched = {};   ///< likewise
 };
 
 /// Buildings in plan and what a solver needs of them, in consistent units: what Problem is of a row.
@@ -49,8 +61,9 @@ struct PlanProblem {
 /// @throws InvalidParameter when sizes disagree or a value is outside its range.
 void validate(const PlanProblem& problem);
 
-/// Bodies and contacts of a valid problem, gap after gap (P-6), those that rub apart. What the motion times −1 needs is
-/// watched in the free response: −δ of every contact, in the order of the gaps.
-[[nodiscard]] System system_of(const PlanProblem& problem);
+/// Bodies and contacts of a valid problem, gap after gap (P-6), those that rub apart, and what is watched. @param
+/// levels what rules for gaps take is watched in the free response: level_interfaces() of the contacts of all gaps,
+/// then of all that is watched, no face of which is a floor
+[[nodiscard]] System system_of(const PlanProblem& problem, bool levels = false);
 
 }  // namespace bentur

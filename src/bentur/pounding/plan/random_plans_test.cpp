@@ -186,6 +186,13 @@ PlanProblem problem_of(const Draw& draw, const Told& told = {}) {
           gap.contacts.push_back(contact);
         }
       }
+      // At both ends the lowest floors of both against the other's edge between base and floor, and against each other.
+      for (const double end : {stretch->from, stretch->to}) {
+        for (const Index of : {gap.left, gap.right}) {
+          gap.watched.push_back({.floor_of = of, .elevation = 2 * told.units.length, .along = end});
+        }
+        gap.watched.push_back({.floor_of = gap.left, .facing_floor = 0, .elevation = left.elevations[0], .along = end});
+      }
       problem.gaps.push_back(std::move(gap));
     }
   }
@@ -236,6 +243,37 @@ Index contact_at(const PlanProblem& problem, double elevation, const PlanPoint& 
   return nearest;
 }
 
+/// What is watched there, of a floor of this building, among that of all gaps.
+Index watched_at(const PlanProblem& problem, const std::string& building, double elevation, const PlanPoint& at) {
+  Index i = 0, nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanWatched& watched : gap.watched) {
+      const double distance = (gap.stretch.middle(watched.along) - at).norm() + std::abs(watched.elevation - elevation);
+      const bool alike = watched.facing_floor || problem.buildings[watched.floor_of].name == building;
+      if (alike && distance < least) {
+        least = distance;
+        nearest = i;
+      }
+      ++i;
+    }
+  }
+  return nearest;
+}
+
+/// Needs both ways round, and how far both sides go, whichever stands left.
+template <class Summary>
+void note_level(const Summary& one, const Summary& same, double length, double scale, Apart& result) {
+  result.note(one.gap_needed, same.gap_needed / length, scale, "gap needed");
+  result.note(one.gap_needed_reversed.value_or(-1), same.gap_needed_reversed.value_or(-length) / length, scale,
+              "gap needed reversed");
+  const auto [least, most] = std::minmax(one.peak_left, one.peak_right);
+  const auto [less, more] = std::minmax(same.peak_left, same.peak_right);
+  if (std::isnan(least)) return;
+  result.note(least, less / length, scale, "the side that goes less far");
+  result.note(most, more / length, scale, "the side that goes further");
+}
+
 Apart apart(const PlanProblem& problem, const PlanResponse& wanted, const PlanProblem& other, const PlanResponse& found,
             const Told& told = {}) {
   Apart result;
@@ -281,7 +319,7 @@ Apart apart(const PlanProblem& problem, const PlanResponse& wanted, const PlanPr
       if (one.impacts != same.impacts) return {std::numeric_limits<double>::infinity(), "impacts of a point"};
       result.note(one.impulse, same.impulse / force, impulse, "impulse");
       result.note(one.peak_force, same.peak_force / force, largest, "force");
-      result.note(one.gap_needed, same.gap_needed / length, needed, "gap needed");
+      note_level(one, same, length, needed, result);
       const PlanFriction &rubs = wanted.friction[first + i], &too = found.friction[there];
       // Its sign is that of t, which a map turns.
       result.note(std::abs(rubs.tangential_impulse), std::abs(too.tangential_impulse) / force, impulse,
@@ -289,6 +327,16 @@ Apart apart(const PlanProblem& problem, const PlanResponse& wanted, const PlanPr
       result.note(rubs.friction_loss, too.friction_loss / (force * length), wanted.energy->peak_input, "friction loss");
     }
     first += std::ssize(gap.contacts);
+  }
+  first = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanWatched& watched : gap.watched) {
+      const Index there = watched_at(other, problem.buildings[watched.floor_of].name, length * watched.elevation,
+                                     told.place(gap.stretch.middle(watched.along)));
+      const WatchedSummary &one = wanted.watched[first++], &same = found.watched[there];
+      note_level(one, same, length, needed, result);
+      result.note(one.least_opening, same.least_opening / length, needed, "least opening");
+    }
   }
   return result;
 }
@@ -312,7 +360,7 @@ double sensitivity(const Draw& draw, const PlanProblem& problem, const PlanRespo
     for (double& mass : plan.masses) mass *= 1 - moved_by;
   }
   const PlanProblem other = problem_of(moved);
-  const PlanResponse found = solve(other);
+  const PlanResponse found = solve(other, ExactSolver{}, {.both_ways = true});
   return apart(problem, wanted, other, found).size / moved_by;
 }
 
@@ -320,12 +368,13 @@ TEST(RandomPlans, BothSolversEnergyAndWhatChangesNothing) {
   const auto [first, last] = seeds();
   int impacts = 0, rubbed = 0, sensitive = 0;
   double worst_solver = 0, worst_told = 0, worst_energy = 0;
+  int watched = 0;
   for (unsigned seed = first; seed <= last; ++seed) {
     SCOPED_TRACE("BENTUR_RANDOM_PLANS=" + std::to_string(seed) + ":" + std::to_string(seed));
     const Draw draw = Generator(seed).make();
     const PlanProblem problem = problem_of(draw);
     ASSERT_FALSE(problem.gaps.empty());
-    const PlanResponse exact = solve(problem, ExactSolver{}, {.energy_audit = true});
+    const PlanResponse exact = solve(problem, ExactSolver{}, {.both_ways = true, .energy_audit = true});
     ASSERT_EQ(exact.status, Status::done) << exact.message;
     EXPECT_TRUE(exact.discrepancies.empty());
     worst_energy = std::max(worst_energy, exact.energy->relative_residual());
@@ -336,10 +385,11 @@ TEST(RandomPlans, BothSolversEnergyAndWhatChangesNothing) {
       EXPECT_GE(impact.friction_loss, -1e-12 * exact.energy->peak_input);
     }
     for (const PlanFriction& friction : exact.friction) rubbed += friction.sliding > 0 ? 1 : 0;
+    for (const WatchedSummary& one : exact.watched) watched += one.gap_needed > 0 && one.gap_needed_reversed ? 1 : 0;
     const double amplifies = sensitivity(draw, problem, exact);
     sensitive += amplifies > 1e3 ? 1 : 0;
 
-    const PlanResponse adaptive = solve(problem, AdaptiveSolver{.tolerance = 1e-12});
+    const PlanResponse adaptive = solve(problem, AdaptiveSolver{.tolerance = 1e-12}, {.both_ways = true});
     ASSERT_EQ(adaptive.status, Status::done) << adaptive.message;
     const Apart by = apart(problem, exact, problem, adaptive);
     worst_solver = std::max(worst_solver, by.size);
@@ -356,7 +406,7 @@ TEST(RandomPlans, BothSolversEnergyAndWhatChangesNothing) {
                                               {.map = mirror},
                                               {.map = quarter * mirror}}) {
       const PlanProblem other = problem_of(draw, told);
-      const PlanResponse found = solve(other);
+      const PlanResponse found = solve(other, ExactSolver{}, {.both_ways = true});
       ASSERT_EQ(found.status, Status::done) << found.message;
       const Apart moved = apart(problem, exact, other, found, told);
       worst_told = std::max(worst_told, moved.size);
@@ -366,6 +416,7 @@ TEST(RandomPlans, BothSolversEnergyAndWhatChangesNothing) {
   std::printf("%u plans, %d impacts, %d points slid, %d sensitive; solvers %.2g, told otherwise %.2g, energy %.2g\n",
               last - first + 1, impacts, rubbed, sensitive, worst_solver, worst_told, worst_energy);
   EXPECT_GT(impacts, 5 * static_cast<int>(last - first));
+  EXPECT_GT(watched, 4 * static_cast<int>(last - first));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/modes.h"
+#include "bentur/structure/sway.h"
 
 namespace bentur {
 namespace {
@@ -184,6 +185,13 @@ std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
 VectorXd PlanModel::movement(Index floor, const PlanPoint& at, const PlanPoint& direction) const {
   VectorXd row = VectorXd::Zero(dofs());
   row.segment<3>(3 * floor) = movement_row(at - footprint.corner, direction, centres[floor]).transpose();
+  return row;
+}
+
+VectorXd PlanModel::movement_at(double elevation, const PlanPoint& at, const PlanPoint& direction) const {
+  const auto [upper, s] = storey_place(elevations, storey_heights, elevation);
+  VectorXd row = s * movement(upper, at, direction);
+  if (upper > 0) row += (1 - s) * movement(upper - 1, at, direction);
   return row;
 }
 

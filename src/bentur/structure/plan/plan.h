@@ -88,6 +88,9 @@ struct PlanModel {
   /// How far the point at `at` of the common plan moves along `direction` with floor `floor`, as a row over the dofs
   /// (P-1).
   [[nodiscard]] Eigen::VectorXd movement(Eigen::Index floor, const PlanPoint& at, const PlanPoint& direction) const;
+  /// The same at an elevation [length] between base and top: on the straight line between floors, as sway_at() of a
+  /// stick. @throws InvalidParameter as storey_place().
+  [[nodiscard]] Eigen::VectorXd movement_at(double elevation, const PlanPoint& at, const PlanPoint& direction) const;
 };
 
 /// A building in plan as the rest of the program sees it.

@@ -143,6 +143,7 @@ void Pairs::check_points(const TomlView& at, const PlanGapSpec& gap) {
 
 void Pairs::read_levels(const TableView& table, PlanGapSpec& gap) {
   const std::optional<double> tolerance = table.number("level_tolerance");
+  gap.level_tolerance = tolerance;
   gap.levels = levels_of(gap, tolerance);
   const ReadBuilding &left = told_[gap.left], &right = told_[gap.right];
   if (gap.levels.empty()) {

@@ -6,7 +6,13 @@
 
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/io/results/internal/asked_json.h"
+#include "bentur/io/results/internal/code_json.h"
+#include "bentur/io/results/internal/gap_json.h"
+#include "bentur/io/results/story_json.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/plan_story.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -57,13 +63,11 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
   return json;
 }
 
-Json pair_json(const PlanPoint& at) { return {at.x(), at.y()}; }
-
 /// @param index among the contacts of all gaps
 Json plan_point_json(const PlanRun& run, Index index) {
   const PlanContactPlace place = contact_at(run.problem, index);
   const PlanContact& contact = *place.contact;
-  Json json = {{"elevation", contact.elevation}, {"at", pair_json(place.at)}};
+  Json json = {{"elevation", contact.elevation}, {"at", {place.at.x(), place.at.y()}}};
   put_quantities(json, PlanOwner::point, run, {{index}});
   json["contact"] = contact_json(*contact.law, run.c.gaps.at(place.gap).contact);
   if (!contact.rubbing) return json;
@@ -72,45 +76,41 @@ Json plan_point_json(const PlanRun& run, Index index) {
   return json;
 }
 
-Json between_json(const PlanProblem& problem, const PlanGap& gap) {
-  return {problem.buildings[gap.left].name, problem.buildings[gap.right].name};
-}
-
 Json plan_gap_json(const PlanRun& run, std::size_t g) {
   const PlanGap& gap = run.problem.gaps[g];
+  const RunResults pair = pair_of(run, g);
   const Index first = first_contact(run.problem, g);
-  Json points = Json::array(), not_watched = Json::array();
-  double needed = 0, reversed = 0;
-  bool both_ways = run.c.analysis.both_ways;
-  for (Index i = first; i < first + std::ssize(gap.contacts); ++i) {
-    const PointSummary& point = run.response.points.at(i);
-    needed = std::max(needed, point.gap_needed);
-    reversed = std::max(reversed, point.gap_needed_reversed.value_or(0));
-    both_ways = both_ways && point.gap_needed_reversed.has_value();
-    points.push_back(plan_point_json(run, i));
-  }
-  for (const UnwatchedFloor& one : unwatched_floors(run.problem, gap)) {
-    const PlanBuilding& building = run.problem.buildings[one.building];
-    not_watched.push_back({{"floor_of", building.name}, {"elevation", building.model.elevations[one.floor]}});
-  }
-  return {{"between", between_json(run.problem, gap)},
-          {"normal", gap.stretch.across == 0 ? "x" : "y"},
-          {"width", gap.stretch.width},
-          {"stretch", {gap.stretch.from, gap.stretch.to}},
-          {"gap_needed", needed},
-          {"gap_needed_reversed", both_ways ? Json(reversed) : Json(nullptr)},
-          {"not_watched", std::move(not_watched)},
-          {"points", std::move(points)}};
+  Json points = Json::array();
+  for (Index i = first; i < first + std::ssize(gap.contacts); ++i) points.push_back(plan_point_json(run, i));
+  Json json = {{"between", between_json(pair.problem, 0)},
+               {"normal", gap.stretch.across == 0 ? "x" : "y"},
+               {"width", gap.stretch.width},
+               {"stretch", {gap.stretch.from, gap.stretch.to}}};
+  put_quantities(json, PlanOwner::gap, run, {{static_cast<Index>(g)}});
+  json["unmodelled_contact"] = unmodelled_list(pair.problem, pair.response, 0, run.c.units.length, &gap);
+  json["points"] = std::move(points);
+  json["watched_floors"] = watched_list(pair.problem, pair.response, gap_at(pair.problem, 0), &gap);
+  return json;
+}
+
+Json pair_between_json(const PlanProblem& problem, const PlanGap& gap) {
+  return {problem.buildings[gap.left].name, problem.buildings[gap.right].name};
 }
 
 Json plan_impact_json(const PlanRun& run, Index index) {
   const PlanContactPlace place = contact_at(run.problem, run.response.impacts[index].point);
-  Json json = {{"between", between_json(run.problem, run.problem.gaps[place.gap])},
+  Json json = {{"between", pair_between_json(run.problem, run.problem.gaps[place.gap])},
                {"elevation", place.contact->elevation},
                {"x", place.at.x()},
                {"y", place.at.y()}};
   put_quantities(json, PlanOwner::impact, run, {{index}});
   return json;
+}
+
+Json plan_statements_json(const PlanProblem& problem, const std::vector<Statement>& statements) {
+  std::vector<std::string> names;
+  for (const PlanBuilding& building : problem.buildings) names.push_back(building.name);
+  return Json::parse(statements_json(names, statements));
 }
 
 Json excitations_json(const PlanCase& c) {
@@ -160,6 +160,37 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
                   {"buildings", std::move(buildings)},
                   {"gaps", std::move(gaps)},
                   {"impacts", std::move(impacts)}});
+}
+
+std::string plan_gap_json(const PlanRun& run, std::string_view version) {
+  Json gaps = Json::array();
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const RunResults pair = pair_of(run, g);
+    gaps.push_back(gap_json_of(pair.c, pair.problem,
+                               separations(pair.problem, pair.response, pair.c.code, pair.c.units),
+                               displacement_scale(pair.problem, pair.response, 0), false, 0, &run.problem.gaps[g]));
+  }
+  return text_of({{"title", run.c.title},
+                  {"units", units_json(run.c.units)},
+                  {"version", version},
+                  {"excitation", excitations_json(run.c)},
+                  {"statements", plan_statements_json(run.problem, plan_gap_story(run).statements)},
+                  {"code_rules", code_rules_json(run.c.code)},
+                  {"gaps", std::move(gaps)}});
+}
+
+std::string plan_height_rules_json(const PlanCase& c, const PlanProblem& problem, std::string_view version) {
+  Json gaps = Json::array();
+  for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
+    const RunResults pair = pair_of(c, problem, g);
+    gaps.push_back(height_gap_json(pair.c, pair.problem, 0));
+  }
+  return text_of({{"title", c.title},
+                  {"units", {{"length", c.units.length}, {"force", c.units.force}}},
+                  {"version", version},
+                  {"statements", plan_statements_json(problem, plan_height_rules_story(c, problem).statements)},
+                  {"code_rules", code_rules_json(c.code)},
+                  {"gaps", std::move(gaps)}});
 }
 
 std::string plan_modes_json(const PlanProblem& problem) {

@@ -124,7 +124,9 @@ class PlanVariables : private VariablePass<Teller> {
       y.push_back(place.at.y());
       rubs = rubs || place.contact->rubbing;
     }
-    made({"gap_name", {{"gap", names.size(), "gap_name"}}, "", "buildings on both sides of the gaps"}, names);
+    const ResultDimension gaps{"gap", names.size(), "gap_name"};
+    made({"gap_name", {gaps}, "", "buildings on both sides of the gaps"}, names);
+    quantities(PlanOwner::gap, {gaps}, places_of(names.size()));
     made({"point_left", {points_}, "", "building to the left of the contact points, or below"}, left);
     made({"point_right", {points_}, "", "building to the right of the contact points, or above"}, right);
     made({"point_elevation", {points_}, length_, "elevation of the contact points"}, elevation);

@@ -5,6 +5,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur::story {
@@ -19,6 +20,8 @@ struct GapFacts {
   const Response* response = nullptr;                  ///< nothing: by a spectrum
   std::vector<LevelSeparation> levels;                 ///< of all gaps
   bool collapsed = false;                              ///< the free response
+  const PlanGap* in_plan = nullptr;                    ///< of the pair of a gap in plan: where its levels are
+  const PlanProblem* plan = nullptr;                   ///< likewise: whose gap it is
   [[nodiscard]] double scale(Eigen::Index gap) const;  ///< displacement_scale() [length]; 0 by a spectrum
 };
 
@@ -36,9 +39,6 @@ struct GapFacts {
 /// What a hit is told by, and the kind of statement that does: the force and how long it lasts, or of contacts without
 /// force the speed. `hardest`: of the point; null where it is not known.
 void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement);
-/// What is needed and given at a level, and whether it is enough; the kinds "gap_…" of it.
-[[nodiscard]] Statement need_of(const GoverningLevel& level, const std::string& length, std::string kind);
-[[nodiscard]] const char* need_kind(const GoverningLevel& level);
 /// The word for what moves the buildings.
 [[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
@@ -66,9 +66,21 @@ void tell_breaking(const RunResults& run, Story& told);
 /// What the model leaves out.
 [[nodiscard]] Statement model_statement(const RunResults& run);
 
+/// {level} of a contact point (else of what is watched) of a gap in plan: its elevation, its place, and whose corner is
+/// there.
+void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, Eigen::Index index,
+               const std::string& length, std::vector<StoryValue>& values);
+/// {level}: of a row the elevation.
+void add_level(const GapFacts& facts, bool is_point, Eigen::Index index, double elevation,
+               std::vector<StoryValue>& values);
+/// Floors that met what they face where no contact is modelled, and how to model it.
+void tell_unmodelled(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements);
+/// What rules ask of a gap by heights, and the table of it.
+void tell_heights(const Case& c, const Problem& problem, Eigen::Index gap, Story& told);
+
 /// The building that a watched floor faces.
 [[nodiscard]] const std::string& faced_name(const Problem& problem, const WatchedFloor& floor);
 /// {building}, {faced_building} and the word {faced}.
-void add_faces(const Problem& problem, const WatchedFloor& floor, std::vector<StoryValue>& values);
+void add_faces(const Problem& problem, const WatchedFloor& floor, bool in_plan, std::vector<StoryValue>& values);
 
 }  // namespace bentur::story

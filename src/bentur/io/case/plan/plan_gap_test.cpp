@@ -1,0 +1,211 @@
+// What is told of the gaps of buildings in plan: needs at points and at both ends of what is watched, rules of codes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bentur/core/errors.h"
+#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/story/plan_story.h"
+
+namespace bentur {
+namespace {
+
+using nlohmann::json;
+
+/// B has floors at 3.5, 5.5 and 7.7, A at 3.5 and 6.7, the wall above A at 3.5.
+const std::string three_in_plan = R"(
+[units]
+length = "m"
+force = "kN"
+[plan]
+clearance = 0.1
+contact = { law = "linear", stiffness = 4e5 }
+[[building]]
+name = "A"
+damping = 0.05
+plan = { corner = [0, 0], size = [12, 18], storey_heights = [3.5, 3.2], masses = [200, 180] }
+plane = [{ along = "x", at = 0.5, stiffnesses = 9e4 }, { along = "x", at = 17, stiffnesses = 2e4 },
+         { along = "y", at = 1, stiffnesses = 6e4 }, { along = "y", at = 11, stiffnesses = 6e4 }]
+[[building]]
+name = "B"
+damping = 0.05
+plan = { corner = [12.02, 4], size = [9, 20], storey_heights = [3.5, 2.0, 2.2], masses = [100, 90, 80] }
+plane = [{ along = "x", at = 1, stiffnesses = 5e4 }, { along = "x", at = 18, stiffnesses = 6e4 },
+         { along = "y", at = 4, stiffnesses = 6e4 }]
+[[building]]
+name = "W"
+rigid = true
+elevations = [3.5]
+plan = { corner = [2, 18.01], size = [6, 1] }
+[excitation]
+kind = "harmonic"
+period = 0.6
+displacement_amplitude = 0.02
+[excitation.y]
+kind = "harmonic"
+period = 0.5
+displacement_amplitude = 0.01
+[analysis]
+duration = 4
+)";
+
+PlanRun plan_gap_run(const std::string& text) {
+  Diagnostics diagnostics;
+  auto c = read_plan_case_text(text, "a.toml", diagnostics);
+  for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
+  PlanProblem problem = make_plan_problem(*c);
+  PlanResponse response = solve(problem, c->analysis.solver, solve_options(*c));
+  EXPECT_EQ(response.status, Status::done) << response.message;
+  return {*std::move(c), std::move(problem), std::move(response)};
+}
+
+std::vector<std::string> plan_gap_errors(const std::string& text) {
+  Diagnostics diagnostics;
+  (void)read_plan_case_text(text, "a.toml", diagnostics);
+  std::vector<std::string> errors;
+  for (const Diagnostic& error : diagnostics.errors()) errors.push_back(error.message());
+  return errors;
+}
+
+std::string with_piece(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+bool story_tells(const Story& story, const std::string& kind) {
+  return std::any_of(story.statements.begin(), story.statements.end(),
+                     [&](const Statement& one) { return one.kind == kind; });
+}
+
+TEST(PlanGaps, WatchBothEndsOfWhatFacesAnEdge) {
+  const PlanRun run = plan_gap_run(three_in_plan);
+  ASSERT_EQ(run.problem.gaps.size(), 2U);
+  const PlanGap& gap = run.problem.gaps[0];
+  ASSERT_EQ(gap.watched.size(), 4U);
+  for (const std::size_t i : {0U, 1U, 2U, 3U}) {
+    EXPECT_EQ(gap.watched[i].floor_of, i < 2 ? 1 : 0);
+    EXPECT_EQ(gap.watched[i].elevation, i < 2 ? 5.5 : 6.7);
+    EXPECT_EQ(gap.watched[i].floor, 1);
+    EXPECT_FALSE(gap.watched[i].facing_floor);
+    EXPECT_EQ(gap.watched[i].along, i % 2 == 0 ? 4 : 18);
+  }
+  EXPECT_TRUE(run.problem.gaps[1].watched.empty());
+  // Levels that a case leaves out are watched against each other.
+  const std::string low = "[[gap]]\nbetween = [\"B\", \"A\"]\nlevel_tolerance = 1.1\nelevations = [3.5]\n";
+  const PlanRun left_out = plan_gap_run(with_piece(three_in_plan, "[excitation]", low + "[excitation]"));
+  const std::vector<PlanWatched>& watched = left_out.problem.gaps[0].watched;
+  ASSERT_EQ(watched.size(), 4U);  // 5.5 of B, and 6.7 with 7.7
+  EXPECT_EQ(watched[2].floor_of, 0);
+  EXPECT_EQ(watched[2].facing_floor, 2);
+  EXPECT_NEAR(watched[2].elevation, 7.2, 1e-14);
+}
+
+TEST(PlanGaps, TellWhatIsNeededOfPointsAndOfWhatIsWatched) {
+  const PlanRun run = plan_gap_run(three_in_plan);
+  const json summary = json::parse(plan_summary_json(run, "test")), told = json::parse(plan_gap_json(run, "test"));
+  for (const std::size_t g : {0U, 1U}) {
+    const json &gap = summary["gaps"][g], &of_gap = told["gaps"][g];
+    double needed = 0, reversed = 0;
+    for (const char* const list : {"points", "watched_floors"}) {
+      ASSERT_EQ(gap[list].size(), of_gap[list].size());
+      for (std::size_t i = 0; i < gap[list].size(); ++i) {
+        const json &level = gap[list][i], &same = of_gap[list][i];
+        needed = std::max(needed, level["gap_needed"].get<double>());
+        reversed = std::max(reversed, level["gap_needed_reversed"].get<double>());
+        EXPECT_EQ(level["at"], same["at"]);
+        EXPECT_EQ(level["gap_needed"], same["gap_needed"]);
+        const double left = level["peak_left_no_contact"], right = level["peak_right_no_contact"];
+        EXPECT_DOUBLE_EQ(same["abs"], left + right);
+        EXPECT_DOUBLE_EQ(same["srss"], std::hypot(left, right));
+        EXPECT_TRUE(same["ddc"].is_null());
+        // Two that move by themselves need no more than both together.
+        EXPECT_LE(level["gap_needed"].get<double>(), (left + right) * (1 + 1e-12));
+        EXPECT_GT(left + right, 0);
+      }
+    }
+    EXPECT_EQ(gap["gap_needed"], needed);
+    EXPECT_EQ(gap["gap_needed_reversed"], reversed);
+    EXPECT_EQ(of_gap["gap_needed"], needed);
+    EXPECT_EQ(of_gap["rules"][2]["rule"], "ddc");
+    EXPECT_EQ(of_gap["rules"][2]["given_is"], "not_evaluated");
+    EXPECT_EQ(of_gap["rules"][2]["reason"], "turning");
+    EXPECT_FALSE(of_gap.contains("screening"));
+  }
+  EXPECT_EQ(summary["gaps"][0]["watched_floors"][0]["faces"], "edge");
+  EXPECT_EQ(summary["gaps"][0]["watched_floors"][3]["at"], json({12.01, 18}));
+  EXPECT_EQ(summary["gaps"][1]["watched_floors"], json::array());
+}
+
+TEST(PlanGaps, RulesOfCodesTakeTheMovementOfEachPlaceAcrossTheGap) {
+  const std::string code = "[code]\nen-1998-1 = { behaviour_factor = [2, 3, 1] }\nsame_owner = [true, false]\n";
+  const PlanRun run = plan_gap_run(with_piece(three_in_plan, "[excitation]", code + "[excitation]"));
+  const json summary = json::parse(plan_summary_json(run, "test")), told = json::parse(plan_gap_json(run, "test"));
+  for (const char* const list : {"points", "watched_floors"}) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const json& level = summary["gaps"][0][list][i];
+      const double left = level["peak_left_no_contact"], right = level["peak_right_no_contact"];
+      EXPECT_DOUBLE_EQ(told["gaps"][0][list][i]["codes"][0]["gap"], std::hypot(2 * left, 3 * right));
+    }
+  }
+  // Across a property line, where the floors of the wall have one of A each: 0.7 q u.
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double moves = summary["gaps"][1]["points"][i]["peak_left_no_contact"];
+    const json& asked = told["gaps"][1]["points"][i]["codes"][0];
+    EXPECT_GT(moves, 1e-4);
+    EXPECT_EQ(summary["gaps"][1]["points"][i]["peak_right_no_contact"], 0);
+    EXPECT_DOUBLE_EQ(asked["gap"], 0.7 * 2 * moves);
+    EXPECT_DOUBLE_EQ(asked["to_property_line"][0], 0.7 * 2 * moves);
+  }
+  EXPECT_EQ(plan_gap_errors(
+                with_piece(three_in_plan, "[excitation]",
+                           "[code]\nen-1998-1 = { behaviour_factor = [2, 3] }\nsame_owner = [true]\n[excitation]")),
+            (std::vector<std::string>{"code.en-1998-1.behaviour_factor has 2 entries, expected 3 (one per building)",
+                                      "code.same_owner has 1 entry, expected 2 (one per gap)"}));
+}
+
+TEST(PlanGaps, RulesFromHeightsAlone) {
+  const std::string code = "[code]\ngb-50011-2010 = { intensity = 8, system = \"frame\" }\n";
+  Diagnostics diagnostics;
+  const auto c =
+      read_plan_case_text(with_piece(three_in_plan, "[excitation]", code + "[excitation]"), "a.toml", diagnostics);
+  for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
+  ASSERT_TRUE(c);
+  const PlanProblem problem = make_plan_problem(*c);
+  const json told = json::parse(plan_height_rules_json(*c, problem, "test"));
+  ASSERT_EQ(told["gaps"].size(), 2U);
+  const json& rule = told["gaps"][0]["rules"][0];
+  EXPECT_DOUBLE_EQ(rule["gap"], 0.1);  // up to 15 m
+  EXPECT_EQ(rule["given_is"], "too_small");
+  EXPECT_EQ(rule["levels"].size(), 6U);
+  EXPECT_TRUE(story_tells(plan_height_rules_story(*c, problem), "rules_short"));
+}
+
+TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
+  PlanRun run = plan_gap_run(three_in_plan);
+  const bool meets = std::any_of(run.response.watched.begin(), run.response.watched.end(),
+                                 [](const WatchedSummary& one) { return one.closes; });
+  ASSERT_TRUE(meets);
+  const Story story = plan_story(run);
+  EXPECT_TRUE(story_tells(story, "unmodelled"));
+  const json gap = json::parse(plan_summary_json(run, "test"))["gaps"][0];
+  EXPECT_EQ(gap["unmodelled_contacts"], gap["unmodelled_contact"].size());
+  ASSERT_GT(gap["unmodelled_contact"].size(), 0U);
+  EXPECT_NE(gap["unmodelled_contact"][0]["to_model"].get<std::string>().find("strike floors alone"), std::string::npos);
+  // Far enough apart nothing meets, and the need is told of the place that governs.
+  const std::string apart = with_piece(three_in_plan, "corner = [12.02, 4]", "corner = [12.45, 4]");
+  const PlanRun far = plan_gap_run(with_piece(apart, "clearance = 0.1", "clearance = 0.5"));
+  EXPECT_FALSE(story_tells(plan_story(far), "unmodelled"));
+  EXPECT_TRUE(story_tells(plan_gap_story(far), "gap_enough"));
+  run.response.watched.clear();
+  EXPECT_THROW((void)pair_of(run, 0), InvalidParameter);
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,142 @@
+#include "bentur/io/results/internal/gap_json.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bentur/io/results/internal/code_json.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_pair.h"
+
+namespace bentur {
+namespace {
+
+/// `at`: [x, y] in the middle of the gap; nothing of a row.
+void put_place(const PlanGap* gap, bool is_point, Eigen::Index index, Json& json) {
+  if (gap == nullptr) return;
+  const PlanPoint at = place_of(*gap, is_point, index);
+  json["at"] = {at.x(), at.y()};
+}
+
+/// Of one watched floor: where it is, and what it needs or does.
+Json watched_json(const Problem& problem, Eigen::Index index, const PlanGap* in_plan) {
+  const WatchedFloor& floor = problem.watched[index];
+  Json json = {{"floor_of", problem.buildings[floor.floor_of].name}, {"elevation", floor.elevation}};
+  put_place(in_plan, false, index, json);
+  json["faces"] = floor.facing_floor ? "floor" : in_plan != nullptr ? "edge" : "column";
+  json["width"] = floor.width;
+  return json;
+}
+
+Json codes_json(const std::vector<CodeSeparation>& codes) {
+  Json json = Json::array();
+  for (const CodeSeparation& code : codes) json.push_back(code_separation_json(code));
+  return json;
+}
+
+/// What a level needs, or a whole gap.
+Json separation_json(const LevelSeparation& separation) {
+  Json json = {{"gap_needed", separation.gap_needed},
+               {"abs", or_null_if_unknown(separation.abs)},
+               {"srss", or_null_if_unknown(separation.srss)},
+               {"ddc", or_null_if_unknown(separation.ddc)},
+               {"codes", codes_json(separation.codes)}};
+  if (separation.gap_needed_reversed) json["gap_needed_reversed"] = *separation.gap_needed_reversed;
+  return json;
+}
+
+/// What each rule asks where it falls short the most.
+Json findings_json(const std::vector<RuleFinding>& findings, const std::vector<LevelSeparation>& levels,
+                   const PlanGap* in_plan) {
+  Json json = Json::array();
+  for (const RuleFinding& found : findings) {
+    Json one = {{"rule", found.rule}};
+    if (found.at) {
+      const FacingLevel& level = levels[*found.at].level;
+      one.update({{"gap", found.gap}, {"elevation", level.elevation}});
+      put_place(in_plan, level.is_point, level.index, one);
+      one.update({{"width", level.width},
+                  {"given_is", found.is_short ? "too_small" : "enough"},
+                  {"understates", found.understates}});
+    } else {
+      one.update({{"given_is", "not_evaluated"}, {"reason", silence_name(found.silence)}});
+    }
+    json.push_back(one);
+  }
+  return json;
+}
+
+Json screening_json(const Case& c, const Problem& problem, Eigen::Index gap) {
+  Json json = Json::array();
+  for (const ScreeningFinding& found : screening(problem, gap, c.screening, c.units)) {
+    json.push_back({{"rule", found.rule->name},
+                    {"value", found.value},
+                    {"limit", or_null(found.limit)},
+                    {"unit", found.rule->unit == "length" ? c.units.length : std::string(found.rule->unit)},
+                    {"verdict", verdict_text(found.verdict)},
+                    {"source", found.rule->source},
+                    {"wording", found.rule->wording}});
+  }
+  return json;
+}
+
+}  // namespace
+
+Json between_json(const Problem& problem, Eigen::Index gap) {
+  return {problem.buildings[gap].name, problem.buildings[gap + 1].name};
+}
+
+Json watched_list(const Problem& problem, const Response& response, const Gap& gap, const PlanGap* in_plan) {
+  Json list = Json::array();
+  for (const Eigen::Index i : gap.watched) {
+    Json json = watched_json(problem, i, in_plan);
+    const WatchedSummary& summary = response.watched.at(i);
+    json["gap_needed"] = summary.gap_needed;
+    json["gap_needed_reversed"] = or_null(summary.gap_needed_reversed);
+    json["peak_left_no_contact"] = or_null_if_unknown(summary.peak_left);
+    json["peak_right_no_contact"] = or_null_if_unknown(summary.peak_right);
+    json["least_opening"] = summary.least_opening;
+    json["time"] = summary.least_time;
+    list.push_back(json);
+  }
+  return list;
+}
+
+Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap, const std::string& length,
+                     const PlanGap* in_plan) {
+  Json list = Json::array();
+  for (const Eigen::Index i : unmodelled_contacts(problem, response, gap)) {
+    const WatchedFloor& floor = problem.watched[i];
+    Json json = {{"floor_of", problem.buildings[floor.floor_of].name}, {"elevation", floor.elevation}};
+    put_place(in_plan, false, i, json);
+    json.update({{"least_opening", response.watched[i].least_opening},
+                 {"time", response.watched[i].least_time},
+                 {"to_model", remedy_text(problem, floor, length, in_plan != nullptr)}});
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels, double scale,
+                 bool collapsed, Eigen::Index gap, const PlanGap* in_plan) {
+  Json points = Json::array(), watched = Json::array();
+  for (const LevelSeparation& one : levels) {
+    if (one.level.is_point) {
+      points.push_back({{"elevation", one.level.elevation}});
+      put_place(in_plan, true, one.level.index, points.back());
+      points.back()["width"] = one.level.width;
+    } else {
+      watched.push_back(watched_json(problem, one.level.index, in_plan));
+    }
+    (one.level.is_point ? points : watched).back().update(separation_json(one));
+  }
+  Json json = {{"between", between_json(problem, gap)}};
+  json.update(separation_json(largest_of(levels)));
+  const bool is_pair = in_plan != nullptr;
+  json["rules"] = findings_json(rule_findings(problem, levels, c.code, scale, collapsed, is_pair), levels, in_plan);
+  json["points"] = points;
+  json["watched_floors"] = watched;
+  if (in_plan == nullptr) json["screening"] = screening_json(c, problem, gap);
+  return json;
+}
+
+}  // namespace bentur

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bentur/io/results/internal/asked_json.h"
+#include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/plan/plan_case.h"
+
+// What results tell of a gap, of a row's or of the pair (plan_pair.h) of one in plan, `in_plan`; null: a row's.
+namespace bentur {
+
+[[nodiscard]] Json between_json(const Problem& problem, Eigen::Index gap);
+
+/// Every watched floor of a gap, and what it does in the run.
+[[nodiscard]] Json watched_list(const Problem& problem, const Response& response, const Gap& gap,
+                                const PlanGap* in_plan = nullptr);
+
+/// Those that met what they face, the deepest first.
+[[nodiscard]] Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap,
+                                   const std::string& length, const PlanGap* in_plan = nullptr);
+
+/// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings of a row stand.
+[[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels,
+                               double scale, bool collapsed, Eigen::Index gap, const PlanGap* in_plan = nullptr);
+
+}  // namespace bentur

@@ -1,0 +1,115 @@
+#include "bentur/model/plan/plan_pair.h"
+
+#include <string>
+#include <utility>
+
+#include "bentur/core/errors.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+Building building_of(const PlanBuilding& building) {
+  Building row;
+  row.name = building.name;
+  row.model.elevations = building.model.elevations;
+  row.model.storey_heights = building.model.storey_heights;
+  row.model.floor_masses = building.model.floor_masses;
+  row.modes.omega = building.modes.omega;
+  return row;
+}
+
+/// Of lists over the buildings those of the two, of lists over the gaps that of theirs.
+CodeSpec code_of(const CodeSpec& all, std::size_t gap, const PlanGapSpec& of) {
+  const auto pick = [&](auto& list) {
+    if (list.size() > 1) list = {list.at(of.left), list.at(of.right)};
+  };
+  CodeSpec code = all;
+  for (CodeRuleSpec& rule : code.rules) {
+    for (auto& [key, list] : rule.numbers) pick(list);
+    for (auto& [key, list] : rule.words) pick(list);
+  }
+  if (code.floors_aligned) code.floors_aligned = std::vector<bool>{code.floors_aligned->at(gap)};
+  if (!code.same_owner.empty()) code.same_owner = {code.same_owner.at(gap)};
+  return code;
+}
+
+}  // namespace
+
+Problem pair_of(const PlanProblem& problem, std::size_t gap) {
+  const PlanGap& of = problem.gaps.at(gap);
+  Problem pair;
+  pair.buildings = {building_of(problem.buildings.at(of.left)), building_of(problem.buildings.at(of.right))};
+  for (const PlanContact& contact : of.contacts) {
+    pair.points.push_back({.left_floor = contact.left_floor,
+                           .right_floor = contact.right_floor,
+                           .elevation = contact.elevation,
+                           .width = of.stretch.width,
+                           .law = contact.law});
+  }
+  for (const PlanWatched& watched : of.watched) {
+    WatchedFloor& floor = pair.watched.emplace_back();
+    floor.floor_of = watched.floor_of == of.left ? 0 : 1;
+    floor.floor = watched.floor;
+    floor.facing_floor = watched.facing_floor;
+    floor.elevation = watched.elevation;
+    floor.width = of.stretch.width;
+  }
+  const bool moves = !std::holds_alternative<NoMotion>(problem.motions[0]);
+  pair.motion = problem.motions[moves ? 0 : 1];
+  pair.kinematics = problem.kinematics;
+  pair.duration = problem.duration;
+  return pair;
+}
+
+RunResults pair_of(const PlanCase& c, const PlanProblem& problem, std::size_t gap) {
+  RunResults pair;
+  pair.c.title = c.title;
+  pair.c.units = c.units;
+  pair.c.analysis = c.analysis;
+  pair.c.code = code_of(c.code, gap, c.gaps.at(gap));
+  pair.problem = pair_of(problem, gap);
+  const bool moves = !std::holds_alternative<NoMotion>(problem.motions[0]);
+  pair.c.excitation = c.excitation[moves ? 0 : 1];
+  return pair;
+}
+
+RunResults pair_of(const PlanRun& run, std::size_t gap) {
+  std::size_t point = 0, watched = 0, points = 0, all_watched = 0;
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    if (g == gap) {
+      point = points;
+      watched = all_watched;
+    }
+    points += run.problem.gaps[g].contacts.size();
+    all_watched += run.problem.gaps[g].watched.size();
+  }
+  if (run.response.points.size() != points || run.response.watched.size() != all_watched ||
+      run.response.buildings_no_contact.size() != run.problem.buildings.size()) {
+    throw InvalidParameter("response", std::to_string(run.response.points.size()) + " points",
+                           "must be the response of this problem");
+  }
+  RunResults pair = pair_of(run.c, run.problem, gap);
+  const PlanGap& of = run.problem.gaps[gap];
+  const auto part = [](const auto& list, std::size_t from, std::size_t count) {
+    const auto begin = list.begin() + static_cast<std::ptrdiff_t>(from);
+    return std::decay_t<decltype(list)>(begin, begin + static_cast<std::ptrdiff_t>(count));
+  };
+  pair.response.status = run.response.status;
+  pair.response.points = part(run.response.points, point, of.contacts.size());
+  pair.response.watched = part(run.response.watched, watched, of.watched.size());
+  for (const Index b : {of.left, of.right}) {
+    const PlanPeaks& free = run.response.buildings_no_contact[b];
+    BuildingPeaks& peaks = pair.response.buildings.emplace_back();
+    const bool along_x = of.stretch.across == 0;
+    peaks.displacement_no_contact = along_x ? free.south.cwiseMax(free.north) : free.west.cwiseMax(free.east);
+  }
+  return pair;
+}
+
+PlanPoint place_of(const PlanGap& gap, bool is_point, Index index) {
+  return gap.stretch.middle(is_point ? gap.contacts.at(index).along : gap.watched.at(index).along);
+}
+
+}  // namespace bentur

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bentur/pounding/pounding.h"
+
+// What SolveOptions ask of runs of rows and of plans alike.
+namespace bentur {
+
+[[nodiscard]] RunOptions run_options(const SolveOptions& options);
+
+/// The same motion the other way round.
+[[nodiscard]] GroundMotion reversed(GroundMotion motion);
+
+/// What the reversed motion needs, of points and watched floors alike; nothing where `from` is empty.
+template <typename Summary>
+void take_reversed(const std::vector<Summary>& from, std::vector<Summary>& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    to[i].gap_needed_reversed = from.empty() ? std::nullopt : std::optional(from[i].gap_needed);
+  }
+}
+
+}  // namespace bentur
