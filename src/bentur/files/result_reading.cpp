@@ -14,9 +14,11 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/json_position.h"
+#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
 
 namespace bentur {
@@ -226,6 +228,52 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
   results.problem = std::move(problem);
 }
 
+/// What a summary of buildings in plan says that is neither in the case nor in histories.nc.
+void read_plan_summary(const UnorderedJson& json, PlanRun& run) {
+  const UnorderedJson& along_x = json.at("excitation");
+  UnorderedJson along_y = along_x.at("y");
+  for (const char* key : {"delays", "kinematics"}) along_y[key] = along_x.at(key);
+  double longest = 0;
+  for (const auto& [component, told] : {std::pair(0, &along_x), std::pair(1, &std::as_const(along_y))}) {
+    if (told->at("kind") != "record") continue;
+    run.c.excitation.at(component).record = excitation(*told).record;
+    longest = std::max(longest, run.c.excitation.at(component).record->duration);
+  }
+  const TomlValue* const analysis = run.c.given->find("analysis");
+  if (longest > 0 && (analysis == nullptr || analysis->find("duration") == nullptr)) {
+    run.c.analysis.duration = run.problem.duration = longest;
+  }
+  const UnorderedJson& solved = json.at("solver");
+  run.response.steps = solved.at("steps");
+  run.response.events = solved.at("events");
+  if (run.response.energy && !solved.at("energy_residual").is_null()) {
+    EnergyAudit& audit = *run.response.energy;
+    audit.peak_input = solved.at("peak_input_energy");
+    audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
+  }
+  for (const UnorderedJson& one : json.at("discrepancies")) {
+    run.response.discrepancies.push_back({one.at("key"), one.at("size")});
+  }
+}
+
+/// Calls `read` with the JSON of a summary's text. @throws std::runtime_error where it is none
+template <class Read>
+void with_summary(const fs::path& file, const std::string& text, const Read& read) {
+  try {
+    read(UnorderedJson::parse(text));
+  } catch (const UnorderedJson::parse_error& error) {
+    const SourcePosition at = json_position(file.string(), text, error.byte);
+    fail(fmt::format("{}:{}:{}", at.file, at.line, at.column), no_json);
+  } catch (const UnorderedJson::exception&) {
+    fail(file, "is JSON, but lacks what a summary of bentur run has");
+  }
+}
+
+/// The hash of the case that a summary is of; empty where it is of none.
+std::string hash_of_case(const UnorderedJson& json) {
+  return json.contains("case") && json["case"].is_object() ? json["case"].value("sha256", "") : "";
+}
+
 }  // namespace
 
 RunResults read_results(const fs::path& folder) {
@@ -233,20 +281,37 @@ RunResults read_results(const fs::path& folder) {
   const std::string text = contents(summary);
   const NetcdfReader histories(folder / "histories.nc");
   RunResults results = read_run(histories);
-  try {
-    const UnorderedJson json = UnorderedJson::parse(text);
-    const std::string of_case =
-        json.contains("case") && json["case"].is_object() ? json["case"].value("sha256", "") : "";
-    if (histories.attribute("case_sha256") != of_case) fail(histories.name(), "is not of the same run as summary.json");
+  with_summary(summary, text, [&](const UnorderedJson& json) {
+    if (histories.attribute("case_sha256") != hash_of_case(json)) {
+      fail(histories.name(), "is not of the same run as summary.json");
+    }
     read_summary(json, summary, results);
     take_case(folder / "case.toml", json, results);
-  } catch (const UnorderedJson::parse_error& error) {
-    const SourcePosition at = json_position(summary.string(), text, error.byte);
-    fail(fmt::format("{}:{}:{}", at.file, at.line, at.column), no_json);
-  } catch (const UnorderedJson::exception&) {
-    fail(summary, "is JSON, but lacks what a summary of bentur run has");
-  }
+  });
   return results;
 }
+
+PlanRun read_plan_results(const NetcdfReader& histories) {
+  const fs::path folder = fs::path(histories.name()).parent_path();
+  const fs::path file = folder / "case.toml";
+  const std::string text = contents(file);
+  const std::string hash = sha256(text);
+  if (histories.attribute("case_sha256") != hash) fail(histories.name(), "is not of the case that stands beside it");
+  Diagnostics diagnostics;
+  PlanRun run;
+  std::optional<PlanCase> c = read_plan_case_without_records(text, file, diagnostics, &run.problem);
+  if (!c) fail(file, "is no case of buildings in plan of this version");
+  run.c = *std::move(c);
+  if (const std::string name = histories.attribute("case_file"); !name.empty()) run.c.source->file = name;
+  read_plan_response(histories, run);
+  const fs::path summary = folder / "summary.json";
+  with_summary(summary, contents(summary), [&](const UnorderedJson& json) {
+    if (hash_of_case(json) != hash) fail(summary, "is not of the same run as histories.nc");
+    read_plan_summary(json, run);
+  });
+  return run;
+}
+
+PlanRun read_plan_results(const fs::path& folder) { return read_plan_results(NetcdfReader(folder / "histories.nc")); }
 
 }  // namespace bentur

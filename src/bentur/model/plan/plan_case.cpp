@@ -109,4 +109,9 @@ RunOptions run_options(const PlanCase& c) {
   return {.most_steps = static_cast<long>(c.analysis.limits.steps), .energy_audit = c.analysis.energy_audit};
 }
 
+double applied_pga(const PlanRun& run, std::size_t component) {
+  const std::optional<RecordEcho>& record = run.c.excitation.at(component).record;
+  return record ? record->pga : peak_acceleration(run.problem.motions.at(component));
+}
+
 }  // namespace bentur

@@ -49,6 +49,7 @@ struct PlanCase {
   InitialSpec initial;                       ///< u_x, u_y, θ of each floor
   AnalysisSpec analysis;
   std::optional<CaseSource> source = {};
+  std::shared_ptr<const TomlValue> given = {};  ///< as Case's
 };
 
 /// @throws InvalidParameter when a value is out of its range.
@@ -67,11 +68,14 @@ struct PlanCase {
 /// What a single run of a case is asked for, its limit of steps too.
 [[nodiscard]] RunOptions run_options(const PlanCase& c);
 
-/// A run of buildings in plan, just solved.
+/// A run of buildings in plan, just solved or read again from its results, whose records are known by their echo alone.
 struct PlanRun {
   PlanCase c;
   PlanProblem problem;
   PlanResponse response;
 };
+
+/// Largest acceleration of a component of the ground's motion as applied [length/s²]; 0: there is none.
+[[nodiscard]] double applied_pga(const PlanRun& run, std::size_t component);
 
 }  // namespace bentur

@@ -127,7 +127,7 @@ void tell_need(const PlanRun& run, std::size_t g, bool is_watched, std::vector<S
     statement.level = need.level;
     std::move(need.values.begin(), need.values.end(), std::back_inserter(statement.values));
     add_place(run, contact_at(run.problem, found.second), statement.values);
-    const std::size_t mover = std::holds_alternative<NoMotion>(run.problem.motions[0]) ? 1 : 0;
+    const std::size_t mover = applied_pga(run, 0) > 0 ? 0 : 1;
     statement.values.push_back(
         word_of("motion", story::motion_word(run.problem.motions[mover], run.c.excitation[mover])));
     statement.values.push_back(text_of("faces", ""));
@@ -302,7 +302,7 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
 
 void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
   for (const std::size_t i : {0U, 1U}) {
-    const double pga = peak_acceleration(run.problem.motions[i]);
+    const double pga = applied_pga(run, i);
     if (!(pga > 0)) continue;
     Statement statement{
         .kind = run.c.angle == 0 ? "pga_along" : "pga_along_turned",
