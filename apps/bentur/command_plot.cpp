@@ -113,9 +113,9 @@ void run(const PlotArguments& arguments) {
     const Figure figure = make_figure(results, arguments.kind, options_of(arguments));
     write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, figure,
                   {.inputs = {file}, .force = arguments.force});
-  } catch (const NoFigure& error) {
-    throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
-  } catch (const NetcdfError& error) {
+  } catch (const Failure&) {
+    throw;
+  } catch (const std::runtime_error& error) {  // no such figure, or results that cannot be read
     throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
   }
 }

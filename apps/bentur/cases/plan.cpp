@@ -18,6 +18,7 @@
 #include "bentur/structure/modes.h"
 #include "cases/plan_text.h"
 #include "output/output.h"
+#include "output/picture.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -120,12 +121,14 @@ void print_plan_modes(const std::string& file, bool by_jacobi, bool json) {
 void run_plan(const PlanRunArguments& arguments, const std::string& language) {
   LoadedPlan loaded = load_plan(arguments.file, language, !arguments.directory.empty());
   std::optional<RunFolder> folder;
+  std::optional<RunPictures> pictures;
   if (!arguments.directory.empty()) {
     std::vector<std::filesystem::path> inputs = files_read(loaded.c);
     inputs.emplace_back(arguments.file);
     folder.emplace(arguments.directory,
                    OutputRules{.inputs = std::move(inputs), .force = arguments.force, .is_netcdf = &is_netcdf_result},
                    *loaded.c.source);
+    pictures.emplace(*folder, arguments.figures);
   }
   PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const RunOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
@@ -139,6 +142,9 @@ void run_plan(const PlanRunArguments& arguments, const std::string& language) {
     print(fitted(plan_summary_text(run, Words(language))));
   }
   if (folder && !arguments.quiet) message(written_line(*run.c.source, arguments.directory));
+  if (!arguments.figures.empty()) {
+    pictures->write(run_figures(run, RunPictures::options(language)), arguments.quiet);
+  }
 }
 
 }  // namespace bentur::cli

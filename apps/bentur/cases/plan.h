@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace bentur::cli {
 
@@ -11,7 +12,8 @@ void print_plan_modes(const std::string& file, bool by_jacobi, bool json);
 
 struct PlanRunArguments {
   std::string file;
-  std::string directory;  ///< for the results; empty: none are written
+  std::string directory;             ///< for the results; empty: none are written
+  std::vector<std::string> figures;  ///< formats; empty: none are drawn
   bool json = false, quiet = false, force = false;
 };
 /// Prints the summary, as JSON or as tables, unless `quiet`.

@@ -12,32 +12,17 @@
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/files/result_reading.h"
-#include "bentur/io/case/plan/plan_toml.h"
-#include "bentur/io/input_file.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/story/plan_story.h"
+#include "tests/support/plan_run.h"
 
 namespace bentur {
 namespace {
 
-/// @param more of the case's text, put in at `before`
-PlanRun twisting_pair(double output_step, const std::string& before = "", const std::string& more = "") {
-  Diagnostics diagnostics;
-  PlanProblem problem;
-  const std::string file = std::string(BENTUR_SOURCE_DIR) + "/examples/plan/twisting-pair.toml";
-  std::string text = read_input(file, case_input, diagnostics).value();
-  if (!more.empty()) text.insert(text.find(before), more);
-  auto c = read_plan_case_text(text, file, diagnostics, &problem);
-  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
-  RunOptions options = run_options(*c);
-  options.output_step = output_step;
-  options.energy_audit = true;
-  PlanResponse response = solve(problem, c->analysis.solver, options);
-  return {*std::move(c), std::move(problem), std::move(response)};
-}
+PlanRun twisting_pair(double output_step) { return test::plan_run(test::twisting_pair(), output_step); }
 
 double largest(const std::vector<double>& values) {
   double most = 0;
@@ -143,16 +128,15 @@ void expect_read_back(PlanRun run) {
 TEST(PlanReading, WhatWasWrittenIsWhatIsRead) {
   expect_read_back(twisting_pair(0.01));
   // With a plane that yields, and beside a wall.
-  expect_read_back(
-      twisting_pair(0.01, "[[building.plane]]\nname = \"west", "yield_forces = [900, 900]\nhardening = 0.05\n\n"));
-  expect_read_back(twisting_pair(0.01, "[excitation]",
-                                 "[[building]]\nname = \"W\"\nrigid = true\nelevations = [3.5]\n"
-                                 "plan = { corner = [-0.52, 0], size = [0.5, 18] }\n\n"));
+  const std::string before = "[[building.plane]]\nname = \"west",
+                    yields = "yield_forces = [900, 900]\nhardening = 0.05\n";
+  expect_read_back(test::plan_run(test::twisting_pair(before, yields + before)));
+  expect_read_back(test::plan_run(test::twisting_pair() + test::wall_beside));
 }
 
 /// A record that is not at hand has told the duration of a case that gives none.
 TEST(PlanReading, KnowsHowLongARecordWas) {
-  PlanRun run = twisting_pair(0.01, "duration = 15.0", "# ");
+  PlanRun run = test::plan_run(test::twisting_pair("duration = 15.0"));
   ASSERT_GT(run.problem.duration, 15);
   const double duration = run.problem.duration;
   expect_read_back(std::move(run));

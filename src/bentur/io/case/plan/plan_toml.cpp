@@ -22,7 +22,7 @@ namespace {
 void refuse_analysis(const TomlView& root) {
   const auto analysis = root.find("analysis");
   if (!analysis || !analysis->is(TomlValue::Kind::table)) return;
-  analysis->refuse({"collapse_drift", "output_step"}, "does not go with buildings in plan");
+  analysis->refuse({"collapse_drift"}, "does not go with buildings in plan");
   const auto solver = analysis->find("solver");
   if (solver && solver->value().text == "runge-kutta") solver->error_value("does not go with buildings in plan");
 }
