@@ -1069,7 +1069,7 @@ class PlanCases(CommandLine):
         results = self.folder / "results"
         self.done("run", self.CASE, "-o", results, "-q", "--figures", "svg")
         kinds = [line.split()[0] for line in self.done("plot", results, "--list").stdout.splitlines()]
-        self.assertEqual(kinds, ["scene", "displacement", "opening", "orbit", "force", "friction-cone"])
+        self.assertEqual(kinds, ["overview", "scene", "displacement", "opening", "orbit", "force", "friction-cone"])
         self.assertEqual(sorted(f.stem for f in (results / "figures").glob("*.svg")), sorted(kinds))
         for kind in kinds:  # read back, a figure is the one that the run has drawn
             picture = self.folder / f"{kind}.svg"
@@ -1083,6 +1083,22 @@ class PlanCases(CommandLine):
         self.assertFalse((results / "figures").exists())
         (results / "case.toml").unlink()
         self.assertIn("case.toml", self.fails(2, "plot", results, "scene", "-o", self.folder / "b.svg").stderr)
+        self.assertIn("case.toml", self.fails(2, "report", results, "-o", self.folder / "b.html").stderr)
+
+    def test_report(self):
+        results = self.folder / "results"
+        self.done("run", self.CASE, "-o", results, "-q")
+        pages = []
+        for source in self.CASE, results, results / "histories.nc":
+            self.done("report", source, "-o", self.folder / "report.html", "--lang", "id", "--force")
+            pages.append((self.folder / "report.html").read_text())
+            self.assertIn("berbenturan 7 kali", pages[-1].replace("\u00a0", " "))
+        self.assertEqual(pages[1], pages[2])
+        head = self.folder / "head.html"
+        head.write_text("<h1>{title}</h1>")
+        for source in self.CASE, results:
+            refused = self.fails(2, "report", source, "-o", self.folder / "r.html", "--template", head)
+            self.assertIn("does not go with buildings in plan", refused.stderr)
 
     def test_speaks_indonesian(self):
         words = " ".join(self.done("run", self.CASE, "--lang", "id").stdout.split())

@@ -23,15 +23,19 @@ inline PlanRun plan_run(const std::string& text, double output_step = 0.01) {
   return {*std::move(c), std::move(problem), std::move(response)};
 }
 
-/// The text of examples/plan/twisting-pair.toml with each `before` replaced by `after`.
-inline std::string twisting_pair(const std::string& before = "", const std::string& after = "") {
-  Diagnostics diagnostics;
-  const std::string file = std::string(BENTUR_SOURCE_DIR) + "/examples/plan/twisting-pair.toml";
-  std::string text = read_input(file, case_input, diagnostics).value();
+/// A text with each `before` replaced by `after`.
+inline std::string with(std::string text, const std::string& before, const std::string& after) {
   for (std::size_t at = 0; !before.empty() && (at = text.find(before, at)) != std::string::npos; at += after.size()) {
     text.replace(at, before.size(), after);
   }
   return text;
+}
+
+/// The text of examples/plan/twisting-pair.toml, likewise.
+inline std::string twisting_pair(const std::string& before = "", const std::string& after = "") {
+  Diagnostics diagnostics;
+  const std::string file = std::string(BENTUR_SOURCE_DIR) + "/examples/plan/twisting-pair.toml";
+  return with(read_input(file, case_input, diagnostics).value(), before, after);
 }
 
 /// A wall beside the first of them.

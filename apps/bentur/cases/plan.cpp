@@ -15,6 +15,7 @@
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/errors.h"
+#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/structure/modes.h"
 #include "cases/plan_text.h"
 #include "output/output.h"
@@ -31,14 +32,16 @@ struct LoadedPlan {
   RunOptions options;
 };
 
-/// @param histories whether the run keeps them
-LoadedPlan load_plan(const std::string& file, const std::string& language, bool histories = false) {
+/// @param histories whether the run keeps them, as files do; `for_report`: as a report does
+LoadedPlan load_plan(const std::string& file, const std::string& language, bool histories = false,
+                     bool for_report = false) {
   Diagnostics diagnostics;
   PlanProblem problem;
   std::optional<PlanCase> c = read_plan_case(file, diagnostics, &problem);
   if (!c) throw Failure(diagnostics, language);
   RunOptions options = run_options(*c);
   if (histories) options.output_step = c->analysis.output_step;
+  if (for_report) options.output_step = report_output_step(problem);
   const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, options));
   if (!refusal.empty()) {
     throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));
@@ -116,6 +119,20 @@ void print_plan_modes(const std::string& file, bool by_jacobi, bool json) {
   for (const PlanBuilding& building : loaded.problem.buildings)
     text += (text.empty() ? "" : "\n") + modes_text(building);
   print(fitted(text));
+}
+
+void report_plan(const std::string& file, const std::string& output, bool force, const ReportOptions& options) {
+  LoadedPlan loaded = load_plan(file, options.language, false, true);
+  std::vector<std::filesystem::path> inputs = files_read(loaded.c);
+  inputs.emplace_back(file);
+  OutputFile report(output, ResultKind::report, {inputs, force});
+  PlanResponse response = solve_shown(loaded.options, true, options.language, [&](const RunOptions& shown) {
+    return solve(loaded.problem, loaded.c.analysis.solver, shown);
+  });
+  const std::string page =
+      plan_report_html({std::move(loaded.c), std::move(loaded.problem), std::move(response)}, options);
+  report.write(page);
+  if (!report.is_streamed()) message(fmt::format("Wrote {} ({} kB)", output, (page.size() + 999) / 1000));
 }
 
 void run_plan(const PlanRunArguments& arguments, const std::string& language) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "bentur/report/html/report.h"
+
 namespace bentur::cli {
 
 // What commands do with a case of buildings in plan (is_plan_case() of io). @throws Failure as with every other case.
@@ -18,5 +20,8 @@ struct PlanRunArguments {
 };
 /// Prints the summary, as JSON or as tables, unless `quiet`.
 void run_plan(const PlanRunArguments& arguments, const std::string& language);
+
+/// Solves the case and writes its report.
+void report_plan(const std::string& file, const std::string& output, bool force, const ReportOptions& options);
 
 }  // namespace bentur::cli

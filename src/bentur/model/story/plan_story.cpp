@@ -103,21 +103,29 @@ double reach_of(const PlanPeaks& free, int axis) {
                    : std::max(free.west.maxCoeff(), free.east.maxCoeff());
 }
 
-/// What is needed, with the motion as it is or reversed; of floors that nobody watches it can only be too little.
-void tell_need(const PlanRun& run, std::size_t g, bool is_watched, std::vector<Statement>& statements) {
+/// Where the free response needs the most of a gap, and at which contact; nothing where that is not known.
+std::optional<std::pair<GoverningLevel, Index>> need_of_gap(const PlanRun& run, std::size_t g, bool reversed) {
   const PlanGap& gap = run.problem.gaps[g];
   const Index first = first_contact(run.problem, g), count = std::ssize(gap.contacts);
-  const auto& free = run.response.buildings_no_contact;
-  const auto level_of = [&](const auto& need) {
-    Index worst = first;
-    for (Index i = first; i < first + count; ++i) worst = need(i) > need(worst) ? i : worst;
-    GoverningLevel level;
-    level.elevation = contact_at(run.problem, worst).contact->elevation;
-    level.width = gap.stretch.width;
-    level.gap_needed = need(worst);
-    level.scale = reach_of(free[gap.left], gap.stretch.across) + reach_of(free[gap.right], gap.stretch.across);
-    return std::pair(level, worst);
+  if (count == 0) return std::nullopt;
+  if (reversed && (!run.c.analysis.both_ways || !run.response.points[first].gap_needed_reversed)) return std::nullopt;
+  const auto need = [&](Index i) {
+    const PointSummary& point = run.response.points[i];
+    return reversed ? point.gap_needed_reversed.value_or(0) : point.gap_needed;
   };
+  Index worst = first;
+  for (Index i = first; i < first + count; ++i) worst = need(i) > need(worst) ? i : worst;
+  const auto& free = run.response.buildings_no_contact;
+  GoverningLevel level;
+  level.elevation = contact_at(run.problem, worst).contact->elevation;
+  level.width = gap.stretch.width;
+  level.gap_needed = need(worst);
+  level.scale = reach_of(free[gap.left], gap.stretch.across) + reach_of(free[gap.right], gap.stretch.across);
+  return std::pair(level, worst);
+}
+
+/// What is needed, with the motion as it is or reversed; of floors that nobody watches it can only be too little.
+void tell_need(const PlanRun& run, std::size_t g, bool is_watched, std::vector<Statement>& statements) {
   const auto tell = [&](const std::pair<GoverningLevel, Index>& found, const char* kind) {
     if (!is_watched && !found.first.is_short()) return;
     Statement statement = of_gap(run, g, kind);
@@ -133,12 +141,10 @@ void tell_need(const PlanRun& run, std::size_t g, bool is_watched, std::vector<S
     statement.values.push_back(text_of("faces", ""));
     statements.push_back(std::move(statement));
   };
-  if (count == 0) return;
-  const auto forth = level_of([&](Index i) { return run.response.points[i].gap_needed; });
-  tell(forth, story::need_kind(forth.first));
-  if (!run.c.analysis.both_ways || !run.response.points[first].gap_needed_reversed) return;
-  const auto back = level_of([&](Index i) { return run.response.points[i].gap_needed_reversed.value_or(0); });
-  tell(back, back.first.is_short() ? "reversed_short" : "reversed_enough");
+  if (const auto forth = need_of_gap(run, g, false)) tell(*forth, story::need_kind(forth->first));
+  if (const auto back = need_of_gap(run, g, true)) {
+    tell(*back, back->first.is_short() ? "reversed_short" : "reversed_enough");
+  }
 }
 
 /// Buildings that face one another, have no contact, and could meet by how far both move.
@@ -347,6 +353,13 @@ Statement model_statement(const PlanRun& run) {
 }
 
 }  // namespace
+
+std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap, bool reversed) {
+  const auto found = need_of_gap(run, gap, reversed);
+  if (!found) return std::nullopt;
+  const bool is_watched = unwatched_floors(run.problem, run.problem.gaps[gap]).empty();
+  return is_watched || found->first.is_short() ? std::optional(found->first) : std::nullopt;
+}
 
 std::vector<std::string> gap_names(const PlanProblem& problem) {
   std::vector<std::string> names;

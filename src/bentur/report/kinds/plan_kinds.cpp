@@ -34,6 +34,8 @@ bool has_friction(const PlanRun& run) {
 bool has_energy(const PlanRun& run) { return run.response.energy && run.response.energy->histories.input.size() > 0; }
 
 const PlanKind plan_kinds[] = {
+    {"overview", "the buildings from above at the hardest impact, and the opening over time", has_points,
+     overview_figure, tells_above},
     {"scene", "the buildings from above at the hardest impact, else where they come closest", has_points, scene_figure,
      tells_above},
     {"displacement", "displacements along x and y and rotations of both floors at one contact, contacts marked",

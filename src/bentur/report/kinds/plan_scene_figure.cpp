@@ -8,8 +8,11 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/plan_story.h"
 #include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/story_text.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -226,6 +229,32 @@ Figure scene_figure(const PlanRun& run, const FigureOptions& options) {
           .finding = instant_text(run, instant, options, ", "),
           .panels = {picture.panel(instant_text(run, instant, options, ", " + factor + "; "), 0.8 * options.width)},
           .width = options.width};
+}
+
+Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
+  constexpr double wide = 12;  // [cm]
+  const bool is_wide = options.width >= wide;
+  Figure figure = scene_figure(run, options);
+  figure.title = "The buildings from above where they meet, and the opening of the gap";
+  figure.finding = said(plan_story(run).statements, Words(options.language)).front().text;
+  std::vector<Panel> openings = opening_figure(run, options).panels;
+  const auto count = static_cast<int>(openings.size());
+  if (is_wide) {
+    figure.columns = 2;
+    figure.shares = {1.2, 1};
+    figure.panels.front().rows = count;
+    figure.panels.front().height = 7.5;
+  }
+  for (Panel& opening : openings) {
+    if (&opening != &openings.front()) {  // the legend of the first serves
+      for (Curve& curve : opening.curves) curve.label = "";
+      for (RuleLine& rule : opening.rules) rule.label = "";
+      opening.events.label = "";
+    }
+    opening.height = is_wide ? 7.5 / count - 0.4 : 3;
+    figure.panels.push_back(std::move(opening));
+  }
+  return figure;
 }
 
 }  // namespace bentur

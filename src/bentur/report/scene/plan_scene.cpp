@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/scene/scene.h"
 
 namespace bentur {

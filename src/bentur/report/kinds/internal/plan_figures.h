@@ -28,6 +28,7 @@ namespace bentur {
 [[nodiscard]] std::string shown_unit(const PlanRun& run, std::string_view form);
 [[nodiscard]] double shown_factor(const PlanRun& run, std::string_view form);
 
+[[nodiscard]] Figure overview_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure scene_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure displacement_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure opening_figure(const PlanRun& run, const FigureOptions& options);
