@@ -150,6 +150,20 @@ TEST(PlanPictures, TheSceneShowsTheHardestImpact) {
   EXPECT_NEAR(mass.x[1], rigidity.x[1], 1e-9);
 }
 
+/// The opening figure tells of the gap that it shows, the one hit hardest, by its name where there are several.
+TEST(PlanPictures, TheOverviewTellsOfTheGapThatItShows) {
+  EXPECT_EQ(make_figure(twisting(), "overview").finding.find("Walled and Frame collide 7"), 0U);
+  const PlanRun beside = test::plan_run(test::twisting_pair() + test::wall_beside);
+  const Figure whole = make_figure(beside, "overview");  // the wall is hit harder
+  EXPECT_EQ(whole.finding.find("Walled | W: Walled and W collide"), 0U) << whole.finding;
+  FigureOptions options;
+  options.gap = 0;
+  const Figure other = make_figure(beside, "overview", options);
+  EXPECT_EQ(other.finding.find("Walled | Frame: Walled and Frame collide"), 0U) << other.finding;
+  options.width = page_width;
+  EXPECT_EQ(make_figure(beside, "overview", options).columns, 2);
+}
+
 /// Impacts that take no time are told by their impulses.
 TEST(PlanPictures, ImpulsesColourGapsWhereThereAreNoForces) {
   const PlanRun run = test::plan_run(test::twisting_pair("law = \"linear\", stiffness = 4e5, friction = 0.3",

@@ -231,12 +231,26 @@ Figure scene_figure(const PlanRun& run, const FigureOptions& options) {
           .width = options.width};
 }
 
+namespace {
+
+/// What the verdict says first of the gap that is shown, behind its name where there are several.
+std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions& options) {
+  const std::vector<std::string> names = gap_names(run.problem);
+  for (const SaidStatement& one : said(plan_story(run).statements, Words(options.language))) {
+    if (one.gap != static_cast<Index>(gap)) continue;
+    return (names.size() > 1 ? names[gap] + ": " : "") + one.text;
+  }
+  return {};
+}
+
+}  // namespace
+
 Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
   constexpr double wide = 12;  // [cm]
   const bool is_wide = options.width >= wide;
   Figure figure = scene_figure(run, options);
   figure.title = "The buildings from above where they meet, and the opening of the gap";
-  figure.finding = said(plan_story(run).statements, Words(options.language)).front().text;
+  figure.finding = finding_of(run, contact_at(run.problem, chosen_point(run, options)).gap, options);
   std::vector<Panel> openings = opening_figure(run, options).panels;
   const auto count = static_cast<int>(openings.size());
   if (is_wide) {
