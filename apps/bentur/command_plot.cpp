@@ -104,20 +104,21 @@ void run(const PlotArguments& arguments) {
   if (!std::filesystem::exists(file, ignored)) {
     throw Failure(exit_bad_input, file.string() + ": error: there is no such file");
   }
+  std::optional<Figure> figure;
   try {
     const NetcdfReader results{file};
     if (arguments.list) return list_kinds(results);
     if (arguments.kind.empty()) {
       throw Failure(exit_bad_input, "bentur plot: KIND is required; --list shows what these results can give");
     }
-    const Figure figure = make_figure(results, arguments.kind, options_of(arguments));
-    write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, figure,
-                  {.inputs = {file}, .force = arguments.force});
-  } catch (const NoFigure& error) {
-    throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
-  } catch (const NetcdfError& error) {
+    figure = make_figure(results, arguments.kind, options_of(arguments));
+  } catch (const Failure&) {
+    throw;
+  } catch (const std::runtime_error& error) {  // no such figure, or results that cannot be read
     throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
   }
+  write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, *figure,
+                {.inputs = {file}, .force = arguments.force});
 }
 
 }  // namespace

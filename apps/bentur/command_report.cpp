@@ -8,12 +8,16 @@
 #include "arguments.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/markup/safe_markup.h"
+#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/report/errors.h"
+#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/suite_report.h"
 #include "bentur/report/studies/sweep_report.h"
+#include "cases/plan.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
@@ -31,10 +35,24 @@ struct ReportArguments {
   bool force = false;
 };
 
+[[noreturn]] void refuse_head(const std::string& language) {
+  throw Failure(exit_bad_input,
+                "bentur report: " + error_words("--template does not go with buildings in plan", language));
+}
+
 /// The report of a folder of results.
 std::string from_results(const std::filesystem::path& folder, const ReportOptions& options) {
   try {
+    if (std::filesystem::exists(folder / "histories.nc") && std::filesystem::exists(folder / "summary.json")) {
+      const NetcdfReader histories(folder / "histories.nc");
+      if (is_plan_run(histories)) {
+        if (!options.head.empty()) refuse_head(options.language);
+        return plan_report_html(read_plan_results(histories), options);
+      }
+    }
     return report_html(read_results(folder), options);
+  } catch (const Failure&) {
+    throw;
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, std::string("bentur report: ") + error.what());
   }
@@ -95,6 +113,11 @@ void run(const ReportArguments& arguments) {
   if (from_files && arguments.record) {
     throw Failure(exit_bad_input,
                   error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
+  }
+  if (!from_files && is_plan_case(input)) {
+    if (!head.empty()) refuse_head(arguments.language);
+    const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION};
+    return report_plan(arguments.input, arguments.output, arguments.force, options);
   }
   Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);

@@ -240,12 +240,8 @@ class RunOutput {
   RunOutput(const RunArguments& arguments, Loaded& loaded)
       : arguments_(arguments),
         results_(arguments.directory,
-                 {.inputs = loaded.files, .force = arguments.force, .is_netcdf = &is_netcdf_result}, *loaded.c.source) {
-    if (arguments.figures.empty()) return;
-    for (const std::string& name : run_figure_names()) {
-      expect_figure(results_.folder() / "figures", name, arguments.figures, results_.rules());
-    }
-  }
+                 {.inputs = loaded.files, .force = arguments.force, .is_netcdf = &is_netcdf_result}, *loaded.c.source),
+        pictures_(results_, arguments.figures) {}
 
   void write(const RunResults& run, const std::string& summary) {
     results_.write(*run.c.source, summary, impacts_csv(run.view()), histories_netcdf(run, BENTUR_VERSION));
@@ -253,26 +249,13 @@ class RunOutput {
 
   /// Draws what the run has to show into the folder "figures" beside its results.
   void write_pictures(const RunResults& run) const {
-    const std::filesystem::path pictures = results_.folder() / "figures";
-    try {
-      FigureOptions options;
-      options.say = figure_words(arguments_.language);
-      options.language = arguments_.language;
-      const std::vector<NamedFigure> figures = run_figures(run, options);
-      write_figures(pictures, figures, arguments_.figures, results_.rules());
-      if (arguments_.quiet) return;
-      std::string list;
-      for (const NamedFigure& one : figures) list += (list.empty() ? "" : ", ") + one.name;
-      message(fmt::format("Wrote the figures {} into {}", list, pictures.string()));
-      tell_letters(figures);
-    } catch (const NoConverter& error) {
-      message(fmt::format("bentur: {}; all else is in {}", error.what(), pictures.string()));
-    }
+    pictures_.write(run_figures(run, RunPictures::options(arguments_.language)), arguments_.quiet);
   }
 
  private:
   const RunArguments& arguments_;
   RunFolder results_;
+  RunPictures pictures_;
 };
 
 /// All records of a suite in short. @throws Failure after what is done has been told, where it was stopped.
@@ -314,10 +297,10 @@ void execute(const RunArguments& arguments) {
   }
   if (arguments.file.empty() && arguments.record) refuse("--record needs a CASE");
   if (!arguments.file.empty() && is_plan_case(arguments.file)) {
-    if (!arguments.figures.empty()) refuse("--figures does not go with buildings in plan");
     if (arguments.record) refuse("--record is for a case with excitation.kind = \"suite\"");
-    return run_plan({arguments.file, arguments.directory, arguments.json, arguments.quiet, arguments.force},
-                    arguments.language);
+    return run_plan(
+        {arguments.file, arguments.directory, arguments.figures, arguments.json, arguments.quiet, arguments.force},
+        arguments.language);
   }
   Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro")
                                          : load_for_run(arguments.file, arguments.record, arguments.language);

@@ -1059,16 +1059,46 @@ class PlanCases(CommandLine):
             for column in ("elevation [m]", "x [m]", "y [m]", "peak_force [kN]", "tangential_impulse [kN s]"):
                 self.assertEqual(float(row[column]), impact[column.split()[0]])
         self.assertTrue((results / "histories.nc").stat().st_size > 1e5)
-        # Its own results are written over; a file of somebody else is not, and no command takes them for a row's.
+        # Its own results are written over; a file of somebody else is not.
         self.done("run", self.CASE, "-o", results, "-q")
-        for command in (["plot", results, "displacement", "-o", self.folder / "a.svg"],
-                        ["report", results, "-o", self.folder / "a.html"]):
-            self.fails(2, *command)
         (results / "histories.nc").write_text("mine")
         self.fails(2, "run", self.CASE, "-o", results)
         self.assertEqual((results / "histories.nc").read_text(), "mine")
-        refused = self.fails(2, "run", self.CASE, "-o", results, "--figures", "svg")
-        self.assertIn("does not go with buildings in plan", refused.stderr)
+
+    def test_figures(self):
+        results = self.folder / "results"
+        self.done("run", self.CASE, "-o", results, "-q", "--figures", "svg")
+        kinds = [line.split()[0] for line in self.done("plot", results, "--list").stdout.splitlines()]
+        self.assertEqual(kinds, ["overview", "scene", "displacement", "opening", "orbit", "force", "friction-cone"])
+        self.assertEqual(sorted(f.stem for f in (results / "figures").glob("*.svg")), sorted(kinds))
+        for kind in kinds:  # read back, a figure is the one that the run has drawn
+            picture = self.folder / f"{kind}.svg"
+            self.done("plot", results / "histories.nc", kind, "-o", picture)
+            self.assertEqual(picture.read_text(), (results / "figures" / f"{kind}.svg").read_text())
+        self.done("plot", results, "scene", "--lang", "id", "-o", self.folder / "id.svg")
+        self.assertIn("pusat kekakuan", (self.folder / "id.svg").read_text())
+        self.assertIn("of buildings in plan, but of a row", self.fails(2, "plot", results, "envelope").stderr)
+        self.assertIn("there is no gap 1", self.fails(2, "plot", results, "scene", "--gap", "1").stderr)
+        self.done("run", self.CASE, "-o", results, "-q")  # of a run without figures none are left
+        self.assertFalse((results / "figures").exists())
+        (results / "case.toml").unlink()
+        self.assertIn("case.toml", self.fails(2, "plot", results, "scene", "-o", self.folder / "b.svg").stderr)
+        self.assertIn("case.toml", self.fails(2, "report", results, "-o", self.folder / "b.html").stderr)
+
+    def test_report(self):
+        results = self.folder / "results"
+        self.done("run", self.CASE, "-o", results, "-q")
+        pages = []
+        for source in self.CASE, results, results / "histories.nc":
+            self.done("report", source, "-o", self.folder / "report.html", "--lang", "id", "--force")
+            pages.append((self.folder / "report.html").read_text())
+            self.assertIn("berbenturan 7 kali", pages[-1].replace("\u00a0", " "))
+        self.assertEqual(pages[1], pages[2])
+        head = self.folder / "head.html"
+        head.write_text("<h1>{title}</h1>")
+        for source in self.CASE, results:
+            refused = self.fails(2, "report", source, "-o", self.folder / "r.html", "--template", head)
+            self.assertIn("does not go with buildings in plan", refused.stderr)
 
     def test_speaks_indonesian(self):
         words = " ".join(self.done("run", self.CASE, "--lang", "id").stdout.split())

@@ -71,6 +71,9 @@ def leaves(table, key=""):
             yield from leaves(inner, f"{key}.{name}" if key else name)
 
 
+PLAN = SOURCE / "examples" / "plan" / "twisting-pair.toml"
+
+
 class Reports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -169,8 +172,17 @@ class Pages(Reports):
             self.accessible()
             self.browser.call("Emulation.setEmulatedMedia", features=[])
 
+    def test_the_report_of_buildings_in_plan_is_accessible_and_follows_the_dark(self):
+        for scheme, language in ("light", "en"), ("dark", "id"):
+            self.browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+            self.opened(self.report(PLAN, "--lang", language), A4)
+            self.clean(self.folder / "report.html")
+            self.accessible()
+            self.assertGreater(self.js("document.querySelectorAll('svg').length"), 7)
+        self.browser.call("Emulation.setEmulatedMedia", features=[])
+
     def test_every_example_opens_without_a_complaint_and_fits_phone_and_a4(self):
-        for case in sorted((SOURCE / "examples").glob("*.toml")):
+        for case in sorted((SOURCE / "examples").glob("*.toml")) + [PLAN]:
             for language in "en", "id":
                 page = self.report(case, "--lang", language)
                 for width in PHONE, A4:
@@ -618,7 +630,11 @@ class List(Reports):
                        f".map(row => row.cells[{number}].textContent)")
 
     def test_sorts_by_every_column_both_ways(self):
-        self.opened(self.example("row-of-three"))
+        for page in "row-of-three", "plan/twisting-pair":
+            self.opened(self.example(page))
+            self.sorts()
+
+    def sorts(self):
         count = self.js("document.getElementById('impact-list').tHead.rows[0].cells.length")
         for number in range(count):
             for sign in 1, -1:
@@ -640,15 +656,16 @@ class List(Reports):
         self.assertEqual(len(forces), 37)
 
     def test_download_is_the_file_of_bentur_run(self):
-        case = SOURCE / "examples" / "m12-el-centro.toml"
-        expected = self.impacts(case).read_bytes()
-        self.opened(self.report(case))
-        self.click("#download")
-        saved = self.folder / "impacts.csv"
-        self.browser.wait_for("Browser.downloadWillBegin")
-        self.until(lambda: saved.exists() and saved.stat().st_size == len(expected))
-        self.assertEqual(saved.read_bytes(), expected)
-        self.assertEqual(self.browser.complaints(), [])
+        for case in SOURCE / "examples" / "m12-el-centro.toml", PLAN:
+            expected = self.impacts(case).read_bytes()
+            self.opened(self.report(case))
+            saved = self.folder / "impacts.csv"
+            saved.unlink(missing_ok=True)
+            self.click("#download")
+            self.browser.wait_for("Browser.downloadWillBegin")
+            self.until(lambda: saved.exists() and saved.stat().st_size == len(expected))
+            self.assertEqual(saved.read_bytes(), expected)
+            self.assertEqual(self.browser.complaints(), [])
 
     def test_a_number_shows_its_impact(self):
         self.opened(self.example("m12-el-centro"))

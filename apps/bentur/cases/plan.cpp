@@ -16,10 +16,12 @@
 #include "bentur/model/limits.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/report/errors.h"
+#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/structure/modes.h"
 #include "cases/gap_text.h"
 #include "cases/plan_text.h"
 #include "output/output.h"
+#include "output/picture.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -32,14 +34,16 @@ struct LoadedPlan {
   SolveOptions options;
 };
 
-/// @param histories whether the run keeps them
-LoadedPlan load_plan(const std::string& file, const std::string& language, bool histories = false) {
+/// @param histories whether the run keeps them, as files do; `for_report`: as a report does
+LoadedPlan load_plan(const std::string& file, const std::string& language, bool histories = false,
+                     bool for_report = false) {
   Diagnostics diagnostics;
   PlanProblem problem;
   std::optional<PlanCase> c = read_plan_case(file, diagnostics, &problem);
   if (!c) throw Failure(diagnostics, language);
   SolveOptions options = solve_options(*c);
   if (histories) options.output_step = c->analysis.output_step;
+  if (for_report) options.output_step = report_output_step(problem);
   const std::string refusal = beyond_limits(*c, effort(problem, c->analysis.solver, options));
   if (!refusal.empty()) {
     throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));
@@ -143,15 +147,31 @@ void print_plan_rules(const std::string& file, bool json, const std::string& lan
   print(fitted(text + codes_note(loaded.c.code, say)));
 }
 
+void report_plan(const std::string& file, const std::string& output, bool force, const ReportOptions& options) {
+  LoadedPlan loaded = load_plan(file, options.language, false, true);
+  std::vector<std::filesystem::path> inputs = files_read(loaded.c);
+  inputs.emplace_back(file);
+  OutputFile report(output, ResultKind::report, {inputs, force});
+  PlanResponse response = solve_shown(loaded.options, true, options.language, [&](const SolveOptions& shown) {
+    return solve(loaded.problem, loaded.c.analysis.solver, shown);
+  });
+  const std::string page =
+      plan_report_html({std::move(loaded.c), std::move(loaded.problem), std::move(response)}, options);
+  report.write(page);
+  if (!report.is_streamed()) message(fmt::format("Wrote {} ({} kB)", output, (page.size() + 999) / 1000));
+}
+
 void run_plan(const PlanRunArguments& arguments, const std::string& language) {
   LoadedPlan loaded = load_plan(arguments.file, language, !arguments.directory.empty());
   std::optional<RunFolder> folder;
+  std::optional<RunPictures> pictures;
   if (!arguments.directory.empty()) {
     std::vector<std::filesystem::path> inputs = files_read(loaded.c);
     inputs.emplace_back(arguments.file);
     folder.emplace(arguments.directory,
                    OutputRules{.inputs = std::move(inputs), .force = arguments.force, .is_netcdf = &is_netcdf_result},
                    *loaded.c.source);
+    pictures.emplace(*folder, arguments.figures);
   }
   PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
@@ -165,6 +185,9 @@ void run_plan(const PlanRunArguments& arguments, const std::string& language) {
     print(fitted(plan_summary_text(run, Words(language))));
   }
   if (folder && !arguments.quiet) message(written_line(*run.c.source, arguments.directory));
+  if (!arguments.figures.empty()) {
+    pictures->write(run_figures(run, RunPictures::options(language)), arguments.quiet);
+  }
 }
 
 }  // namespace bentur::cli

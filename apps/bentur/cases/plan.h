@@ -1,6 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "bentur/report/html/report.h"
 
 namespace bentur::cli {
 
@@ -15,10 +18,14 @@ void print_plan_rules(const std::string& file, bool json, const std::string& lan
 
 struct PlanRunArguments {
   std::string file;
-  std::string directory;  ///< for the results; empty: none are written
+  std::string directory;             ///< for the results; empty: none are written
+  std::vector<std::string> figures;  ///< formats; empty: none are drawn
   bool json = false, quiet = false, force = false;
 };
 /// Prints the summary, as JSON or as tables, unless `quiet`.
 void run_plan(const PlanRunArguments& arguments, const std::string& language);
+
+/// Solves the case and writes its report.
+void report_plan(const std::string& file, const std::string& output, bool force, const ReportOptions& options);
 
 }  // namespace bentur::cli

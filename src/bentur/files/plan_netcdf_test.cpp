@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,23 +11,18 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_netcdf.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/files/result_reading.h"
+#include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/plan/plan_csv.h"
+#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/model/story/plan_story.h"
+#include "tests/support/plan_run.h"
 
 namespace bentur {
 namespace {
 
-PlanRun twisting_pair(double output_step) {
-  Diagnostics diagnostics;
-  PlanProblem problem;
-  auto c = read_plan_case(std::string(BENTUR_SOURCE_DIR) + "/examples/plan/twisting-pair.toml", diagnostics, &problem);
-  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
-  SolveOptions options = solve_options(*c);
-  options.output_step = output_step;
-  options.energy_audit = true;
-  PlanResponse response = solve(problem, c->analysis.solver, options);
-  return {*std::move(c), std::move(problem), std::move(response)};
-}
+PlanRun twisting_pair(double output_step) { return test::plan_run(test::twisting_pair(), output_step); }
 
 double largest(const std::vector<double>& values) {
   double most = 0;
@@ -101,6 +97,67 @@ TEST(PlanNetcdf, SamplesChangeNothing) {
   const PlanRun with = twisting_pair(0.01), without = twisting_pair(0);
   EXPECT_EQ(impacts_csv(with), impacts_csv(without));
   EXPECT_EQ(with.response.buildings[0].rotation, without.response.buildings[0].rotation);
+}
+
+/// Everything that is told of a run, files and sentences, is the same of what is read back.
+void expect_read_back(PlanRun run) {
+  run.c.source->copied = true;
+  const TemporaryFolder folder;
+  AtomicFiles files(folder.path());
+  files.add("summary.json", plan_summary_json(run, "0"), ResultKind::summary);
+  files.add("histories.nc", histories_netcdf(run, "0"), ResultKind::histories);
+  files.add("case.toml", run.c.source->text, ResultKind::case_copy);
+  files.commit();
+  PlanRun read = read_plan_results(folder.path());
+  read.response.wall_time = run.response.wall_time;
+  read.c.source->copied = true;
+  EXPECT_EQ(impacts_csv(read), impacts_csv(run));
+  EXPECT_EQ(plan_summary_json(read, "0"), plan_summary_json(run, "0"));
+  EXPECT_EQ(histories_netcdf(read, "0"), histories_netcdf(run, "0"));
+  const std::vector<Statement> told = plan_story(run).statements, again = plan_story(read).statements;
+  ASSERT_EQ(again.size(), told.size());
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    ASSERT_EQ(again[i].kind, told[i].kind);
+    ASSERT_EQ(again[i].values.size(), told[i].values.size());
+    for (std::size_t k = 0; k < told[i].values.size(); ++k) {
+      EXPECT_EQ(again[i].values[k].value, told[i].values[k].value) << told[i].kind << " " << told[i].values[k].name;
+    }
+  }
+}
+
+TEST(PlanReading, WhatWasWrittenIsWhatIsRead) {
+  expect_read_back(twisting_pair(0.01));
+  // With a plane that yields, and beside a wall.
+  const std::string before = "[[building.plane]]\nname = \"west",
+                    yields = "yield_forces = [900, 900]\nhardening = 0.05\n";
+  expect_read_back(test::plan_run(test::twisting_pair(before, yields + before)));
+  expect_read_back(test::plan_run(test::twisting_pair() + test::wall_beside));
+}
+
+/// A record that is not at hand has told the duration of a case that gives none.
+TEST(PlanReading, KnowsHowLongARecordWas) {
+  PlanRun run = test::plan_run(test::twisting_pair("duration = 15.0"));
+  ASSERT_GT(run.problem.duration, 15);
+  const double duration = run.problem.duration;
+  expect_read_back(std::move(run));
+  EXPECT_GT(duration, 15);
+}
+
+TEST(PlanReading, RefusesWhatIsNotOfOneRun) {
+  const PlanRun run = twisting_pair(0.01);
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder.path() / name, std::ios::binary) << text;
+  };
+  write("histories.nc", histories_netcdf(run, "0"));
+  write("summary.json", plan_summary_json(run, "0"));
+  EXPECT_THROW((void)read_plan_results(folder.path()), std::runtime_error);  // without its case
+  write("case.toml", run.c.source->text + "# changed\n");
+  EXPECT_THROW((void)read_plan_results(folder.path()), std::runtime_error);
+  write("case.toml", run.c.source->text);
+  EXPECT_NO_THROW((void)read_plan_results(folder.path()));
+  write("summary.json", "{}");
+  EXPECT_THROW((void)read_plan_results(folder.path()), std::runtime_error);
 }
 
 TEST(PlanCsv, HasARowForEachImpact) {

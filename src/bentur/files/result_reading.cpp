@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -14,9 +16,11 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/json_position.h"
+#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
 
 namespace bentur {
@@ -79,6 +83,28 @@ Remark remark(const UnorderedJson& json) {
   return {json.at("key"), json.at("subject"), json.at("value"), json.at("unit"), side(0), side(1)};
 }
 
+/// Of one watched floor, an entry of a gap's JSON.
+WatchedSummary watched_summary(const UnorderedJson& entry, const UnorderedJson& gap) {
+  const auto number = [&](const char* key) {
+    const auto value = entry.find(key);
+    return value == entry.end() || value->is_null() ? std::numeric_limits<double>::quiet_NaN() : value->get<double>();
+  };
+  WatchedSummary summary{.gap_needed = entry.at("gap_needed"),
+                         .peak_left = number("peak_left_no_contact"),
+                         .peak_right = number("peak_right_no_contact"),
+                         .least_opening = entry.at("least_opening"),
+                         .least_time = entry.at("time")};
+  if (const double reversed = number("gap_needed_reversed"); !std::isnan(reversed)) {
+    summary.gap_needed_reversed = reversed;
+  }
+  const auto& met = gap.at("unmodelled_contact");
+  summary.closes = std::any_of(met.begin(), met.end(), [&](const UnorderedJson& one) {
+    return one.at("floor_of") == entry.at("floor_of") && one.at("elevation") == entry.at("elevation") &&
+           one.value("at", UnorderedJson()) == entry.value("at", UnorderedJson());
+  });
+  return summary;
+}
+
 /// What the laws of a gap worked with, and its watched floors.
 void read_gap(const UnorderedJson& json, const Gap& gap, const fs::path& file, RunResults& results) {
   const Problem& problem = results.problem;
@@ -110,15 +136,8 @@ void read_gap(const UnorderedJson& json, const Gap& gap, const fs::path& file, R
     if (entry.at("faces") == "floor") {
       floor.facing_floor = nearest_floor(problem.buildings.at(gap.left + (of_left ? 1 : 0)), floor.elevation);
     }
-    WatchedSummary summary{.gap_needed = entry.at("gap_needed"),
-                           .least_opening = entry.at("least_opening"),
-                           .least_time = entry.at("time")};
-    const auto& met = json.at("unmodelled_contact");
-    summary.closes = std::any_of(met.begin(), met.end(), [&](const UnorderedJson& one) {
-      return one.at("floor_of") == entry.at("floor_of") && one.at("elevation") == entry.at("elevation");
-    });
     results.problem.watched.push_back(floor);
-    results.response.watched.push_back(summary);
+    results.response.watched.push_back(watched_summary(entry, json));
   }
   if (spec.elevations.empty() && !results.problem.watched.empty()) {
     spec.widths = {results.problem.watched.back().width};
@@ -226,6 +245,63 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
   results.problem = std::move(problem);
 }
 
+/// Of the watched floors of plans, which the problem has in the summary's order.
+void read_plan_watched(const UnorderedJson& gaps, const fs::path& file, PlanRun& run) {
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const UnorderedJson& json = gaps.at(g);
+    const UnorderedJson& floors = json.at("watched_floors");
+    if (floors.size() != run.problem.gaps[g].watched.size()) fail(file, "is not of the same run as histories.nc");
+    for (const UnorderedJson& entry : floors) run.response.watched.push_back(watched_summary(entry, json));
+  }
+}
+
+/// What a summary of buildings in plan says that is neither in the case nor in histories.nc.
+void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun& run) {
+  read_plan_watched(json.at("gaps"), file, run);
+  const UnorderedJson& along_x = json.at("excitation");
+  UnorderedJson along_y = along_x.at("y");
+  for (const char* key : {"delays", "kinematics"}) along_y[key] = along_x.at(key);
+  double longest = 0;
+  for (const auto& [component, told] : {std::pair(0, &along_x), std::pair(1, &std::as_const(along_y))}) {
+    if (told->at("kind") != "record") continue;
+    run.c.excitation.at(component).record = excitation(*told).record;
+    longest = std::max(longest, run.c.excitation.at(component).record->duration);
+  }
+  const TomlValue* const analysis = run.c.given->find("analysis");
+  if (longest > 0 && (analysis == nullptr || analysis->find("duration") == nullptr)) {
+    run.c.analysis.duration = run.problem.duration = longest;
+  }
+  const UnorderedJson& solved = json.at("solver");
+  run.response.steps = solved.at("steps");
+  run.response.events = solved.at("events");
+  if (run.response.energy && !solved.at("energy_residual").is_null()) {
+    EnergyAudit& audit = *run.response.energy;
+    audit.peak_input = solved.at("peak_input_energy");
+    audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
+  }
+  for (const UnorderedJson& one : json.at("discrepancies")) {
+    run.response.discrepancies.push_back({one.at("key"), one.at("size")});
+  }
+}
+
+/// Calls `read` with the JSON of a summary's text. @throws std::runtime_error where it is none
+template <class Read>
+void with_summary(const fs::path& file, const std::string& text, const Read& read) {
+  try {
+    read(UnorderedJson::parse(text));
+  } catch (const UnorderedJson::parse_error& error) {
+    const SourcePosition at = json_position(file.string(), text, error.byte);
+    fail(fmt::format("{}:{}:{}", at.file, at.line, at.column), no_json);
+  } catch (const UnorderedJson::exception&) {
+    fail(file, "is JSON, but lacks what a summary of bentur run has");
+  }
+}
+
+/// The hash of the case that a summary is of; empty where it is of none.
+std::string hash_of_case(const UnorderedJson& json) {
+  return json.contains("case") && json["case"].is_object() ? json["case"].value("sha256", "") : "";
+}
+
 }  // namespace
 
 RunResults read_results(const fs::path& folder) {
@@ -233,20 +309,37 @@ RunResults read_results(const fs::path& folder) {
   const std::string text = contents(summary);
   const NetcdfReader histories(folder / "histories.nc");
   RunResults results = read_run(histories);
-  try {
-    const UnorderedJson json = UnorderedJson::parse(text);
-    const std::string of_case =
-        json.contains("case") && json["case"].is_object() ? json["case"].value("sha256", "") : "";
-    if (histories.attribute("case_sha256") != of_case) fail(histories.name(), "is not of the same run as summary.json");
+  with_summary(summary, text, [&](const UnorderedJson& json) {
+    if (histories.attribute("case_sha256") != hash_of_case(json)) {
+      fail(histories.name(), "is not of the same run as summary.json");
+    }
     read_summary(json, summary, results);
     take_case(folder / "case.toml", json, results);
-  } catch (const UnorderedJson::parse_error& error) {
-    const SourcePosition at = json_position(summary.string(), text, error.byte);
-    fail(fmt::format("{}:{}:{}", at.file, at.line, at.column), no_json);
-  } catch (const UnorderedJson::exception&) {
-    fail(summary, "is JSON, but lacks what a summary of bentur run has");
-  }
+  });
   return results;
 }
+
+PlanRun read_plan_results(const NetcdfReader& histories) {
+  const fs::path folder = fs::path(histories.name()).parent_path();
+  const fs::path file = folder / "case.toml";
+  const std::string text = contents(file);
+  const std::string hash = sha256(text);
+  if (histories.attribute("case_sha256") != hash) fail(histories.name(), "is not of the case that stands beside it");
+  Diagnostics diagnostics;
+  PlanRun run;
+  std::optional<PlanCase> c = read_plan_case_without_records(text, file, diagnostics, &run.problem);
+  if (!c) fail(file, "is no case of buildings in plan of this version");
+  run.c = *std::move(c);
+  if (const std::string name = histories.attribute("case_file"); !name.empty()) run.c.source->file = name;
+  read_plan_response(histories, run);
+  const fs::path summary = folder / "summary.json";
+  with_summary(summary, contents(summary), [&](const UnorderedJson& json) {
+    if (hash_of_case(json) != hash) fail(summary, "is not of the same run as histories.nc");
+    read_plan_summary(json, summary, run);
+  });
+  return run;
+}
+
+PlanRun read_plan_results(const fs::path& folder) { return read_plan_results(NetcdfReader(folder / "histories.nc")); }
 
 }  // namespace bentur

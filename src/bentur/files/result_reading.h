@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "bentur/files/netcdf.h"
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -13,5 +15,10 @@ namespace bentur {
 /// @throws std::runtime_error naming the file, when one is missing, is not what bentur writes, or is not of the same
 /// run.
 [[nodiscard]] RunResults read_results(const std::filesystem::path& folder);
+
+/// The same of buildings in plan, whose case.toml must be there: it says where they stand.
+[[nodiscard]] PlanRun read_plan_results(const std::filesystem::path& folder);
+/// The same where histories.nc has been opened; the other files stand beside it.
+[[nodiscard]] PlanRun read_plan_results(const NetcdfReader& histories);
 
 }  // namespace bentur

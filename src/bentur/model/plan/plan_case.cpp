@@ -135,4 +135,9 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
 
 SolveOptions solve_options(const PlanCase& c) { return solve_options(c.analysis); }
 
+double applied_pga(const PlanRun& run, std::size_t component) {
+  const std::optional<RecordEcho>& record = run.c.excitation.at(component).record;
+  return record ? record->pga : peak_acceleration(run.problem.motions.at(component));
+}
+
 }  // namespace bentur

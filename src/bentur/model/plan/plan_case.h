@@ -51,6 +51,7 @@ struct PlanCase {
   AnalysisSpec analysis;
   CodeSpec code = {};  ///< lists over the gaps are in the order of `gaps`
   std::optional<CaseSource> source = {};
+  std::shared_ptr<const TomlValue> given = {};  ///< as Case's
 };
 
 /// @throws InvalidParameter when a value is out of its range.
@@ -77,11 +78,14 @@ struct PlanCase {
 /// What a single run of a case is asked for, as that of a row.
 [[nodiscard]] SolveOptions solve_options(const PlanCase& c);
 
-/// A run of buildings in plan, just solved.
+/// A run of buildings in plan, just solved or read again from its results, whose records are known by their echo alone.
 struct PlanRun {
   PlanCase c;
   PlanProblem problem;
   PlanResponse response;
 };
+
+/// Largest acceleration of a component of the ground's motion as applied [length/s²]; 0: there is none.
+[[nodiscard]] double applied_pga(const PlanRun& run, std::size_t component);
 
 }  // namespace bentur

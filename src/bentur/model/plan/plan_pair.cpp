@@ -91,6 +91,9 @@ RunResults pair_of(const PlanRun& run, std::size_t gap) {
                            "must be the response of this problem");
   }
   RunResults pair = pair_of(run.c, run.problem, gap);
+  const std::size_t mover = applied_pga(run, 0) > 0 ? 0 : 1;  // of results read back no motion is known
+  pair.problem.motion = run.problem.motions[mover];
+  pair.c.excitation = run.c.excitation[mover];
   const PlanGap& of = run.problem.gaps[gap];
   const auto part = [](const auto& list, std::size_t from, std::size_t count) {
     const auto begin = list.begin() + static_cast<std::ptrdiff_t>(from);

@@ -40,106 +40,156 @@ RoundOff round_off_of(const PlanRun& run) {
   return {round_off * largest, round_off * largest / (0.5 * side)};
 }
 
-Value with(Lists list) {
-  return [list](const PlanRun& run, const PlanPlace& at) {
-    return entry(run.response.buildings[at.item].*list, at.floor);
-  };
-}
-Value without(Lists list) {
-  return [list](const PlanRun& run, const PlanPlace& at) {
-    return entry(run.response.buildings_no_contact[at.item].*list, at.floor);
-  };
-}
-Value amplification(Lists list, double RoundOff::*least) {
-  return [list, least](const PlanRun& run, const PlanPlace& at) {
-    const double free = without(list)(run, at);
-    return free > round_off_of(run).*least ? with(list)(run, at) / free : none;
-  };
+using Keep = std::function<void(PlanRun&, const PlanPlace&, double)>;
+/// How a quantity is told, and how what was read of it is kept.
+struct Source {
+  Value value;
+  Keep keep = {};
+};
+
+/// An entry of a list over the floors of a building.
+double& slot(VectorXd& list, const PlanRun& run, const PlanPlace& at) {
+  const Index floors = run.problem.buildings[at.item].model.floors();
+  if (list.size() != floors) list = VectorXd::Constant(floors, none);
+  return list(at.floor);
 }
 
-const PlanPeaks::Plane& plane_at(const PlanRun& run, const PlanPlace& at) {
-  return run.response.buildings[at.item].planes[at.plane];
+Source of_floors(std::vector<PlanPeaks> PlanResponse::*of, Lists list) {
+  return {[=](const PlanRun& run, const PlanPlace& at) { return entry((run.response.*of)[at.item].*list, at.floor); },
+          [=](PlanRun& run, const PlanPlace& at, double value) {
+            slot((run.response.*of)[at.item].*list, run, at) = value;
+          }};
 }
-Value of_plane(VectorXd PlanPeaks::Plane::*list) {
-  return [list](const PlanRun& run, const PlanPlace& at) { return entry(plane_at(run, at).*list, at.floor); };
+Source with(Lists list) { return of_floors(&PlanResponse::buildings, list); }
+Source without(Lists list) { return of_floors(&PlanResponse::buildings_no_contact, list); }
+Source amplification(Lists list, double RoundOff::*least) {
+  return {[=, peak = with(list).value, alone = without(list).value](const PlanRun& run, const PlanPlace& at) {
+    const double free = alone(run, at);
+    return free > round_off_of(run).*least ? peak(run, at) / free : none;
+  }};
 }
-Value of_yielding(VectorXd BuildingPeaks::Yielding::*list) {
-  return [list](const PlanRun& run, const PlanPlace& at) { return entry(plane_at(run, at).yielding.*list, at.floor); };
+
+/// Of a plane the list that `find` finds.
+template <class Find>
+Source of_planes(std::vector<PlanPeaks> PlanResponse::*of, Find find) {
+  return {[=](const PlanRun& run, const PlanPlace& at) {
+            return entry(find((run.response.*of)[at.item].planes[at.plane]), at.floor);
+          },
+          [=](PlanRun& run, const PlanPlace& at, double value) {
+            slot(find((run.response.*of)[at.item].planes[at.plane]), run, at) = value;
+          }};
 }
-Value of_friction(double PlanFriction::*member) {
-  return [member](const PlanRun& run, const PlanPlace& at) {
-    return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : none;
-  };
+Source of_plane(VectorXd PlanPeaks::Plane::*list) {
+  return of_planes(
+      &PlanResponse::buildings, [list](auto& plane) -> auto& { return plane.*list; });
 }
-double impact_friction(const PlanRun& run, const PlanPlace& at) {
-  const Impact& impact = run.response.impacts[at.item];
-  return contact_at(run.problem, impact.point).contact->rubbing ? impact.tangential_impulse : none;
+Source of_yielding(VectorXd BuildingPeaks::Yielding::*list,
+                   std::vector<PlanPeaks> PlanResponse::*of = &PlanResponse::buildings) {
+  return of_planes(
+      of, [list](auto& plane) -> auto& { return plane.yielding.*list; });
+}
+Source of_friction(double PlanFriction::*member) {
+  return {[member](const PlanRun& run, const PlanPlace& at) {
+            return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : none;
+          },
+          [member](PlanRun& run, const PlanPlace& at, double value) {
+            if (!std::isnan(value)) run.response.friction[at.item].*member = value;
+          }};
+}
+Source impact_friction() {
+  return {[](const PlanRun& run, const PlanPlace& at) {
+            const Impact& impact = run.response.impacts[at.item];
+            return contact_at(run.problem, impact.point).contact->rubbing ? impact.tangential_impulse : none;
+          },
+          [](PlanRun& run, const PlanPlace& at, double value) {
+            if (!std::isnan(value)) run.response.impacts[at.item].tangential_impulse = value;
+          }};
+}
+
+/// A member of each point or impact.
+template <class Item, class Member>
+Source of_items(std::vector<Item> PlanResponse::*list, Member Item::*member) {
+  return {[=](const PlanRun& run, const PlanPlace& at) {
+            return static_cast<double>((run.response.*list)[at.item].*member);
+          },
+          [=](PlanRun& run, const PlanPlace& at, double value) {
+            (run.response.*list)[at.item].*member = static_cast<Member>(value);
+          }};
+}
+Source of_time(std::optional<double> PointSummary::*member) {
+  return {
+      [=](const PlanRun& run, const PlanPlace& at) { return (run.response.points[at.item].*member).value_or(none); },
+      [=](PlanRun& run, const PlanPlace& at, double value) {
+        if (!std::isnan(value)) run.response.points[at.item].*member = value;
+      }};
 }
 
 /// Where a plan has what a quantity of a row's points or impacts tells; empty where it has not.
-Value of_row(const Quantity& quantity) {
+Source of_row(const Quantity& quantity) {
   const auto& source = quantity.source;
   if (quantity.key == "point_width") {
-    return [](const PlanRun& run, const PlanPlace& at) {
+    return {[](const PlanRun& run, const PlanPlace& at) {
       return run.problem.gaps[contact_at(run.problem, at.item).gap].stretch.width;
-    };
+    }};
   }
   if (quantity.key == "point_gap_needed_reversed") {
-    return [](const PlanRun& run, const PlanPlace& at) {
-      return run.c.analysis.both_ways ? run.response.points[at.item].gap_needed_reversed.value_or(none) : none;
-    };
+    const Source told = of_time(&PointSummary::gap_needed_reversed);
+    return {[told](const PlanRun& run, const PlanPlace& at) {
+              return run.c.analysis.both_ways ? told.value(run, at) : none;
+            },
+            told.keep};
   }
   if (const auto* const real = std::get_if<double PointSummary::*>(&source)) {
-    return [member = *real](const PlanRun& run, const PlanPlace& at) { return run.response.points[at.item].*member; };
+    return of_items(&PlanResponse::points, *real);
   }
   if (const auto* const count = std::get_if<int PointSummary::*>(&source)) {
-    return [member = *count](const PlanRun& run, const PlanPlace& at) {
-      return static_cast<double>(run.response.points[at.item].*member);
-    };
+    return of_items(&PlanResponse::points, *count);
   }
-  if (const auto* const time = std::get_if<std::optional<double> PointSummary::*>(&source)) {
-    return [member = *time](const PlanRun& run, const PlanPlace& at) {
-      return (run.response.points[at.item].*member).value_or(none);
-    };
-  }
+  if (const auto* const time = std::get_if<std::optional<double> PointSummary::*>(&source)) return of_time(*time);
   if (quantity.owner == Owner::gap) {
-    return [quantity](const PlanRun& run, const PlanPlace& at) {
+    return {[quantity](const PlanRun& run, const PlanPlace& at) {
       const RunResults pair = pair_of(run, at.item);
       const RunView view = pair.view();
       const bool asked = quantity.key != "gap_needed_reversed" || run.c.analysis.both_ways;
       return asked ? value_of(quantity, view, {}) : none;
-    };
+    }};
   }
   if (quantity.owner != Owner::impact) return {};
   if (quantity.key == "restitution") {
-    return [](const PlanRun& run, const PlanPlace& at) {
+    return {[](const PlanRun& run, const PlanPlace& at) {
       return run.response.impacts[at.item].restitution().value_or(none);
-    };
+    }};
   }
   if (quantity.key == "duration") {
-    return [](const PlanRun& run, const PlanPlace& at) {
+    return {[](const PlanRun& run, const PlanPlace& at) {
       return run.response.impacts[at.item].end - run.response.impacts[at.item].start;
-    };
+    }};
   }
   if (const auto* const real = std::get_if<double Impact::*>(&source)) {
-    return [member = *real](const PlanRun& run, const PlanPlace& at) { return run.response.impacts[at.item].*member; };
+    return of_items(&PlanResponse::impacts, *real);
   }
   if (const auto* const flag = std::get_if<bool Impact::*>(&source)) {
-    return [member = *flag](const PlanRun& run, const PlanPlace& at) {
-      return run.response.impacts[at.item].*member ? 1.0 : 0.0;
-    };
+    return of_items(&PlanResponse::impacts, *flag);
   }
   return {};
 }
+
+/// One of the list below.
+struct Line {
+  PlanOwner owner = PlanOwner::floor;
+  Quantity told;
+  Source source;
+  PlanQuantity::When when = PlanQuantity::When::always;
+};
 
 constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, point = PlanOwner::point, gap = PlanOwner::gap,
                     impact = PlanOwner::impact;
 constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known;
 
 // clang-format off
-std::deque<PlanQuantity> made() {
+std::deque<Line> list() {
   const Owner of = Owner::floor;
-  std::deque<PlanQuantity> all = {
+  std::deque<Line> all = {
       // Floors, and the storeys below them.
       {floor, {"peak_displacement_x", of, "L", "max |u_x|", "largest displacement along x of the centre of mass relative to the own base", {"Along x", "Sepanjang x"}, {}}, with(&PlanPeaks::x)},
       {floor, {"peak_displacement_x_no_contact", of, "L", "max |u_x⁰|", "largest displacement along x with contact switched off", {"Without contact", "Tanpa kontak"}, {}}, without(&PlanPeaks::x), moving},
@@ -151,9 +201,13 @@ std::deque<PlanQuantity> made() {
       {floor, {"peak_rotation_no_contact", of, "rad", "max |θ⁰|", "largest rotation with contact switched off", {"Without contact", "Tanpa kontak"}, {}, {}, "mrad", 1e3}, without(&PlanPeaks::rotation), moving},
       {floor, {"amplification_rotation", of, "1", "max |θ| / max |θ⁰|", "largest rotation over that with contact switched off", {}, {}}, amplification(&PlanPeaks::rotation, &RoundOff::rotation), moving},
       {floor, {"peak_displacement_south", of, "L", "max |u_x|", "largest displacement along x of the lower edge", {}, {}, "/peak_edge_displacement/south"}, with(&PlanPeaks::south), moving},
+      {floor, {"peak_displacement_south_no_contact", of, "L", "max |u_x⁰|", "largest displacement along x of the lower edge with contact switched off", {}, {}, "/peak_edge_displacement_no_contact/south"}, without(&PlanPeaks::south), moving},
       {floor, {"peak_displacement_north", of, "L", "max |u_x|", "largest displacement along x of the upper edge", {}, {}, "/peak_edge_displacement/north"}, with(&PlanPeaks::north), moving},
+      {floor, {"peak_displacement_north_no_contact", of, "L", "max |u_x⁰|", "largest displacement along x of the upper edge with contact switched off", {}, {}, "/peak_edge_displacement_no_contact/north"}, without(&PlanPeaks::north), moving},
       {floor, {"peak_displacement_west", of, "L", "max |u_y|", "largest displacement along y of the left edge", {}, {}, "/peak_edge_displacement/west"}, with(&PlanPeaks::west), moving},
+      {floor, {"peak_displacement_west_no_contact", of, "L", "max |u_y⁰|", "largest displacement along y of the left edge with contact switched off", {}, {}, "/peak_edge_displacement_no_contact/west"}, without(&PlanPeaks::west), moving},
       {floor, {"peak_displacement_east", of, "L", "max |u_y|", "largest displacement along y of the right edge", {}, {}, "/peak_edge_displacement/east"}, with(&PlanPeaks::east), moving},
+      {floor, {"peak_displacement_east_no_contact", of, "L", "max |u_y⁰|", "largest displacement along y of the right edge with contact switched off", {}, {}, "/peak_edge_displacement_no_contact/east"}, without(&PlanPeaks::east), moving},
       {floor, {"peak_acceleration_x", of, "L s-2", "max |ü_x + a_x|", "largest absolute acceleration along x", {"Acceleration x", "Percepatan x"}, {}}, with(&PlanPeaks::acceleration_x)},
       {floor, {"peak_acceleration_y", of, "L s-2", "max |ü_y + a_y|", "largest absolute acceleration along y", {"Acceleration y", "Percepatan y"}, {}}, with(&PlanPeaks::acceleration_y)},
       {floor, {"peak_angular_acceleration", of, "rad s-2", "max |θ̈|", "largest angular acceleration", {"Angular acceleration", "Percepatan sudut"}, {}}, with(&PlanPeaks::angular_acceleration), moving},
@@ -164,11 +218,12 @@ std::deque<PlanQuantity> made() {
       {plane_, {"peak_drift_ratio", of, "1", "max |Δ|/h", "largest drift of the plane over storey height", {"Drift", "Simpangan antartingkat"}, {}, {}, "%", 100}, of_plane(&PlanPeaks::Plane::drift_ratio)},
       {plane_, {"peak_shear", of, "F", "max |V|", "largest force of the plane", {"Force", "Gaya"}, {}}, of_plane(&PlanPeaks::Plane::shear)},
       {plane_, {"ductility", of, "1", "max |Δ|/Δ_y", "largest drift of the plane over that at yield", {"Ductility", "Daktilitas"}, {}, {}, {}, 1, 3}, of_yielding(&BuildingPeaks::Yielding::ductility), known},
+      {plane_, {"ductility_no_contact", of, "1", "max |Δ⁰|/Δ_y", "largest drift of the plane over that at yield with contact switched off", {}, {}}, of_yielding(&BuildingPeaks::Yielding::ductility, &PlanResponse::buildings_no_contact), known},
       {plane_, {"residual_drift_ratio", of, "1", "Δ_r/h", "drift of the plane left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::residual_drift_ratio), known},
       {plane_, {"hysteretic_energy", of, "F L", "E_h", "energy that the storey of the plane has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, {}}, of_yielding(&BuildingPeaks::Yielding::hysteretic_energy), known},
   };
   for (const Quantity* const quantity : quantities_of(Owner::point)) {
-    if (Value value = of_row(*quantity)) all.push_back({point, *quantity, std::move(value)});
+    if (Source source = of_row(*quantity); source.value) all.push_back({point, *quantity, std::move(source)});
   }
   all.push_back({point, {"peak_tangential_force", Owner::point, "F", "max |F_t|", "largest force along the joint", {"Along the joint", "Sepanjang celah"}, {}}, of_friction(&PlanFriction::peak_tangential_force), known});
   all.push_back({point, {"tangential_impulse", Owner::point, "F s", "Σ ∫F_t dt", "impulse along the joint of all impacts", {"Impulse along it", "Impuls sepanjang itu"}, {}}, of_friction(&PlanFriction::tangential_impulse), known});
@@ -176,9 +231,9 @@ std::deque<PlanQuantity> made() {
   all.push_back({point, {"friction_loss", Owner::point, "F L", "Σ E_t", "energy that friction dissipated", {"Lost by friction", "Hilang oleh gesekan"}, {}}, of_friction(&PlanFriction::friction_loss), known});
   for (const Quantity* const quantity : quantities_of(Owner::gap)) all.push_back({gap, *quantity, of_row(*quantity)});
   for (const Quantity* const quantity : quantities_of(Owner::impact)) {
-    if (Value value = of_row(*quantity)) all.push_back({impact, *quantity, std::move(value)});
+    if (Source source = of_row(*quantity); source.value) all.push_back({impact, *quantity, std::move(source)});
   }
-  all.push_back({impact, {"tangential_impulse", Owner::impact, "F s", "∫F_t dt", "impulse along the joint", {"Along the joint", "Sepanjang celah"}, {}}, impact_friction, known});
+  all.push_back({impact, {"tangential_impulse", Owner::impact, "F s", "∫F_t dt", "impulse along the joint", {"Along the joint", "Sepanjang celah"}, {}}, impact_friction(), known});
   return all;
 }
 // clang-format on
@@ -214,7 +269,13 @@ bool is_force(const PlanQuantity& one) {
 }  // namespace
 
 const std::deque<PlanQuantity>& plan_quantities() {
-  static const std::deque<PlanQuantity> all = made();
+  static const std::deque<PlanQuantity> all = [] {
+    std::deque<PlanQuantity> made;
+    for (Line& line : list()) {
+      made.push_back({line.owner, line.told, std::move(line.source.value), line.when, std::move(line.source.keep)});
+    }
+    return made;
+  }();
   return all;
 }
 

@@ -27,6 +27,9 @@ struct PlanQuantity {
   Quantity told;                                                  ///< its words; `value` stands in for its source
   std::function<double(const PlanRun&, const PlanPlace&)> value;  ///< NaN where there is none
   When when = When::always;
+  /// Puts a value read from a file where it stands in a response, which has all buildings, planes, points and impacts;
+  /// empty where it is computed of others.
+  std::function<void(PlanRun&, const PlanPlace&, double)> keep = {};
 };
 
 /// All of them, in the order in which files and tables have them.

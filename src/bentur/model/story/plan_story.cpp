@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/model/story/internal/story_parts.h"
@@ -284,7 +285,7 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
 
 void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
   for (const std::size_t i : {0U, 1U}) {
-    const double pga = peak_acceleration(run.problem.motions[i]);
+    const double pga = applied_pga(run, i);
     if (!(pga > 0)) continue;
     Statement statement{
         .kind = run.c.angle == 0 ? "pga_along" : "pga_along_turned",
@@ -329,6 +330,17 @@ Statement model_statement(const PlanRun& run) {
 }
 
 }  // namespace
+
+std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap, bool reversed) {
+  const RunResults pair = pair_of(run, gap);
+  if (pair.problem.points.empty() && pair.problem.watched.empty()) return std::nullopt;
+  GoverningLevel level = governing_level(pair.problem, pair.response, 0);
+  if (!reversed) return level;
+  const auto needed = run.c.analysis.both_ways ? gap_needed_reversed(pair.problem, pair.response, 0) : std::nullopt;
+  if (!needed) return std::nullopt;
+  level.gap_needed = *needed;
+  return level;
+}
 
 std::vector<std::string> gap_names(const PlanProblem& problem) {
   std::vector<std::string> names;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_case.h"
 #include "bentur/model/story/story.h"
 
@@ -18,6 +20,10 @@ namespace bentur {
 
 /// What rules of [code] ask of the gaps from heights alone, before anything is computed.
 [[nodiscard]] Story plan_height_rules_story(const PlanCase& c, const PlanProblem& problem);
+
+/// Where the motion without contact needs the most of a gap, or, `reversed`, how much that motion times −1 does, where
+/// that is known.
+[[nodiscard]] std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap, bool reversed);
 
 /// The gaps of a problem by name, in their order.
 [[nodiscard]] std::vector<std::string> gap_names(const PlanProblem& problem);

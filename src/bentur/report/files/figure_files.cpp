@@ -42,12 +42,25 @@ void expect_figure(const std::filesystem::path& folder, const std::string& name,
   for (const std::string& format : formats) expect("." + format, ResultKind::picture);
 }
 
-std::vector<NamedFigure> run_figures(const RunResults& results, const FigureOptions& options) {
+namespace {
+
+template <class Run>
+std::vector<NamedFigure> figures_of(const Run& run, const FigureOptions& options) {
   std::vector<NamedFigure> figures;
-  for (const FigureKind& kind : figure_kinds(results)) {
-    figures.push_back({kind.name, make_figure(results, kind.name, options)});
+  for (const FigureKind& kind : figure_kinds(run)) {
+    figures.push_back({kind.name, make_figure(run, kind.name, options)});
   }
   return figures;
+}
+
+}  // namespace
+
+std::vector<NamedFigure> run_figures(const RunResults& results, const FigureOptions& options) {
+  return figures_of(results, options);
+}
+
+std::vector<NamedFigure> run_figures(const PlanRun& run, const FigureOptions& options) {
+  return figures_of(run, options);
 }
 
 void remove_run_figures(const std::filesystem::path& folder, const OutputRules& rules) {

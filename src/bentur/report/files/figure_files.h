@@ -30,6 +30,7 @@ void expect_figure(const std::filesystem::path& folder, const std::string& name,
 
 /// All figures that a run can give, each called by its kind.
 [[nodiscard]] std::vector<NamedFigure> run_figures(const RunResults& results, const FigureOptions& options = {});
+[[nodiscard]] std::vector<NamedFigure> run_figures(const PlanRun& run, const FigureOptions& options = {});
 
 /// Removes what an earlier run has drawn into a folder, and the folder if nothing else is in it. What is not a figure
 /// by bentur (io/output/result_kind.h) stays, and so does an input.

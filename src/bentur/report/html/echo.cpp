@@ -36,7 +36,7 @@ std::vector<double> from_the_top(const TomlValue& list) {
 
 class Echo {
  public:
-  explicit Echo(const Report& report) : say_(report.say), c_(report.c), with_lines_(report.to_hand_in) {}
+  Echo(const Words& say, const Units& units, bool with_lines) : say_(say), units_(units), with_lines_(with_lines) {}
 
   /// @param of the name of the table, before those of its keys; empty: it needs none
   void add(const KeyTable& keys, const TomlValue& given, const std::string& of = {}) {
@@ -92,7 +92,7 @@ class Echo {
   }
   [[nodiscard]] std::string text_with_unit(const TomlValue& value, const Key& key, const TomlValue& given) const {
     const TomlValue* const stated = given.find(std::string(key.own_unit));  // "in `unit`"
-    const std::string unit = stated != nullptr ? stated->text : unit_of(key, c_);
+    const std::string unit = stated != nullptr ? stated->text : unit_of(key, units_);
     const bool has_unit = !unit.empty() && (value.is_number() || is_list_of_numbers(value)) &&
                           !(value.kind == Kind::list && value.items.empty());
     return text(value, key) + (has_unit ? "\u00A0" + unit : "");
@@ -145,7 +145,7 @@ class Echo {
     } else if (is_list && key.table != nullptr) {
       add_tables(key, value);
     } else if (is_list && value.items.front().kind == Kind::list) {
-      add_matrix(label(key, of), unit_of(key, c_), value);
+      add_matrix(label(key, of), unit_of(key, units_), value);
     } else {
       add_row(label(key, of), text_with_unit(value, key, given), value);
     }
@@ -160,7 +160,7 @@ class Echo {
     }
     std::vector<const TomlValue*> values;
     for (const auto& [key, value] : columns) {
-      table.add(label(*key), unit_of(*key, c_), from_the_top(*value));
+      table.add(label(*key), unit_of(*key, units_), from_the_top(*value));
       values.push_back(value);
     }
     add_table(of, table, values);
@@ -178,7 +178,7 @@ class Echo {
         values.insert(values.begin(), value != nullptr ? value->real : std::numeric_limits<double>::quiet_NaN());
       }
       const bool given = std::any_of(values.begin(), values.end(), [](double x) { return !std::isnan(x); });
-      if (given) table.add(label(one), unit_of(one, c_), values);
+      if (given) table.add(label(one), unit_of(one, units_), values);
     }
     std::vector<const TomlValue*> values;
     for (const TomlValue& item : list.items) values.push_back(&item);
@@ -208,7 +208,7 @@ class Echo {
   }
 
   const Words& say_;
-  const Case& c_;
+  const Units& units_;
   const bool with_lines_;
   Rows rows_;
   std::vector<std::string> lines_;  ///< of the rows, where each stands
@@ -223,13 +223,19 @@ std::vector<std::string> numbers_from_the_top(std::size_t count) {
   return numbers;
 }
 
-std::string unit_of(const Key& key, const Case& c) {
+std::string unit_of(const Key& key, const Units& units) {
   if (!key.own_unit.empty()) return std::string(key.own_unit);
-  return key.dimension == dimension::mass ? mass_unit(c) : key.dimension.text(c.units.length, c.units.force);
+  return key.dimension == dimension::mass ? mass_unit(units) : key.dimension.text(units.length, units.force);
 }
 
 Html echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more) {
-  Echo made(report);
+  Echo made(report.say, report.c.units, report.to_hand_in);
+  made.add(keys, given);
+  return made.markup(more);
+}
+
+Html echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units, const Rows& more) {
+  Echo made(say, units, false);
   made.add(keys, given);
   return made.markup(more);
 }

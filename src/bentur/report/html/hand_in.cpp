@@ -54,19 +54,19 @@ std::vector<std::string> texts_of(const std::vector<Statement>& statements, cons
   return texts;
 }
 
-/// Case and record by their hashes, so that a report can be told from that of another file of the same name.
-Html identity(const Report& report) {
+}  // namespace
+
+Html identity(const std::optional<CaseSource>& source, const std::vector<const RecordEcho*>& records,
+              const Words& say) {
   Html lines;
   const auto add = [&](const char* key, const std::string& file, const std::string& hash) {
     if (hash.empty()) return;
-    lines += element("p", report.say(key, {{"file", file}, {"hash", hash.substr(0, 16) + "…"}}), "class=\"note\"");
+    lines += element("p", say(key, {{"file", file}, {"hash", hash.substr(0, 16) + "…"}}), "class=\"note\"");
   };
-  if (report.c.source) add("report.identity", report.c.source->file, report.c.source->sha256);
-  if (const auto& record = report.c.excitation.record) add("report.record_identity", record->file, record->sha256);
+  if (source) add("report.identity", source->file, source->sha256);
+  for (const RecordEcho* const record : records) add("report.record_identity", record->file, record->sha256);
   return lines;
 }
-
-}  // namespace
 
 Html title_block(const std::optional<ProjectSpec>& given, const std::string& file, const std::string& title,
                  const std::string& made_by, const ReportOptions& options) {
@@ -94,7 +94,9 @@ Html title_block(const std::optional<ProjectSpec>& given, const std::string& fil
 Html title_block(const Report& report, const std::string& title, const std::string& made_by,
                  const ReportOptions& options) {
   const std::string file = report.c.source ? report.c.source->file : "";
-  return title_block(report.c.project, file, title, made_by, options) + identity(report);
+  std::vector<const RecordEcho*> records;
+  if (const auto& record = report.c.excitation.record) records.push_back(&*record);
+  return title_block(report.c.project, file, title, made_by, options) + identity(report.c.source, records, report.say);
 }
 
 std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title) {

@@ -62,11 +62,11 @@ Html members_table(const PlaneFrame& frame, const TomlValue& given, const Report
   table.add(say("column.storey"), "", numbers_from_the_top(storeys));
   table.add(say("column.column_area"), length + "²", values(frame.columns, &Section::area));
   table.add(say("column.column_inertia"), length + "⁴", values(frame.columns, &Section::inertia));
-  table.add(say("column.column_mass"), mass_unit(report.c), reversed(column_masses, storeys));
+  table.add(say("column.column_mass"), mass_unit(report.c.units), reversed(column_masses, storeys));
   table.add(say("column.beam_area"), length + "²", values(frame.beams, &Section::area));
   table.add(say("column.beam_inertia"), length + "⁴", values(frame.beams, &Section::inertia));
-  table.add(say("column.beam_mass"), mass_unit(report.c), reversed(beam_masses, storeys));
-  table.add(say("column.floor_mass"), mass_unit(report.c), reversed(frame.floor_masses, storeys));
+  table.add(say("column.beam_mass"), mass_unit(report.c.units), reversed(beam_masses, storeys));
+  table.add(say("column.floor_mass"), mass_unit(report.c.units), reversed(frame.floor_masses, storeys));
   return element("p", say("input.members")) + table.markup();
 }
 
@@ -89,7 +89,8 @@ Html modes_table(const Building& building, const Report& report) {
   table.add(say("column.period"), "s", first_modes(properties.periods));
   table.add(say("column.frequency"), "Hz", first_modes(properties.periods.cwiseInverse()));
   table.add(say("column.damping"), "%", first_modes(100 * damping));
-  table.add(say("column.participation"), "(" + mass_unit(report.c) + ")^½", first_modes(properties.participation));
+  table.add(say("column.participation"), "(" + mass_unit(report.c.units) + ")^½",
+            first_modes(properties.participation));
   table.add(say("column.effective_mass"), "%", first_modes(100 * properties.effective_mass_fraction));
   table.add(say("column.cumulative_mass"), "%", first_modes(100 * cumulative));
   Html content = element("h4", say("heading.modes")) + table.markup();
@@ -110,8 +111,8 @@ Derived of_building(const Report& report, const TomlValue& given, Eigen::Index b
     const Soil soil = soil_of(*spec.soil);
     const auto add = [&](const char* motion, const KeyTable& keys, const Impedance& impedance) {
       derived.rows.emplace_back(label_text(soil_keys().at(motion).label, say),
-                                quantity(impedance.stiffness, unit_of(keys.at("stiffness"), report.c)) + ", " +
-                                    quantity(impedance.damping, unit_of(keys.at("damping"), report.c)));
+                                quantity(impedance.stiffness, unit_of(keys.at("stiffness"), report.c.units)) + ", " +
+                                    quantity(impedance.damping, unit_of(keys.at("damping"), report.c.units)));
     };
     add("sway", sway_keys(), soil.sway);
     add("rocking", rocking_keys(), soil.rocking);
@@ -167,7 +168,7 @@ Derived of_gap(const Report& report, Eigen::Index gap) {
   table.add(say("column.gap"), report.c.units.length, widths);
   for (const auto& [name, values] : parameters) {
     const Key& key = key_of_law(contact_keys(), name, spec.contact.law);
-    table.add(label_text(key.label, say), unit_of(key, report.c), values);
+    table.add(label_text(key.label, say), unit_of(key, report.c.units), values);
   }
   derived.tables = table.markup();
   return derived;
@@ -177,23 +178,10 @@ Derived of_gap(const Report& report, Eigen::Index gap) {
 Rows of_motion(const Report& report) {
   const Words& say = report.say;
   const Case& c = report.c;
-  const std::string acceleration = acceleration_unit(c);
+  const std::string acceleration = acceleration_unit(c.units);
   const MotionMeasures measures = motion_measures(c.excitation.motion);
   Rows rows;
-  if (c.excitation.record) {
-    const RecordEcho& record = *c.excitation.record;
-    rows.emplace_back(say("motion.format"), record.format + ", " + record.unit);
-    if (!record.channel.empty()) rows.emplace_back(say("motion.channel"), record.channel);
-    if (record.header_lines > 0) rows.emplace_back(say("motion.header_lines"), std::to_string(record.header_lines));
-    if (record.mean_removed != 0) {
-      rows.emplace_back(say("motion.mean_removed"), quantity(record.mean_removed, record.unit));
-    }
-    rows.emplace_back(say("motion.samples"),
-                      say("motion.samples_text", {{"count", std::to_string(record.count)},
-                                                  {"step", quantity(record.time_step, "s")},
-                                                  {"duration", quantity(record.duration, "s")}}));
-    rows.emplace_back(say("motion.pga_read"), quantity(record.pga_read, record.unit));
-  }
+  if (c.excitation.record) rows = rows_of_record(*c.excitation.record, say);
   if (c.excitation.spectrum) {
     rows.emplace_back(say("spectral.parameters"), spectrum_parameters(*c.excitation.spectrum, c.units));
   }
@@ -273,7 +261,7 @@ Html without_case(const Report& report) {
     table.add(say("column.elevation"), report.c.units.length, reversed(link.elevations, link.elevations.size()));
     for (const auto& [name, values] : link.numbers) {
       const Key& key = key_of_law(link_keys(), name, link.law);
-      table.add(label_text(key.label, say), unit_of(key, report.c), reversed(values, link.elevations.size()));
+      table.add(label_text(key.label, say), unit_of(key, report.c.units), reversed(values, link.elevations.size()));
     }
     content += element("h3", label_text(case_keys().at("link").label, say)) +
                facts({choice(link_keys(), "law", link.law)}) + table.markup();
@@ -285,6 +273,21 @@ Html without_case(const Report& report) {
 }
 
 }  // namespace
+
+Rows rows_of_record(const RecordEcho& record, const Words& say) {
+  Rows rows;
+  rows.emplace_back(say("motion.format"), record.format + ", " + record.unit);
+  if (!record.channel.empty()) rows.emplace_back(say("motion.channel"), record.channel);
+  if (record.header_lines > 0) rows.emplace_back(say("motion.header_lines"), std::to_string(record.header_lines));
+  if (record.mean_removed != 0) {
+    rows.emplace_back(say("motion.mean_removed"), quantity(record.mean_removed, record.unit));
+  }
+  rows.emplace_back(say("motion.samples"), say("motion.samples_text", {{"count", std::to_string(record.count)},
+                                                                       {"step", quantity(record.time_step, "s")},
+                                                                       {"duration", quantity(record.duration, "s")}}));
+  rows.emplace_back(say("motion.pga_read"), quantity(record.pga_read, record.unit));
+  return rows;
+}
 
 PageSection input_section(const Report& report) {
   const Words& say = report.say;
@@ -322,7 +325,7 @@ PageSection input_section(const Report& report) {
       if (key.name == "analysis") derived = of_analysis(report, one);
       if (key.name == "units" && one.find("gravity") == nullptr) {
         derived.rows.emplace_back(label_text(unit_keys().at("gravity").label, say),
-                                  quantity(report.c.units.gravity, acceleration_unit(report.c)));
+                                  quantity(report.c.units.gravity, acceleration_unit(report.c.units)));
       }
       content += element("h3", derived.heading) + echo(*key.table, one, report, derived.rows) + derived.tables;
     }

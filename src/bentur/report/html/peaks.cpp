@@ -34,10 +34,10 @@ std::string building_key(const Report& report) {
   return text;
 }
 
-std::string acceleration_unit(const Case& c) { return c.units.length + "/s²"; }
+std::string acceleration_unit(const Units& units) { return units.length + "/s²"; }
 
-std::string mass_unit(const Case& c) {
-  const std::string unit = c.units.force + "·s²/" + c.units.length;
+std::string mass_unit(const Units& units) {
+  const std::string unit = units.force + "·s²/" + units.length;
   return unit == "N·s²/m" ? "kg" : unit == "kN·s²/m" || unit == "N·s²/mm" ? "t" : unit;
 }
 
@@ -187,50 +187,6 @@ PageSection peaks_section(const Report& report) {
                                                             {"residual", number(energy.relative_residual())}})));
   }
   return {"peaks", say("heading.peaks"), content};
-}
-
-PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed) {
-  const Words& say = report.say;
-  const std::vector<Impact>& all = report.response.impacts;
-  if (all.empty()) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
-  std::vector<std::string> numbers, gaps, struck;
-  std::vector<double> elevations;
-  for (const Eigen::Index k : listed) {
-    const ContactPoint& point = report.problem.points.at(static_cast<std::size_t>(all[k].point));
-    numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(short_gap_name(report, point.left));
-    elevations.push_back(point.elevation);
-    struck.push_back(struck_text(report, all[k].point));
-  }
-  const bool of_columns = !struck_points(report.problem).empty();
-  HtmlTable table;
-  table.add("#", "", numbers);
-  if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
-  table.add(say("column.elevation"), report.c.units.length, elevations);
-  if (of_columns) table.add(say("columns.struck"), "", struck, false);
-  for (TableColumn& column : table_columns(Owner::impact, report.run, places_of(listed), say.number())) {
-    table.add(column.label, column.unit, std::move(column.cells));  // numbers that report.js can sort by
-  }
-  Html content;
-  if (listed.size() < all.size()) {
-    content += element("p", Html::text(say("impacts.cut", {{"listed", std::to_string(listed.size())},
-                                                           {"all", std::to_string(all.size())}})));
-  }
-  content += element("p",
-                     element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
-                         Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
-                     "class=\"screen\"");
-  int sorted =
-      2 + (report.c.gaps.size() > 1 ? 1 : 0) + (of_columns ? 1 : 0);  // column of the peak force, by which they are
-  for (const Quantity* quantity : quantities_of(Owner::impact)) {
-    if (quantity->key == "peak_force") break;
-    sorted += quantity->label[0].empty() ? 0 : 1;
-  }
-  content += table.markup(fmt::format("id=\"impact-list\" data-sorted=\"{}\"", sorted));
-  if (listed.size() > rows_in_print) {
-    content += element("p", Html::text(say("impacts.print")), "class=\"print note\"");
-  }
-  return {"impacts", say("heading.impacts"), content};
 }
 
 }  // namespace bentur::html

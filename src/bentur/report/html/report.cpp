@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "bentur/core/errors.h"
 #include "bentur/io/results/result_csv.h"
@@ -25,27 +23,12 @@ using html::element;
 using html::Html;
 using html::Report;
 
-/// The hardest impacts, the hardest first.
-std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
-  std::vector<Eigen::Index> order(impacts.size());
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return is_harder(impacts[a], impacts[b]); });
-  order.resize(std::min(order.size(), most_impacts));
-  return order;
-}
-
 /// impacts.csv of these.
 std::string csv_of(const Report& report, std::vector<Eigen::Index> listed) {
   std::sort(listed.begin(), listed.end());
   Response shown;
   for (const Eigen::Index k : listed) shown.impacts.push_back(report.response.impacts[k]);
   return impacts_csv({report.problem, shown, report.c.units});
-}
-
-Html json_script(const char* id, const std::string& json) {
-  return element("script", html::json_markup(json), fmt::format("type=\"application/json\" id=\"{}\"", id)) +
-         Html::markup("\n");
 }
 
 Html button(const Words& say, const std::string& id) {
@@ -105,23 +88,6 @@ html::PageSection motion_section(const Report& report) {
   return {"motion", say("heading.motion_picture"), content};
 }
 
-/// The opening figure, below the verdict: over the whole width of a page, and for a narrow one.
-Html overview(const RunResults& results, const Words& say) {
-  FigureOptions options;
-  options.say = figure_words(say.language());
-  options.language = say.language();
-  const std::string caption = say("figure.overview");
-  Html drawn;
-  std::string finding;
-  for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
-    options.width = width;
-    const Figure figure = make_figure(results, "overview", options);
-    finding = figure.finding;
-    drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
-  }
-  return element("figure", drawn + element("figcaption", caption + ". " + finding), "class=\"overview\"");
-}
-
 /// The sections of a page to hand in: what was assumed and given and what came out of the checks before all else.
 std::vector<html::PageSection> in_order_of_codes(const Report& report, const RunResults& results,
                                                  std::vector<html::PageSection> sections) {
@@ -168,7 +134,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                       gap_tables_of(results),
                       separations(problem, response, c.code, c.units),
                       c.project || !options.head.empty()};
-  const std::vector<Eigen::Index> listed = hardest_impacts(response.impacts);
+  const std::vector<Eigen::Index> listed = html::hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
   const std::vector<html::PageFigure> figures = html::page_figures(
@@ -177,7 +143,9 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
       options.language);
 
   html::PageSection verdict = html::verdict_section(report);
-  verdict.content += overview(results, say);
+  verdict.content +=
+      html::opening_figure([&](const FigureOptions& drawn) { return make_figure(results, "overview", drawn); },
+                           say("figure.overview"), options.language);
 
   html::PageBody body;
   body.header = html::title_block(report, title, say("report.by", {{"version", options.version}}), options);
@@ -195,12 +163,9 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
     body.sections = in_order_of_codes(report, results, std::move(body.sections));
     body.running_head = html::running_head(c.project, title);
   }
-  body.footer =
-      element("footer", element("p", say("report.footer"), "class=\"note\"")) +
-      json_script("data", html::animation_json(report, listed)) +
-      json_script(
-          "impacts-csv",
-          nlohmann::json(csv_of(report, listed)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  body.footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
+                html::json_script("data", html::animation_json(report, listed)) +
+                html::csv_script(csv_of(report, listed));
   return html::page(say, title, body, true);
 }
 

@@ -2,19 +2,28 @@
 // data alone; no request ever leaves the page. Text reaches the page by textContent, never as markup.
 "use strict";
 (() => {
-  const data = JSON.parse(document.getElementById("data").textContent);
-  const words = data.words;
-  const parts = {};
-  for (const id of ["stage", "timeline", "scrub", "clock", "event", "live", "play", "previous", "next", "hardest", "speed", "slow",
-    "magnify", "magnified"]) {
-    parts[id] = document.getElementById(id);
-  }
-  parts.timeAxis = document.getElementById("time-axis");
-  parts.buildingKey = document.getElementById("building-key");
-  parts.steady = true;
-  const motion = benturMotion(parts, data);
+  const words = {};
+  const motion = document.getElementById("stage") ? move() : undefined; // a page may have tables alone
 
-  const { html } = motion;
+  function move() {
+    const data = JSON.parse(document.getElementById("data").textContent);
+    Object.assign(words, data.words);
+    const parts = {};
+    for (const id of ["stage", "timeline", "scrub", "clock", "event", "live", "play", "previous", "next", "hardest", "speed", "slow",
+      "magnify", "magnified"]) {
+      parts[id] = document.getElementById(id);
+    }
+    parts.timeAxis = document.getElementById("time-axis");
+    parts.buildingKey = document.getElementById("building-key");
+    parts.steady = true;
+    return benturMotion(parts, data);
+  }
+
+  function html(name, text) {
+    const element = document.createElement(name);
+    if (text !== undefined) element.textContent = text;
+    return element;
+  }
 
   // ---------------------------------------------------------------- the impact list
 
@@ -43,6 +52,14 @@
     });
   }
 
+  function save() {
+    const link = html("a"), csv = JSON.parse(document.getElementById("impacts-csv").textContent);
+    link.href = URL.createObjectURL(new Blob([csv], { type: "text/csv" }));
+    link.download = "impacts.csv";
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
   function buildList() {
     const table = document.getElementById("impact-list");
     if (!table) return;
@@ -56,6 +73,8 @@
         sort(table, column, cell.getAttribute("aria-sort") === "descending" ? 1 : -1));
       if (column === Number(table.dataset.sorted)) cell.setAttribute("aria-sort", "descending");
     });
+    document.getElementById("download").addEventListener("click", save);
+    if (!motion) return;
     const byNumber = new Map(motion.impacts.map((impact) => [String(impact.number), impact]));
     for (const row of table.tBodies[0].rows) {
       const cell = row.cells[0];
@@ -69,13 +88,6 @@
         motion.showImpact(impact);
       });
     }
-    document.getElementById("download").addEventListener("click", () => {
-      const link = html("a"), csv = JSON.parse(document.getElementById("impacts-csv").textContent);
-      link.href = URL.createObjectURL(new Blob([csv], { type: "text/csv" }));
-      link.download = "impacts.csv";
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-    });
   }
 
   buildList();

@@ -8,19 +8,6 @@
 namespace bentur::html {
 namespace {
 
-/// A statement as paragraphs: its badge where the one before has another, and its text.
-Html paragraphs(const Report& report, const SaidStatement& statement, std::string& badge, bool names_gap) {
-  Html block;
-  if (!statement.badge.empty() && statement.badge != badge) {
-    block += element("p", statement.badge, "class=\"badge\"");
-    badge = statement.badge;
-  }
-  const bool leads = statement.severity == Severity::danger || !statement.badge.empty();
-  std::string text = statement.text;
-  if (names_gap && statement.gap) text = short_gap_name(report, *statement.gap) + ": " + text;
-  return block + element("p", text, leads ? "class=\"lead\"" : "");
-}
-
 /// Bars of the given gap, the gap needed both ways round and those of the rules where one gap falls short the most, all
 /// at one scale.
 Html gap_bars(const Report& report, Eigen::Index gap) {
@@ -30,14 +17,9 @@ Html gap_bars(const Report& report, Eigen::Index gap) {
   const auto governing = governing_level(levels, scale);
   if (!governing) return {};
   const GoverningLevel& level = *governing;
-  struct Bar {
-    std::string name;
-    double value;
-    const char* style;
-  };
-  std::vector<Bar> bars = {{report.say("column.given"), level.width, "given"},
-                           {report.say(by_spectrum ? "spectral.difference" : "column.simulated"), level.gap_needed,
-                            level.is_short() ? "short" : "needed"}};
+  std::vector<GapBar> bars = {{report.say("column.given"), level.width, "given"},
+                              {report.say(by_spectrum ? "spectral.difference" : "column.simulated"), level.gap_needed,
+                               level.is_short() ? "short" : "needed"}};
   if (level.gap_needed_reversed) {
     const bool is_short = falls_short(level.width, *level.gap_needed_reversed, scale);
     bars.push_back({report.say("column.reversed"), *level.gap_needed_reversed, is_short ? "short" : "needed"});
@@ -46,21 +28,36 @@ Html gap_bars(const Report& report, Eigen::Index gap) {
   for (const RuleFinding& rule : rule_findings(report.problem, levels, report.c.code, scale, collapsed)) {
     if (rule.at) bars.push_back({rule.title, rule.gap, "rule"});
   }
+  return gap_bars(bars, report.c.units.length);
+}
+
+}  // namespace
+
+Html paragraphs(const SaidStatement& statement, std::string& badge, const std::string& gap) {
+  Html block;
+  if (!statement.badge.empty() && statement.badge != badge) {
+    block += element("p", statement.badge, "class=\"badge\"");
+    badge = statement.badge;
+  }
+  const bool leads = statement.severity == Severity::danger || !statement.badge.empty();
+  const std::string text = gap.empty() ? statement.text : gap + ": " + statement.text;
+  return block + element("p", text, leads ? "class=\"lead\"" : "");
+}
+
+Html gap_bars(const std::vector<GapBar>& bars, const std::string& unit) {
   double largest = 0;
-  for (const Bar& bar : bars) largest = std::max(largest, bar.value);
+  for (const GapBar& bar : bars) largest = std::max(largest, bar.value);
   if (!(largest > 0)) return {};
   Html rows;
-  for (const Bar& bar : bars) {
+  for (const GapBar& bar : bars) {
     const Html drawn = element(
         "svg", Html(),  // which has a width without a style, that the page's policy refuses
         fmt::format("class=\"bar {}\" width=\"{:.1f}%\" aria-hidden=\"true\"", bar.style, 100 * bar.value / largest));
     rows += element("tr", element("th", bar.name, "scope=\"row\"") + element("td", drawn, "class=\"bars\"") +
-                              element("td", quantity(bar.value, report.c.units.length)));
+                              element("td", quantity(bar.value, unit)));
   }
   return element("table", element("tbody", rows), "class=\"gapbars\"");
 }
-
-}  // namespace
 
 Html table_of(const SaidTable& table) {
   HtmlTable shown;
@@ -86,9 +83,9 @@ PageSection verdict_section(const Report& report) {
     if (statement.severity == Severity::remark) continue;
     if (is_row && statement.gap && statement.severity != Severity::danger) {
       // Of a row what each gap needs is folded away behind the table.
-      of_gaps[*statement.gap] += paragraphs(report, statement, badges[*statement.gap], false);
+      of_gaps[*statement.gap] += paragraphs(statement, badges[*statement.gap], "");
     } else {
-      block += paragraphs(report, statement, badge, is_row);
+      block += paragraphs(statement, badge, is_row && statement.gap ? short_gap_name(report, *statement.gap) : "");
     }
   }
   for (const StoryTable& table : report.story.tables) {
@@ -109,10 +106,14 @@ PageSection verdict_section(const Report& report) {
 }
 
 PageSection remarks_section(const Report& report) {
+  return remarks_section(report.story, report.say, report.to_hand_in);
+}
+
+PageSection remarks_section(const Story& story, const Words& say, bool to_hand_in) {
   Html list, rest;
-  for (const SaidStatement& statement : said(report.story.statements, report.say)) {
+  for (const SaidStatement& statement : said(story.statements, say)) {
     if (statement.severity != Severity::remark) continue;
-    if (report.to_hand_in && statement.kind.starts_with("model")) continue;  // it stands with the assumptions
+    if (to_hand_in && statement.kind.starts_with("model")) continue;  // it stands with the assumptions
     if (statement.kind.starts_with("remark.")) {
       list += element("li", Html::text(statement.text));
     } else {
@@ -120,7 +121,23 @@ PageSection remarks_section(const Report& report) {
     }
   }
   const Html content = list.str().empty() ? rest : element("ul", list) + rest;
-  return {"remarks", report.say("remarks.heading"), content};
+  return {"remarks", say("remarks.heading"), content};
+}
+
+Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, const std::string& caption,
+                    const std::string& language) {
+  FigureOptions options;
+  options.say = figure_words(language);
+  options.language = language;
+  Html drawn;
+  std::string finding;
+  for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
+    options.width = width;
+    const Figure figure = make(options);
+    finding = figure.finding;
+    drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
+  }
+  return element("figure", drawn + element("figcaption", caption + ". " + finding), "class=\"overview\"");
 }
 
 }  // namespace bentur::html

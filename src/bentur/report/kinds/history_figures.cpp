@@ -5,44 +5,15 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
-#include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/kinds/internal/history_panels.h"
 
 namespace bentur {
 namespace {
 
-struct Window {
-  double from = 0, to = 0;
-};
-
-/// A row of a table of histories.
-std::vector<double> row_of(const Eigen::MatrixXd& table, Eigen::Index row) {
-  const auto values = table.row(row);
-  return {values.begin(), values.end()};
-}
-
 /// The exact course where it was kept, else samples.
 const Histories& course_of(const RunResults& run) {
   return run.response.course.time.empty() ? run.response.histories : run.response.course;
-}
-
-/// What the user asks for, within the histories.
-Window window(const RunResults& run, const FigureOptions& options) {
-  const double begin = run.response.histories.time.front();
-  const double end = std::max(run.response.histories.time.back(), course_of(run).time.back());
-  const Window asked{options.from.value_or(begin), options.to.value_or(end)};
-  if (!(asked.from < asked.to) || asked.from > run.response.histories.time.back() ||
-      asked.to < run.response.histories.time.front()) {
-    throw NoFigure(fmt::format("the histories run from {} s to {} s, and --from must lie before --to",
-                               number(run.response.histories.time.front()),
-                               number(run.response.histories.time.back())));
-  }
-  // Ten digits are left to tell two numbers of the axis apart.
-  if (!(asked.to - asked.from > 1e-6 * std::max(std::abs(asked.from), std::abs(asked.to)))) {
-    throw NoFigure("--from and --to lie too near to one another for an axis");
-  }
-  return {std::max(asked.from, begin), std::min(asked.to, end)};
 }
 
 struct Moment {
@@ -56,6 +27,25 @@ Moment closest_approach(const RunResults& run, Eigen::Index point) {
   return {course_of(run).time[closest], opening};
 }
 
+/// What panels of histories are of.
+HistoryPlace place_of(const RunResults& run, Eigen::Index point, const FigureOptions& options) {
+  const std::vector<double>& samples = run.response.histories.time;
+  const Eigen::Index left = run.problem.points[point].left;
+  const auto period = [&](Eigen::Index b) { return first_period(run.problem.buildings[b]).value_or(0); };
+  return {.title = point_text(run, point, options),
+          .impacts = &run.response.impacts,
+          .point = point,
+          .samples = {samples.front(), samples.back()},
+          .whole = {samples.front(), std::max(samples.back(), course_of(run).time.back())},
+          .period = std::max(period(left), period(left + 1)),
+          .closest = closest_approach(run, point).time};
+}
+
+Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Index point,
+                 const std::vector<Curve>& curves, const HistoryPanels& with) {
+  return history_figure(place_of(run, point, options), options, curves, with);
+}
+
 /// The value of a curve that is largest in size.
 Moment largest_of(const Curve& curve) {
   Moment most;
@@ -63,178 +53,6 @@ Moment largest_of(const Curve& curve) {
     if (i == 0 || std::abs(curve.y[i]) > std::abs(most.value)) most = {curve.x[i], curve.y[i]};
   }
   return most;
-}
-
-/// Some vibrations around the hardest impact of the point, or the moment it is nearest to one.
-Window around_the_hardest(const RunResults& run, Eigen::Index point) {
-  const auto period = [&](Eigen::Index b) { return first_period(run.problem.buildings[b]).value_or(0); };
-  const Eigen::Index left = run.problem.points[point].left;
-  const double unit = std::max({period(left), period(left + 1), 1e-6 * run.response.histories.time.back()});
-  double centre = 0;
-  if (const Impact* impact = hardest_impact(run, point)) {
-    centre = impact->peak_force > 0 ? impact->peak_force_time : impact->start;
-  } else {
-    centre = closest_approach(run, point).time;
-  }
-  // Ends on tenths of its length, so that the axis has round numbers.
-  const double length = 8 * unit;
-  const double grid = std::pow(10.0, std::floor(std::log10(length)) - 1);
-  Window near{grid * std::round((centre - 3 * unit) / grid), 0};
-  near.from = std::max(near.from, run.response.histories.time.front());
-  near.to = std::min(near.from + grid * std::ceil(length / grid), run.response.histories.time.back());
-  return near;
-}
-
-/// The part of a curve within a window, with one point more at either side.
-Curve within(const Curve& whole, const Window& window) {
-  Curve part = whole;
-  const auto first = std::lower_bound(whole.x.begin(), whole.x.end(), window.from);
-  const auto last = std::upper_bound(whole.x.begin(), whole.x.end(), window.to);
-  const auto begin = first == whole.x.begin() ? 0 : first - whole.x.begin() - 1;
-  const auto end = last == whole.x.end() ? last - whole.x.begin() : last - whole.x.begin() + 1;
-  part.x.assign(whole.x.begin() + begin, whole.x.begin() + end);
-  part.y.assign(whole.y.begin() + begin, whole.y.begin() + end);
-  return part;
-}
-
-/// The starts of the contacts at a point; of very many those that can be told apart.
-Events contacts(const RunResults& run, Eigen::Index point, const Window& window, const FigureOptions& options) {
-  constexpr std::size_t most = 100;
-  std::vector<double> all, apart;
-  for (const Impact& impact : run.response.impacts) {
-    if (impact.point != point || impact.start < window.from || impact.start > window.to) continue;
-    all.push_back(impact.start);
-    if (apart.empty() || impact.start - apart.back() >= (window.to - window.from) / most) apart.push_back(all.back());
-  }
-  Events events{word(options, "contact"), all.size() > most ? apart : all};
-  return events;
-}
-
-/// Appends an impact that is too short for its course to be seen: it starts and ends when the impact does, reaches the
-/// peak when it does, and the area below is the impulse.
-void append_short(const Impact& impact, Curve& force) {
-  const auto add = [&](double x, double y) {
-    force.x.push_back(std::max(x, force.x.empty() ? x : force.x.back()));
-    force.y.push_back(y);
-  };
-  const double length = impact.end - impact.start;
-  const double edge = length > 0 ? 2 * impact.impulse / length - impact.peak_force : 0;          // height at both ends
-  const double part = edge >= 0 || !(impact.peak_force > 0) ? 1 : 1 + edge / impact.peak_force;  // of a slender peak
-  add(impact.start, 0);
-  if (edge > 0) add(impact.start, edge);
-  if (edge < 0) add(impact.peak_force_time - part * (impact.peak_force_time - impact.start), 0);
-  add(impact.peak_force_time, impact.peak_force);
-  if (edge < 0) add(impact.peak_force_time + part * (impact.end - impact.peak_force_time), 0);
-  if (edge > 0) add(impact.end, edge);
-  add(impact.end, 0);
-}
-
-/// The contact force of a point over a window: the course of each impact that is long enough to be seen.
-Curve force_curve(const RunResults& run, Eigen::Index point, const Window& window) {
-  constexpr double seen = 1.0 / 600;  // of the window: less than a hair's breadth of a panel
-  const Histories& course = run.response.course;
-  Curve force{.x = {window.from}, .y = {0}, .complete = true};
-  for (const Impact& impact : run.response.impacts) {
-    if (impact.point != point || !(impact.peak_force > 0)) continue;
-    if (impact.end < window.from || impact.start > window.to) continue;
-    const double length = impact.end - impact.start;
-    if (course.time.empty() || length < seen * (window.to - window.from)) {
-      append_short(impact, force);
-      continue;
-    }
-    const double slack = 1e-9 * length;
-    const auto first = std::lower_bound(course.time.begin(), course.time.end(), impact.start - slack);
-    const auto last = std::upper_bound(first, course.time.end(), impact.end + slack);
-    force.x.push_back(impact.start);
-    force.y.push_back(0);
-    for (auto at = first; at != last; ++at) {
-      force.x.push_back(std::clamp(*at, impact.start, impact.end));
-      force.y.push_back(course.force(point, at - course.time.begin()));
-    }
-    force.x.push_back(impact.end);
-    force.y.push_back(impact.open_ended ? force.y.back() : 0);
-  }
-  force.x.push_back(std::max(window.to, force.x.back()));
-  force.y.push_back(0);
-  return force;
-}
-
-/// The peak of each impact, where there are so many that their courses would fill the frame.
-std::optional<Curve> force_peaks(const RunResults& run, Eigen::Index point, const Window& window) {
-  constexpr std::size_t most = 130;  // two pixels each in a journal's column
-  Curve peaks{.line = Line::none, .mark = Mark::disc, .complete = true};
-  for (const Impact& impact : run.response.impacts) {
-    if (impact.point != point || !(impact.peak_force > 0)) continue;
-    if (impact.peak_force_time < window.from || impact.peak_force_time > window.to) continue;
-    peaks.x.push_back(impact.peak_force_time);
-    peaks.y.push_back(impact.peak_force);
-  }
-  return peaks.x.size() > most ? std::optional(std::move(peaks)) : std::nullopt;
-}
-
-/// What a figure of histories shows besides its curves.
-struct HistoryPanels {
-  std::string label;             ///< of the y axis
-  std::string label_of_parts{};  ///< the same in short; empty: the curves of the whole run stand in one panel
-  std::vector<RuleLine> rules{};
-  bool mark_contacts = false;
-};
-
-/// Room for all curves within a window and for marks above them, so that panels can be compared.
-std::pair<double, double> range_of(const std::vector<Curve>& curves, const Window& window) {
-  std::pair<double, double> range{0, 0};
-  for (const Curve& curve : curves) {
-    const Curve part = within(curve, window);
-    const auto [least, most] = std::minmax_element(part.y.begin(), part.y.end());
-    range = {std::min(range.first, *least), std::max(range.second, *most)};
-  }
-  range.second += events_height * (range.second - range.first);
-  return range;
-}
-
-/// A panel over the whole run, or one for each curve, and, where that is long, another over its hardest moments; or one
-/// over the window asked for.
-Figure histories(const RunResults& run, const FigureOptions& options, Eigen::Index point,
-                 const std::vector<Curve>& curves, const HistoryPanels& with) {
-  constexpr double height = 3.4;
-  constexpr double height_of_part = 2;
-  Figure figure{.width = options.width, .shared_legend = true};
-  const auto add = [&](const std::string& title, const Window& window, const std::vector<Curve>& shown) -> Panel& {
-    Panel panel{.title = title,
-                .x = {.from = window.from, .to = window.to},
-                .y = {.label = with.label},
-                .height = height,
-                .rules = with.rules};
-    for (const Curve& curve : shown) panel.curves.push_back(within(curve, window));
-    if (with.mark_contacts) panel.events = contacts(run, point, window, options);
-    return figure.panels.emplace_back(std::move(panel));
-  };
-  const Window asked = window(run, options);
-  const Window near = around_the_hardest(run, point);
-  const bool two = !options.from && !options.to && near.to - near.from < 0.5 * (asked.to - asked.from);
-  if (two && !with.label_of_parts.empty()) {
-    for (const Curve& curve : curves) {  // many vibrations of one would hide those of the other
-      Panel& part = add(figure.panels.empty() ? point_text(run, point, options) : "", asked, {curve});
-      part.height = height_of_part;
-      part.y.label = with.label_of_parts;
-      part.y.least = range_of(curves, asked);
-      part.x.numbers = &curve == &curves.back();
-      if (figure.panels.size() > 1) part.events = {};
-    }
-  } else {
-    add(point_text(run, point, options), asked, curves);
-  }
-  if (two) {
-    for (Panel& panel : figure.panels) {
-      // Many vibrations side by side; the more, the thinner.
-      const double vibrations = (asked.to - asked.from) / (near.to - near.from);
-      for (Curve& curve : panel.curves) curve.width = vibrations > 10 ? 0.35 : 0.7;
-    }
-    const bool hit = hardest_impact(run, point) != nullptr;
-    add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, curves);
-  }
-  figure.panels.back().x.label = word(options, "Time t [s]");
-  return figure;
 }
 
 /// "closest approach 0.012 m at 3.57 s, 0.05 m at rest".
@@ -320,18 +138,11 @@ Figure force_figure(const RunResults& run, const FigureOptions& options) {
   if (const Impact* hardest = hardest_impact(run, i); hardest == nullptr || !(hardest->peak_force > 0)) {
     throw NoFigure("no contact force at " + point_text(run, i, options));
   }
-  Figure figure = histories(run, options, i, {Curve{}},
-                            {.label = with_unit(word(options, "Contact force F"), shown_unit(run, "F"))});
-  for (Panel& panel : figure.panels) {
-    const Window shown{*panel.x.from, *panel.x.to};
-    const std::optional<Curve> peaks = force_peaks(run, i, shown);
-    panel.curves = {peaks ? *peaks : force_curve(run, i, shown)};
-    if (peaks) panel.curves.front().label = word(options, "peak of each impact");
-    std::vector<double>& forces = panel.curves.front().y;
-    forces = shown_values(run, std::move(forces), "F");
-    const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
-    if (*least >= -round_off * *most) panel.y.from = 0;
-  }
+  const Histories& course = run.response.course;
+  const std::vector<double> force = course.time.empty() ? std::vector<double>() : row_of(course.force, i);
+  Figure figure =
+      force_history_figure(place_of(run, i, options), options, course.time, force,
+                           with_unit(word(options, "Contact force F"), shown_unit(run, "F")), shown_factor(run, "F"));
   figure.title = "Contact force, " + point_text(run, i, options);
   const PointSummary& point = run.response.points[i];
   figure.finding = word(options, "peak {} at {}", shown_value(run, point.peak_force, "F"),
@@ -424,37 +235,11 @@ Figure energy_figure(const RunResults& run, const FigureOptions& options) {
   if (!run.response.energy || run.response.energy->histories.input.size() == 0) {
     throw NoFigure("the run kept no energies: analysis.energy_audit = true in its case does");
   }
-  const EnergyHistories& energy = run.response.energy->histories;
-  const Window asked = window(run, options);
-  const auto part = [&](const Eigen::VectorXd& sum, Curve curve) {
-    curve.x = energy.time;
-    curve.y = shown_values(run, {sum.begin(), sum.end()}, "F L");
-    return within(curve, asked);
-  };
-  Panel panel{
-      .x = {.label = word(options, "Time t [s]"), .from = asked.from, .to = asked.to},
-      .y = {.label = with_unit(word(options, "Energy E"), shown_unit(run, "F L"))},
-      .height = 5,
-      .curves = {part(energy.input, {.label = word(options, "input"), .width = 1.2}),
-                 part(energy.kinetic + energy.strain, {.label = word(options, "kinetic + strain"), .tone = Tone::teal}),
-                 part(energy.damping,
-                      {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
-                 part(energy.contact_stored + energy.contact_lost,
-                      {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2})}};
-  if (energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0) {
-    panel.curves.push_back(
-        part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::teal, .line = Line::dashed}));
-  }
-  constexpr double round_off = 1e-9;  // of the energy that came in
-  const auto at_end = [&](const Eigen::VectorXd& sum) {
-    const double last = sum.size() > 0 ? sum(sum.size() - 1) : 0;
-    return shown_value(run, std::abs(last) > round_off * energy.input.cwiseAbs().maxCoeff() ? last : 0, "F L");
-  };
-  return {.title = "Where the energy is, of all buildings together",
-          .finding = word(options, "at the end {} have come in, damping has taken {}, contact {}", at_end(energy.input),
-                          at_end(energy.damping), at_end(energy.contact_stored + energy.contact_lost)),
-          .panels = {panel},
-          .width = options.width};
+  const std::vector<double>& samples = run.response.histories.time;
+  const double end = std::max(samples.back(), course_of(run).time.back());
+  const HistoryPlace whole{.samples = {samples.front(), samples.back()}, .whole = {samples.front(), end}};
+  return energy_history_figure(run.response.energy->histories, asked_window(whole, options), options,
+                               shown_factor(run, "F L"), shown_unit(run, "F L"));
 }
 
 }  // namespace bentur

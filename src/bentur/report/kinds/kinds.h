@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 #include "bentur/model/suite/suite.h"
 #include "bentur/report/figures/figure.h"
@@ -52,6 +53,10 @@ struct FigureKind {
 /// A figure of one of the kinds.
 /// @throws NoFigure when there is no such kind, or what the options ask for is not there.
 [[nodiscard]] Figure make_figure(const RunResults& run, const std::string& kind, const FigureOptions& options = {});
+
+/// The same of buildings in plan.
+[[nodiscard]] std::vector<FigureKind> figure_kinds(const PlanRun& run);
+[[nodiscard]] Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOptions& options = {});
 
 /// The first period of a building, marked in a spectrum.
 struct SpectrumMark {

@@ -138,9 +138,17 @@ std::vector<FigureKind> figure_kinds(const RunResults& run) {
   return kinds;
 }
 
-std::vector<std::string> run_figure_names() {
+std::vector<std::string> row_figure_names() {
   std::vector<std::string> names;
   for (const RunKind& kind : run_kinds) names.emplace_back(kind.name);
+  return names;
+}
+
+std::vector<std::string> run_figure_names() {
+  std::vector<std::string> names = row_figure_names();
+  for (const std::string& name : plan_figure_names()) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
   return names;
 }
 

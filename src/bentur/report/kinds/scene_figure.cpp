@@ -7,6 +7,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
 
@@ -14,23 +15,6 @@ namespace bentur {
 namespace {
 
 bool is_of_building(const SceneShape& shape) { return shape.role >= SceneRole::wall; }
-
-/// Rays around a place.
-Curve burst(double x, double y, double size) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  constexpr int rays = 10;
-  Curve curve{.tone = Tone::red, .width = 1.6, .complete = true};
-  for (int ray = 0; ray < rays; ++ray) {
-    const double angle = 2 * std::numbers::pi * (ray + 0.5) / rays;
-    for (const double radius : {0.35 * size, size}) {
-      curve.x.push_back(x + radius * std::cos(angle));
-      curve.y.push_back(y + radius * std::sin(angle));
-    }
-    curve.x.push_back(none);
-    curve.y.push_back(none);
-  }
-  return curve;
-}
 
 /// "impact 12: 5300 kN, level 300 cm".
 std::string impact_text(const RunResults& run, Eigen::Index index, const FigureOptions& options) {
@@ -53,6 +37,22 @@ std::string instant_text(const RunResults& run, const SceneInstant& instant, con
 }
 
 }  // namespace
+
+Curve burst(double x, double y, double size) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr int rays = 10;
+  Curve curve{.tone = Tone::red, .width = 1.6, .complete = true};
+  for (int ray = 0; ray < rays; ++ray) {
+    const double angle = 2 * std::numbers::pi * (ray + 0.5) / rays;
+    for (const double radius : {0.35 * size, size}) {
+      curve.x.push_back(x + radius * std::cos(angle));
+      curve.y.push_back(y + radius * std::sin(angle));
+    }
+    curve.x.push_back(none);
+    curve.y.push_back(none);
+  }
+  return curve;
+}
 
 Curve curve_of(const SceneShape& shape, const ScenePlaces& places) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();

@@ -23,13 +23,6 @@ double base_level(const Building& building) {
   return building.model.elevations.front() - building.model.storey_heights.front();
 }
 
-/// A magnification that people can say: 1, 2 or 5 times a power of ten.
-double round_125(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  const double digit = value / power;
-  return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
-}
-
 /// Puts a scene together from the sizes of things.
 class SceneBuilder {
  public:
@@ -376,6 +369,12 @@ Index nearest_column(const std::vector<double>& time, double at) {
 }
 
 }  // namespace
+
+double round_125(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  const double digit = value / power;
+  return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+}
 
 const char* role_name(SceneRole role) {
   constexpr const char* names[] = {"ground", "soil", "bearing", "spring", "damper", "yielding",

@@ -82,6 +82,9 @@ struct Scene {
   HingeBounds bounds;
 };
 
+/// A magnification that people can say: 1, 2 or 5 times a power of ten.
+[[nodiscard]] double round_125(double value);
+
 /// The response must have histories.
 [[nodiscard]] Scene scene_of(const Problem& problem, const Response& response);
 

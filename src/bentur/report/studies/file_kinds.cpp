@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "bentur/files/result_reading.h"
+#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
 #include "bentur/model/quantities.h"
 #include "bentur/report/kinds/internal/run_figures.h"
@@ -29,6 +31,7 @@ bool is_in(const NetcdfReader& results, const SweepKind& kind) { return !variabl
 
 std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
   if (is_run(results)) return figure_kinds(read_run(results));
+  if (is_plan_run(results)) return figure_kinds(read_plan_results(results));
   if (results.find("status") == nullptr) refuse(results);
   std::vector<FigureKind> kinds;
   if (is_ida(results)) {
@@ -46,6 +49,7 @@ std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
 
 Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
   if (is_run(results)) return make_figure(read_run(results), kind, options);
+  if (is_plan_run(results)) return make_figure(read_plan_results(results), kind, options);
   if (results.find("status") != nullptr) {
     const SweepData sweep(results, options.say);
     if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);

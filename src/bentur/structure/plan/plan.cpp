@@ -195,6 +195,16 @@ VectorXd PlanModel::movement_at(double elevation, const PlanPoint& at, const Pla
   return row;
 }
 
+PlanPoint centre_of_rigidity(const Plan& plan, Index storey) {
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+  for (const Spring& spring : springs_of(plan, storey)) {
+    k += spring.stiffness * spring.above.transpose() * spring.above;
+  }
+  // A translation u makes the torque r × (K_t u) about the centre of mass, r from there.
+  const PlanPoint turned = k.topLeftCorner<2, 2>().ldlt().solve(k.block<2, 1>(0, 2));
+  return centre_of(plan, storey) + PlanPoint(turned.y(), -turned.x());
+}
+
 PlanModel plan_model(const Plan& plan, double base_elevation) {
   check_footprint(plan.footprint);
   check_floors(plan);

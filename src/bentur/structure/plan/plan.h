@@ -107,6 +107,10 @@ struct PlanBuilding {
 /// side, is at most 1e-12 of the largest. Of a plan whose lists have the right lengths.
 [[nodiscard]] std::vector<UnheldStorey> unheld_storeys(const Plan& plan);
 
+/// The centre of rigidity of a storey that is held, from the footprint's corner [length]: of its stiffness before
+/// anything yields, where forces through it do not turn the floor above against the one below (P-5).
+[[nodiscard]] PlanPoint centre_of_rigidity(const Plan& plan, Eigen::Index storey);
+
 /// @throws InvalidParameter, naming the key, when lists have wrong lengths, a value is out of its range, a centre of
 /// mass is outside the footprint or a storey is not held.
 [[nodiscard]] PlanModel plan_model(const Plan& plan, double base_elevation = 0.0);

@@ -266,5 +266,24 @@ TEST(Plan, AWallHasNoModes) {
   EXPECT_THROW(static_cast<void>(rigid_plan_building("W", {.size = {0, 1}}, {3})), InvalidParameter);
 }
 
+/// (P-5) of planes along the axes; of two that are oblique it is where their lines cross, whatever else turns the
+/// floor back.
+TEST(Plan, CentreOfRigidity) {
+  const PlanPoint even = centre_of_rigidity(eccentric_storey(), 0);
+  EXPECT_NEAR(even.x(), (2.0 + 10.0) / 2, 1e-13);
+  EXPECT_NEAR(even.y(), (9e4 * 1 + 5e4 * 17) / 14e4, 1e-13);
+  Plan oblique{.footprint = {.corner = {5, -3}, .size = {12, 9}},
+               .storey_heights = {3, 3},
+               .masses = {100, 90},
+               .centres_of_mass = {{5, 4}, {6, 5}},
+               .planes = {oblique_plane(30, {3, 2}, {7e4, 1e4}), oblique_plane(110, {3, 2}, {2e4, 5e4})}};
+  oblique.rigidity = PlanRigidity{.centres = {{0, 0}}, .torsion = {4e6}};
+  for (const Eigen::Index storey : {0, 1}) {
+    const PlanPoint crossing = centre_of_rigidity(oblique, storey);
+    EXPECT_NEAR(crossing.x(), 3, 1e-12) << storey;
+    EXPECT_NEAR(crossing.y(), 2, 1e-12) << storey;
+  }
+}
+
 }  // namespace
 }  // namespace bentur

@@ -1,6 +1,10 @@
 #include "bentur/io/case/plan/plan_toml.h"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <memory>
+#include <string_view>
 #include <utility>
 
 #include "bentur/core/errors.h"
@@ -9,6 +13,7 @@
 #include "bentur/io/input_file.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/io/toml/parameter_path.h"
 
 namespace bentur {
 namespace {
@@ -17,7 +22,7 @@ namespace {
 void refuse_analysis(const TomlView& root) {
   const auto analysis = root.find("analysis");
   if (!analysis || !analysis->is(TomlValue::Kind::table)) return;
-  analysis->refuse({"collapse_drift", "output_step"}, "does not go with buildings in plan");
+  analysis->refuse({"collapse_drift"}, "does not go with buildings in plan");
   const auto solver = analysis->find("solver");
   if (solver && solver->value().text == "runge-kutta") solver->error_value("does not go with buildings in plan");
 }
@@ -69,6 +74,38 @@ PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* p
   return c;
 }
 
+/// Puts a harmonic motion in place of a record; `kept` are the keys of the table that stay. @return whether there was
+/// one.
+bool take_record_out(TomlValue& excitation, std::initializer_list<std::string_view> kept) {
+  const TomlValue* const kind = excitation.find("kind");
+  if (kind == nullptr || kind->text != "record") return false;
+  std::erase_if(excitation.members,
+                [&](const TomlMember& one) { return std::find(kept.begin(), kept.end(), one.key) == kept.end(); });
+  put_value(excitation, {"kind"}, toml_text("harmonic"));
+  for (const char* key : {"period", "displacement_amplitude"}) put_value(excitation, {key}, toml_number(1));
+  return true;
+}
+
+/// @param prepare what is changed of the text before it is read
+template <class Prepare>
+std::optional<PlanCase> read_text(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
+                                  PlanProblem* problem, const Prepare& prepare) {
+  Diagnostics found;
+  const std::string name = file.string();
+  std::optional<PlanCase> c;
+  auto root = parse_toml(text, name, found);
+  if (root) {
+    auto given = std::make_shared<const TomlValue>(*root);
+    prepare(*root);
+    c = read_parts(TomlView(*root, "", name, found), {file.parent_path(), found}, problem);
+    c->given = std::move(given);
+  }
+  diagnostics.add(found);
+  if (!found.ok()) return std::nullopt;
+  c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
+  return c;
+}
+
 }  // namespace
 
 bool is_plan_case(const std::filesystem::path& file) {
@@ -81,14 +118,26 @@ bool is_plan_case(const std::filesystem::path& file) {
 
 std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
                                             Diagnostics& diagnostics, PlanProblem* problem) {
-  Diagnostics found;
-  const std::string name = file.string();
-  std::optional<PlanCase> c;
-  const auto root = parse_toml(text, name, found);
-  if (root) c = read_parts(TomlView(*root, "", name, found), {file.parent_path(), found}, problem);
-  diagnostics.add(found);
-  if (!found.ok()) return std::nullopt;
-  c->source = CaseSource{.file = file.filename().string(), .text = text, .sha256 = sha256(text)};
+  return read_text(text, file, diagnostics, problem, [](TomlValue&) {});
+}
+
+std::optional<PlanCase> read_plan_case_without_records(const std::string& text, const std::filesystem::path& file,
+                                                       Diagnostics& diagnostics, PlanProblem* problem) {
+  std::array<bool, 2> taken{};
+  std::optional<PlanCase> c = read_text(text, file, diagnostics, problem, [&](TomlValue& root) {
+    TomlValue* const excitation = root.find("excitation");
+    if (excitation == nullptr) return;
+    taken[0] = take_record_out(*excitation, {"delays", "wave_velocity", "wave_angle", "kinematics", "angle", "y"});
+    if (TomlValue* const y = excitation->find("y")) taken[1] = take_record_out(*y, {});
+    const TomlValue* const analysis = root.find("analysis");
+    const bool lasts = analysis != nullptr && analysis->find("duration") != nullptr;
+    if ((taken[0] || taken[1]) && !lasts) put_value(root, {"analysis", "duration"}, toml_number(1));
+  });
+  for (std::size_t i = 0; c && i < taken.size(); ++i) {
+    if (!taken[i]) continue;
+    c->excitation[i].motion = NoMotion{};
+    if (problem != nullptr) problem->motions[i] = NoMotion{};
+  }
   return c;
 }
 

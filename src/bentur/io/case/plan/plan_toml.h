@@ -22,6 +22,13 @@ namespace bentur {
 [[nodiscard]] std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
                                                           Diagnostics& diagnostics, PlanProblem* problem = nullptr);
 
+/// A case whose records are not at hand: everything but those, in place of which there is no motion. Where it gives no
+/// duration, which a record had, that is 1 s. @param problem as that of read_plan_case()
+[[nodiscard]] std::optional<PlanCase> read_plan_case_without_records(const std::string& text,
+                                                                     const std::filesystem::path& file,
+                                                                     Diagnostics& diagnostics,
+                                                                     PlanProblem* problem = nullptr);
+
 /// The files that were read for it beside its own.
 [[nodiscard]] std::vector<std::filesystem::path> files_read(const PlanCase& c);
 

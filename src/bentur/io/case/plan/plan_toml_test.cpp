@@ -329,7 +329,7 @@ TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {
   EXPECT_FALSE(read_case_text(plan_text, "a.toml", diagnostics));
   ASSERT_EQ(diagnostics.errors().size(), 1U);
   EXPECT_EQ(diagnostics.errors()[0].message(),
-            "plan is of buildings in plan, which bentur check, modes, run and gap take: nothing else does");
+            "plan is of buildings in plan, which bentur check, modes, run, gap and report take: nothing else does");
   const auto errors_of_row = [](const std::string& more_of_gap, const std::string& more,
                                 const std::string& more_of_contact = "") {
     Diagnostics found;

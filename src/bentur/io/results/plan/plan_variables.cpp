@@ -14,31 +14,51 @@ namespace {
 
 using Eigen::Index;
 
-/// Tells all variables of a run, one after the other.
-class PlanVariables : private VariablePass<Teller> {
+/// Goes through all variables of a run, one after the other: `File` is a Teller of a `Run` that is const, or a Giver to
+/// one that is not, whose problem is known: of it the response alone is read.
+template <class File, class Run>
+class PlanVariables : private VariablePass<File> {
+  using Pass = VariablePass<File>;
+  using Pass::each, Pass::file_, Pass::fit, Pass::made, Pass::pass;
+  static constexpr bool reads = File::reads;
+
  public:
-  PlanVariables(Teller& file, const PlanRun& run)
-      : VariablePass(file),
+  PlanVariables(File& file, Run& run)
+      : Pass(file),
         run_(run),
         length_(udunit(run.c.units.length)),
         force_(udunit(run.c.units.force)),
-        time_{"time", run.response.histories.time.size()},
-        points_{"point", run.response.points.size(), "point_elevation point_x point_y point_left point_right"} {}
+        time_(file.dimension({"time", run.response.histories.time.size()})),
+        points_(file.dimension(
+            {"point", run.response.points.size(), "point_elevation point_x point_y point_left point_right"})) {}
 
   void all() {
-    const PlanHistories& histories = run_.response.histories;
+    auto& histories = run_.response.histories;
+    const auto& buildings = run_.problem.buildings;
+    const ResultDimension building = file_.dimension({"building", buildings.size(), "building_name"});
+    if constexpr (reads) {
+      std::size_t points = 0;
+      for (const PlanGap& gap : run_.problem.gaps) points += gap.contacts.size();
+      if (building.size != buildings.size() || points_.size != points) file_.source.fail("is not of this case");
+      run_.response.buildings.resize(buildings.size());
+      run_.response.buildings_no_contact.resize(buildings.size());
+      run_.response.points.resize(points);
+      run_.response.friction.resize(points);
+    }
     pass({"time", {time_}, "s", "time", {{"axis", "T"}}}, histories.time);
+    const ResultDimension component =
+        file_.dimension({"component", static_cast<std::size_t>(histories.ground_acceleration.rows())});
     pass({"ground_acceleration",
-          {time_, {"component", static_cast<std::size_t>(histories.ground_acceleration.rows())}},
+          {time_, component},
           length_ + " s-2",
           "components of the ground acceleration, along their own axes, without delay"},
          histories.ground_acceleration);
-    const auto& buildings = run_.problem.buildings;
-    const ResultDimension building{"building", buildings.size(), "building_name"};
-    each({"building_name", {building}, "", "names of the buildings, as in the case"}, buildings, &PlanBuilding::name);
-    std::vector<double> delays = run_.problem.delays;
-    delays.resize(buildings.size(), 0.0);
-    made({"building_delay", {building}, "s", "delay of the ground motion at the buildings"}, delays);
+    if constexpr (!reads) {
+      each({"building_name", {building}, "", "names of the buildings, as in the case"}, buildings, &PlanBuilding::name);
+      std::vector<double> delays = run_.problem.delays;
+      delays.resize(buildings.size(), 0.0);
+      made({"building_delay", {building}, "s", "delay of the ground motion at the buildings"}, delays);
+    }
     for (Index b = 0; b < std::ssize(buildings); ++b) of_building(b);
     of_points();
     of_impacts();
@@ -50,43 +70,37 @@ class PlanVariables : private VariablePass<Teller> {
                   const std::string& before = "", const std::string& after = "", const std::string& of = "") {
     for (const PlanQuantity& one : plan_quantities()) {
       if (one.owner != owner) continue;
-      std::vector<double> values = values_at(one, run_, places);
-      if (values.empty()) continue;
       ResultVariable variable{fmt::format("{}{}{}", before, file_name(one.told), after), along,
                               udunits(one.told.units, run_.c.units), std::string(one.told.long_name) + of};
-      if (!one.told.symbol.empty()) variable.attributes.push_back({"symbol", std::string(one.told.symbol)});
-      made(std::move(variable), values);
+      std::vector<double> values;
+      if constexpr (reads) {
+        if (!one.keep || !file_.has(variable.name, false)) continue;
+        made(std::move(variable), values);
+        for (std::size_t i = 0; i < values.size(); ++i) one.keep(run_, places[i], values[i]);
+      } else {
+        values = values_at(one, run_, places);
+        if (values.empty()) continue;
+        if (!one.told.symbol.empty()) variable.attributes.push_back({"symbol", std::string(one.told.symbol)});
+        made(std::move(variable), values);
+      }
     }
   }
 
   void of_building(Index b) {
     const PlanBuilding& building = run_.problem.buildings[b];
     const PlanModel& model = building.model;
-    const PlanHistories& histories = run_.response.histories;
+    auto& histories = run_.response.histories;
     const std::string number = fmt::format("_{}", b + 1), owner = fmt::format("building \"{}\"", building.name);
     const std::string of = " of the floors of " + owner;
-    const ResultDimension floors{"elevation" + number, model.elevations.size()};
-    pass({floors.name, {floors}, length_, "elevation" + of, {{"axis", "Z"}, {"positive", "up"}}}, model.elevations);
-    std::vector<double> footprint = {model.footprint.corner.x(), model.footprint.corner.y(),
-                                     model.footprint.far_corner().x(), model.footprint.far_corner().y()};
-    made({"footprint" + number, {{"side", 4}}, length_, "left, lower, right and upper edge of " + owner}, footprint);
-    std::vector<double> x, y;
-    for (const PlanPoint& centre : model.centres) {
-      x.push_back(model.footprint.corner.x() + centre.x());
-      y.push_back(model.footprint.corner.y() + centre.y());
+    const ResultDimension floors = file_.dimension({"elevation" + number, model.elevations.size()});
+    if constexpr (reads) {
+      if (floors.size != model.elevations.size()) file_.source.fail("is not of this case");
+      if (building.is_rigid()) stand_still(b);
+    } else {
+      shape(building, floors, number, owner);
     }
-    if (!building.is_rigid()) {
-      made({"centre_x" + number, {floors}, length_, "x of the centres of mass" + of}, x);
-      made({"centre_y" + number, {floors}, length_, "y of the centres of mass" + of}, y);
-      Eigen::MatrixXd periods = modal_properties(building.modes, model.load.col(0)).periods;
-      made({"period" + number,
-            {{"mode" + number, static_cast<std::size_t>(periods.size())}},
-            "s",
-            "periods of " + owner},
-           periods);
-    }
-    const auto history = [&](const char* name, const std::vector<Eigen::MatrixXd>& list, const std::string& units,
-                             const std::string& what) {
+    const auto history = [&](const char* name, auto& list, const std::string& units, const std::string& what) {
+      fit(list, run_.problem.buildings.size());
       if (time_.size > 0) pass({name + number, {time_, floors}, units, what + of}, list[b]);
     };
     history("displacement_x", histories.x, length_, "displacement along x of the centres of mass, from the own base,");
@@ -98,10 +112,49 @@ class PlanVariables : private VariablePass<Teller> {
     planes(b, floors, number, owner);
   }
 
+  /// What nobody tells of a wall.
+  void stand_still(Index b) {
+    for (auto* response : {&run_.response.buildings, &run_.response.buildings_no_contact}) {
+      PlanPeaks& peaks = (*response)[b];
+      for (Eigen::VectorXd* const list : {&peaks.south, &peaks.north, &peaks.west, &peaks.east, &peaks.rotation,
+                                          &peaks.angular_acceleration, &peaks.x, &peaks.y}) {
+        list->setZero(run_.problem.buildings[b].model.floors());
+      }
+    }
+  }
+
+  /// Where a building stands, its masses and periods.
+  void shape(const PlanBuilding& building, const ResultDimension& floors, const std::string& number,
+             const std::string& owner) {
+    const PlanModel& model = building.model;
+    const std::string of = " of the floors of " + owner;
+    pass({floors.name, {floors}, length_, "elevation" + of, {{"axis", "Z"}, {"positive", "up"}}}, model.elevations);
+    std::vector<double> footprint = {model.footprint.corner.x(), model.footprint.corner.y(),
+                                     model.footprint.far_corner().x(), model.footprint.far_corner().y()};
+    made({"footprint" + number, {{"side", 4}}, length_, "left, lower, right and upper edge of " + owner}, footprint);
+    if (building.is_rigid()) return;
+    std::vector<double> x, y;
+    for (const PlanPoint& centre : model.centres) {
+      x.push_back(model.footprint.corner.x() + centre.x());
+      y.push_back(model.footprint.corner.y() + centre.y());
+    }
+    made({"centre_x" + number, {floors}, length_, "x of the centres of mass" + of}, x);
+    made({"centre_y" + number, {floors}, length_, "y of the centres of mass" + of}, y);
+    Eigen::MatrixXd periods = modal_properties(building.modes, model.load.col(0)).periods;
+    made({"period" + number, {{"mode" + number, static_cast<std::size_t>(periods.size())}}, "s", "periods of " + owner},
+         periods);
+  }
+
   void planes(Index b, const ResultDimension& floors, const std::string& number, const std::string& owner) {
     const auto& all = run_.problem.buildings[b].model.planes;
     const ResultDimension planes{"plane" + number, all.size(), "plane_name" + number};
-    each({"plane_name" + number, {planes}, "", "names of the planes of " + owner}, all, &PlanModel::Plane::name);
+    if constexpr (reads) {
+      for (auto* response : {&run_.response.buildings, &run_.response.buildings_no_contact}) {
+        (*response)[b].planes.resize(all.size());
+      }
+    } else {
+      each({"plane_name" + number, {planes}, "", "names of the planes of " + owner}, all, &PlanModel::Plane::name);
+    }
     std::vector<PlanPlace> places;
     for (Index p = 0; p < std::ssize(all); ++p) {
       for (const PlanPlace& place : floors_of(run_.problem, b, p)) places.push_back(place);
@@ -110,34 +163,17 @@ class PlanVariables : private VariablePass<Teller> {
   }
 
   void of_points() {
-    std::vector<std::string> names, left, right;
-    std::vector<double> elevation, x, y;
-    bool rubs = false;
-    for (const PlanGap& gap : run_.problem.gaps) names.push_back(gap_name(run_.problem, gap));
-    for (Index i = 0; i < std::ssize(run_.response.points); ++i) {
-      const PlanContactPlace place = contact_at(run_.problem, i);
-      const PlanGap& gap = run_.problem.gaps[place.gap];
-      left.push_back(run_.problem.buildings[gap.left].name);
-      right.push_back(run_.problem.buildings[gap.right].name);
-      elevation.push_back(place.contact->elevation);
-      x.push_back(place.at.x());
-      y.push_back(place.at.y());
-      rubs = rubs || place.contact->rubbing;
-    }
-    const ResultDimension gaps{"gap", names.size(), "gap_name"};
-    made({"gap_name", {gaps}, "", "buildings on both sides of the gaps"}, names);
-    quantities(PlanOwner::gap, {gaps}, places_of(names.size()));
-    made({"point_left", {points_}, "", "building to the left of the contact points, or below"}, left);
-    made({"point_right", {points_}, "", "building to the right of the contact points, or above"}, right);
-    made({"point_elevation", {points_}, length_, "elevation of the contact points"}, elevation);
-    made({"point_x", {points_}, length_, "x of the contact points, in the middle of the gap"}, x);
-    made({"point_y", {points_}, length_, "y of the contact points, in the middle of the gap"}, y);
+    if constexpr (!reads) point_places();
     quantities(PlanOwner::point, {points_}, places_of(points_.size));
     if (time_.size == 0) return;
-    const PlanHistories& histories = run_.response.histories;
+    auto& histories = run_.response.histories;
     pass({"opening", {time_, points_}, length_, "opening of the contact points, negative in contact"},
          histories.opening);
     pass({"force", {time_, points_}, force_, "contact force"}, histories.force);
+    bool rubs = false;
+    for (const PlanGap& gap : run_.problem.gaps) {
+      for (const PlanContact& contact : gap.contacts) rubs = rubs || contact.rubbing;
+    }
     if (!rubs) return;
     pass({"slip", {time_, points_}, length_, "movement along the joint of the left against the right building"},
          histories.slip);
@@ -148,19 +184,52 @@ class PlanVariables : private VariablePass<Teller> {
          histories.force_along);
   }
 
+  void point_places() {
+    std::vector<std::string> names, left, right;
+    std::vector<double> elevation, x, y;
+    for (const PlanGap& gap : run_.problem.gaps) names.push_back(gap_name(run_.problem, gap));
+    for (Index i = 0; i < std::ssize(run_.response.points); ++i) {
+      const PlanContactPlace place = contact_at(run_.problem, i);
+      const PlanGap& gap = run_.problem.gaps[place.gap];
+      left.push_back(run_.problem.buildings[gap.left].name);
+      right.push_back(run_.problem.buildings[gap.right].name);
+      elevation.push_back(place.contact->elevation);
+      x.push_back(place.at.x());
+      y.push_back(place.at.y());
+    }
+    const ResultDimension gaps{"gap", names.size(), "gap_name"};
+    made({"gap_name", {gaps}, "", "buildings on both sides of the gaps"}, names);
+    quantities(PlanOwner::gap, {gaps}, places_of(names.size()));
+    made({"point_left", {points_}, "", "building to the left of the contact points, or below"}, left);
+    made({"point_right", {points_}, "", "building to the right of the contact points, or above"}, right);
+    made({"point_elevation", {points_}, length_, "elevation of the contact points"}, elevation);
+    made({"point_x", {points_}, length_, "x of the contact points, in the middle of the gap"}, x);
+    made({"point_y", {points_}, length_, "y of the contact points, in the middle of the gap"}, y);
+  }
+
   void of_impacts() {
+    auto& all = run_.response.impacts;
+    const ResultDimension impact = file_.dimension({"impact", all.size()});
+    fit(all, impact.size);
     std::vector<int> at;
-    for (const Impact& one : run_.response.impacts) at.push_back(static_cast<int>(one.point));
-    const ResultDimension impact{"impact", at.size()};
+    for (const Impact& one : all) at.push_back(static_cast<int>(one.point));
     made({"impact_point", {impact}, "", "number of the contact point of each impact, counted from 0"}, at);
-    quantities(PlanOwner::impact, {impact}, places_of(at.size()), "", "", " of each impact");
+    if constexpr (reads) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (at[i] < 0 || at[i] >= std::ssize(run_.response.points)) file_.source.fail("an impact is at no point of it");
+        all[i].point = at[i];
+      }
+    }
+    quantities(PlanOwner::impact, {impact}, places_of(all.size()), "", "", " of each impact");
   }
 
   void energy() {
-    if (!run_.response.energy) return;
+    if (!file_.has("energy_input", run_.response.energy.has_value())) return;
+    if constexpr (reads) run_.response.energy.emplace().histories.time = run_.response.histories.time;
     for (const auto& [name, values, what] : energy_curves) {
-      const Eigen::VectorXd& curve = run_.response.energy->histories.*values;
-      if (curve.size() > 0) pass({fmt::format("energy_{}", name), {time_}, force_ + " " + length_, what}, curve);
+      const std::string variable = fmt::format("energy_{}", name);
+      auto& curve = run_.response.energy->histories.*values;
+      if (file_.has(variable, curve.size() > 0)) pass({variable, {time_}, force_ + " " + length_, what}, curve);
     }
   }
 
@@ -170,12 +239,21 @@ class PlanVariables : private VariablePass<Teller> {
     return places;
   }
 
-  const PlanRun& run_;
+  Run& run_;
   std::string length_, force_;
   ResultDimension time_, points_;
 };
 
 }  // namespace
+
+void read_plan_response(const ResultSource& source, PlanRun& run) {
+  if (source.dimension_size("time") == 0) source.fail("holds no histories");
+  run.response = {};
+  Giver giver(source);
+  PlanVariables(giver, run).all();
+}
+
+bool is_plan_run(const ResultSource& source) { return source.has("footprint_1") && source.has("displacement_x_1"); }
 
 ResultFile plan_file(const PlanRun& run, std::string_view version) {
   ResultFile file;

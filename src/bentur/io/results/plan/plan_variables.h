@@ -12,4 +12,11 @@ namespace bentur {
 /// `gap`, `point`, `impact`. The values look into `run`, which must outlive them.
 [[nodiscard]] ResultFile plan_file(const PlanRun& run, std::string_view version);
 
+/// Whether a file is one of a run of buildings in plan, with histories.
+[[nodiscard]] bool is_plan_run(const ResultSource& source);
+
+/// The response that such a file holds, into a run whose case and problem are known. What the file contradicts these or
+/// itself in is ResultSource::fail().
+void read_plan_response(const ResultSource& source, PlanRun& run);
+
 }  // namespace bentur

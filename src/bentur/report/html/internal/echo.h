@@ -13,6 +13,9 @@ namespace bentur::html {
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
+/// A record as it was read.
+[[nodiscard]] Rows rows_of_record(const RecordEcho& record, const Words& say);
+
 [[nodiscard]] inline std::string label_text(const Label& label, const Words& say) {
   return std::string(say.language() == "id" ? label.indonesian : label.english);
 }
@@ -21,11 +24,14 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] std::vector<std::string> numbers_from_the_top(std::size_t count);
 
 /// Unit of the numbers of a key in the units of the case; empty where they have none.
-[[nodiscard]] std::string unit_of(const Key& key, const Case& c);
+[[nodiscard]] std::string unit_of(const Key& key, const Units& units);
 
 /// A table of the case as it was given, those below it too: every key by its label, with its unit, and what is without
 /// it where that is not nothing. Values of storeys, floors and elevations stand from the top down.
 /// @param more rows after those of the keys
 [[nodiscard]] Html echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more = {});
+/// The same without the lines of the case on which it stands.
+[[nodiscard]] Html echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units,
+                        const Rows& more = {});
 
 }  // namespace bentur::html

@@ -38,6 +38,11 @@ Html json_markup(std::string_view json) {
   return Html::markup(text);
 }
 
+Html json_script(std::string_view id, std::string_view json) {
+  return element("script", json_markup(json), "type=\"application/json\" id=\"" + std::string(id) + "\"") +
+         Html::markup("\n");
+}
+
 void HtmlTable::add(const std::string& name, const std::string& unit, const std::vector<double>& values) {
   add(name, unit, column(values));
 }

@@ -35,6 +35,9 @@ class Html {
 /// JSON text as it may stand inside <script>: no "<", so that neither </script> nor <!-- can end or open anything.
 [[nodiscard]] Html json_markup(std::string_view json);
 
+/// JSON that a page's script reads.
+[[nodiscard]] Html json_script(std::string_view id, std::string_view json);
+
 /// A table under one header row; units stand below the names. Columns of numbers are aligned to the right.
 class HtmlTable {
  public:

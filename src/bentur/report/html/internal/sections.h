@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
 
@@ -68,6 +70,9 @@ constexpr std::size_t rows_in_print = 30;
 /// The same of what is no run.
 [[nodiscard]] Html title_block(const std::optional<ProjectSpec>& project, const std::string& file,
                                const std::string& title, const std::string& made_by, const ReportOptions& options);
+/// Case and records by their hashes, so that a report can be told from that of another file of the same name.
+[[nodiscard]] Html identity(const std::optional<CaseSource>& source, const std::vector<const RecordEcho*>& records,
+                            const Words& say);
 /// What runs along the top of every printed page.
 [[nodiscard]] std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title);
 [[nodiscard]] PageSection assumptions_section(const Report& report, const HandIn& told);
@@ -79,6 +84,33 @@ constexpr std::size_t rows_in_print = 30;
 [[nodiscard]] std::vector<PagePart> parts(const std::vector<PageSection>& sections);
 
 // What the sections share.
+
+/// A statement of the verdict as paragraphs: its badge where that is not `badge`, the one before, and its text, behind
+/// the name of its gap unless that is empty.
+[[nodiscard]] Html paragraphs(const SaidStatement& statement, std::string& badge, const std::string& gap);
+/// A gap that is given, needed, or asked for by a rule [length].
+struct GapBar {
+  std::string name;
+  double value = 0;
+  const char* style = "";  ///< a class of report.css
+};
+/// All at one scale; nothing where all are zero.
+[[nodiscard]] Html gap_bars(const std::vector<GapBar>& bars, const std::string& unit);
+/// Remarks of a story as a list, and what else is to be remarked below it. @param to_hand_in what is said of the model
+/// stands elsewhere
+[[nodiscard]] PageSection remarks_section(const Story& story, const Words& say, bool to_hand_in);
+/// The opening figure below the verdict: over the whole width of a page, and for a narrow one. @param make it at a
+/// width
+[[nodiscard]] Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, const std::string& caption,
+                                  const std::string& language);
+/// The hardest impacts, as many as a page lists, the hardest first.
+[[nodiscard]] std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts);
+/// The list of impacts with its buttons; a page's script sorts and saves it. @param all how many there are
+/// @param sorted the column by which they are @param note what clicks do
+[[nodiscard]] Html impact_list(const Words& say, const char* note, const HtmlTable& table, std::size_t listed,
+                               std::size_t all, int sorted);
+/// impacts.csv for the script that saves it.
+[[nodiscard]] Html csv_script(const std::string& csv);
 
 /// A table in words.
 [[nodiscard]] Html table_of(const SaidTable& table);
@@ -99,8 +131,8 @@ constexpr std::size_t rows_in_print = 30;
 [[nodiscard]] std::string short_gap_name(const Report& report, Eigen::Index gap);
 /// "1 Bank, 2 Hotel, 3 Office".
 [[nodiscard]] std::string building_key(const Report& report);
-[[nodiscard]] std::string acceleration_unit(const Case& c);  ///< "cm/s²"
-[[nodiscard]] std::string mass_unit(const Case& c);          ///< "t", "kgf·s²/cm"
+[[nodiscard]] std::string acceleration_unit(const Units& units);  ///< "cm/s²"
+[[nodiscard]] std::string mass_unit(const Units& units);          ///< "t", "kgf·s²/cm"
 /// Columns of quantities, behind those that say where they are.
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns);
 /// Every quantity of an owner that is for tables, at these places.

@@ -53,6 +53,10 @@ template <class... Values>
 /// T of the first mode [s]; nothing without modes.
 [[nodiscard]] std::optional<double> first_period(const Building& building);
 
+/// Names of all kinds of figure of buildings in a row, and in plan.
+[[nodiscard]] std::vector<std::string> row_figure_names();
+[[nodiscard]] std::vector<std::string> plan_figure_names();
+
 /// @param of what the message calls the results
 [[noreturn]] void refuse_figure(const std::string& kind, const std::string& of, const std::vector<FigureKind>& kinds);
 

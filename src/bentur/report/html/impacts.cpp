@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/html/internal/sections.h"
+
+namespace bentur::html {
+
+std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts) {
+  std::vector<Eigen::Index> order(impacts.size());
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return is_harder(impacts[a], impacts[b]); });
+  order.resize(std::min(order.size(), most_impacts));
+  return order;
+}
+
+Html csv_script(const std::string& csv) {
+  return json_script("impacts-csv", nlohmann::json(csv).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+Html impact_list(const Words& say, const char* note, const HtmlTable& table, std::size_t listed, std::size_t all,
+                 int sorted) {
+  Html content;
+  if (listed < all) {
+    content += element(
+        "p", Html::text(say("impacts.cut", {{"listed", std::to_string(listed)}, {"all", std::to_string(all)}})));
+  }
+  content += element("p",
+                     element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
+                         Html::markup(" ") + element("span", Html::text(say(note)), "class=\"note\""),
+                     "class=\"screen\"");
+  content += table.markup(fmt::format("id=\"impact-list\" data-sorted=\"{}\"", sorted));
+  if (listed > rows_in_print) {
+    content += element("p", Html::text(say("impacts.print")), "class=\"print note\"");
+  }
+  return content;
+}
+
+PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed) {
+  const Words& say = report.say;
+  const std::vector<Impact>& all = report.response.impacts;
+  if (all.empty()) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
+  std::vector<std::string> numbers, gaps, struck;
+  std::vector<double> elevations;
+  for (const Eigen::Index k : listed) {
+    const ContactPoint& point = report.problem.points.at(static_cast<std::size_t>(all[k].point));
+    numbers.push_back(std::to_string(k + 1));
+    gaps.push_back(short_gap_name(report, point.left));
+    elevations.push_back(point.elevation);
+    struck.push_back(struck_text(report, all[k].point));
+  }
+  const bool of_columns = !struck_points(report.problem).empty();
+  HtmlTable table;
+  table.add("#", "", numbers);
+  if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
+  table.add(say("column.elevation"), report.c.units.length, elevations);
+  if (of_columns) table.add(say("columns.struck"), "", struck, false);
+  for (TableColumn& column : table_columns(Owner::impact, report.run, places_of(listed), say.number())) {
+    table.add(column.label, column.unit, std::move(column.cells));  // numbers that report.js can sort by
+  }
+  int sorted =
+      2 + (report.c.gaps.size() > 1 ? 1 : 0) + (of_columns ? 1 : 0);  // column of the peak force, by which they are
+  for (const Quantity* quantity : quantities_of(Owner::impact)) {
+    if (quantity->key == "peak_force") break;
+    sorted += quantity->label[0].empty() ? 0 : 1;
+  }
+  return {"impacts", say("heading.impacts"),
+          impact_list(say, "impacts.sort", table, listed.size(), all.size(), sorted)};
+}
+
+}  // namespace bentur::html

@@ -1,0 +1,358 @@
+#include "bentur/report/html/plan/plan_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
+#include "bentur/excitation/motion_measures.h"
+#include "bentur/io/results/plan/plan_csv.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/plan_story.h"
+#include "bentur/report/html/internal/echo.h"
+#include "bentur/report/html/internal/page.h"
+#include "bentur/report/html/internal/page_figures.h"
+#include "bentur/structure/modes.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using html::element;
+using html::Html;
+using html::HtmlTable;
+
+/// Writes the sections of a report of buildings in plan.
+class PlanPage {
+ public:
+  PlanPage(const PlanRun& run, const Words& say)
+      : run_(run), say_(say), length_(run.c.units.length), story_(plan_story(run)), gaps_(gap_names(run.problem)) {}
+
+  [[nodiscard]] html::PageSection verdict() const {
+    const std::vector<SaidStatement> all = said(story_.statements, say_);
+    const bool grave = std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity); });
+    Html block;
+    std::string badge;
+    for (const SaidStatement& statement : all) {
+      if (statement.severity == Severity::remark) continue;
+      block += html::paragraphs(statement, badge, gaps_.size() > 1 && statement.gap ? gaps_.at(*statement.gap) : "");
+    }
+    for (std::size_t g = 0; g < gaps_.size(); ++g) {
+      const Html bars = gap_bars(g);
+      if (gaps_.size() > 1 && !bars.str().empty()) block += element("p", gaps_[g]);
+      block += bars;
+    }
+    return {"verdict", say_("heading.verdict"), element("div", block, html::verdict_class(grave))};
+  }
+
+  [[nodiscard]] html::PageSection remarks() const { return html::remarks_section(story_, say_, false); }
+
+  /// Contact points gap by gap, floors and planes building by building.
+  [[nodiscard]] html::PageSection peaks() const {
+    Html content;
+    for (std::size_t g = 0; g < gaps_.size(); ++g) {
+      content += element("h3", say_("heading.contact_of", {{"gap", gaps_[g]}})) + contacts(g);
+    }
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
+      content += element("h3", say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}));
+      content += floors(b, false) + floors(b, true) + planes(b);
+    }
+    content += element("p", say_("plan.peaks_note"), "class=\"note\"");
+    if (run_.response.energy) {
+      const EnergyAudit& energy = *run_.response.energy;
+      const ShownUnits shown = shown_units(run_);
+      content += element(
+          "p", say_("peaks.energy",
+                    {{"input", html::quantity(energy.peak_input * shown.factor("F L"), unit_text("F L", shown.units))},
+                     {"residual", number(energy.relative_residual())}}));
+    }
+    return {"peaks", say_("heading.peaks"), content};
+  }
+
+  [[nodiscard]] html::PageSection impacts(const std::vector<Index>& listed) const {
+    const std::vector<Impact>& all = run_.response.impacts;
+    if (all.empty()) return {"impacts", say_("heading.impacts"), element("p", say_("impacts.none"))};
+    std::vector<std::string> numbers, gaps;
+    std::vector<PlanPlace> places;
+    std::vector<Index> points;
+    for (const Index k : listed) {
+      numbers.push_back(std::to_string(k + 1));
+      gaps.push_back(gaps_.at(contact_at(run_.problem, all[k].point).gap));
+      places.push_back({k});
+      points.push_back(all[k].point);
+    }
+    HtmlTable table;
+    table.add("#", "", numbers);
+    if (gaps_.size() > 1) table.add(say_("column.gap"), "", gaps, false);
+    add_places(table, points);
+    int sorted = gaps_.size() > 1 ? 5 : 4;  // column of the peak force, by which they are
+    const std::string peak_force(plan_quantity_named("peak_force", PlanOwner::impact).told.label[say_.number()]);
+    bool before = true;
+    for (TableColumn& column : table_columns(PlanOwner::impact, false, run_, places, say_.number())) {
+      before = before && column.label != peak_force;
+      sorted += before ? 1 : 0;
+      table.add(column.label, column.unit, std::move(column.cells));
+    }
+    return {"impacts", say_("heading.impacts"),
+            html::impact_list(say_, "plan.sort", table, listed.size(), all.size(), sorted)};
+  }
+
+  /// The case key by key, and what follows from it.
+  [[nodiscard]] html::PageSection input() const {
+    Html content;
+    for (const Key& key : case_keys().keys) {
+      const TomlValue nothing;
+      const TomlValue* const found = run_.c.given ? run_.c.given->find(std::string(key.name)) : nullptr;
+      const bool always = key.name == "units" || key.name == "analysis";
+      if (key.table == nullptr || (found == nullptr && !always)) continue;
+      const TomlValue& given = found != nullptr ? *found : nothing;
+      const bool is_list = given.kind == TomlValue::Kind::list;
+      for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
+        TomlValue one = is_list ? given.items[i] : given;
+        const bool is_building = key.name == "building";
+        const TomlValue planes = is_building && one.find("plane") != nullptr ? *one.find("plane") : TomlValue();
+        if (is_building) std::erase_if(one.members, [](const TomlMember& member) { return member.key == "plane"; });
+        html::Rows rows;
+        if (key.name == "excitation") rows = motion();
+        if (key.name == "analysis") rows = analysis(one);
+        if (key.name == "units" && one.find("gravity") == nullptr) {
+          rows.emplace_back(html::label_text(unit_keys().at("gravity").label, say_),
+                            html::quantity(run_.c.units.gravity, html::acceleration_unit(run_.c.units)));
+        }
+        const std::string heading = is_building ? run_.problem.buildings.at(i).name : html::label_text(key.label, say_);
+        content += element("h3", heading) + html::echo(*key.table, one, say_, run_.c.units, rows);
+        if (is_building) content += given_planes(static_cast<Index>(i), planes) + modes(static_cast<Index>(i));
+      }
+    }
+    return {"input", say_("heading.input"), content};
+  }
+
+ private:
+  [[nodiscard]] Html gap_bars(std::size_t g) const {
+    const auto forth = governing_level(run_, g, false), back = governing_level(run_, g, true);
+    if (!forth) return {};
+    const auto style = [](const GoverningLevel& level) { return level.is_short() ? "short" : "needed"; };
+    std::vector<html::GapBar> bars = {{say_("column.given"), forth->width, "given"},
+                                      {say_("column.simulated"), forth->gap_needed, style(*forth)}};
+    if (back) bars.push_back({say_("column.reversed"), back->gap_needed, style(*back)});
+    return html::gap_bars(bars, length_);
+  }
+
+  void add_places(HtmlTable& table, const std::vector<Index>& points) const {
+    std::vector<double> elevation, x, y;
+    for (const Index point : points) {
+      const PlanContactPlace place = contact_at(run_.problem, point);
+      elevation.push_back(place.contact->elevation);
+      x.push_back(place.at.x());
+      y.push_back(place.at.y());
+    }
+    table.add(say_("column.elevation"), length_, elevation);
+    table.add("x", length_, x);
+    table.add("y", length_, y);
+  }
+
+  [[nodiscard]] Html contacts(std::size_t g) const {
+    std::vector<Index> points;
+    for (Index i = 0; i < std::ssize(run_.problem.gaps[g].contacts); ++i) {
+      points.push_back(first_contact(run_.problem, g) + i);
+    }
+    std::stable_sort(points.begin(), points.end(), [&](Index a, Index b) {
+      return contact_at(run_.problem, a).contact->elevation > contact_at(run_.problem, b).contact->elevation;
+    });
+    std::vector<PlanPlace> places;
+    for (const Index point : points) places.push_back({point});
+    HtmlTable table;
+    add_places(table, points);
+    html::add_columns(table, table_columns(PlanOwner::point, false, run_, places, say_.number()));
+    return table.markup();
+  }
+
+  [[nodiscard]] Html floors(Index b, bool of_forces) const {
+    std::vector<PlanPlace> places = floors_of(run_.problem, b);
+    std::reverse(places.begin(), places.end());
+    const std::vector<double>& levels = run_.problem.buildings[b].model.elevations;
+    std::vector<TableColumn> columns = table_columns(PlanOwner::floor, of_forces, run_, places, say_.number());
+    if (columns.empty()) return {};
+    HtmlTable table;
+    table.add(say_("column.elevation"), length_, std::vector<double>(levels.rbegin(), levels.rend()));
+    html::add_columns(table, std::move(columns));
+    return table.markup();
+  }
+
+  [[nodiscard]] Html planes(Index b) const {
+    const PlanModel& model = run_.problem.buildings[b].model;
+    std::vector<PlanPlace> places;
+    std::vector<std::string> names;
+    std::vector<double> levels;
+    for (Index p = 0; p < std::ssize(model.planes); ++p) {
+      for (Index f = model.floors() - 1; f >= 0; --f) {
+        places.push_back({b, f, p});
+        names.push_back(model.planes[p].name);
+        levels.push_back(model.elevations[f]);
+      }
+    }
+    if (places.empty()) return {};
+    HtmlTable table;
+    table.add(say_("column.plane"), "", names, false);
+    table.add(say_("column.elevation"), length_, levels);
+    html::add_columns(table, table_columns(PlanOwner::plane, false, run_, places, say_.number()));
+    return table.markup();
+  }
+
+  /// Where the planes of a building stand and how stiff they are, storeys from the top down, and how they yield.
+  [[nodiscard]] Html given_planes(Index b, const TomlValue& given) const {
+    const auto* const plan = std::get_if<Plan>(&run_.c.buildings[b].structure);
+    if (plan == nullptr || plan->planes.empty()) return {};
+    std::vector<std::string> names, stiffnesses;
+    std::vector<double> x, y, angles;
+    for (const PlanPlane& plane : plan->planes) {
+      names.push_back(plane.name);
+      x.push_back(plane.through.x());
+      y.push_back(plane.through.y());
+      constexpr double degrees = 180 / std::numbers::pi;
+      angles.push_back(degrees * std::atan2(plane.direction.y(), plane.direction.x()));
+      std::string list;
+      for (auto k = plane.storeys.stiffnesses.rbegin(); k != plane.storeys.stiffnesses.rend(); ++k) {
+        list += (list.empty() ? "" : ", ") + number(*k);
+      }
+      stiffnesses.push_back(list);
+    }
+    HtmlTable table;
+    table.add(say_("column.plane"), "", names, false);
+    table.add(say_("plan.through_x"), length_, x);
+    table.add(say_("plan.through_y"), length_, y);
+    table.add(html::label_text(plane_keys().at("angle").label, say_), "°", angles);
+    const Key& stiffness = plane_keys().at("stiffnesses");
+    table.add(html::label_text(stiffness.label, say_), html::unit_of(stiffness, run_.c.units), stiffnesses);
+    Html content = element("p", say_("plan.planes")) + table.markup();
+    for (std::size_t p = 0; p < std::min(given.items.size(), names.size()); ++p) {
+      TomlValue yielding = given.items[p];
+      std::erase_if(yielding.members, [](const TomlMember& member) {
+        const std::string_view told[] = {"name", "along", "at", "angle", "through", "stiffnesses"};
+        return std::find(std::begin(told), std::end(told), member.key) != std::end(told);
+      });
+      if (yielding.members.empty()) continue;
+      content += element("p", names[p]) + html::echo(plane_keys(), yielding, say_, run_.c.units);
+    }
+    return content;
+  }
+
+  [[nodiscard]] Html modes(Index b) const {
+    const PlanBuilding& building = run_.problem.buildings[b];
+    if (building.is_rigid()) return {};
+    constexpr Index most = 8;
+    const ModalProperties along_x = modal_properties(building.modes, building.model.load.col(0));
+    const ModalProperties along_y = modal_properties(building.modes, building.model.load.col(1));
+    std::vector<std::string> numbers;
+    std::vector<double> periods, mass_x, mass_y, damping;
+    for (Index mode = 0; mode < std::min(most, building.modes.omega.size()); ++mode) {
+      numbers.push_back(std::to_string(mode + 1));
+      periods.push_back(along_x.periods(mode));
+      mass_x.push_back(rounded(100 * along_x.effective_mass_fraction(mode)));
+      mass_y.push_back(rounded(100 * along_y.effective_mass_fraction(mode)));
+      damping.push_back(100 * building.modal_damping(mode, mode) / (2 * building.modes.omega(mode)));
+    }
+    HtmlTable table;
+    table.add(say_("column.mode"), "", numbers);
+    table.add(say_("column.period"), "s", periods);
+    table.add(say_("column.damping"), "%", damping);
+    table.add(say_("plan.mass_x"), "%", mass_x);
+    table.add(say_("plan.mass_y"), "%", mass_y);
+    return element("h4", say_("heading.modes")) + table.markup();
+  }
+
+  /// Without round-off [%].
+  [[nodiscard]] static double rounded(double percent) { return std::round(1e6 * percent) / 1e6; }
+
+  /// Both motions as they were read and as they are applied.
+  [[nodiscard]] html::Rows motion() const {
+    html::Rows rows;
+    for (const std::size_t i : {0U, 1U}) {
+      const double pga = applied_pga(run_, i);
+      if (!(pga > 0)) continue;
+      const std::string of = i == 0 ? "x" : "y";
+      if (const auto& record = run_.c.excitation[i].record) {
+        for (auto& [name, text] : html::rows_of_record(*record, say_)) rows.emplace_back(of + ": " + name, text);
+      }
+      rows.emplace_back(of + ": " + say_("motion.pga"), html::quantity(pga, html::acceleration_unit(run_.c.units)) +
+                                                            " = " + html::quantity(pga / run_.c.units.gravity, "g"));
+    }
+    const std::vector<double>& delays = run_.c.excitation[0].delays;
+    for (std::size_t b = 0; b < delays.size(); ++b) {
+      if (delays[b] == 0) continue;
+      rows.emplace_back(say_("motion.delay", {{"building", run_.problem.buildings.at(b).name}}),
+                        html::quantity(delays[b], "s"));
+    }
+    return rows;
+  }
+
+  [[nodiscard]] html::Rows analysis(const TomlValue& given) const {
+    html::Rows rows;
+    if (given.find("duration") == nullptr) {
+      rows.emplace_back(html::label_text(analysis_keys().at("duration").label, say_),
+                        html::quantity(run_.problem.duration, "s"));
+    }
+    rows.emplace_back(say_("analysis.events"), std::to_string(run_.response.events));
+    return rows;
+  }
+
+  const PlanRun& run_;
+  const Words& say_;
+  const std::string& length_;
+  Story story_;
+  std::vector<std::string> gaps_;
+};
+
+/// impacts.csv of these.
+std::string csv_of(const PlanRun& run, std::vector<Index> listed) {
+  std::sort(listed.begin(), listed.end());
+  PlanRun shown{run.c, run.problem, {}};
+  for (const Index k : listed) shown.response.impacts.push_back(run.response.impacts[k]);
+  return impacts_csv(shown);
+}
+
+}  // namespace
+
+double report_output_step(const PlanProblem& problem) {
+  constexpr double finest = 1e-3, most = 5e4;  // [s], samples
+  return std::max(finest, problem.duration / most);
+}
+
+std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
+  if (run.response.histories.time.empty()) {
+    throw InvalidParameter("response", "no histories", "must have the histories of every building");
+  }
+  const Words say(options.language);
+  const PlanPage sections(run, say);
+  const std::vector<Index> listed = html::hardest_impacts(run.response.impacts);
+  const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
+  const std::vector<html::PageFigure> figures = html::page_figures(
+      figure_kinds(run),
+      [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(run, kind, drawn); }, "figure.",
+      options.language);
+  html::PageSection verdict = sections.verdict();
+  if (!run.response.points.empty()) {
+    verdict.content +=
+        html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, "overview", drawn); },
+                             say("plan.overview"), options.language);
+  }
+  std::vector<const RecordEcho*> records;
+  for (const ExcitationSpec& one : run.c.excitation) {
+    if (one.record) records.push_back(&*one.record);
+  }
+  const html::PageBody body{.header = html::title_block(std::nullopt, run.c.source ? run.c.source->file : "", title,
+                                                        say("report.by", {{"version", options.version}}), options) +
+                                      html::identity(run.c.source, records, say),
+                            .sections = {verdict, sections.remarks(), sections.peaks(), sections.impacts(listed),
+                                         html::figures_section(say, figures), sections.input()},
+                            .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
+                                      html::csv_script(csv_of(run, listed))};
+  return html::page(say, title, body, true);
+}
+
+}  // namespace bentur

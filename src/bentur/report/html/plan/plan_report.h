@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/report/html/report.h"
+
+namespace bentur {
+
+/// The report of a run of buildings in plan, as report_html() of a row's, without what moves and without what a page to
+/// hand in has: the same verdict, opening figure, remarks, tables, figures and input. The response must have histories.
+/// @throws InvalidParameter for an unknown language, or without histories.
+[[nodiscard]] std::string plan_report_html(const PlanRun& run, const ReportOptions& options);
+
+/// A step for the histories of such a report [s]: fine enough for impacts, within some megabytes.
+[[nodiscard]] double report_output_step(const PlanProblem& problem);
+
+}  // namespace bentur

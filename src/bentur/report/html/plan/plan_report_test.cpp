@@ -1,0 +1,123 @@
+#include "bentur/report/html/plan/plan_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+
+#include "bentur/core/errors.h"
+#include "bentur/files/result_netcdf.h"
+#include "bentur/files/result_reading.h"
+#include "bentur/io/output/atomic_file.h"
+#include "bentur/io/results/plan/plan_csv.h"
+#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/model/story/plan_story.h"
+#include "bentur/report/story_text.h"
+#include "tests/support/plan_run.h"
+
+namespace bentur {
+namespace {
+
+std::string page_of(const PlanRun& run, const std::string& language = "en") {
+  return plan_report_html(run, {.language = language, .version = "0"});
+}
+
+const PlanRun& twisting() {
+  static const PlanRun run = test::plan_run(test::twisting_pair());
+  return run;
+}
+
+bool has(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
+
+/// The sections of a row's report that a plan has, in its order; nothing is fetched, and nothing moves.
+TEST(PlanReport, HasThePartsOfARowsReport) {
+  const std::string page = page_of(twisting());
+  EXPECT_EQ(page, page_of(twisting()));
+  std::size_t last = 0;
+  for (const char* const id : {"verdict", "remarks", "peaks", "impacts", "figures", "input"}) {
+    const std::size_t at = page.find("<section id=\"" + std::string(id) + "\"");
+    ASSERT_NE(at, std::string::npos) << id;
+    EXPECT_GT(at, last) << id;
+    last = at;
+  }
+  EXPECT_TRUE(has(page, "default-src 'none'"));
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)="(?!#))")));
+  EXPECT_FALSE(has(page, "id=\"stage\""));
+  EXPECT_TRUE(has(page, "Case file twisting-pair.toml") || has(page, "Case file case.toml"));
+}
+
+/// In both languages every sentence of the story stands there, and no key of the catalogue or word without its value.
+TEST(PlanReport, TellsTheStory) {
+  const PlanRun three = test::plan_run(test::twisting_pair() + test::wall_beside);
+  for (const PlanRun* const run : {&twisting(), &three}) {
+    for (const std::string language : {"en", "id"}) {
+      const std::string page = page_of(*run, language);
+      for (const SaidStatement& one : said(plan_story(*run).statements, Words(language))) {
+        EXPECT_TRUE(has(page, one.text)) << one.text;
+      }
+      const std::string shown =
+          std::regex_replace(page.substr(page.find("<body")), std::regex("<script[^]*?</script>"), "");
+      EXPECT_FALSE(std::regex_search(shown, std::regex(R"(\{\w*\}|story\.\w|>plan\.)")));
+      EXPECT_EQ(std::count(page.begin(), page.end(), '\0'), 0);
+    }
+    EXPECT_TRUE(has(page_of(*run, "id"), "pusat kekakuan"));
+  }
+  EXPECT_TRUE(has(page_of(three), ">Walled | Frame<"));  // bars of several gaps have their names
+}
+
+/// Every number is that of the quantities; the list of impacts can be saved as impacts.csv.
+TEST(PlanReport, HoldsTheNumbers) {
+  const PlanRun& run = twisting();
+  const std::string page = page_of(run);
+  const std::string opening = "id=\"impacts-csv\">";
+  const std::size_t start = page.find(opening) + opening.size();
+  EXPECT_EQ(nlohmann::json::parse(page.substr(start, page.find("</script>", start) - start)), impacts_csv(run));
+  for (const char* const told : {"<td>0.08747</td>", "<td>2045</td>", "north frame", "<td>80.26</td>"}) {
+    EXPECT_TRUE(has(page, told)) << told;
+  }
+  const std::size_t sorted = page.find("data-sorted=\"7\"");
+  ASSERT_NE(sorted, std::string::npos);  // # elevation x y start speed restitution, and then the peak force
+  EXPECT_TRUE(has(page, "class=\"gapbars\""));
+  // Floors of no contact point are watched, so that the bar tells of all of them.
+  const std::string apart = test::with(test::twisting_pair("[12.04, 0.0]", "[12.4, 0.0]"), "= 0.10 ", "= 0.50 ");
+  EXPECT_TRUE(has(page_of(test::plan_run(apart)), "class=\"gapbars\""));
+  const std::string one_watched = test::with(apart, "[3.5, 3.2]\nmasses = [250", "[3.5, 2.0]\nmasses = [250");
+  EXPECT_TRUE(has(page_of(test::plan_run(one_watched)), "class=\"gapbars\""));
+}
+
+TEST(PlanReport, ShowsTextsOfTheCaseAsTheyAre) {
+  const std::string evil = "<script>alert(1)</script>";
+  const PlanRun run = test::plan_run(test::twisting_pair("\"Walled\"", "\"" + evil + "\""));
+  const std::string page = page_of(run);
+  EXPECT_FALSE(has(page, evil));
+  EXPECT_TRUE(has(page, "&lt;script&gt;alert(1)"));
+}
+
+TEST(PlanReport, SaysHowPlanesYield) {
+  const std::string before = "[[building.plane]]\nname = \"west";
+  const PlanRun run =
+      test::plan_run(test::twisting_pair(before, "yield_forces = [777, 888]\nhardening = 0.05\n" + before));
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page, "777"));
+  EXPECT_TRUE(has(page, "Ductility"));
+}
+
+/// The report of results is that of the run.
+TEST(PlanReport, OfResultsIsThatOfTheRun) {
+  PlanRun run = test::plan_run(test::twisting_pair());
+  const TemporaryFolder folder;
+  AtomicFiles files(folder.path());
+  files.add("summary.json", plan_summary_json(run, "0"), ResultKind::summary);
+  files.add("histories.nc", histories_netcdf(run, "0"), ResultKind::histories);
+  files.add("case.toml", run.c.source->text, ResultKind::case_copy);
+  files.commit();
+  EXPECT_EQ(page_of(read_plan_results(folder.path())), page_of(run));
+  run.response.histories = {};
+  EXPECT_THROW((void)page_of(run), InvalidParameter);
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,254 @@
+#include "bentur/report/kinds/internal/history_panels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/figures/internal/layout.h"
+
+namespace bentur {
+namespace {
+
+/// Appends an impact that is too short for its course to be seen: it starts and ends when the impact does, reaches the
+/// peak when it does, and the area below is the impulse.
+void append_short(const Impact& impact, Curve& force) {
+  const auto add = [&](double x, double y) {
+    force.x.push_back(std::max(x, force.x.empty() ? x : force.x.back()));
+    force.y.push_back(y);
+  };
+  const double length = impact.end - impact.start;
+  const double edge = length > 0 ? 2 * impact.impulse / length - impact.peak_force : 0;          // height at both ends
+  const double part = edge >= 0 || !(impact.peak_force > 0) ? 1 : 1 + edge / impact.peak_force;  // of a slender peak
+  add(impact.start, 0);
+  if (edge > 0) add(impact.start, edge);
+  if (edge < 0) add(impact.peak_force_time - part * (impact.peak_force_time - impact.start), 0);
+  add(impact.peak_force_time, impact.peak_force);
+  if (edge < 0) add(impact.peak_force_time + part * (impact.end - impact.peak_force_time), 0);
+  if (edge > 0) add(impact.end, edge);
+  add(impact.end, 0);
+}
+
+}  // namespace
+
+const Impact* hardest_impact(const HistoryPlace& place) {
+  const Impact* found = nullptr;
+  for (const Impact& impact : *place.impacts) {
+    const bool here = impact.point == place.point;
+    if (here && (found == nullptr || impact.peak_force > found->peak_force)) found = &impact;
+  }
+  return found;
+}
+
+std::vector<double> row_of(const Eigen::MatrixXd& table, Eigen::Index row) {
+  const auto values = table.row(row);
+  return {values.begin(), values.end()};
+}
+
+TimeWindow asked_window(const HistoryPlace& place, const FigureOptions& options) {
+  const auto [begin, end] = place.whole;
+  const TimeWindow asked{options.from.value_or(begin), options.to.value_or(end)};
+  if (!(asked.from < asked.to) || asked.from > place.samples.to || asked.to < place.samples.from) {
+    throw NoFigure(fmt::format("the histories run from {} s to {} s, and --from must lie before --to",
+                               number(place.samples.from), number(place.samples.to)));
+  }
+  // Ten digits are left to tell two numbers of the axis apart.
+  if (!(asked.to - asked.from > 1e-6 * std::max(std::abs(asked.from), std::abs(asked.to)))) {
+    throw NoFigure("--from and --to lie too near to one another for an axis");
+  }
+  return {std::max(asked.from, begin), std::min(asked.to, end)};
+}
+
+TimeWindow around_the_hardest(const HistoryPlace& place) {
+  const double unit = std::max(place.period, 1e-6 * place.samples.to);
+  double centre = place.closest;
+  if (const Impact* impact = hardest_impact(place)) {
+    centre = impact->peak_force > 0 ? impact->peak_force_time : impact->start;
+  }
+  // Ends on tenths of its length, so that the axis has round numbers.
+  const double length = 8 * unit;
+  const double grid = std::pow(10.0, std::floor(std::log10(length)) - 1);
+  TimeWindow near{grid * std::round((centre - 3 * unit) / grid), 0};
+  near.from = std::max(near.from, place.samples.from);
+  near.to = std::min(near.from + grid * std::ceil(length / grid), place.samples.to);
+  return near;
+}
+
+bool has_two_windows(const HistoryPlace& place, const FigureOptions& options) {
+  const TimeWindow near = around_the_hardest(place);
+  return !options.from && !options.to && near.to - near.from < 0.5 * (place.whole.to - place.whole.from);
+}
+
+double width_of_line(const TimeWindow& whole, const TimeWindow& near) {
+  return (whole.to - whole.from) / (near.to - near.from) > 10 ? 0.35 : 0.7;
+}
+
+Curve within(const Curve& whole, const TimeWindow& window) {
+  Curve part = whole;
+  const auto first = std::lower_bound(whole.x.begin(), whole.x.end(), window.from);
+  const auto last = std::upper_bound(whole.x.begin(), whole.x.end(), window.to);
+  const auto begin = first == whole.x.begin() ? 0 : first - whole.x.begin() - 1;
+  const auto end = last == whole.x.end() ? last - whole.x.begin() : last - whole.x.begin() + 1;
+  part.x.assign(whole.x.begin() + begin, whole.x.begin() + end);
+  part.y.assign(whole.y.begin() + begin, whole.y.begin() + end);
+  return part;
+}
+
+Events contacts_within(const HistoryPlace& place, const TimeWindow& window, const FigureOptions& options) {
+  constexpr std::size_t most = 100;
+  std::vector<double> all, apart;
+  for (const Impact& impact : *place.impacts) {
+    if (impact.point != place.point || impact.start < window.from || impact.start > window.to) continue;
+    all.push_back(impact.start);
+    if (apart.empty() || impact.start - apart.back() >= (window.to - window.from) / most) apart.push_back(all.back());
+  }
+  Events events{word(options, "contact"), all.size() > most ? apart : all};
+  return events;
+}
+
+Curve force_curve(const HistoryPlace& place, const std::vector<double>& time, const std::vector<double>& force,
+                  const TimeWindow& window) {
+  constexpr double seen = 1.0 / 600;  // of the window: less than a hair's breadth of a panel
+  Curve curve{.x = {window.from}, .y = {0}, .complete = true};
+  for (const Impact& impact : *place.impacts) {
+    if (impact.point != place.point || !(impact.peak_force > 0)) continue;
+    if (impact.end < window.from || impact.start > window.to) continue;
+    const double length = impact.end - impact.start;
+    if (time.empty() || length < seen * (window.to - window.from)) {
+      append_short(impact, curve);
+      continue;
+    }
+    const double slack = 1e-9 * length;
+    const auto first = std::lower_bound(time.begin(), time.end(), impact.start - slack);
+    const auto last = std::upper_bound(first, time.end(), impact.end + slack);
+    curve.x.push_back(impact.start);
+    curve.y.push_back(0);
+    for (auto at = first; at != last; ++at) {
+      curve.x.push_back(std::clamp(*at, impact.start, impact.end));
+      curve.y.push_back(force[at - time.begin()]);
+    }
+    curve.x.push_back(impact.end);
+    curve.y.push_back(impact.open_ended ? curve.y.back() : 0);
+  }
+  curve.x.push_back(std::max(window.to, curve.x.back()));
+  curve.y.push_back(0);
+  return curve;
+}
+
+std::optional<Curve> force_peaks(const HistoryPlace& place, const TimeWindow& window) {
+  constexpr std::size_t most = 130;  // two pixels each in a journal's column
+  Curve peaks{.line = Line::none, .mark = Mark::disc, .complete = true};
+  for (const Impact& impact : *place.impacts) {
+    if (impact.point != place.point || !(impact.peak_force > 0)) continue;
+    if (impact.peak_force_time < window.from || impact.peak_force_time > window.to) continue;
+    peaks.x.push_back(impact.peak_force_time);
+    peaks.y.push_back(impact.peak_force);
+  }
+  return peaks.x.size() > most ? std::optional(std::move(peaks)) : std::nullopt;
+}
+
+std::pair<double, double> range_of(const std::vector<Curve>& curves, const TimeWindow& window) {
+  std::pair<double, double> range{0, 0};
+  for (const Curve& curve : curves) {
+    const Curve part = within(curve, window);
+    const auto [least, most] = std::minmax_element(part.y.begin(), part.y.end());
+    range = {std::min(range.first, *least), std::max(range.second, *most)};
+  }
+  range.second += events_height * (range.second - range.first);
+  return range;
+}
+
+Figure history_figure(const HistoryPlace& place, const FigureOptions& options, const std::vector<Curve>& curves,
+                      const HistoryPanels& with) {
+  constexpr double height = 3.4;
+  constexpr double height_of_part = 2;
+  Figure figure{.width = options.width, .shared_legend = true};
+  const auto add = [&](const std::string& title, const TimeWindow& window, const std::vector<Curve>& shown) -> Panel& {
+    Panel panel{.title = title,
+                .x = {.from = window.from, .to = window.to},
+                .y = {.label = with.label},
+                .height = height,
+                .rules = with.rules};
+    for (const Curve& curve : shown) panel.curves.push_back(within(curve, window));
+    if (with.mark_contacts) panel.events = contacts_within(place, window, options);
+    return figure.panels.emplace_back(std::move(panel));
+  };
+  const TimeWindow asked = asked_window(place, options);
+  const TimeWindow near = around_the_hardest(place);
+  const bool two = has_two_windows(place, options);
+  if (two && !with.label_of_parts.empty()) {
+    for (const Curve& curve : curves) {  // many vibrations of one would hide those of the other
+      Panel& part = add(figure.panels.empty() ? place.title : "", asked, {curve});
+      part.height = height_of_part;
+      part.y.label = with.label_of_parts;
+      part.y.least = range_of(curves, asked);
+      part.x.numbers = &curve == &curves.back();
+      if (figure.panels.size() > 1) part.events = {};
+    }
+  } else {
+    add(place.title, asked, curves);
+  }
+  if (two) {
+    for (Panel& panel : figure.panels) {
+      for (Curve& curve : panel.curves) curve.width = width_of_line(asked, near);
+    }
+    const bool hit = hardest_impact(place) != nullptr;
+    add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, curves);
+  }
+  figure.panels.back().x.label = word(options, "Time t [s]");
+  return figure;
+}
+
+Figure force_history_figure(const HistoryPlace& place, const FigureOptions& options, const std::vector<double>& time,
+                            const std::vector<double>& force, const std::string& label, double factor) {
+  Figure figure = history_figure(place, options, {Curve{}}, {.label = label});
+  for (Panel& panel : figure.panels) {
+    const TimeWindow shown{*panel.x.from, *panel.x.to};
+    const std::optional<Curve> peaks = force_peaks(place, shown);
+    panel.curves = {peaks ? *peaks : force_curve(place, time, force, shown)};
+    if (peaks) panel.curves.front().label = word(options, "peak of each impact");
+    std::vector<double>& forces = panel.curves.front().y;
+    for (double& one : forces) one *= factor;
+    const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
+    if (*least >= -round_off * *most) panel.y.from = 0;
+  }
+  return figure;
+}
+
+Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& asked, const FigureOptions& options,
+                             double factor, const std::string& unit) {
+  const auto part = [&](const Eigen::VectorXd& sum, Curve curve) {
+    curve.x = energy.time;
+    for (const double value : sum) curve.y.push_back(factor * value);
+    return within(curve, asked);
+  };
+  Panel panel{
+      .x = {.label = word(options, "Time t [s]"), .from = asked.from, .to = asked.to},
+      .y = {.label = with_unit(word(options, "Energy E"), unit)},
+      .height = 5,
+      .curves = {part(energy.input, {.label = word(options, "input"), .width = 1.2}),
+                 part(energy.kinetic + energy.strain, {.label = word(options, "kinetic + strain"), .tone = Tone::teal}),
+                 part(energy.damping,
+                      {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
+                 part(energy.contact_stored + energy.contact_lost,
+                      {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2})}};
+  if (energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0) {
+    panel.curves.push_back(
+        part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::teal, .line = Line::dashed}));
+  }
+  constexpr double round_off = 1e-9;  // of the energy that came in
+  const auto at_end = [&](const Eigen::VectorXd& sum) {
+    const double last = sum.size() > 0 ? sum(sum.size() - 1) : 0;
+    const bool is_there = std::abs(last) > round_off * energy.input.cwiseAbs().maxCoeff();
+    return number(is_there ? factor * last : 0) + " " + unit;
+  };
+  return {.title = "Where the energy is, of all buildings together",
+          .finding = word(options, "at the end {} have come in, damping has taken {}, contact {}", at_end(energy.input),
+                          at_end(energy.damping), at_end(energy.contact_stored + energy.contact_lost)),
+          .panels = {panel},
+          .width = options.width};
+}
+
+}  // namespace bentur

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/report/kinds/internal/history_panels.h"
+#include "bentur/report/scene/plan_scene.h"
+
+// The figures of buildings in plan, beside those of a row in run_figures.h.
+namespace bentur {
+
+/// The contacts of the gap and at the elevation that the options ask for. @throws NoFigure when there are none.
+[[nodiscard]] std::vector<Eigen::Index> asked_points(const PlanRun& run, const FigureOptions& options);
+/// Of these the one hit hardest, or, where nothing is hit, nearest to it. @throws NoFigure when there is none.
+[[nodiscard]] Eigen::Index chosen_point(const PlanRun& run, const FigureOptions& options);
+/// "level 6.7 m".
+[[nodiscard]] std::string level_text(const PlanRun& run, Eigen::Index point, const FigureOptions& options);
+/// "y = 18 m", along the stretch.
+[[nodiscard]] std::string along_text(const PlanRun& run, Eigen::Index point);
+/// "A | B, level 6.7 m, y = 18 m".
+[[nodiscard]] std::string point_text(const PlanRun& run, Eigen::Index point, const FigureOptions& options);
+/// What histories there are of.
+[[nodiscard]] HistoryPlace place_of(const PlanRun& run, Eigen::Index point, const FigureOptions& options);
+// As those of a row.
+[[nodiscard]] std::string shown_value(const PlanRun& run, double value, std::string_view form);
+[[nodiscard]] std::string shown_unit(const PlanRun& run, std::string_view form);
+[[nodiscard]] double shown_factor(const PlanRun& run, std::string_view form);
+
+[[nodiscard]] Figure overview_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure scene_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure displacement_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure opening_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure force_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure orbit_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure friction_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure energy_figure(const PlanRun& run, const FigureOptions& options);
+
+}  // namespace bentur

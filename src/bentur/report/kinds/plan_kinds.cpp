@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/kinds/kinds.h"
+
+namespace bentur {
+namespace {
+
+bool tells_always(const PlanRun&) { return true; }
+bool tells_above(const PlanRun&) { return false; }
+
+struct PlanKind {
+  const char* name;
+  const char* shows;
+  bool (*is_there)(const PlanRun&);
+  Figure (*make)(const PlanRun&, const FigureOptions&);
+  bool (*tells)(const PlanRun&) = tells_always;
+  bool over_time = false;
+};
+
+bool has_points(const PlanRun& run) { return !run.response.points.empty() && !run.response.histories.time.empty(); }
+bool has_force(const PlanRun& run) {
+  const std::vector<PointSummary>& points = run.response.points;
+  return has_points(run) &&
+         std::any_of(points.begin(), points.end(), [](const PointSummary& one) { return one.peak_force > 0; });
+}
+bool has_friction(const PlanRun& run) {
+  for (Eigen::Index i = 0; has_points(run) && i < std::ssize(run.response.points); ++i) {
+    if (contact_at(run.problem, i).contact->rubbing && run.response.points[i].impacts > 0) return true;
+  }
+  return false;
+}
+bool has_energy(const PlanRun& run) { return run.response.energy && run.response.energy->histories.input.size() > 0; }
+
+const PlanKind plan_kinds[] = {
+    {"overview", "the buildings from above at the hardest impact, and the opening over time", has_points,
+     overview_figure, tells_above},
+    {"scene", "the buildings from above at the hardest impact, else where they come closest", has_points, scene_figure,
+     tells_above},
+    {"displacement", "displacements along x and y and rotations of both floors at one contact, contacts marked",
+     has_points, displacement_figure, tells_always, true},
+    {"opening", "opening of the gap at both ends of one stretch", has_points, opening_figure, tells_always, true},
+    {"orbit", "how both ends of one stretch move, seen from above", has_points, orbit_figure, tells_always, true},
+    {"force", "contact forces at one level of a gap", has_force, force_figure, tells_always, true},
+    {"friction-cone", "force along the joint over contact force, between the limits of friction", has_friction,
+     friction_figure},
+    {"energy", "where the energy is", has_energy, energy_figure, tells_always, true},
+};
+
+}  // namespace
+
+std::vector<FigureKind> figure_kinds(const PlanRun& run) {
+  std::vector<FigureKind> kinds;
+  for (const PlanKind& kind : plan_kinds) {
+    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run), kind.over_time});
+  }
+  return kinds;
+}
+
+std::vector<std::string> plan_figure_names() {
+  std::vector<std::string> names;
+  for (const PlanKind& kind : plan_kinds) names.emplace_back(kind.name);
+  return names;
+}
+
+Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOptions& options) {
+  for (const PlanKind& one : plan_kinds) {
+    if (kind == one.name) return one.make(run, options);
+  }
+  const std::vector<std::string> of_rows = row_figure_names();
+  const bool is_of_rows = std::find(of_rows.begin(), of_rows.end(), kind) != of_rows.end();
+  refuse_figure(kind, is_of_rows ? "buildings in plan, but of a row" : "this run", figure_kinds(run));
+}
+
+}  // namespace bentur

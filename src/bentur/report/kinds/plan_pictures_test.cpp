@@ -1,0 +1,266 @@
+// The figures of buildings in plan, against the run they are of.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/scene/plan_scene.h"
+#include "bentur/report/words.h"
+#include "tests/support/plan_run.h"
+
+namespace bentur {
+namespace {
+
+const PlanRun& twisting() {
+  static const PlanRun run = test::plan_run(test::twisting_pair(), 0.002);
+  return run;
+}
+
+FigureOptions in_language(const std::string& language) {
+  FigureOptions options;
+  options.say = figure_words(language);
+  options.language = language;
+  return options;
+}
+
+std::vector<std::string> names_of(const PlanRun& run) {
+  std::vector<std::string> names;
+  for (const FigureKind& kind : figure_kinds(run)) names.push_back(kind.name);
+  return names;
+}
+
+const Curve& labelled(const Panel& panel, const std::string& label) {
+  for (const Curve& curve : panel.curves) {
+    if (curve.label == label) return curve;
+  }
+  throw std::out_of_range(label);
+}
+
+TEST(PlanPictures, ARunGivesWhatItHas) {
+  EXPECT_EQ(names_of(twisting()), (std::vector<std::string>{"overview", "scene", "displacement", "opening", "orbit",
+                                                            "force", "friction-cone", "energy"}));
+  const PlanRun smooth = test::plan_run(test::twisting_pair(", friction = 0.3"));
+  EXPECT_EQ(names_of(smooth).size(), 7U);
+  const PlanRun calm = test::plan_run(test::twisting_pair("pga = 3.4", "pga = 0.3"));
+  EXPECT_EQ(names_of(calm),
+            (std::vector<std::string>{"overview", "scene", "displacement", "opening", "orbit", "energy"}));
+  EXPECT_NE(make_figure(calm, "scene").finding.find("closest, without contact"), std::string::npos);
+  for (const PlanRun* const run : {&smooth, &calm}) EXPECT_THROW((void)make_figure(*run, "friction-cone"), NoFigure);
+  EXPECT_THROW((void)make_figure(calm, "force"), NoFigure);
+}
+
+/// What a row has and a plan has not is refused by what it is.
+TEST(PlanPictures, KindsOfARowAreRefused) {
+  const auto refusal = [](const std::string& kind) -> std::string {
+    try {
+      (void)make_figure(twisting(), kind);
+    } catch (const NoFigure& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("envelope").find("no figure \"envelope\" of buildings in plan, but of a row."), 0U);
+  EXPECT_EQ(refusal("orbits").find("no figure \"orbits\" of this run; did you mean \"orbit\"?"), 0U);
+  FigureOptions options;
+  options.gap = 1;
+  EXPECT_THROW((void)make_figure(twisting(), "scene", options), NoFigure);
+  options.gap.reset();
+  options.elevation = 5;
+  EXPECT_THROW((void)make_figure(twisting(), "scene", options), NoFigure);
+}
+
+/// All texts are words of the catalogue, names, or symbols and numbers, and both languages draw.
+TEST(PlanPictures, TextsAreInTheCatalogue) {
+  std::set<std::string> known;
+  for (const auto& [key, text] : catalogue().texts) {
+    if (key.starts_with("figure.text.")) known.insert(text.at("en"));
+  }
+  FigureOptions options;
+  options.say = [&](std::string_view english) {
+    EXPECT_TRUE(known.contains(std::string(english))) << english << " is not in the catalogue";
+    return "§" + std::string(english);
+  };
+  const std::regex symbols(R"([xy] = [0-9.]+ m|±μF, μ = 0.3)");
+  for (const PlanRun& run : {twisting(), test::plan_run(test::twisting_pair() + test::wall_beside)}) {
+    std::set<std::string> names = {"§opening", ""};
+    for (const PlanBuilding& building : run.problem.buildings) names.insert(building.name);
+    for (const FigureKind& kind : figure_kinds(run)) {
+      const Figure figure = make_figure(run, kind.name, options);
+      const bool is_story = kind.name == "overview";  // the first sentence of the verdict, which has words of its own
+      EXPECT_NE(figure.finding.find(is_story ? " " : "§"), std::string::npos) << kind.name << " tells nothing";
+      std::vector<std::string> shown;
+      for (const Panel& panel : figure.panels) {
+        for (const std::string& text : {panel.title, panel.x.label, panel.y.label, panel.events.label})
+          shown.push_back(text);
+        for (const Curve& curve : panel.curves) shown.push_back(curve.label);
+        for (const RuleLine& rule : panel.rules) shown.push_back(rule.label);
+      }
+      for (const std::string& text : shown) {
+        EXPECT_TRUE(text.find("§") != std::string::npos || names.contains(text) || std::regex_match(text, symbols))
+            << kind.name << ": " << text;
+        EXPECT_EQ(text.find("{}"), std::string::npos) << text;
+      }
+      for (const std::string language : {"en", "id"}) {
+        const Figure drawn = make_figure(run, kind.name, in_language(language));
+        EXPECT_NE(figure_svg(drawn).find("</svg>"), std::string::npos);
+      }
+    }
+  }
+}
+
+/// Footprints meet in the picture where they meet in the run: the corner that strikes is at the other edge, but for its
+/// penetration.
+TEST(PlanPictures, TheSceneShowsTheHardestImpact) {
+  const PlanRun& run = twisting();
+  const Figure figure = make_figure(run, "scene");
+  const Panel& panel = figure.panels.front();
+  EXPECT_TRUE(panel.to_scale);
+  EXPECT_NE(panel.title.find("magnified 20 times"), std::string::npos) << panel.title;
+  EXPECT_NE(panel.title.find("2045 kN"), std::string::npos) << panel.title;
+  EXPECT_NE(panel.title.find("y = 18 m"), std::string::npos) << panel.title;
+  const PlanScene scene(run);
+  ASSERT_EQ(scene.magnification(), 20);
+  const Curve& now = labelled(panel, "strikes now");
+  ASSERT_EQ(now.x.size(), 2U);
+  EXPECT_NEAR(now.x[0] - now.x[1], 20 * 0.01023, 0.01);  // the penetration, between two samples
+  EXPECT_EQ(labelled(panel, "contact point").x.size(), 2U);
+  const Curve& walled = labelled(panel, "Walled");
+  EXPECT_NE(std::find(walled.x.begin(), walled.x.end(), now.x[0]), walled.x.end());
+  // At rest the gap is magnified as well, and nothing but gaps is.
+  EXPECT_NEAR(scene.place({12.04, 3}).x() - scene.place({12, 3}).x(), 20 * 0.04, 1e-12);
+  EXPECT_NEAR(scene.place({12, 18}).x() - scene.place({0, 0}).x(), 12, 1e-12);
+  EXPECT_NEAR(scene.place({12, 18}).y() - scene.place({0, 0}).y(), 18, 1e-12);
+  // Half of the stretch is struck at most, by the hardest impact of all, and never at its other end.
+  const Curve& strip = labelled(panel, "impacts ≤ 2045 kN");
+  EXPECT_EQ(strip.tone, Tone::red);
+  EXPECT_NEAR(strip.y[0], 9, 1e-12);
+  EXPECT_NEAR(strip.top[0], 18, 1e-12);
+  // Centres of mass and of rigidity of the example.
+  const Curve &mass = labelled(panel, "centre of mass"), &rigidity = labelled(panel, "centre of rigidity");
+  ASSERT_EQ(mass.x.size(), 2U);
+  ASSERT_EQ(rigidity.x.size(), 2U);
+  EXPECT_NEAR(mass.y[0] - rigidity.y[0], 9 - 18.0 * 2 / 11, 0.02);  // turned by 20 · 2 mrad
+  EXPECT_NEAR(mass.x[1], rigidity.x[1], 1e-9);
+}
+
+/// The opening figure tells of the gap that it shows, the one hit hardest, by its name where there are several.
+TEST(PlanPictures, TheOverviewTellsOfTheGapThatItShows) {
+  EXPECT_EQ(make_figure(twisting(), "overview").finding.find("Walled and Frame collide 7"), 0U);
+  const PlanRun beside = test::plan_run(test::twisting_pair() + test::wall_beside);
+  const Figure whole = make_figure(beside, "overview");  // the wall is hit harder
+  EXPECT_EQ(whole.finding.find("Walled | W: Walled and W collide"), 0U) << whole.finding;
+  FigureOptions options;
+  options.gap = 0;
+  const Figure other = make_figure(beside, "overview", options);
+  EXPECT_EQ(other.finding.find("Walled | Frame: Walled and Frame collide"), 0U) << other.finding;
+  options.width = page_width;
+  EXPECT_EQ(make_figure(beside, "overview", options).columns, 2);
+}
+
+/// Impacts that take no time are told by their impulses.
+TEST(PlanPictures, ImpulsesColourGapsWhereThereAreNoForces) {
+  const PlanRun run = test::plan_run(test::twisting_pair("law = \"linear\", stiffness = 4e5, friction = 0.3",
+                                                         "law = \"restitution\", restitution = 0.5"));
+  ASSERT_FALSE(run.response.impacts.empty());
+  double hardest = 0;
+  for (const Impact& impact : run.response.impacts) hardest = std::max(hardest, impact.impulse);
+  const Panel panel = make_figure(run, "scene").panels.front();
+  const auto red = std::find_if(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) {
+    return curve.tone == Tone::red && curve.label.starts_with("impacts ≤ ");
+  });
+  ASSERT_NE(red, panel.curves.end());
+  EXPECT_NEAR(std::stod(red->label.substr(std::string("impacts ≤ ").size())), hardest, 1e-3 * hardest) << red->label;
+  EXPECT_NE(red->label.find("kN·s"), std::string::npos);
+}
+
+/// Three buildings around a corner: gaps of both axes are magnified alike, and an outline has a corner where the line
+/// of a gap meets it.
+TEST(PlanScene, GapsOfBothAxesAreMagnified) {
+  const std::string third =
+      "\n[[building]]\nname = \"T\"\nrigid = true\nelevations = [3.5]\nplan = { corner = [4, 18.03], size = [18, 5] "
+      "}\n";
+  const PlanRun run = test::plan_run(test::twisting_pair() + third);
+  const PlanScene scene(run);
+  const double m = scene.magnification();
+  EXPECT_NEAR(scene.place({5, 18.03}).y() - scene.place({5, 18}).y(), m * 0.03, 1e-12);
+  EXPECT_NEAR(scene.place({22, 20}).x() - scene.place({4, 20}).x(), 18 + (m - 1) * 0.04, 1e-12);
+  const std::vector<PlanPoint> outline = scene.outline(run.problem.buildings.back().model.footprint);
+  EXPECT_EQ(outline.size(), 5U + 4U);  // the gap between the others begins and ends along two of its edges
+  EXPECT_EQ(outline.front(), outline.back());
+}
+
+/// Between two samples in a straight line, and by (P-1).
+TEST(PlanScene, FloorsMoveAsTheHistoriesSay) {
+  const PlanRun& run = twisting();
+  const PlanHistories& histories = run.response.histories;
+  const Eigen::Vector3d at = floor_motion(histories, 0, 1, histories.time[700]);
+  const Eigen::Vector3d next = floor_motion(histories, 0, 1, histories.time[701]);
+  EXPECT_EQ(at.x(), histories.x[0](1, 700));
+  EXPECT_EQ(at.z(), histories.rotation[0](1, 700));
+  const double middle = 0.5 * (histories.time[700] + histories.time[701]);
+  EXPECT_LE((floor_motion(histories, 0, 1, middle) - 0.5 * (at + next)).norm(), 1e-15);
+  const PlanPoint corner = movement_of(run.problem.buildings[0].model, 1, {12, 18}, at);
+  EXPECT_NEAR(corner.x(), at.x() - 9 * at.z(), 1e-15);
+  EXPECT_NEAR(corner.y(), at.y() + 6 * at.z(), 1e-15);
+}
+
+TEST(PlanPictures, HistoriesAreThoseOfTheRun) {
+  const PlanRun& run = twisting();
+  FigureOptions window;
+  window.from = 0;
+  window.to = 15;
+  const Figure moves = make_figure(run, "displacement", window);
+  ASSERT_EQ(moves.panels.size(), 3U);
+  const auto most = [](const std::vector<double>& values) {
+    double found = 0;
+    for (const double value : values) found = std::max(found, std::abs(value));
+    return found;
+  };
+  const PlanPeaks& peaks = run.response.buildings[0];
+  EXPECT_NEAR(most(moves.panels[0].curves[0].y), peaks.x(1), 1e-3 * peaks.x(1));
+  EXPECT_NEAR(most(moves.panels[1].curves[0].y), peaks.y(1), 1e-3 * peaks.y(1));
+  EXPECT_NEAR(most(moves.panels[2].curves[0].y), 1e3 * peaks.rotation(1), peaks.rotation(1));
+  EXPECT_EQ(moves.panels[0].events.x.size(), 6U);
+  // The force reaches the peak of the run, though no sample does.
+  const Figure force = make_figure(run, "force", window);
+  ASSERT_EQ(force.panels.size(), 1U);
+  EXPECT_NEAR(most(force.panels[0].curves[0].y), run.response.points[3].peak_force, 1e-9);
+  EXPECT_EQ(make_figure(run, "opening").panels.front().curves.size(), 2U);
+}
+
+/// A corner is nowhere beyond its neighbour at rest by more than that has moved and been pressed in, and both panels
+/// have one scale both ways.
+TEST(PlanPictures, OrbitsAreToScale) {
+  const Figure figure = make_figure(twisting(), "orbit");
+  ASSERT_EQ(figure.panels.size(), 2U);
+  const PlacedFigure placed = placed_figure(figure, "");
+  for (const PanelPlace& frame : placed.panels) {
+    const double across = (frame.x.second - frame.x.first) / frame.width;
+    EXPECT_NEAR((frame.y.second - frame.y.first) / frame.height, across, 0.01 * across);
+  }
+  EXPECT_EQ(labelled(figure.panels[0], "hardest impact").x.size(), 1U);
+  EXPECT_NEAR(figure.panels[0].rules.front().at, 0.04, 1e-12);
+  EXPECT_NEAR(figure.panels[1].rules.front().at, -0.04, 1e-12);
+}
+
+TEST(PlanPictures, FrictionStaysWithinItsCone) {
+  const Figure figure = make_figure(twisting(), "friction-cone");
+  const Curve& path = labelled(figure.panels.front(), "samples in contact");
+  std::size_t slides = 0;
+  for (std::size_t i = 0; i < path.x.size(); ++i) {
+    if (std::isnan(path.x[i])) continue;
+    EXPECT_LE(std::abs(path.y[i]), 0.3 * path.x[i] * (1 + 1e-9));
+    slides += std::abs(path.y[i]) > 0.3 * path.x[i] * (1 - 1e-9) ? 1 : 0;
+  }
+  EXPECT_GT(slides, 10U);
+}
+
+}  // namespace
+}  // namespace bentur

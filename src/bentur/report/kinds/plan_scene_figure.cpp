@@ -1,0 +1,274 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/plan_story.h"
+#include "bentur/report/kinds/internal/burst.h"
+#include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/story_text.h"
+#include "bentur/report/words.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// The picture at one instant.
+class PlanPicture {
+ public:
+  PlanPicture(const PlanRun& run, const PlanInstant& instant, const FigureOptions& options)
+      : run_(run), scene_(run), options_(options), time_(instant.time) {
+    const double level = contact_at(run.problem, *instant.point).contact->elevation;
+    for (const PlanBuilding& building : run.problem.buildings) {
+      const auto b = std::ssize(floors_);
+      floors_.push_back(nearest_floor(building.model, level));
+      motions_.push_back(building.is_rigid() ? Eigen::Vector3d(0, 0, 0)
+                                             : floor_motion(run.response.histories, b, floors_.back(), time_));
+    }
+    for (const Impact& impact : run.response.impacts) {
+      const bool is_on = instant.impact && impact.start <= time_ && impact.end >= time_;
+      if (is_on && contact_at(run.problem, impact.point).contact->elevation == level) touching_.insert(impact.point);
+    }
+    size_ = 0.045 * (scene_.upper() - scene_.lower()).maxCoeff();
+  }
+
+  Panel panel(const std::string& title, double height) {
+    panel_ = {.title = title, .x = {.numbers = false}, .y = {.numbers = false}, .height = height, .to_scale = true};
+    for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) add_gap(g);
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, true);
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, false);
+    add_centres();
+    add_points();
+    return std::move(panel_);
+  }
+
+  [[nodiscard]] double magnification() const { return scene_.magnification(); }
+
+ private:
+  [[nodiscard]] PlanPoint moved(Index b, const PlanPoint& at) const {
+    return scene_.place(at, movement_of(run_.problem.buildings[b].model, floors_[b], at, motions_[b]));
+  }
+
+  void add_footprint(Index b, bool at_rest) {
+    const PlanBuilding& building = run_.problem.buildings[b];
+    if (at_rest && building.is_rigid()) return;
+    Curve curve{.tone = building_tone(b), .width = 1.5, .complete = true};
+    if (at_rest) {
+      curve = {.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
+    } else {
+      curve.label = building.name;
+    }
+    for (const PlanPoint& at : scene_.outline(building.model.footprint)) {
+      add(curve, at_rest ? scene_.place(at) : moved(b, at));
+    }
+    panel_.curves.push_back(std::move(curve));
+  }
+
+  /// What the hardest blow at a contact was: its force, or where impacts take no time its impulse.
+  [[nodiscard]] double blow_at(Index point) const {
+    if (has_forces()) return run_.response.points[point].peak_force;
+    double most = 0;
+    for (const Impact& impact : run_.response.impacts) {
+      if (impact.point == point) most = std::max(most, impact.impulse);
+    }
+    return most;
+  }
+  [[nodiscard]] bool has_forces() const {
+    const auto& points = run_.response.points;
+    return std::any_of(points.begin(), points.end(), [](const PointSummary& one) { return one.peak_force > 0; });
+  }
+  [[nodiscard]] double hardest_blow() const {
+    double most = 0;
+    for (Index i = 0; i < std::ssize(run_.response.points); ++i) most = std::max(most, blow_at(i));
+    return most;
+  }
+
+  /// The strip between two buildings, in parts for each place of a contact, by the hardest blow at any level.
+  void add_gap(std::size_t g) {
+    const PlanGap& gap = run_.problem.gaps[g];
+    const Stretch& stretch = gap.stretch;
+    std::vector<std::pair<double, double>> blows;  // where along the stretch, how hard
+    const Index first = first_contact(run_.problem, g);
+    for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
+      const double along = gap.contacts[i].along;
+      auto found = std::find_if(blows.begin(), blows.end(), [&](const auto& one) { return one.first == along; });
+      if (found == blows.end()) found = blows.insert(blows.end(), {along, 0.0});
+      found->second = std::max(found->second, blow_at(first + i));
+    }
+    std::sort(blows.begin(), blows.end());
+    const double most = hardest_blow();
+    const auto tone_of = [&](std::size_t i) {
+      const double blow = blows[i].second;
+      return blow > most / 2 ? Tone::red : blow > 0 ? Tone::amber : Tone::pale;
+    };
+    double from = stretch.from;
+    for (std::size_t i = 0; i < blows.size(); ++i) {
+      const bool is_last = i + 1 == blows.size();
+      if (!is_last && tone_of(i + 1) == tone_of(i)) continue;
+      const double to = is_last ? stretch.to : (blows[i].first + blows[i + 1].first) / 2;
+      add_strip(stretch, from, to, tone_of(i), most);
+      from = to;
+    }
+  }
+
+  void add_strip(const Stretch& stretch, double from, double to, Tone tone, double most) {
+    Curve strip{.tone = tone, .complete = true};
+    if (tone != Tone::pale) strip.label = label_of(tone, most);
+    const PlanPoint a = scene_.place(stretch.on_edge(0, from)), c = scene_.place(stretch.on_edge(1, to));
+    const double least = 0.004 * (scene_.upper() - scene_.lower()).maxCoeff();  // so that none is too thin to see
+    PlanPoint middle = (a + c) / 2, half = (c - a) / 2;
+    half[stretch.across] = std::max(half[stretch.across], least);
+    strip.x = {middle.x() - half.x(), middle.x() + half.x()};
+    strip.y = {middle.y() - half.y(), middle.y() - half.y()};
+    strip.top = {middle.y() + half.y(), middle.y() + half.y()};
+    panel_.curves.push_back(std::move(strip));
+  }
+
+  /// In the legend; each once.
+  std::string label_of(Tone tone, double most) {
+    if (!labelled_.insert(tone).second) return {};
+    const std::string_view form = has_forces() ? "F" : "F s";
+    return word(options_, "impacts ≤ {}", shown_value(run_, tone == Tone::red ? most : most / 2, form));
+  }
+
+  void add_centres() {
+    Curve masses{.label = word(options_, "centre of mass"), .line = Line::none, .mark = Mark::disc, .complete = true};
+    Curve rigidity{
+        .label = word(options_, "centre of rigidity"), .line = Line::none, .mark = Mark::cross, .complete = true};
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
+      const auto* const plan = std::get_if<Plan>(&run_.c.buildings[b].structure);
+      if (plan == nullptr) continue;
+      const PlanModel& model = run_.problem.buildings[b].model;
+      add(masses, moved(b, model.footprint.corner + model.centres[floors_[b]]));
+      add(rigidity, moved(b, model.footprint.corner + centre_of_rigidity(*plan, floors_[b])));
+    }
+    if (masses.x.empty()) return;
+    panel_.curves.push_back(std::move(rigidity));
+    panel_.curves.push_back(std::move(masses));
+  }
+
+  /// Contacts at both edges, those of the level shown; corners that strike then, and those that did before or will.
+  void add_points() {
+    Curve open{.line = Line::none, .mark = Mark::circle, .complete = true, .mark_size = 0.8};
+    open.label = word(options_, "contact point");
+    open.tone = Tone::grey;
+    Curve hit = open;
+    hit.label = word(options_, "struck point");
+    hit.tone = Tone::red;
+    Curve now = hit;
+    now.label = word(options_, "strikes now");
+    now.mark = Mark::disc;
+    now.mark_size = 1.5;
+    std::vector<PlanPoint> bursts;
+    for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) {
+      const PlanGap& gap = run_.problem.gaps[g];
+      for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
+        const PlanContact& contact = gap.contacts[i];
+        if (contact.left_floor != floors_[gap.left] || contact.right_floor != floors_[gap.right]) continue;
+        const Index point = first_contact(run_.problem, g) + i;
+        const PlanPoint left = moved(gap.left, gap.stretch.on_edge(0, contact.along));
+        const PlanPoint right = moved(gap.right, gap.stretch.on_edge(1, contact.along));
+        const bool is_on = touching_.count(point) > 0;
+        Curve& marks = is_on ? now : run_.response.points[point].impacts > 0 ? hit : open;
+        add(marks, left);
+        add(marks, right);
+        if (is_on) bursts.push_back((left + right) / 2);
+      }
+    }
+    const double size = bursts.size() > 2 ? 0.6 * size_ : size_;
+    for (const PlanPoint& at : bursts) panel_.curves.push_back(burst(at.x(), at.y(), size));
+    for (Curve* const marks : {&open, &hit, &now}) {
+      if (!marks->x.empty()) panel_.curves.push_back(std::move(*marks));
+    }
+  }
+
+  static void add(Curve& curve, const PlanPoint& at) {
+    curve.x.push_back(at.x());
+    curve.y.push_back(at.y());
+  }
+
+  const PlanRun& run_;
+  PlanScene scene_;
+  const FigureOptions& options_;
+  double time_, size_ = 0;
+  std::vector<Index> floors_;
+  std::vector<Eigen::Vector3d> motions_;
+  std::set<Index> touching_;  // contacts
+  std::set<Tone> labelled_;
+  Panel panel_;
+};
+
+/// "t = 3.0910 s", what lies between, and what happens then.
+std::string instant_text(const PlanRun& run, const PlanInstant& instant, const FigureOptions& options,
+                         const std::string& between) {
+  std::string what = word(options, "closest, without contact");
+  if (instant.impact) {
+    const Impact& impact = run.response.impacts[*instant.impact];
+    const std::string strength = impact.peak_force > 0
+                                     ? shown_value(run, impact.peak_force, "F")
+                                     : fmt::format("{} {}/s", number(impact.closing_speed), run.c.units.length);
+    what = word(options, "impact {}", std::to_string(*instant.impact + 1)) + ": " + strength;
+  }
+  return fmt::format("t = {:.4f} s{}{}, {}, {}", instant.time, between, what, level_text(run, *instant.point, options),
+                     along_text(run, *instant.point));
+}
+
+}  // namespace
+
+Figure scene_figure(const PlanRun& run, const FigureOptions& options) {
+  const PlanInstant instant = telling_instant(run.response, asked_points(run, options));
+  PlanPicture picture(run, instant, options);
+  const std::string factor = word(options, "magnified {} times", number(picture.magnification()));
+  return {.title = "The buildings from above at one instant: " + instant_text(run, instant, options, ", "),
+          .finding = instant_text(run, instant, options, ", "),
+          .panels = {picture.panel(instant_text(run, instant, options, ", " + factor + "; "), 0.8 * options.width)},
+          .width = options.width};
+}
+
+namespace {
+
+/// What the verdict says first of the gap that is shown, behind its name where there are several.
+std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions& options) {
+  const std::vector<std::string> names = gap_names(run.problem);
+  for (const SaidStatement& one : said(plan_story(run).statements, Words(options.language))) {
+    if (one.gap != static_cast<Index>(gap)) continue;
+    return (names.size() > 1 ? names[gap] + ": " : "") + one.text;
+  }
+  return {};
+}
+
+}  // namespace
+
+Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
+  constexpr double wide = 12;  // [cm]
+  const bool is_wide = options.width >= wide;
+  Figure figure = scene_figure(run, options);
+  figure.title = "The buildings from above where they meet, and the opening of the gap";
+  figure.finding = finding_of(run, contact_at(run.problem, chosen_point(run, options)).gap, options);
+  std::vector<Panel> openings = opening_figure(run, options).panels;
+  const auto count = static_cast<int>(openings.size());
+  if (is_wide) {
+    figure.columns = 2;
+    figure.shares = {1.2, 1};
+    figure.panels.front().rows = count;
+    figure.panels.front().height = 7.5;
+  }
+  for (Panel& opening : openings) {
+    if (&opening != &openings.front()) {  // the legend of the first serves
+      for (Curve& curve : opening.curves) curve.label = "";
+      for (RuleLine& rule : opening.rules) rule.label = "";
+      opening.events.label = "";
+    }
+    opening.height = is_wide ? 7.5 / count - 0.4 : 3;
+    figure.panels.push_back(std::move(opening));
+  }
+  return figure;
+}
+
+}  // namespace bentur

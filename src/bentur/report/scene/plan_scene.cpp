@@ -1,0 +1,148 @@
+#include "bentur/report/scene/plan_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/scene/scene.h"
+
+namespace bentur {
+
+using Eigen::Index;
+
+PlanInstant telling_instant(const PlanResponse& response, const std::vector<Index>& points) {
+  PlanInstant instant;
+  const auto is_among = [&](Index point) { return std::find(points.begin(), points.end(), point) != points.end(); };
+  for (Index k = 0; k < std::ssize(response.impacts); ++k) {
+    const Impact& impact = response.impacts[k];
+    if (!is_among(impact.point)) continue;
+    if (!instant.impact || is_harder(impact, response.impacts[*instant.impact])) instant.impact = k;
+  }
+  if (instant.impact) {
+    const Impact& impact = response.impacts[*instant.impact];
+    instant.point = impact.point;
+    instant.time = impact.peak_force > 0 ? impact.peak_force_time : impact.start;
+    return instant;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const Index point : points) {
+    Index nearest = 0;
+    const double opening = response.histories.opening.row(point).minCoeff(&nearest);
+    if (!(opening < least)) continue;
+    least = opening;
+    instant.point = point;
+    instant.time = response.histories.time[nearest];
+  }
+  return instant;
+}
+
+PlanScene::PlanScene(const PlanRun& run) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  lower_ = PlanPoint::Constant(infinite);
+  upper_ = -lower_;
+  for (const PlanBuilding& building : run.problem.buildings) {
+    lower_ = lower_.cwiseMin(building.model.footprint.corner);
+    upper_ = upper_.cwiseMax(building.model.footprint.far_corner());
+  }
+  for (const PlanGap& gap : run.problem.gaps) {
+    lines_[gap.stretch.across].emplace_back(gap.stretch.left_edge, gap.stretch.right_edge);
+  }
+  const PlanPoint size = upper_ - lower_;
+  double fits = infinite;
+  for (const int axis : {0, 1}) {
+    auto& lines = lines_[axis];
+    std::sort(lines.begin(), lines.end());
+    std::vector<std::pair<double, double>> merged;
+    for (const auto& line : lines) {
+      if (!merged.empty() && line.first <= merged.back().second) {
+        merged.back().second = std::max(merged.back().second, line.second);
+      } else {
+        merged.push_back(line);
+      }
+    }
+    lines = std::move(merged);
+    double wide = 0;
+    for (const auto& [from, to] : lines) wide += to - from;
+    constexpr double spread = 0.3;  // of the picture
+    if (wide > 0) fits = std::min(fits, spread * size[axis] / wide);
+  }
+  double largest = 0;
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
+    const PlanHistories& histories = run.response.histories;
+    const double side = run.problem.buildings[b].model.footprint.size.maxCoeff();
+    for (const auto& [list, arm] :
+         {std::pair(&histories.x, 1.0), std::pair(&histories.y, 1.0), std::pair(&histories.rotation, 0.5 * side)}) {
+      if ((*list)[b].size() > 0) largest = std::max(largest, arm * (*list)[b].cwiseAbs().maxCoeff());
+    }
+  }
+  constexpr double sway = 0.07;  // of the picture
+  if (largest > 0) fits = std::min(fits, sway * size.maxCoeff() / largest);
+  magnification_ = std::isfinite(fits) ? std::max(1.0, round_125(fits)) : 1;
+  lower_ = place(lower_);
+  upper_ = place(upper_);
+}
+
+PlanPoint PlanScene::place(const PlanPoint& at) const {
+  PlanPoint drawn = at;
+  for (const int axis : {0, 1}) {
+    for (const auto& [from, to] : lines_[axis]) {
+      drawn[axis] += (magnification_ - 1) * (std::clamp(at[axis], from, to) - from);
+    }
+  }
+  return drawn;
+}
+
+PlanPoint PlanScene::place(const PlanPoint& at, const PlanPoint& moved) const {
+  return place(at) + magnification_ * moved;
+}
+
+std::vector<PlanPoint> PlanScene::outline(const Footprint& footprint) const {
+  const PlanPoint &low = footprint.corner, high = footprint.far_corner();
+  const auto inside = [&](int axis) {
+    std::vector<double> places = {low[axis], high[axis]};
+    for (const auto& [from, to] : lines_[axis]) {
+      for (const double at : {from, to}) {
+        if (at > low[axis] && at < high[axis]) places.push_back(at);
+      }
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  };
+  const std::vector<double> x = inside(0), y = inside(1);
+  std::vector<PlanPoint> points;
+  for (const double one : x) points.emplace_back(one, low.y());
+  for (std::size_t i = 1; i < y.size(); ++i) points.emplace_back(high.x(), y[i]);
+  for (std::size_t i = x.size() - 1; i-- > 0;) points.emplace_back(x[i], high.y());
+  for (std::size_t i = y.size() - 1; i-- > 0;) points.emplace_back(low.x(), y[i]);
+  return points;
+}
+
+Eigen::Vector3d floor_motion(const PlanHistories& histories, Index building, Index floor, double time) {
+  const std::vector<double>& times = histories.time;
+  const auto after = std::lower_bound(times.begin(), times.end(), time);
+  const Index last = std::ssize(times) - 1;
+  const Index right = std::min<Index>(after - times.begin(), last), left = std::max<Index>(right - 1, 0);
+  const double length = times[right] - times[left];
+  const double part = length > 0 ? std::clamp((time - times[left]) / length, 0.0, 1.0) : 1;
+  const auto value = [&](const std::vector<Eigen::MatrixXd>& list) {
+    return (1 - part) * list[building](floor, left) + part * list[building](floor, right);
+  };
+  return {value(histories.x), value(histories.y), value(histories.rotation)};
+}
+
+PlanPoint movement_of(const PlanModel& model, Index floor, const PlanPoint& at, const Eigen::Vector3d& motion) {
+  const auto along = [&](const PlanPoint& axis) -> Eigen::Vector3d {
+    return model.movement(floor, at, axis).segment<3>(3 * floor);
+  };
+  return {along(PlanPoint::UnitX()).dot(motion), along(PlanPoint::UnitY()).dot(motion)};
+}
+
+Index nearest_floor(const PlanModel& model, double elevation) {
+  const auto near = std::min_element(model.elevations.begin(), model.elevations.end(), [&](double a, double b) {
+    return std::abs(a - elevation) < std::abs(b - elevation);
+  });
+  return near - model.elevations.begin();
+}
+
+}  // namespace bentur

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "bentur/model/plan/plan_case.h"
+
+// Buildings seen from above as plain data: one description for stills and for what moves on a page.
+namespace bentur {
+
+/// What a still in plan shows: the hardest impact, else the moment at which something is nearest to being hit.
+struct PlanInstant {
+  double time = 0;                          ///< [s]
+  std::optional<Eigen::Index> impact = {};  ///< index into PlanResponse::impacts
+  std::optional<Eigen::Index> point = {};   ///< contact that is hit, or nearest to it; nothing where there is none
+};
+/// Of these contacts, or of all.
+[[nodiscard]] PlanInstant telling_instant(const PlanResponse& response, const std::vector<Eigen::Index>& points);
+
+/// Where the parts of a plan are drawn: gaps and displacements are magnified alike, so that floors that touch in the
+/// picture touch. Whatever stands across the line of a gap is drawn that much wider.
+class PlanScene {
+ public:
+  /// The response must have histories.
+  explicit PlanScene(const PlanRun& run);
+
+  /// 1, 2 or 5 times a power of ten.
+  [[nodiscard]] double magnification() const { return magnification_; }
+  /// Where the line of a gap across x (0) or y (1) runs, from and to, ascending [length].
+  [[nodiscard]] const std::vector<std::pair<double, double>>& lines(int axis) const { return lines_[axis]; }
+  /// Of a place of the plan at rest [length].
+  [[nodiscard]] PlanPoint place(const PlanPoint& at) const;
+  /// The same after it has moved [length].
+  [[nodiscard]] PlanPoint place(const PlanPoint& at, const PlanPoint& moved) const;
+  /// The corners of all there is to see at rest.
+  [[nodiscard]] const PlanPoint& lower() const { return lower_; }
+  [[nodiscard]] const PlanPoint& upper() const { return upper_; }
+  /// The edges of a footprint, from its lower left corner round and back, with every point at which a line of a gap
+  /// begins or ends.
+  [[nodiscard]] std::vector<PlanPoint> outline(const Footprint& footprint) const;
+
+ private:
+  std::array<std::vector<std::pair<double, double>>, 2> lines_;
+  double magnification_ = 1;
+  PlanPoint lower_, upper_;
+};
+
+/// u_x, u_y [length] and θ [rad] of a floor at an instant, between two samples in a straight line.
+[[nodiscard]] Eigen::Vector3d floor_motion(const PlanHistories& histories, Eigen::Index building, Eigen::Index floor,
+                                           double time);
+/// How a point of the plan moves with a floor (P-1) [length].
+[[nodiscard]] PlanPoint movement_of(const PlanModel& model, Eigen::Index floor, const PlanPoint& at,
+                                    const Eigen::Vector3d& motion);
+/// The floor nearest to a level.
+[[nodiscard]] Eigen::Index nearest_floor(const PlanModel& model, double elevation);
+
+}  // namespace bentur
