@@ -37,11 +37,11 @@ constexpr double some_impacts = 0.2;  // gap [cm]
 /// M1-2 with another law. Springs have the stiffness of the linear one, Hertz's kind one that makes impacts about as
 /// long.
 Problem m12_with(const LawEntry& law) {
-  static const std::map<std::string_view, double> values = {{"stiffness", 2e6},  // kgf/cm^1.5, where not a spring's
-                                                            {"second_stiffness", 1e5},
-                                                            {"yield_penetration", 0.005},
-                                                            {"alpha", 0.02},
-                                                            {"restitution", 0.65}};
+  static const std::map<std::string_view, double> values = {
+      {"stiffness", 2e6},  // kgf/cm^1.5, where not a spring's
+      {"second_stiffness", 1e5}, {"yield_penetration", 0.005}, {"alpha", 0.02},
+      {"crushing_force", 2e4},   {"thickness", 0.1},           {"crushing_strain", 0.1},
+      {"locking_strain", 0.6},   {"locked_stiffness", 4e6},    {"restitution", 0.65}};
   Case c = m12(some_impacts);
   ContactSpec& contact = c.gaps[0].contact;
   const std::vector<double> spring = contact.numbers.at("stiffness");
