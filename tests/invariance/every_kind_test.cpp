@@ -93,6 +93,11 @@ TEST(EveryKind, IsNotChangedByWhatIsAskedForBesideIt) {
   EXPECT_LT(unmade, count / 5 + 1);
 }
 
+// A floor that has stood still is pressed against the next one within the first step of an integrated contact.
+TEST(EveryKind, TouchesAtOnceWhereItStoodStill) {
+  EXPECT_EQ(solve(made(EveryKindGenerator(109148).make()).value()).status, Status::done);
+}
+
 // A building that is held still against a wall has no motion by which to measure the errors of a step: steps of 1e-9 s.
 TEST(EveryKind, IsHeldStillInFewSteps) {
   for (const unsigned seed : {6517U, 6955U}) {
