@@ -277,7 +277,8 @@ class PlanPage {
       if (!(pga > 0)) continue;
       const std::string of = i == 0 ? "x" : "y";
       if (const auto& record = run_.c.excitation[i].record) {
-        for (auto& [name, text] : html::rows_of_record(*record, say_)) rows.emplace_back(of + ": " + name, text);
+        for (auto& [name, text] : html::rows_of_record(*record, say_))
+          rows.emplace_back(fmt::format("{}: {}", of, name), text);
       }
       rows.emplace_back(of + ": " + say_("motion.pga"), html::quantity(pga, html::acceleration_unit(run_.c.units)) +
                                                             " = " + html::quantity(pga / run_.c.units.gravity, "g"));
