@@ -165,6 +165,16 @@ void read_link_table(const UnorderedJson& json, std::size_t first, const fs::pat
   results.c.links.push_back(std::move(spec));
 }
 
+/// What solving took, of a row's response or one in plan.
+template <class Of>
+void read_solved(const UnorderedJson& solved, Of& response) {
+  response.steps = solved.at("steps");
+  response.events = solved.at("events");
+  if (!response.energy || solved.at("energy_residual").is_null()) return;
+  response.energy->peak_input = solved.at("peak_input_energy");
+  response.energy->residual = response.energy->peak_input * solved.at("energy_residual").template get<double>();
+}
+
 void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
@@ -173,13 +183,7 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
   results.c.excitation = excitation(json.at("excitation"));
   const UnorderedJson& solved = json.at("solver");
   results.c.analysis.solver = solver(solved);
-  results.response.steps = solved.at("steps");
-  results.response.events = solved.at("events");
-  if (results.response.energy && !solved.at("energy_residual").is_null()) {
-    EnergyAudit& audit = *results.response.energy;
-    audit.peak_input = solved.at("peak_input_energy");
-    audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
-  }
+  read_solved(solved, results.response);
   for (const UnorderedJson& entry : json.at("remarks")) results.remarks.push_back(remark(entry));
   if (json.at("buildings").size() != results.problem.buildings.size()) {
     fail(file, "is not of the same run as histories.nc");
@@ -271,14 +275,7 @@ void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun&
   if (longest > 0 && (analysis == nullptr || analysis->find("duration") == nullptr)) {
     run.c.analysis.duration = run.problem.duration = longest;
   }
-  const UnorderedJson& solved = json.at("solver");
-  run.response.steps = solved.at("steps");
-  run.response.events = solved.at("events");
-  if (run.response.energy && !solved.at("energy_residual").is_null()) {
-    EnergyAudit& audit = *run.response.energy;
-    audit.peak_input = solved.at("peak_input_energy");
-    audit.residual = audit.peak_input * solved.at("energy_residual").get<double>();
-  }
+  read_solved(json.at("solver"), run.response);
   for (const UnorderedJson& one : json.at("discrepancies")) {
     run.response.discrepancies.push_back({one.at("key"), one.at("size")});
   }

@@ -10,6 +10,11 @@ namespace {
 
 using Eigen::Index;
 
+/// The first component of the ground's motion that there is, which is told of.
+std::size_t told_motion(const PlanProblem& problem) {
+  return std::holds_alternative<NoMotion>(problem.motions[0]) ? 1 : 0;
+}
+
 Building building_of(const PlanBuilding& building) {
   Building row;
   row.name = building.name;
@@ -56,8 +61,7 @@ Problem pair_of(const PlanProblem& problem, std::size_t gap) {
     floor.elevation = watched.elevation;
     floor.width = of.stretch.width;
   }
-  const bool moves = !std::holds_alternative<NoMotion>(problem.motions[0]);
-  pair.motion = problem.motions[moves ? 0 : 1];
+  pair.motion = problem.motions[told_motion(problem)];
   pair.kinematics = problem.kinematics;
   pair.duration = problem.duration;
   return pair;
@@ -70,8 +74,7 @@ RunResults pair_of(const PlanCase& c, const PlanProblem& problem, std::size_t ga
   pair.c.analysis = c.analysis;
   pair.c.code = code_of(c.code, gap, c.gaps.at(gap));
   pair.problem = pair_of(problem, gap);
-  const bool moves = !std::holds_alternative<NoMotion>(problem.motions[0]);
-  pair.c.excitation = c.excitation[moves ? 0 : 1];
+  pair.c.excitation = c.excitation[told_motion(problem)];
   return pair;
 }
 

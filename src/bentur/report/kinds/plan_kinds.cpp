@@ -1,23 +1,16 @@
 #include <algorithm>
 
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {
 namespace {
 
-bool tells_always(const PlanRun&) { return true; }
 bool tells_above(const PlanRun&) { return false; }
 
-struct PlanKind {
-  const char* name;
-  const char* shows;
-  bool (*is_there)(const PlanRun&);
-  Figure (*make)(const PlanRun&, const FigureOptions&);
-  bool (*tells)(const PlanRun&) = tells_always;
-  bool over_time = false;
-};
+using PlanKind = KindOf<PlanRun>;
 
 bool has_points(const PlanRun& run) { return !run.response.points.empty() && !run.response.histories.time.empty(); }
 bool has_force(const PlanRun& run) {
@@ -39,30 +32,20 @@ const PlanKind plan_kinds[] = {
     {"scene", "the buildings from above at the hardest impact, else where they come closest", has_points, scene_figure,
      tells_above},
     {"displacement", "displacements along x and y and rotations of both floors at one contact, contacts marked",
-     has_points, displacement_figure, tells_always, true},
-    {"opening", "opening of the gap at both ends of one stretch", has_points, opening_figure, tells_always, true},
-    {"orbit", "how both ends of one stretch move, seen from above", has_points, orbit_figure, tells_always, true},
-    {"force", "contact forces at one level of a gap", has_force, force_figure, tells_always, true},
+     has_points, displacement_figure, always<PlanRun>, true},
+    {"opening", "opening of the gap at both ends of one stretch", has_points, opening_figure, always<PlanRun>, true},
+    {"orbit", "how both ends of one stretch move, seen from above", has_points, orbit_figure, always<PlanRun>, true},
+    {"force", "contact forces at one level of a gap", has_force, force_figure, always<PlanRun>, true},
     {"friction-cone", "force along the joint over contact force, between the limits of friction", has_friction,
      friction_figure},
-    {"energy", "where the energy is", has_energy, energy_figure, tells_always, true},
+    {"energy", "where the energy is", has_energy, energy_figure, always<PlanRun>, true},
 };
 
 }  // namespace
 
-std::vector<FigureKind> figure_kinds(const PlanRun& run) {
-  std::vector<FigureKind> kinds;
-  for (const PlanKind& kind : plan_kinds) {
-    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run), kind.over_time});
-  }
-  return kinds;
-}
+std::vector<FigureKind> figure_kinds(const PlanRun& run) { return kinds_of(plan_kinds, run); }
 
-std::vector<std::string> plan_figure_names() {
-  std::vector<std::string> names;
-  for (const PlanKind& kind : plan_kinds) names.emplace_back(kind.name);
-  return names;
-}
+std::vector<std::string> plan_figure_names() { return names_of(plan_kinds); }
 
 Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOptions& options) {
   for (const PlanKind& one : plan_kinds) {

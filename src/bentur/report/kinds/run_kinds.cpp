@@ -6,22 +6,15 @@
 #include <cmath>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
 namespace bentur {
 namespace {
 
-bool always(const RunResults&) { return true; }
 bool stands_above(const RunResults&) { return false; }
 
-struct RunKind {
-  const char* name;
-  const char* shows;
-  bool (*is_there)(const RunResults&);
-  Figure (*make)(const RunResults&, const FigureOptions&);
-  bool (*tells)(const RunResults&) = always;
-  bool over_time = false;
-};
+using RunKind = KindOf<RunResults>;
 
 bool has_histories(const RunResults& run) { return !run.response.histories.time.empty(); }
 bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
@@ -97,20 +90,20 @@ const RunKind run_kinds[] = {
     {"scene", "the buildings at the hardest impact, else where they come closest", has_histories, scene_figure,
      stands_above},
     {"displacement", "displacements of both buildings at one contact point, contacts marked", has_points,
-     displacement_figure, always, true},
-    {"opening", "opening of the gap at one contact point", has_points, opening_figure, always, true},
-    {"force", "contact force at one contact point", has_force, force_figure, always, true},
+     displacement_figure, always<RunResults>, true},
+    {"opening", "opening of the gap at one contact point", has_points, opening_figure, always<RunResults>, true},
+    {"force", "contact force at one contact point", has_force, force_figure, always<RunResults>, true},
     {"impact", "the hardest impact in close-up: penetration and force", has_close_up, impact_figure},
     {"loop", "force against penetration in the hardest impact", has_close_up, loop_figure, has_loop},
     {"forces", "floor acceleration and storey shear with contact over those without, over the height", has_ratios,
      forces_figure, has_heights},
-    {"envelope", "largest displacements over the height, with and without contact", always, envelope_figure,
+    {"envelope", "largest displacements over the height, with and without contact", always<RunResults>, envelope_figure,
      has_heights},
     {"amplification", "largest displacement with contact over that without, over the height", has_impacts,
      amplification_figure, has_heights},
     {"drift", "largest storey drift over the height, and what is left of it at the end where something yields",
      has_storeys, drift_figure, has_heights},
-    {"modes", "mode shapes of each building", always, modes_figure, has_heights},
+    {"modes", "mode shapes of each building", always<RunResults>, modes_figure, has_heights},
     {"hinges", "hinges on the frames by how far they turned, numbered in the order in which they formed", has_hinges,
      hinges_figure, has_formed_hinges},
     {"hinge-loop", "moment over rotation of the hinge of each building that turned furthest", has_formed_hinges,
@@ -123,26 +116,16 @@ const RunKind run_kinds[] = {
     {"column-shear", "shear of a struck column below and above the blow", has_column, column_shear_figure},
     {"column-moment", "moments of a struck column at its ends and where it is struck", has_column,
      column_moment_figure},
-    {"energy", "where the energy is", has_energy, energy_figure, always, true},
+    {"energy", "where the energy is", has_energy, energy_figure, always<RunResults>, true},
     {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},
 };
 
 }  // namespace
 
-std::vector<FigureKind> figure_kinds(const RunResults& run) {
-  std::vector<FigureKind> kinds;
-  for (const RunKind& kind : run_kinds) {
-    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run), kind.over_time});
-  }
-  return kinds;
-}
+std::vector<FigureKind> figure_kinds(const RunResults& run) { return kinds_of(run_kinds, run); }
 
-std::vector<std::string> row_figure_names() {
-  std::vector<std::string> names;
-  for (const RunKind& kind : run_kinds) names.emplace_back(kind.name);
-  return names;
-}
+std::vector<std::string> row_figure_names() { return names_of(run_kinds); }
 
 std::vector<std::string> run_figure_names() {
   std::vector<std::string> names = row_figure_names();

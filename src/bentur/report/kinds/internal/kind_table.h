@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bentur/report/kinds/kinds.h"
+
+// The tables of what can be drawn of a run, of a row or of buildings in plan.
+namespace bentur {
+
+template <class Run>
+bool always(const Run&) {
+  return true;
+}
+
+template <class Run>
+struct KindOf {
+  const char* name;
+  const char* shows;
+  bool (*is_there)(const Run&);
+  Figure (*make)(const Run&, const FigureOptions&);
+  bool (*tells)(const Run&) = always<Run>;
+  bool over_time = false;
+};
+
+/// Those of a table that a run has.
+template <class Run, class Table>
+std::vector<FigureKind> kinds_of(const Table& table, const Run& run) {
+  std::vector<FigureKind> kinds;
+  for (const KindOf<Run>& kind : table) {
+    if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run), kind.over_time});
+  }
+  return kinds;
+}
+
+template <class Table>
+std::vector<std::string> names_of(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& kind : table) names.emplace_back(kind.name);
+  return names;
+}
+
+}  // namespace bentur
