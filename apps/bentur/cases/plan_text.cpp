@@ -53,15 +53,12 @@ std::string floor_table(const PlanRun& run, Index building, bool of_forces, cons
 
 std::string plane_table(const PlanRun& run, Index building, const Words& say) {
   const PlanModel& model = run.problem.buildings[building].model;
-  std::vector<PlanPlace> places;
+  const std::vector<PlanPlace> places = planes_from_top(run.problem, building);
   std::vector<std::string> names;
   std::vector<double> levels;
-  for (Index p = 0; p < std::ssize(model.planes); ++p) {
-    for (Index f = model.floors() - 1; f >= 0; --f) {
-      places.push_back({building, f, p});
-      names.push_back(model.planes[p].name);
-      levels.push_back(model.elevations[f]);
-    }
+  for (const PlanPlace& place : places) {
+    names.push_back(model.planes[place.plane].name);
+    levels.push_back(model.elevations[place.floor]);
   }
   if (places.empty()) return {};
   Table table;

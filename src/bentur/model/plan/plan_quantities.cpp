@@ -303,6 +303,15 @@ std::vector<PlanPlace> floors_of(const PlanProblem& problem, Index building, Ind
   return places;
 }
 
+std::vector<PlanPlace> planes_from_top(const PlanProblem& problem, Index building) {
+  std::vector<PlanPlace> places;
+  for (Index plane = 0; plane < std::ssize(problem.buildings[building].model.planes); ++plane) {
+    const std::vector<PlanPlace> storeys = floors_of(problem, building, plane);
+    places.insert(places.end(), storeys.rbegin(), storeys.rend());
+  }
+  return places;
+}
+
 PlanContactPlace contact_at(const PlanProblem& problem, Index contact) {
   std::size_t gap = 0;
   for (; contact >= std::ssize(problem.gaps.at(gap).contacts); ++gap) contact -= std::ssize(problem.gaps[gap].contacts);

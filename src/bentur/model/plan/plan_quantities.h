@@ -42,6 +42,8 @@ struct PlanQuantity {
 /// The floors of a building, or the storeys of one of its planes, from the lowest up.
 [[nodiscard]] std::vector<PlanPlace> floors_of(const PlanProblem& problem, Eigen::Index building,
                                                Eigen::Index plane = 0);
+/// The storeys of its planes, one plane after the other, each from the top down.
+[[nodiscard]] std::vector<PlanPlace> planes_from_top(const PlanProblem& problem, Eigen::Index building);
 
 /// A contact by its place among those of all gaps.
 struct PlanContactPlace {

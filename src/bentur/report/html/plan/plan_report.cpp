@@ -186,15 +186,12 @@ class PlanPage {
 
   [[nodiscard]] Html planes(Index b) const {
     const PlanModel& model = run_.problem.buildings[b].model;
-    std::vector<PlanPlace> places;
+    const std::vector<PlanPlace> places = planes_from_top(run_.problem, b);
     std::vector<std::string> names;
     std::vector<double> levels;
-    for (Index p = 0; p < std::ssize(model.planes); ++p) {
-      for (Index f = model.floors() - 1; f >= 0; --f) {
-        places.push_back({b, f, p});
-        names.push_back(model.planes[p].name);
-        levels.push_back(model.elevations[f]);
-      }
+    for (const PlanPlace& place : places) {
+      names.push_back(model.planes[place.plane].name);
+      levels.push_back(model.elevations[place.floor]);
     }
     if (places.empty()) return {};
     HtmlTable table;
