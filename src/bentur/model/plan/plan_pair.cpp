@@ -28,7 +28,9 @@ Building building_of(const PlanBuilding& building) {
 /// Of lists over the buildings those of the two, of lists over the gaps that of theirs.
 CodeSpec code_of(const CodeSpec& all, std::size_t gap, const PlanGapSpec& of) {
   const auto pick = [&](auto& list) {
-    if (list.size() > 1) list = {list.at(of.left), list.at(of.right)};
+    if (list.size() < 2) return;
+    std::decay_t<decltype(list)> of_two{list.at(of.left), list.at(of.right)};
+    list = std::move(of_two);
   };
   CodeSpec code = all;
   for (CodeRuleSpec& rule : code.rules) {
