@@ -1,6 +1,7 @@
 #include "bentur/model/plan/plan_pair.h"
 
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "bentur/core/errors.h"
