@@ -103,7 +103,7 @@ TEST(EveryKind, IsHeldStillInFewSteps) {
   for (const unsigned seed : {6517U, 6955U}) {
     const Problem problem = make_problem(EveryKindGenerator(seed).make());
     SolveOptions options;
-    options.most_steps = 20000;
+    options.limits.steps = 20000;
     EXPECT_EQ(solve(problem, AdaptiveSolver{1e-10}, options).status, Status::done);
   }
 }

@@ -228,7 +228,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     options.course = fine;
     options.energy_step = c.analysis.output_step;
     if (options.output_step < 0) options.output_step = c.analysis.output_step;
-    options.most_steps = std::min(options.most_steps, static_cast<long>(most_steps));
+    options.limits.steps = std::min(options.limits.steps, static_cast<long>(most_steps));
     if (!progress.isNull()) options.progress = [&](double done) { return progress(done).as<bool>(); };
     const Effort needed = effort(*problem_, c.analysis.solver, options);
     if (const std::string refused = beyond_limits(c, *problem_, needed); !refused.empty()) return failure(refused);
@@ -278,9 +278,10 @@ std::string Studio::at_width(int gap, double width) {
     const double narrowest = *std::min_element(widths.begin(), widths.end());
     for (double& one : widths) one = width + (one - narrowest);
     SolveOptions options;
-    options.most_steps = static_cast<long>(std::min(c.analysis.limits.steps, most_steps));
+    options.limits = run_limits(c.analysis);
+    options.limits.steps = std::min(options.limits.steps, static_cast<long>(most_steps));
     if (!free_) {
-      free_ = std::make_unique<FreeResponse>(*problem_, c.analysis.solver, nullptr, options.most_steps);
+      free_ = std::make_unique<FreeResponse>(*problem_, c.analysis.solver, nullptr, options.limits);
     }
     const Response response = free_->solve(make_problem(c, problem_->buildings), options);
     if (response.status == Status::failed) return failure("the numbers failed: " + response.message);

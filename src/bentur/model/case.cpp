@@ -379,12 +379,18 @@ Problem problem_of(const Case& c, std::vector<Building> buildings) {
 
 SolveOptions solve_options(const Case& c) { return solve_options(c.analysis); }
 
+RunLimits run_limits(const AnalysisSpec& analysis) {
+  return {.steps = static_cast<long>(analysis.limits.steps),
+          .events = static_cast<long>(analysis.limits.events),
+          .seconds = analysis.limits.seconds};
+}
+
 SolveOptions solve_options(const AnalysisSpec& analysis) {
   SolveOptions options;
   options.levels = true;
   options.both_ways = analysis.both_ways;
   options.energy_audit = analysis.energy_audit;
-  options.most_steps = static_cast<long>(analysis.limits.steps);
+  options.limits = run_limits(analysis);
   return options;
 }
 

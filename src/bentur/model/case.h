@@ -128,6 +128,8 @@ struct InitialSpec {  ///< per building, per floor; empty: at rest
 /// What a run may take (solve/effort.h). More is refused beforehand where that is certain, else the run ends there.
 struct LimitsSpec {
   double steps = 2e7;    ///< [-] minutes of a case of some floors
+  double events = 1e6;   ///< [-] each takes up to 1 kB
+  double seconds = 0;    ///< [s] of wall time; 0: no limit
   double memory = 1000;  ///< [MB]
 };
 
@@ -226,6 +228,7 @@ struct SpecAndModel {
 
 /// What a single run of a case is asked for: levels, both ways round and the energy audit as the case says, its limit
 /// of steps; no histories.
+[[nodiscard]] RunLimits run_limits(const AnalysisSpec& analysis);
 [[nodiscard]] SolveOptions solve_options(const Case& c);
 [[nodiscard]] SolveOptions solve_options(const AnalysisSpec& analysis);
 

@@ -32,7 +32,7 @@ void add_reversed(const Problem& problem, const Solver& solver, const SolveOptio
   Problem other = problem;
   other.motion = reversed(std::move(other.motion));
   const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
-  const FreeResponse free(std::move(other), solver, go_on, options.most_steps);
+  const FreeResponse free(std::move(other), solver, go_on, options.limits);
   if (free.response().status != Status::done) return;
   take_reversed(free.response().points, response.points);
   take_reversed(free.response().watched, response.watched);
@@ -98,10 +98,10 @@ struct CheckedFree {
 
 namespace {
 
-CheckedFree free_of(Problem problem, const Solver& solver, const std::function<bool(double)>& progress, long most_steps,
-                    bool levels) {
+CheckedFree free_of(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
+                    const RunLimits& limits, bool levels) {
   Problem given = valid(std::move(problem));
-  FreeSolution free(system_of(given, levels), solver, progress, most_steps);
+  FreeSolution free(system_of(given, levels), solver, progress, limits);
   Response response = free_response(given, free.solution());
   if (levels) {
     const bool mirrored = response.status == Status::done && is_mirrored(given);
@@ -143,8 +143,8 @@ Response CheckedFree::solve(const Problem& other, const SolveOptions& options) c
 struct FreeResponse::Parts : CheckedFree {};
 
 FreeResponse::FreeResponse(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
-                           long most_steps, bool levels)
-    : parts_(std::make_shared<Parts>(Parts{free_of(std::move(problem), solver, progress, most_steps, levels)})) {}
+                           const RunLimits& limits, bool levels)
+    : parts_(std::make_shared<Parts>(Parts{free_of(std::move(problem), solver, progress, limits, levels)})) {}
 
 std::optional<FreeResponse> FreeResponse::scaled(Problem problem) const {
   Problem given = valid(std::move(problem));
@@ -182,7 +182,7 @@ Response solve(const Problem& problem, const Solver& solver, const SolveOptions&
   SolveOptions rest = options;
   rest.progress = progress.rest;
   const bool levels = options.levels || options.both_ways;
-  const CheckedFree free = free_of(problem, solver, progress.free, options.most_steps, levels);
+  const CheckedFree free = free_of(problem, solver, progress.free, options.limits, levels);
   Response response = free.solve(problem, rest);
   add_reversed(problem, solver, options, response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -16,8 +16,7 @@ struct SolveOptions {
   double output_step = 0;
   /// Keeps the exact course too (Response::course); it never changes the solution.
   bool course = false;
-  /// More steps, those taken again for samples and peaks included, are a failure; 0: no limit. See effort.h.
-  long most_steps = 0;
+  RunLimits limits = {};  ///< of each response: without contact, with it, and the other way round
   /// Looks at both faces of each level in the free response as well (PointSummary::peak_left and the like): what rules
   /// for gaps combine.
   bool levels = false;
@@ -57,7 +56,8 @@ class FreeResponse {
   /// @param levels as SolveOptions::levels; what the reversed motion needs comes with it where it follows from this
   /// response, as is_mirrored() says.
   explicit FreeResponse(Problem problem, const Solver& solver = ExactSolver{},
-                        const std::function<bool(double)>& progress = {}, long most_steps = 0, bool levels = false);
+                        const std::function<bool(double)>& progress = {}, const RunLimits& limits = {},
+                        bool levels = false);
 
   /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
   /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.

@@ -149,9 +149,9 @@ TEST(Effort, OfAnEnergyAuditIsCertain) {
   options.energy_audit = true;
   const Effort said = effort(problem, ExactSolver{}, options);
   EXPECT_GT(said.certain_steps, 100 * said.steps);
-  options.most_steps = static_cast<long>(0.9 * said.certain_steps);
+  options.limits.steps = static_cast<long>(0.9 * said.certain_steps);
   EXPECT_EQ(solve(problem, ExactSolver{}, options).status, Status::failed);
-  options.most_steps = static_cast<long>(3 * said.certain_steps);  // halves are counted, and the series at their ends
+  options.limits.steps = static_cast<long>(3 * said.certain_steps);  // halves are counted, and the series at their ends
   EXPECT_EQ(solve(problem, ExactSolver{}, options).status, Status::done);
 }
 
@@ -174,7 +174,7 @@ TEST(Work, ApartDoesNotGrowWithAFastMode) {
   problem.duration = 2.507;  // not a whole number of steps
   SolveOptions options;
   options.output_step = 0.003;
-  options.most_steps = 60000;  // of 2.5 s at 1.4e6 rad/s: 1.5e6 power series
+  options.limits.steps = 60000;  // of 2.5 s at 1.4e6 rad/s: 1.5e6 power series
   const Response response = solve(problem, ExactSolver{}, options);
   ASSERT_EQ(response.status, Status::done) << response.message;
   ASSERT_EQ(response.histories.time.size(), 836u);
@@ -194,11 +194,20 @@ TEST(Work, ApartDoesNotGrowWithAFastMode) {
 TEST(Work, EndsAtItsLimit) {
   const Problem problem = with_stiff_storey(example_laws().front(), 1e12);
   SolveOptions options;
-  options.most_steps = 5000;
+  options.limits.steps = 5000;
   const Response response = solve(problem, ExactSolver{}, options);
   EXPECT_EQ(response.status, Status::failed);
   EXPECT_NE(response.message.find("the limit of 5000 steps is reached at t = "), std::string::npos) << response.message;
-  options.most_steps = 299;  // the grid alone has more
+  options.limits = {.events = 3};
+  const Response eventful = solve(with_stiff_storey(example_laws().front(), 150), ExactSolver{}, options);
+  EXPECT_EQ(eventful.status, Status::failed);
+  EXPECT_NE(eventful.message.find("the limit of 3 events is reached at t = "), std::string::npos) << eventful.message;
+  options.limits = {.seconds = 1e-6};
+  const Response late = solve(problem, ExactSolver{}, options);
+  EXPECT_EQ(late.status, Status::failed);
+  EXPECT_NE(late.message.find("the limit of 1e-06 s of wall time is reached at t = "), std::string::npos)
+      << late.message;
+  options.limits.steps = 299;  // the grid alone has more
   EXPECT_THROW((void)solve(problem, ExactSolver{}, options), InvalidParameter);
 }
 

@@ -50,12 +50,12 @@ std::vector<Contact> without_widths(std::vector<Contact> contacts) {
 }
 
 /// The grid, whose plan is large where it has many segments. @throws InvalidParameter when there are too many.
-const TimeGrid& affordable(const TimeGrid& grid, double duration, long most_steps) {
+const TimeGrid& affordable(const TimeGrid& grid, double duration, const RunLimits& limits) {
   double period = 0.0;
   for (std::size_t kind = 0; kind < grid.kinds(); ++kind) period += grid.length(kind);
   const double segments = duration / period * static_cast<double>(grid.kinds());
-  if (most_steps > 0 && segments > static_cast<double>(most_steps)) {
-    throw InvalidParameter("most_steps", fmt::format("{}", most_steps),
+  if (limits.steps > 0 && segments > static_cast<double>(limits.steps)) {
+    throw InvalidParameter("limits.steps", fmt::format("{}", limits.steps),
                            fmt::format("must be {:.3g} at least", segments));
   }
   return grid;
@@ -65,18 +65,18 @@ const TimeGrid& affordable(const TimeGrid& grid, double duration, long most_step
 
 /// In the order in which each part is made of those before. Gaps have no width here: what is found serves all widths.
 struct FreeParts {
-  FreeParts(System s, const Solver& by, long most) : system(std::move(s)), solver(by), most_steps(most) {}
+  FreeParts(System s, const Solver& by, const RunLimits& most) : system(std::move(s)), solver(by), limits(most) {}
   FreeParts(const FreeParts&) = delete;  // its members point to one another
   FreeParts& operator=(const FreeParts&) = delete;
 
   System system;
   Solver solver;
-  long most_steps;
+  RunLimits limits;
   bool exact = std::holds_alternative<ExactSolver>(solver);
   ModalSystem modal{system};
   Elements::Laws laws = laws_of(system, modal, without_widths(system.contacts));
   TimeGrid grid{system, exact};
-  FlightPlan plan{modal, affordable(grid, system.duration, most_steps), system.duration, exact};
+  FlightPlan plan{modal, affordable(grid, system.duration, limits), system.duration, exact};
   FreeResult result;
   Solution solution;
   // Scales per contact, those that rub last: of both sides and the ground together.
@@ -140,14 +140,14 @@ void validate(const Solver& solver) {
 }
 
 FreeSolution::FreeSolution(System system, const Solver& solver, const std::function<bool(double)>& progress,
-                           long most_steps) {
+                           const RunLimits& limits) {
   validate(solver);
   if (!system.rubbing.empty() && std::holds_alternative<RungeKuttaSolver>(solver)) {
     throw InvalidParameter("solver", "runge-kutta", "does not take contacts that rub");
   }
-  const auto parts = std::make_shared<engine::FreeParts>(std::move(system), solver, most_steps);
+  const auto parts = std::make_shared<engine::FreeParts>(std::move(system), solver, limits);
   const System& given = parts->system;
-  engine::FreeRun run({parts->modal, given, parts->laws, parts->solver, parts->grid, parts->plan, most_steps});
+  engine::FreeRun run({parts->modal, given, parts->laws, parts->solver, parts->grid, parts->plan, limits});
   const Status status = run.to_end(progress);
   Solution& solution = parts->solution;
   engine::report(given, parts->modal, status, run, solution);
@@ -190,7 +190,7 @@ Solution FreeSolution::solve(const std::vector<Contact>& contacts, const std::ve
   engine::Elements::Scales scales{parts.largest_displacement, parts.largest_speed};
   for (std::size_t i = 0; i < widths.size(); ++i) scales.displacement[i] += widths[i];
   const engine::Elements::Laws laws = engine::laws_of(parts.system, parts.modal, contacts, rubbing);
-  engine::PoundingRun run({parts.modal, parts.system, laws, parts.solver, parts.grid, parts.plan, options.most_steps},
+  engine::PoundingRun run({parts.modal, parts.system, laws, parts.solver, parts.grid, parts.plan, options.limits},
                           scales, first_contact, options);
   if (options.course) {
     run.trace({parts.modal, parts.system, laws.offsets, parts.solution, parts.largest_displacement});

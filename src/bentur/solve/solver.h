@@ -33,13 +33,19 @@ using Solver = std::variant<ExactSolver, AdaptiveSolver, RungeKuttaSolver>;
 /// @throws InvalidParameter when its parameter is not valid.
 void validate(const Solver& solver);
 
+/// What one run along a motion may take; more is a failure that says so. 0: no limit. See effort.h.
+struct RunLimits {
+  long steps = 0;      ///< those taken again for samples and peaks included
+  long events = 0;     ///< of contacts, links and members together
+  double seconds = 0;  ///< [s] of wall time
+};
+
 struct RunOptions {
   /// Histories are sampled every output_step [s]; 0: none are kept. Sampling never changes the solution.
   double output_step = 0;
   /// Keeps the exact course too (Solution::course); it never changes the solution.
   bool course = false;
-  /// More steps, those taken again for samples and peaks included, are a failure; 0: no limit. See effort.h.
-  long most_steps = 0;
+  RunLimits limits = {};
   /// Accounts for all energy (Solution::energy); it never changes the solution.
   bool energy_audit = false;
   double energy_step = 0;  ///< [s] of the samples of energies, which are kept with histories; 0: as of those
@@ -59,7 +65,7 @@ class FreeSolution {
   /// @throws InvalidParameter when the solver's parameter is not valid, when there are too many steps, when loads and
   ///   motions do not fit together, or where contacts rub that "runge-kutta" is to solve.
   FreeSolution(System system, const Solver& solver, const std::function<bool(double)>& progress = {},
-               long most_steps = 0);
+               const RunLimits& limits = {});
 
   [[nodiscard]] const System& system() const;
   /// The response without contact, whatever widths and laws the contacts have. It lives as long as this object and its

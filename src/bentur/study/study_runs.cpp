@@ -109,7 +109,7 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) c
   Problem problem = read.problem();
   if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors, contact points or links");
   std::optional<FreeResponse> free = scaled_response(run, problem);
-  if (!free) free.emplace(problem, read.c.analysis.solver, nullptr, static_cast<long>(read.c.analysis.limits.steps));
+  if (!free) free.emplace(problem, read.c.analysis.solver, nullptr, run_limits(read.c.analysis));
   return std::make_shared<const Group>(
       Group{plan_.group(run), std::move(root), std::move(read), std::move(problem), std::move(*free)});
 }
@@ -195,7 +195,7 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
     RunResult result{run, RunStatus::done, {}, {}};
     try {
       set_problem(workspace, run);
-      options.most_steps = static_cast<long>(workspace.group->read.c.analysis.limits.steps);
+      options.limits = run_limits(workspace.group->read.c.analysis);
       const Response response = workspace.group->free.solve(workspace.problem, options);
       if (response.status == Status::stopped) break;
       if (response.status == Status::done || response.status == Status::collapsed) {

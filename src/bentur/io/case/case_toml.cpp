@@ -90,6 +90,8 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   analysis.solver = read_solver(*view);
   if (const auto limits = view->table("limits")) {
     analysis.limits.steps = limits->number("steps").value_or(analysis.limits.steps);
+    analysis.limits.events = limits->number("events").value_or(analysis.limits.events);
+    analysis.limits.seconds = limits->number("seconds").value_or(analysis.limits.seconds);
     analysis.limits.memory = limits->number("memory").value_or(analysis.limits.memory);
   }
   analysis.collapse_drift = view->number("collapse_drift").value_or(analysis.collapse_drift);

@@ -89,6 +89,7 @@ TEST(CaseKeys, DefaultsAreThoseOfACaseMadeInCpp) {
   EXPECT_EQ(analysis_keys().at("step").default_value, RungeKuttaSolver{}.step);
   EXPECT_EQ(analysis_keys().at("tolerance").default_value, AdaptiveSolver{}.tolerance);
   EXPECT_EQ(limit_keys().at("steps").default_value, LimitsSpec{}.steps);
+  EXPECT_EQ(limit_keys().at("events").default_value, LimitsSpec{}.events);
   EXPECT_EQ(limit_keys().at("memory").default_value, LimitsSpec{}.memory);
   EXPECT_EQ(unit_keys().at("length").words.front(), Units{}.length);
   EXPECT_EQ(unit_keys().at("force").words.front(), Units{}.force);

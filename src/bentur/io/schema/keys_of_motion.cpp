@@ -388,6 +388,12 @@ const KeyTable& limit_keys() {
       {Key::number("steps", dimension::none, Range::step_limit, {"Steps", "Langkah"},
                    "a run takes no more, samples and searches for peaks included")
            .by_default(2e7),
+       Key::number("events", dimension::none, Range::step_limit, {"Events", "Peristiwa"},
+                   "a response has no more: touches, partings, yieldings; each takes up to 1 kB")
+           .by_default(1e6),
+       Key::number("seconds", dimension::time, Range::positive, {"Seconds", "Detik"},
+                   "of wall time, of each response: without contact, with it, and the other way round")
+           .optional(),
        Key::number("memory", dimension::none, Range::memory_limit, {"Memory", "Memori"}, "of a run with its histories")
            .by_default(1000)
            .counted_in("MB")}};

@@ -5,7 +5,7 @@ namespace bentur {
 RunOptions run_options(const SolveOptions& options) {
   return {.output_step = options.output_step,
           .course = options.course,
-          .most_steps = options.most_steps,
+          .limits = options.limits,
           .energy_audit = options.energy_audit,
           .energy_step = options.energy_step,
           .progress = options.progress};

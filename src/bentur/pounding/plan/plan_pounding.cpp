@@ -228,7 +228,7 @@ void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveO
   PlanProblem other = problem;
   for (GroundMotion& motion : other.motions) motion = reversed(std::move(motion));
   const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
-  const FreeSolution free(system_of(other), solver, go_on, options.most_steps);
+  const FreeSolution free(system_of(other), solver, go_on, options.limits);
   if (free.solution().status != Status::done) return;
   PlanResponse needs;
   take_free(other, free.solution(), false, false, needs);
@@ -253,7 +253,7 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const Solve
   RunOptions rest = run_options(options);
   rest.course = false;
   rest.progress = progress.rest;
-  const FreeSolution free(system, solver, progress.free, options.most_steps);
+  const FreeSolution free(system, solver, progress.free, options.limits);
   PlanResponse response;
   response.buildings_no_contact = peaks_of(problem, free.solution());
   const bool mirrored = free.solution().status == Status::done && is_mirrored(problem);

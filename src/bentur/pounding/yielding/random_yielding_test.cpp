@@ -108,7 +108,7 @@ Apart difference(const Response& one, const Response& other) {
 Response audited(const Problem& problem, const Solver& solver) {
   SolveOptions options;
   options.energy_audit = true;
-  options.most_steps = 20'000'000;
+  options.limits.steps = 20'000'000;
   return solve(problem, solver, options);
 }
 

@@ -252,7 +252,7 @@ class Work {
     const std::string record = record_name(choices, records, read);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     const Problem problem = read.problem();
-    const FreeResponse free(problem, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps), true);
+    const FreeResponse free(problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
     const Response& response = free.response();
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
@@ -276,8 +276,7 @@ class Work {
     if (!is_known && !levels.empty()) {
       Problem mirrored = problem;
       for (double& value : std::get<SampledMotion>(mirrored.motion).acceleration) value = -value;
-      const FreeResponse free(mirrored, read.c.analysis.solver, {}, static_cast<long>(read.c.analysis.limits.steps),
-                              true);
+      const FreeResponse free(mirrored, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
       const Response& response = free.response();
       if (response.status != Status::done && response.status != Status::collapsed)
         throw std::runtime_error(need.record + ", reversed: " + response.message);

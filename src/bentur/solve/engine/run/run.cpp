@@ -40,7 +40,7 @@ Run::Run(const Setup& setup, Eigen::Index idle, const Elements::Scales& scales,
       grid_(setup.grid),
       plan_(setup.plan),
       largest_ground_(Eigen::MatrixXd::Zero(system_.components(), std::ssize(system_.blocks))),
-      most_steps_(setup.most_steps) {
+      limits_(setup.limits) {
   next_ = expanded_ = replayed_ = state_;
   end_acceleration_.setZero(system_.size);
   replayed_forces_.rate = system_.rate({});
@@ -109,13 +109,25 @@ Status Run::status() const {
   return passed_ ? Status::collapsed : Status::done;
 }
 
+void Run::keep_limits() {
+  const auto end_at = [&](const std::string& limit) {
+    fail(fmt::format("the limit of {} is reached", limit), grid_.start(segment_));
+  };
+  if (limits_.steps > 0 && taken_ > limits_.steps) return end_at(fmt::format("{} steps", limits_.steps));
+  if (limits_.events > 0 && elements_.events() > limits_.events) {
+    return end_at(fmt::format("{} events", limits_.events));
+  }
+  if (limits_.seconds > 0.0) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began_;
+    if (passed.count() > limits_.seconds) end_at(fmt::format("{} s of wall time", limits_.seconds));
+  }
+}
+
 /// Counts steps to be taken; false when there are too many of them, or a stop is asked for.
 bool Run::go_on(long steps) {
   const long before = taken_;
   taken_ += steps;
-  if (most_steps_ > 0 && taken_ > most_steps_ && trouble_.empty()) {
-    fail(fmt::format("the limit of {} steps is reached", most_steps_), grid_.start(segment_));
-  }
+  if (trouble_.empty()) keep_limits();
   if (taken_ / steps_between_reports != before / steps_between_reports && *progress_ && !stopped_) {
     stopped_ = !(*progress_)(std::min(grid_.start(segment_) / given_.duration, 1.0));
   }

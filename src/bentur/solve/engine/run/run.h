@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,7 +29,7 @@ class Run {
     const Solver& solver;
     const TimeGrid& grid;
     const FlightPlan& plan;
-    long most_steps = 0;  ///< more are a failure; 0: no limit
+    RunLimits limits = {};
   };
   /// The first `idle` elements do nothing, nor do contacts that rub which `setup` has no laws of; `scales` as Elements
   /// takes them. `others` are watched besides what every run watches.
@@ -158,6 +159,7 @@ class Run {
   void arrive();
   void note_ground(const double* q);
   void pass_flights(Eigen::Index first);
+  void keep_limits();
   [[nodiscard]] bool go_on(long steps = 1);
   [[nodiscard]] Status status() const;
 
@@ -182,7 +184,9 @@ class Run {
   std::string trouble_;
   long segment_ = 0;  ///< under way
   long steps_ = 0;
-  long taken_ = 0, most_steps_;  ///< steps, those gone over again included
+  long taken_ = 0;  ///< steps, those gone over again included
+  const RunLimits limits_;
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   bool stopped_ = false;
   std::optional<Solution::Passed> passed_;
   const std::function<bool(double)>* progress_ = nullptr;
