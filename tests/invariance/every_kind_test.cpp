@@ -84,6 +84,9 @@ TEST(EveryKind, IsNotChangedByWhatIsAskedForBesideIt) {
     if (apart && !plain.impacts.empty() && !other.impacts.empty()) {
       EXPECT_NEAR(plain.impacts[0].start, other.impacts[0].start, 1e-5 * problem.duration);
     }
+    for (const Impact& impact : looked.impacts) {
+      EXPECT_GE(impact.energy_lost, -1e-10 * looked.energy->peak_input) << impact.point << " at " << impact.start;
+    }
     impacts += static_cast<long>(plain.impacts.size());
     still += plain.impacts.empty() ? 1 : 0;
   }

@@ -24,7 +24,8 @@ struct Impact {
   double peak_penetration = 0;  ///< [length]
   double impulse = 0;           ///< ∫F dt [force·s]
   double peak_tension = 0;      ///< largest pull, of laws that can [force] ≥ 0
-  double energy_lost = 0;       ///< work on the contact that it does not give back [force·length]
+  double energy_lost = 0;       ///< work on the contact that it does not give back [force·length]; what a
+                                ///< later one finds stored in a surface still dented counts as given back
   // Of contacts that rub, for which energy_lost is that of the force across alone:
   double peak_tangential_force = 0;  ///< max |F_t| [force]
   double tangential_impulse = 0;     ///< ∫F_t dt [force·s]

@@ -466,9 +466,8 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
   if (touched && !touches) log_.end(i, time, -closing);
   began_ = !touched && touches;
   if (began_) {
-    log_.begin(i, start, from_rest(i, closing) ? 0.0 : closing);
+    log_.begin(i, start, from_rest(i, closing) ? 0.0 : closing, law(i).stored_energy(states_[i], delta));
     log_.under_way(i).slow_start = slow;
-    log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], delta);
   }
 }
 

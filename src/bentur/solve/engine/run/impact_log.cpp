@@ -106,20 +106,22 @@ void accumulate_nonlinear(const ImpactLog::Stretch& at, Impact& impact) {
 
 }  // namespace
 
-ImpactLog::ImpactLog(std::size_t points) : under_way_(points) {}
+ImpactLog::ImpactLog(std::size_t points) : under_way_(points), before_(points, none) {}
 
-void ImpactLog::begin(Eigen::Index point, double start, double closing_speed) {
+void ImpactLog::begin(Eigen::Index point, double start, double closing_speed, double stored) {
   Impact& impact = under_way_[point] = Impact{};
   impact.point = point;
   impact.start = start;
   impact.peak_force_time = start;
   impact.closing_speed = closing_speed;
+  (before_[point] == none ? impact : impacts_[before_[point]]).energy_lost -= stored;
 }
 
 void ImpactLog::end(Eigen::Index point, double time, double separation_speed) {
   Impact& impact = under_way_[point];
   impact.end = time;
   impact.separation_speed = separation_speed;
+  before_[point] = impacts_.size();
   impacts_.push_back(impact);
 }
 

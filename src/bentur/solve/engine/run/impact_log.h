@@ -14,7 +14,9 @@ class ImpactLog {
  public:
   explicit ImpactLog(std::size_t points);
 
-  void begin(Eigen::Index point, double start, double closing_speed);
+  /// `stored` energy is in the contact as it begins. What its surface has kept since the impact before, of a dent that is
+  /// still there, that one has not lost.
+  void begin(Eigen::Index point, double start, double closing_speed, double stored = 0.0);
   [[nodiscard]] Impact& under_way(Eigen::Index point) { return under_way_[point]; }
   void end(Eigen::Index point, double time, double separation_speed);
 
@@ -50,6 +52,8 @@ class ImpactLog {
  private:
   std::vector<Impact> under_way_;  ///< per point, meaningful while it touches
   std::vector<Impact> impacts_;
+  static constexpr auto none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> before_;  ///< per point, its last one in impacts_, until they are sorted
 };
 
 }  // namespace bentur::engine

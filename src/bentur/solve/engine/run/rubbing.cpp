@@ -61,10 +61,11 @@ void Elements::change_coupled(const Event& event, double time, const std::vector
   if (touched && !touches) log_.end(of.log, time, -closing);
   began_ = !touched && touches;
   if (began_) {
-    log_.begin(of.log, time, from_rest(of.at, closing) ? 0.0 : closing);
+    log_.begin(of.log, time, from_rest(of.at, closing) ? 0.0 : closing, law.stored_energy(after, depth));
     log_.under_way(of.log).point = system_->switched + static_cast<Index>(of.number);
+  } else if (touches) {
+    log_.under_way(of.log).energy_lost -= law.stored_energy(after, depth);
   }
-  if (touches) log_.under_way(of.log).energy_lost -= law.stored_energy(after, depth);
 }
 
 void Elements::finish(double time) {
