@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutation testing: mutate.py ROOT [--count N] [--seed S] [--minutes M].
+"""Mutation testing: mutate.py ROOT [--count N] [--seed S] [--minutes M] [--jobs J].
 
 Some statements of the library are changed, one at a time: a comparison, an operator, a number, a condition, or the
 statement is left out. All changes are compiled into one build, in build/mutate, beside what they change:
@@ -7,9 +7,10 @@ statement is left out. All changes are compiled into one build, in build/mutate,
 are linked with the changed libraries, so that only these are compiled anew.
 
 Each test is first run alone, to see which changes it comes by and how long it takes. Then each change is tried with the
-tests that come by it, the quick ones first, until one fails: it is noticed. What none of these notices is tried with
-the tests of the command line, and then with 1,000 random cases (tests/mutation/answers.cpp); where they answer the
-same to the bit, it counts for nothing, but in `study`, which these cases do not use. Results are kept in build/mutate/results.json and gone on with.
+tests that come by it, the quick ones first, until one fails: it is noticed. What none of these notices is tried with 1,000 random
+cases (tests/mutation/answers.cpp); where they answer the same to the bit, it counts for nothing, but in `study`, which
+these cases do not use. What is left is tried with the tests of the command line. Results are kept in
+build/mutate/results.json and gone on with.
 """
 
 import argparse
@@ -291,14 +292,18 @@ def tried(build, programs, number, tests, module):
             some = ":".join(test for _, test in of_group[start:start + 60])
             if run(programs[name], [f"--gtest_filter={some}", "--gtest_fail_fast"], 10 * seconds + 10, **chosen)[0] != 0:
                 return name
+    if module != "study" and answers(programs, **chosen) == build.answers:
+        return "the same"
     for suite, seconds in build.suites.items():
         if run_suite(build, programs, suite, 3 * seconds + 30, **chosen)[0] != 0:
             return suite
-    if module == "study":
-        return "survived"
-    outputs = [subprocess.run(["nice", "-n", "19", programs["answers"], "1000"], capture_output=True, timeout=1200,
-                              env={**os.environ, **environment}).stdout for environment in ({}, chosen)]
-    return "the same" if outputs[0] == outputs[1] else "survived"
+    return "survived"
+
+
+def answers(programs, **environment):
+    """What 1,000 random cases answer."""
+    return subprocess.run(["nice", "-n", "19", programs["answers"], "1000"], capture_output=True, timeout=1200,
+                          env={**os.environ, **environment}).stdout
 
 
 def report(mutants, results):
@@ -319,6 +324,7 @@ def main():
     parser.add_argument("--count", type=int, default=270)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--minutes", type=float, default=1e9)
+    parser.add_argument("--jobs", type=int, default=1)
     asked = parser.parse_args()
     end = time.time() + 60 * asked.minutes
     build = Build(asked.root)
@@ -356,14 +362,21 @@ def main():
     build.suites = {suite: seconds for suite, (status, seconds) in tries.items() if status == 0}
     if left := set(SUITES) - set(build.suites):
         print("left out, as they fail without a change:", ", ".join(sorted(left)))
+    build.answers = answers(programs)
     order = list(enumerate(mutants))
     random.Random(asked.seed).shuffle(order)  # so that a run that is cut short is a sample
-    for number, mutant in order:
-        if mutant["id"] in kept["results"] or time.time() > end:
-            continue
-        kept["results"][mutant["id"]] = tried(build, programs, number, kept["tests"], mutant["module"])
-        print(f"{kept['results'][mutant['id']]:14} {mutant['id']}", flush=True)
-        keep()
+    left = [one for one in order if one[1]["id"] not in kept["results"]]
+
+    def become(one):
+        number, mutant = one
+        return None if time.time() > end else tried(build, programs, number, kept["tests"], mutant["module"])
+
+    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
+        for (_, mutant), result in zip(left, pool.map(become, left)):
+            if result is not None:
+                kept["results"][mutant["id"]] = result
+                print(f"{result:14} {mutant['id']}", flush=True)
+                keep()
     report(mutants, kept["results"])
 
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/core/errors.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
@@ -78,7 +79,8 @@ StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> me
       facts_(std::move(facts)),
       memo_(std::move(memo)),
       plan_(plan_axes(study_), study_.sampling),
-      quantities_(row_parts(facts_.problem, facts_.units, facts_.energy_audit)) {
+      quantities_(facts_.plan ? row_parts(*facts_.plan, facts_.units)
+                              : row_parts(facts_.problem, facts_.units, facts_.energy_audit)) {
   widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
     return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
   });
@@ -183,6 +185,34 @@ void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
   workspace.problem.watched = watched_floors(workspace.c, workspace.problem.buildings, workspace.problem.points);
 }
 
+std::optional<RunResult> StudyRuns::solved(Workspace& workspace, std::size_t run, SolveOptions& options) const {
+  set_problem(workspace, run);
+  options.limits = run_limits(workspace.group->read.c.analysis);
+  const Response response = workspace.group->free.solve(workspace.problem, options);
+  if (response.status == Status::stopped) return std::nullopt;
+  if (response.status == Status::failed) return RunResult{run, RunStatus::failed, response.message, {}};
+  RunResult result{run, RunStatus::done, {}, std::vector<double>(row_size(quantities_))};
+  fill_row(quantities_, {workspace.problem, response, facts_.units}, result.values);
+  return result;
+}
+
+std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions& options) const {
+  Diagnostics found;
+  ChosenPlan chosen = read_chosen_plan(study_, chosen_case(study_, choices(run)), *memo_, found);
+  if (!found.ok()) throw NotACase(first_message(found));
+  if (!same_places(chosen.problem, *facts_.plan)) {
+    throw NotACase("other numbers of floors, planes or contact points");
+  }
+  options.limits = run_limits(chosen.c.analysis);
+  options.levels = true;
+  PlanResponse response = bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
+  if (response.status == Status::stopped) return std::nullopt;
+  if (response.status == Status::failed) return RunResult{run, RunStatus::failed, response.message, {}};
+  RunResult result{run, RunStatus::done, {}, std::vector<double>(row_size(quantities_))};
+  fill_row(quantities_, {std::move(chosen.c), std::move(chosen.problem), std::move(response)}, result.values);
+  return result;
+}
+
 std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const std::function<bool()>& go_on) const {
   std::vector<RunResult> results;
   results.reserve(runs.size());
@@ -194,16 +224,9 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
     if (!go_on()) break;
     RunResult result{run, RunStatus::done, {}, {}};
     try {
-      set_problem(workspace, run);
-      options.limits = run_limits(workspace.group->read.c.analysis);
-      const Response response = workspace.group->free.solve(workspace.problem, options);
-      if (response.status == Status::stopped) break;
-      if (response.status == Status::done || response.status == Status::collapsed) {
-        result.values.resize(row_size(quantities_));
-        fill_row(quantities_, {workspace.problem, response, facts_.units}, result.values);
-      } else {
-        result = {run, RunStatus::failed, response.message, {}};
-      }
+      std::optional<RunResult> one = facts_.plan ? solved_in_plan(run, options) : solved(workspace, run, options);
+      if (!one) break;
+      result = std::move(*one);
     } catch (const NotACase& error) {
       result = {run, RunStatus::invalid, error.what(), {}};
     } catch (const InvalidParameter& error) {

@@ -30,7 +30,7 @@ struct RunResult {
 /// The runs of a study. Runs of one group (SweepPlan) share buildings, record and the response without contact, runs of
 /// different groups what is alike in them; runs of one record at several intensities share that response too where it
 /// only scales with them. What a run gives does not depend on which others are run, or where.
-/// May serve many threads.
+/// Runs of buildings in plan share nothing but records. May serve many threads.
 class StudyRuns {
  public:
   /// `study` has been checked, with these facts.
@@ -62,6 +62,9 @@ class StudyRuns {
   [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run) const;
   [[nodiscard]] std::shared_ptr<const Group> shared_group(std::size_t run) const;
   void set_problem(Workspace& workspace, std::size_t run) const;
+  /// A run until its end, with its values where it got there; nothing where it was stopped.
+  [[nodiscard]] std::optional<RunResult> solved(Workspace& workspace, std::size_t run, SolveOptions& options) const;
+  [[nodiscard]] std::optional<RunResult> solved_in_plan(std::size_t run, SolveOptions& options) const;
 
   Study study_;
   StudyFacts facts_;

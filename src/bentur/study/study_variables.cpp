@@ -9,9 +9,11 @@
 #include <set>
 #include <utility>
 
+#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/model/plan/plan_quantities.h"
 #include "bentur/study/fragility/ida_results.h"
 
 namespace bentur {
@@ -65,22 +67,35 @@ class StudyList {
 
   void places() {
     const std::string length = udunit(facts_.units.length);
-    for (std::size_t b = 0; b < facts_.problem.buildings.size(); ++b) {
-      const Building& building = facts_.problem.buildings[b];
-      std::vector<double> floors = building.model.elevations;
-      if (facts_.floors_move) std::iota(floors.begin(), floors.end(), 1);
-      floors_.push_back({fmt::format("elevation_{}", b + 1), floors.size()});
-      const char* what =
-          facts_.floors_move ? "floors, whose elevations differ between runs," : "elevation of the floors";
-      add({floors_[b].name,
-           {floors_[b]},
-           facts_.floors_move ? "1" : length,
-           fmt::format("{} of building \"{}\"", what, building.name),
-           {},
-           floors});
+    const std::string point_length = facts_.points_move ? "" : length;
+    if (facts_.plan) {
+      for (const PlanBuilding& building : facts_.plan->buildings) floors(building.name, building.model.elevations);
+      for (std::size_t b = 0; b < facts_.plan->buildings.size(); ++b) planes(b);
+      places_ = plan_place_variables(*facts_.plan, point_length);
+    } else {
+      for (const Building& building : facts_.problem.buildings) floors(building.name, building.model.elevations);
+      places_ = place_variables(facts_.problem, point_length, facts_.links_move ? "" : length);
     }
-    places_ = place_variables(facts_.problem, facts_.points_move ? "" : length, facts_.links_move ? "" : length);
     for (ResultVariable& variable : places_.variables) add(std::move(variable));
+  }
+
+  void floors(const std::string& building, std::vector<double> elevations) {
+    if (facts_.floors_move) std::iota(elevations.begin(), elevations.end(), 1);
+    buildings_.push_back(building);
+    floors_.push_back({fmt::format("elevation_{}", buildings_.size()), elevations.size()});
+    const char* what = facts_.floors_move ? "floors, whose elevations differ between runs," : "elevation of the floors";
+    add({floors_.back().name,
+         {floors_.back()},
+         facts_.floors_move ? "1" : udunit(facts_.units.length),
+         fmt::format("{} of building \"{}\"", what, building),
+         {},
+         std::move(elevations)});
+  }
+
+  void planes(std::size_t b) {
+    const auto& all = facts_.plan->buildings[b].model.planes;
+    planes_.push_back(plane_dimension(b, all.size()));
+    if (!all.empty()) add(plane_names(planes_.back(), facts_.plan->buildings[b]));
   }
 
   /// What varies, along its axis or run by run.
@@ -157,6 +172,7 @@ class StudyList {
 
   void values_of(const RowPart& part) {
     ResultVariable variable{part.name, file_.runs, part.units, part.long_name};
+    if (part.of_planes) variable.dimensions.push_back(planes_[part.building]);
     if (part.owner == Owner::floor) variable.dimensions.push_back(floors_[part.building]);
     if (part.owner == Owner::hinge) {
       variable.dimensions.push_back({fmt::format("hinge_{}", part.building + 1), static_cast<std::size_t>(part.count)});
@@ -170,7 +186,7 @@ class StudyList {
     if (part.owner == Owner::link) variable.dimensions.push_back(places_.links);
     variable.attributes.push_back({"symbol", std::string(part.quantity->symbol)});
     if (part.is_of_building()) {
-      variable.attributes.push_back({"building", facts_.problem.buildings[part.building].name});
+      variable.attributes.push_back({"building", buildings_[part.building]});
     }
     if (part.quantity->by_size) variable.attributes.push_back({"compared_by", "size"});
     name_coordinates(variable, own_coordinates());
@@ -208,7 +224,8 @@ class StudyList {
   const StudyFacts& facts_;
   bool is_grid_;
   StudyFile file_;
-  std::vector<ResultDimension> floors_;  // of each building
+  std::vector<std::string> buildings_;
+  std::vector<ResultDimension> floors_, planes_;  // of each building
   PlaceVariables places_;
   std::string coordinates_;
 };
@@ -219,12 +236,15 @@ StudyFile study_file(const StudyRuns& runs, std::string_view version) { return S
 
 void check_names(const Study& study, Diagnostics& diagnostics) {
   // Whatever the case has: no name may mean one thing in one study and another in the next.
-  std::set<std::string> taken = {"point",         "gap",        "intensity",     "record_intensity", "scale_factor",
-                                 "normalisation", "sample",     "status",        "message",          "point_left",
-                                 "point_right",   "gap_name",   "elevation",     "point_elevation",  "link",
-                                 "link_left",     "link_right", "link_elevation"};
+  std::set<std::string> taken = {"point",         "gap",        "intensity",      "record_intensity", "scale_factor",
+                                 "normalisation", "sample",     "status",         "message",          "point_left",
+                                 "point_right",   "gap_name",   "elevation",      "point_elevation",  "link",
+                                 "link_left",     "link_right", "link_elevation", "point_x",          "point_y"};
   for (const Quantity& quantity : quantities()) {
     if (quantity.owner != Owner::impact) taken.insert(file_name(quantity));
+  }
+  for (const PlanQuantity& quantity : plan_quantities()) {
+    if (quantity.owner != PlanOwner::impact) taken.insert(file_name(quantity.told));
   }
   const auto is_taken = [&](const std::string& name) { return taken.count(name) > 0 || without_number(name) != name; };
   for (const Vary& vary : study.varies) {

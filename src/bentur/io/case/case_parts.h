@@ -38,6 +38,7 @@ struct ReadBuilding {
 struct CaseFiles {
   const std::filesystem::path& folder;
   Diagnostics& diagnostics;
+  CaseMemo* memo = nullptr;
 };
 
 /// case_toml.cpp: the path of a file that the case names; nothing (and an error at `key`) where it cannot be read.

@@ -312,7 +312,9 @@ std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> a
                                      const std::function<bool(double)>& progress, Diagnostics& diagnostics) {
   CaseMemo memo;
   const auto facts = check_study(study, memo, diagnostics);
-  if (!facts) return std::nullopt;
+  if (!facts || refuse_plan(*facts, {study.file.string(), 0, 0}, "bentur gap with a study", diagnostics)) {
+    return std::nullopt;
+  }
   GapStudy result;
   result.units = facts->units;
   result.problem = facts->problem;

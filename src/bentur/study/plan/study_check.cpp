@@ -8,7 +8,9 @@
 #include <variant>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/study/quantiles.h"
 
@@ -25,6 +27,16 @@ std::string place_text(const SourcePosition& position) {
                            : fmt::format(" ({})", file);
 }
 
+/// A case as a study has made it: of a row, or in plan.
+struct Tried {
+  ReadCase row;  ///< unless it is in plan
+  std::optional<ChosenPlan> plan;
+
+  [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : row.c.analysis; }
+  [[nodiscard]] const Units& units() const { return plan ? plan->c.units : row.c.units; }
+  [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : row.c.title; }
+};
+
 class Trial {
  public:
   Trial(const Study& study, CaseMemo& memo, Diagnostics& diagnostics)
@@ -34,7 +46,7 @@ class Trial {
   bool first() {
     Diagnostics found;
     const std::vector<Choice> choices(study_.axes.size());
-    const ReadCase read = tried(choices, found);
+    const Tried read = tried(choices, found);
     for (const Diagnostic& one : found.errors()) {
       if (one.position.origin > 0) {
         report(one, choices);
@@ -43,16 +55,20 @@ class Trial {
       }
     }
     if (!found.ok()) return false;
-    if (refuse_without_motion(read.c, diagnostics_)) return false;
+    if (!read.plan && refuse_without_motion(read.row.c, diagnostics_)) return false;
     try {
-      facts_.problem = read.problem();
+      if (read.plan) {
+        facts_.plan = read.plan->problem;
+      } else {
+        facts_.problem = read.row.problem();
+      }
     } catch (const InvalidParameter& error) {
       diagnostics_.error({study_.case_file.string(), 0, 0}, error.what());
       return false;
     }
-    facts_.units = read.c.units;
-    facts_.title = read.c.title;
-    facts_.energy_audit = read.c.analysis.energy_audit;
+    facts_.units = read.units();
+    facts_.title = read.title();
+    facts_.energy_audit = read.analysis().energy_audit;
     for (const Vary& vary : study_.varies) {
       if (!vary.normalisation_file.empty()) note(vary.normalisation_file);
     }
@@ -109,18 +125,29 @@ class Trial {
     hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
   }
 
-  ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
-    ReadCase read = read_chosen(study_, chosen_case(study_, choices), memo_, found);
-    if (found.ok() && read.c.excitation.record) note(study_.case_file.parent_path() / read.c.excitation.record->file);
-    for (const BuildingSpec& building : read.c.buildings) {
+  Tried tried(const std::vector<Choice>& choices, Diagnostics& found) {
+    const TomlValue root = chosen_case(study_, choices);
+    Tried read;
+    if (is_plan_) {
+      read.plan = read_chosen_plan(study_, root, memo_, found);
+      for (const ExcitationSpec& one : read.plan->c.excitation) note(one, found);
+      return read;
+    }
+    read.row = read_chosen(study_, root, memo_, found);
+    note(read.row.c.excitation, found);
+    for (const BuildingSpec& building : read.row.c.buildings) {
       if (found.ok() && !building.shapes_path.empty()) note(building.shapes_path);
     }
     return read;
   }
 
+  void note(const ExcitationSpec& excitation, const Diagnostics& found) {
+    if (found.ok() && excitation.record) note(study_.case_file.parent_path() / excitation.record->file);
+  }
+
   double measured(const std::vector<Choice>& choices) {
     Diagnostics found;
-    const ReadCase read = tried(choices, found);
+    const ReadCase read = tried(choices, found).row;
     if (!found.ok()) return std::numeric_limits<double>::quiet_NaN();  // each alone is right, so its runs are marked
     std::string what = "[ida]";
     for (const std::size_t axis : record_axes(study_).axes) {
@@ -146,7 +173,7 @@ class Trial {
 
   void one(const std::vector<Choice>& choices, std::size_t axis) {
     Diagnostics found;
-    const ReadCase read = tried(choices, found);
+    const Tried read = tried(choices, found);
     for (const Diagnostic& error : found.errors()) {
       if (error.position.origin > 0) {
         report(error, choices);
@@ -157,7 +184,11 @@ class Trial {
     }
     if (!found.ok()) return;
     try {
-      compare(read.problem(), axis, choices);
+      if (read.plan) {
+        compare(read.plan->problem, axis, choices);
+      } else {
+        compare(read.row.problem(), axis, choices);
+      }
     } catch (const InvalidParameter& error) {
       because_of(axis, choices, error.what());
       ++errors_;
@@ -195,6 +226,26 @@ class Trial {
                        fmt::format("with {} = {}: {}", vary.parameter, chosen_text(vary, choices[axis]), what));
   }
 
+  void compare(const PlanProblem& problem, std::size_t axis, const std::vector<Choice>& choices) {
+    const PlanProblem& first = *facts_.plan;
+    if (!same_places(first, problem)) {
+      because_of(axis, choices,
+                 "which buildings meet, the numbers of floors, planes and contact points, and which of them can yield "
+                 "or rub, must be the same in all runs");
+      ++errors_;
+      return;
+    }
+    for (std::size_t b = 0; b < first.buildings.size(); ++b) {
+      facts_.floors_move |= first.buildings[b].model.elevations != problem.buildings[b].model.elevations;
+    }
+    Eigen::Index points = 0;
+    for (const PlanGap& gap : first.gaps) points += std::ssize(gap.contacts);
+    for (Eigen::Index i = 0; i < points; ++i) {
+      const PlanContactPlace a = contact_at(first, i), b = contact_at(problem, i);
+      facts_.points_move |= a.at != b.at || a.contact->elevation != b.contact->elevation;
+    }
+  }
+
   void compare(const Problem& problem, std::size_t axis, const std::vector<Choice>& choices) {
     const Problem& first = facts_.problem;
     if (!same_places(first, problem)) {
@@ -218,6 +269,7 @@ class Trial {
   const Study& study_;
   CaseMemo& memo_;
   Diagnostics& diagnostics_;
+  const bool is_plan_ = is_plan_study(study_);
   StudyFacts facts_;
   int errors_ = 0;
 };
@@ -248,12 +300,34 @@ ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, 
   return read_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &memo);
 }
 
+bool is_plan_study(const Study& study) {
+  Diagnostics ignored;
+  const std::string name = study.case_file.string();
+  return plan_of(TomlView(study.case_root, "", name, ignored)).has_value();
+}
+
+ChosenPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found) {
+  const std::string name = study.case_file.string();
+  ChosenPlan plan;
+  plan.c =
+      read_plan_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &plan.problem, &memo);
+  return plan;
+}
+
+bool refuse_plan(const StudyFacts& facts, const SourcePosition& position, const std::string& what,
+                 Diagnostics& diagnostics) {
+  if (facts.plan) diagnostics.error(position, what + " does not go with buildings in plan");
+  return facts.plan.has_value();
+}
+
 std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics) {
   Diagnostics found;
   Trial trial(study, memo, found);
   try {
     (void)SweepPlan(plan_axes(study), study.sampling);
-    if (trial.first()) {
+    if (study.ida && is_plan_study(study)) {
+      found.error(study.ida->position, "does not go with buildings in plan, whose ground moves along two axes");
+    } else if (trial.first()) {
       for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
         if (!study.ida || axis != study.ida->axis) trial.along(axis);
       }

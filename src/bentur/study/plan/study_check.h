@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bentur/io/case/case_memo.h"
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/study/plan/record_intensity.h"
 #include "bentur/study/plan/study.h"
 #include "bentur/study/plan/sweep_plan.h"
@@ -15,14 +16,15 @@ namespace bentur {
 
 /// What trying out a study has shown.
 struct StudyFacts {
-  Problem problem;  ///< of the first choice along every axis
+  Problem problem;  ///< of the first choice along every axis; of buildings in plan empty
+  std::optional<PlanProblem> plan;
   Units units;
   std::string title;
   bool energy_audit = false;
   std::map<std::string, std::string> records;  ///< file name of every record, and of factors, to its SHA-256
   std::set<std::string> record_files;          ///< where they are
   bool floors_move = false;                    ///< elevations of floors differ between runs
-  bool points_move = false;                    ///< elevations of contact points differ between runs
+  bool points_move = false;                    ///< places of contact points differ between runs
   bool links_move = false;                     ///< elevations of links do
   RecordIntensities intensities;               ///< with [ida]
 };
@@ -30,12 +32,27 @@ struct StudyFacts {
 /// Reads a case that a study has made; what is wrong goes to `found`.
 [[nodiscard]] ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found);
 
+/// A case of buildings in plan.
+struct ChosenPlan {
+  PlanCase c;
+  PlanProblem problem;
+};
+[[nodiscard]] bool is_plan_study(const Study& study);
+/// The same of one that is.
+[[nodiscard]] ChosenPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo,
+                                          Diagnostics& found);
+
 /// Tries the values of a study in its case, one axis after the other with the others at their first choice: values
 /// given one by one, the ends of a range, the ends of a distribution's support (extremes()). So a key that the case
 /// does not know, a value out of its range and a distribution that can give one are found before anything is run.
 /// @return nothing where there was an error; all of them are in `diagnostics`, with their place in study, case or
 /// record. With [ida] the intensity of every record is found too; of a combination that makes no case it is NaN.
 [[nodiscard]] std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics);
+
+/// An error at `position` where the buildings of the study stand in plan, which `what` does not take.
+/// @return whether they do
+bool refuse_plan(const StudyFacts& facts, const SourcePosition& position, const std::string& what,
+                 Diagnostics& diagnostics);
 
 /// The axes as a plan takes them: runs that differ in gap widths and contacts alone share the response without contact,
 /// unless delays are reckoned from the widths.

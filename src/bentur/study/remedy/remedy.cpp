@@ -330,6 +330,7 @@ std::optional<RemedySearch> seek_remedy(const std::filesystem::path& file, const
   const auto memo = std::make_shared<CaseMemo>();
   std::optional<StudyFacts> facts = check_study(*study, *memo, diagnostics);
   if (!facts || !diagnostics.ok()) return std::nullopt;
+  if (refuse_plan(*facts, study->remedy->position, "[remedy]", diagnostics)) return std::nullopt;
   const std::vector<RowPart> quantities = row_parts(facts->problem, facts->units, facts->energy_audit);
   if (refuse_objective(quantities, *study->remedy, diagnostics)) return std::nullopt;
 

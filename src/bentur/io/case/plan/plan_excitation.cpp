@@ -84,13 +84,13 @@ void read_plan_excitation(const TomlView& root, const std::vector<ReadPlanBuildi
     kind->error_value("does not go with buildings in plan");
     return;
   }
-  read_motion(*view, c.units, files.folder, files.diagnostics, c.excitation[0]);
+  read_motion(*view, c.units, files.folder, files.diagnostics, c.excitation[0], files.memo);
   c.excitation[0].delays = read_delays_in_plan(*view, buildings);
   if (view->word("kinematics") == "absolute") c.excitation[0].kinematics = Kinematics::absolute;
   c.angle = view->number("angle").value_or(0);
   if (!view->has("y")) return;
   if (const auto along_y = view->table("y")) {
-    read_motion(*along_y, c.units, files.folder, files.diagnostics, c.excitation[1]);
+    read_motion(*along_y, c.units, files.folder, files.diagnostics, c.excitation[1], files.memo);
   }
 }
 

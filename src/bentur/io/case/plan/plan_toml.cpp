@@ -108,6 +108,11 @@ std::optional<PlanCase> read_text(const std::string& text, const std::filesystem
 
 }  // namespace
 
+PlanCase read_plan_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                              PlanProblem* problem, CaseMemo* memo) {
+  return read_parts(root, {folder, diagnostics, memo}, problem);
+}
+
 bool is_plan_case(const std::filesystem::path& file) {
   Diagnostics ignored;
   const auto text = read_input(file, case_input, ignored);

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/io/toml/toml_view.h"
 #include "bentur/model/plan/plan_case.h"
 
 namespace bentur {
+
+class CaseMemo;
 
 /// Whether a file is a case of buildings in plan; of one that cannot be read: no.
 [[nodiscard]] bool is_plan_case(const std::filesystem::path& file);
@@ -21,6 +24,10 @@ namespace bentur {
 /// The same of a text; the folder of `file` is the one record files are in.
 [[nodiscard]] std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
                                                           Diagnostics& diagnostics, PlanProblem* problem = nullptr);
+
+/// The same of a text read before. `memo` is for many readings of nearly the same case, which then share records.
+[[nodiscard]] PlanCase read_plan_case_parts(const TomlView& root, const std::filesystem::path& folder,
+                                            Diagnostics& diagnostics, PlanProblem* problem, CaseMemo* memo = nullptr);
 
 /// A case whose records are not at hand: everything but those, in place of which there is no motion. Where it gives no
 /// duration, which a record had, that is 1 s. @param problem as that of read_plan_case()

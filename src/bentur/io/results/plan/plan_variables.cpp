@@ -14,6 +14,10 @@ namespace {
 
 using Eigen::Index;
 
+ResultDimension point_dimension(std::size_t size, bool stand_still) {
+  return {"point", size, std::string(stand_still ? "point_elevation point_x point_y " : "") + "point_left point_right"};
+}
+
 /// Goes through all variables of a run, one after the other: `File` is a Teller of a `Run` that is const, or a Giver to
 /// one that is not, whose problem is known: of it the response alone is read.
 template <class File, class Run>
@@ -29,8 +33,7 @@ class PlanVariables : private VariablePass<File> {
         length_(udunit(run.c.units.length)),
         force_(udunit(run.c.units.force)),
         time_(file.dimension({"time", run.response.histories.time.size()})),
-        points_(file.dimension(
-            {"point", run.response.points.size(), "point_elevation point_x point_y point_left point_right"})) {}
+        points_(file.dimension(point_dimension(run.response.points.size(), true))) {}
 
   void all() {
     auto& histories = run_.response.histories;
@@ -147,13 +150,13 @@ class PlanVariables : private VariablePass<File> {
 
   void planes(Index b, const ResultDimension& floors, const std::string& number, const std::string& owner) {
     const auto& all = run_.problem.buildings[b].model.planes;
-    const ResultDimension planes{"plane" + number, all.size(), "plane_name" + number};
+    const ResultDimension planes = plane_dimension(b, all.size());
     if constexpr (reads) {
       for (auto* response : {&run_.response.buildings, &run_.response.buildings_no_contact}) {
         (*response)[b].planes.resize(all.size());
       }
     } else {
-      each({"plane_name" + number, {planes}, "", "names of the planes of " + owner}, all, &PlanModel::Plane::name);
+      file_.tell(plane_names(planes, run_.problem.buildings[b]));
     }
     std::vector<PlanPlace> places;
     for (Index p = 0; p < std::ssize(all); ++p) {
@@ -185,26 +188,9 @@ class PlanVariables : private VariablePass<File> {
   }
 
   void point_places() {
-    std::vector<std::string> names, left, right;
-    std::vector<double> elevation, x, y;
-    for (const PlanGap& gap : run_.problem.gaps) names.push_back(gap_name(run_.problem, gap));
-    for (Index i = 0; i < std::ssize(run_.response.points); ++i) {
-      const PlanContactPlace place = contact_at(run_.problem, i);
-      const PlanGap& gap = run_.problem.gaps[place.gap];
-      left.push_back(run_.problem.buildings[gap.left].name);
-      right.push_back(run_.problem.buildings[gap.right].name);
-      elevation.push_back(place.contact->elevation);
-      x.push_back(place.at.x());
-      y.push_back(place.at.y());
-    }
-    const ResultDimension gaps{"gap", names.size(), "gap_name"};
-    made({"gap_name", {gaps}, "", "buildings on both sides of the gaps"}, names);
-    quantities(PlanOwner::gap, {gaps}, places_of(names.size()));
-    made({"point_left", {points_}, "", "building to the left of the contact points, or below"}, left);
-    made({"point_right", {points_}, "", "building to the right of the contact points, or above"}, right);
-    made({"point_elevation", {points_}, length_, "elevation of the contact points"}, elevation);
-    made({"point_x", {points_}, length_, "x of the contact points, in the middle of the gap"}, x);
-    made({"point_y", {points_}, length_, "y of the contact points, in the middle of the gap"}, y);
+    PlaceVariables places = plan_place_variables(run_.problem, length_);
+    for (ResultVariable& variable : places.variables) file_.tell(std::move(variable));
+    quantities(PlanOwner::gap, {places.gaps}, places_of(places.gaps.size));
   }
 
   void of_impacts() {
@@ -245,6 +231,54 @@ class PlanVariables : private VariablePass<File> {
 };
 
 }  // namespace
+
+ResultDimension plane_dimension(std::size_t building, std::size_t planes) {
+  return {fmt::format("plane_{}", building + 1), planes, fmt::format("plane_name_{}", building + 1)};
+}
+
+ResultVariable plane_names(const ResultDimension& planes, const PlanBuilding& building) {
+  std::vector<std::string> names;
+  for (const PlanModel::Plane& plane : building.model.planes) names.push_back(plane.name);
+  return {planes.coordinates, {planes}, "", fmt::format("names of the planes of building \"{}\"", building.name), {},
+          std::move(names)};
+}
+
+PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length) {
+  std::vector<std::string> names, left, right;
+  std::vector<double> elevation, x, y;
+  Index points = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    names.push_back(gap_name(problem, gap));
+    points += std::ssize(gap.contacts);
+  }
+  for (Index i = 0; i < points; ++i) {
+    const PlanContactPlace place = contact_at(problem, i);
+    const PlanGap& gap = problem.gaps[place.gap];
+    left.push_back(problem.buildings[gap.left].name);
+    right.push_back(problem.buildings[gap.right].name);
+    elevation.push_back(place.contact->elevation);
+    x.push_back(place.at.x());
+    y.push_back(place.at.y());
+  }
+  PlaceVariables places;
+  places.gaps = {"gap", names.size(), "gap_name"};
+  places.points = point_dimension(left.size(), !length.empty());
+  Teller teller;
+  const auto tell = [&](const char* name, const ResultDimension& along, const char* what, ResultValues values,
+                        const std::string& units = "") {
+    teller.tell({name, {along}, units, what, {}, std::move(values)});
+  };
+  tell("gap_name", places.gaps, "buildings on both sides of the gaps", names);
+  tell("point_left", places.points, "building to the left of the contact points, or below", left);
+  tell("point_right", places.points, "building to the right of the contact points, or above", right);
+  if (!length.empty()) {
+    tell("point_elevation", places.points, "elevation of the contact points", elevation, length);
+    tell("point_x", places.points, "x of the contact points, in the middle of the gap", x, length);
+    tell("point_y", places.points, "y of the contact points, in the middle of the gap", y, length);
+  }
+  places.variables = std::move(teller.variables);
+  return places;
+}
 
 void read_plan_response(const ResultSource& source, PlanRun& run) {
   if (source.dimension_size("time") == 0) source.fail("holds no histories");

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "bentur/io/results/result_variable.h"
+#include "bentur/io/results/run_variables.h"
 #include "bentur/model/plan/plan_case.h"
 
 namespace bentur {
@@ -11,6 +12,12 @@ namespace bentur {
 /// `time`, `component` of the ground motion, `elevation_N` and `plane_N` of building N (1 the first of the case),
 /// `gap`, `point`, `impact`. The values look into `run`, which must outlive them.
 [[nodiscard]] ResultFile plan_file(const PlanRun& run, std::string_view version);
+
+/// Where gaps and contact points of a problem are; their elevations and places where a unit of length is given.
+[[nodiscard]] PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length);
+/// The planes of a building, which is number `building` of the case, from 0; and what they are called.
+[[nodiscard]] ResultDimension plane_dimension(std::size_t building, std::size_t planes);
+[[nodiscard]] ResultVariable plane_names(const ResultDimension& planes, const PlanBuilding& building);
 
 /// Whether a file is one of a run of buildings in plan, with histories.
 [[nodiscard]] bool is_plan_run(const ResultSource& source);

@@ -14,8 +14,8 @@ class ImpactLog {
  public:
   explicit ImpactLog(std::size_t points);
 
-  /// `stored` energy is in the contact as it begins. What its surface has kept since the impact before, of a dent that is
-  /// still there, that one has not lost.
+  /// `stored` energy is in the contact as it begins. What its surface has kept since the impact before, of a dent that
+  /// is still there, that one has not lost.
   void begin(Eigen::Index point, double start, double closing_speed, double stored = 0.0);
   [[nodiscard]] Impact& under_way(Eigen::Index point) { return under_way_[point]; }
   void end(Eigen::Index point, double time, double separation_speed);
