@@ -22,6 +22,7 @@ import pathlib
 import random
 import re
 import shlex
+import signal
 import subprocess
 import sys
 import time
@@ -240,11 +241,13 @@ class Build:
 def run(program, arguments, timeout, **environment):
     """@return status, seconds; a status of 124 where it took too long"""
     begin = time.time()
+    started = subprocess.Popen(["nice", "-n", "19", program, *arguments], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, env={**os.environ, **environment}, start_new_session=True)
     try:
-        status = subprocess.run(["nice", "-n", "19", program, *arguments], stdout=subprocess.DEVNULL,
-                                stderr=subprocess.DEVNULL, timeout=timeout,
-                                env={**os.environ, **environment}).returncode
-    except subprocess.TimeoutExpired:
+        status = started.wait(timeout)
+    except subprocess.TimeoutExpired:  # what it has started ends too
+        os.killpg(started.pid, signal.SIGKILL)
+        started.wait()
         status = 124
     return status, time.time() - begin
 

@@ -38,6 +38,9 @@ class Case:
             analysis=bentur.Analysis(duration=10.0),
         )
 
+    Buildings in plan have a `plan` each (:class:`bentur.BuildingPlan`), and need no `gap` where the case's `plan` says
+    from which clearance on they may touch.
+
     :param folder: the folder that record files are relative to.
     :raises CaseError: with all that is wrong. Values made in Python have no line; the key says where.
     """
@@ -46,10 +49,11 @@ class Case:
         self,
         *,
         building: Sequence[_model.Building | Table],
-        gap: Sequence[_model.Gap | Table],
         excitation: _model.Excitation | Table,
+        gap: Sequence[_model.Gap | Table] | None = None,
         title: str | None = None,
         units: _model.Units | Table | None = None,
+        plan: _model.Plan | Table | None = None,
         link: Sequence[_model.Link | Table] | None = None,
         initial: _model.Initial | Table | None = None,
         analysis: _model.Analysis | Table | None = None,
@@ -146,7 +150,7 @@ class Case:
 
     @property
     def buildings(self) -> list[str]:
-        """Names, from left to right."""
+        """Names, from left to right; of buildings in plan as the case has them."""
         return self._made.buildings
 
     def matrices(self, building: str | int) -> dict[str, NDArray[np.float64]]:
@@ -160,7 +164,8 @@ class Case:
 
     @property
     def acceleration(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Times [s] and accelerations [length/s²] of the record as applied, scaled; empty without a record."""
+        """Times [s] and accelerations [length/s²] of the record as applied, scaled; empty without a record. Of buildings
+        in plan that of ``excitation``, without ``excitation.y``."""
         found = self._made.excitation
         if "acceleration" not in found:
             return np.empty(0), np.empty(0)

@@ -80,7 +80,7 @@ def netcdf(attributes: dict[str, Any], variables: Iterable[Variable]) -> bytes |
 def is_histories(file: Path) -> bool:
     """Whether a file is ``histories.nc`` of a run."""
     names, _ = _results(file)
-    return "displacement_1" in names
+    return "displacement_1" in names or "displacement_x_1" in names
 
 
 def attributes_of_study(file: Path, is_ida: bool) -> dict[str, str] | None:

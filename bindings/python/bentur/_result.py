@@ -90,6 +90,10 @@ class Result:
         return next((values for found, _, values, _ in self._file[1] if found == name), np.empty(0))
 
     @property
+    def _in_plan(self) -> bool:
+        return any(name == "footprint_1" for name, *_ in self._file[1])
+
+    @property
     def impact_count(self) -> int:
         return len(self._values("impact_point"))
 
@@ -105,10 +109,12 @@ class Result:
         :raises ImportError: without pandas.
         """
         at = self._values("impact_point").astype(int)
-        columns: dict[str, Any] = {name: self._values("point_" + name)[at] for name in ("left", "right", "elevation")}
-        struck = self._values("point_struck")
-        columns["struck"] = struck[at] if len(struck) else [""] * len(at)
-        units = {"elevation": self.case.length}
+        places = ("elevation", "x", "y") if self._in_plan else ("elevation",)
+        columns: dict[str, Any] = {name: self._values("point_" + name)[at] for name in ("left", "right", *places)}
+        if not self._in_plan:
+            struck = self._values("point_struck")
+            columns["struck"] = struck[at] if len(struck) else [""] * len(at)
+        units = dict.fromkeys(places, self.case.length)
         for key, unit, values, whole in self._run.impacts():
             columns[key] = values.astype(bool) if whole else values
             units[key] = unit
@@ -127,6 +133,10 @@ class Result:
         there are none, and left out where no building has any; likewise ``foundation_sway`` to ``soil_moment`` of
         buildings on soil. ``link_deformation``, ``link_force``: samples × links, left out without any. With
         ``energy_audit`` also ``energy_input`` and so on.
+
+        Of buildings in plan ``ground_acceleration`` is samples × components; ``displacement_x``, ``displacement_y``,
+        ``rotation``, ``acceleration_x``, ``acceleration_y``: a list with samples × floors for each building;
+        ``opening``, ``force`` and, with friction, ``slip`` and ``force_along``: samples × contact points.
 
         :raises ValueError: for a run with ``histories=False``.
         """
@@ -151,6 +161,8 @@ class Result:
         found = by_name(self._file[1], len(self.case.buildings), "exact")
         if not found:
             self.histories  # noqa: B018  # says so where there are none at all
+            if self._in_plan:
+                raise ValueError("runs of buildings in plan have no exact course; histories has samples")
             raise ValueError("this run has no exact course: the motion is too fast to be followed; histories has samples")
         return found
 

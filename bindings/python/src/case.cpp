@@ -5,6 +5,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/parameter_path.h"
@@ -24,18 +25,27 @@ std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::
                              std::optional<CaseSource> source) {
   Diagnostics found;
   auto made = std::make_shared<PyCase>();
-  ReadCase parts = read_case_parts(TomlView(root, "", name, found), folder, found);
-  if (found.ok()) {
-    try {
-      made->problem = is_without_motion(parts.c) ? make_still_problem(parts.c) : parts.problem();
-    } catch (const InvalidParameter& error) {
-      found.error({name, 0, 0}, error.what());
+  const TomlView view(root, "", name, found);
+  const auto given = std::make_shared<const TomlValue>(root);
+  if (plan_of(view)) {
+    PyCase::Plan& plan = made->plan.emplace();
+    plan.c = read_plan_case_parts(view, folder, found, &plan.problem);
+    plan.c.source = std::move(source);
+    plan.c.given = given;
+  } else {
+    ReadCase parts = read_case_parts(view, folder, found);
+    if (found.ok()) {
+      try {
+        made->problem = is_without_motion(parts.c) ? make_still_problem(parts.c) : parts.problem();
+      } catch (const InvalidParameter& error) {
+        found.error({name, 0, 0}, error.what());
+      }
     }
+    made->c = std::move(parts.c);
+    made->c.source = std::move(source);
+    made->c.given = given;
   }
   if (!found.ok()) raise_case_error(found);
-  made->c = std::move(parts.c);
-  made->c.source = std::move(source);
-  made->c.given = std::make_shared<const TomlValue>(root);
   made->root = std::move(root);
   made->name = name;
   made->folder = folder;
@@ -91,7 +101,7 @@ std::shared_ptr<PyCase> with_record(const PyCase& given, std::size_t record) {
 
 py::dict excitation_of(const PyCase& given) {
   py::dict found;
-  const ExcitationSpec& excitation = given.c.excitation;
+  const ExcitationSpec& excitation = given.excitation();
   if (const auto* sampled = std::get_if<SampledMotion>(&excitation.motion)) {
     found["time_step"] = sampled->time_step;
     found["acceleration"] = array_of(sampled->acceleration);
@@ -118,30 +128,38 @@ void bind_case(py::module_& module) {
           [](const PyCase& c) { return c.c.excitation.suite ? c.c.excitation.suite->records.size() : std::size_t{0}; })
       .def("with_values", &with_values, py::arg("values"))
       .def("values", [](const PyCase& c) { return python_of(c.root); })
-      .def_property_readonly("title", [](const PyCase& c) { return c.c.title; })
+      .def_property_readonly("title", [](const PyCase& c) { return c.title(); })
       .def_property_readonly("folder", [](const PyCase& c) { return c.folder; })
       .def_property_readonly("name", [](const PyCase& c) { return c.name; })
       .def_property_readonly(
           "text",
-          [](const PyCase& c) -> py::object { return c.c.source ? py::object(py::str(c.c.source->text)) : py::none(); })
-      .def_property_readonly("length", [](const PyCase& c) { return c.c.units.length; })
-      .def_property_readonly("force", [](const PyCase& c) { return c.c.units.force; })
-      .def_property_readonly("gravity", [](const PyCase& c) { return c.c.units.gravity; })
-      .def_property_readonly("duration", [](const PyCase& c) { return c.problem.duration; })
-      .def_property_readonly("output_step", [](const PyCase& c) { return c.c.analysis.output_step; })
+          [](const PyCase& c) -> py::object { return c.source() ? py::object(py::str(c.source()->text)) : py::none(); })
+      .def_property_readonly("length", [](const PyCase& c) { return c.units().length; })
+      .def_property_readonly("force", [](const PyCase& c) { return c.units().force; })
+      .def_property_readonly("gravity", [](const PyCase& c) { return c.units().gravity; })
+      .def_property_readonly("duration", [](const PyCase& c) { return c.analysis().duration; })
+      .def_property_readonly("output_step", [](const PyCase& c) { return c.analysis().output_step; })
       .def_property_readonly("excitation", &excitation_of)
       .def_property_readonly("buildings",
                              [](const PyCase& c) {
                                std::vector<std::string> names;
                                for (const Building& building : c.problem.buildings) names.push_back(building.name);
+                               if (!c.plan) return names;
+                               for (const PlanBuildingSpec& one : c.plan->c.buildings) names.push_back(one.name);
                                return names;
                              })
       .def("matrices", [](const PyCase& c, std::size_t b) {
-        const StructuralModel& model = c.problem.buildings.at(b).model;
         py::dict found;
-        found["mass"] = model.mass;
-        found["stiffness"] = model.stiffness;
-        found["elevations"] = array_of(model.elevations);
+        const auto take = [&](const auto& model) {
+          found["mass"] = model.mass;
+          found["stiffness"] = model.stiffness;
+          found["elevations"] = array_of(model.elevations);
+        };
+        if (c.plan) {
+          take(c.plan->problem.buildings.at(b).model);
+        } else {
+          take(c.problem.buildings.at(b).model);
+        }
         return found;
       });
 }

@@ -5,19 +5,32 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bentur/io/results/result_variable.h"
 #include "bentur/io/toml/toml_value.h"
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur::python {
 
 /// A case with its problem, and the values it was read from, so that others can be put into it.
 struct PyCase {
-  Case c;
+  struct Plan {
+    PlanCase c;
+    PlanProblem problem;
+  };
+  Case c;  ///< with `problem` of a row, else empty
   Problem problem;
+  std::optional<Plan> plan;  ///< of buildings in plan
+
+  [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : c.title; }
+  [[nodiscard]] const Units& units() const { return plan ? plan->c.units : c.units; }
+  [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : c.analysis; }
+  [[nodiscard]] const std::optional<CaseSource>& source() const { return plan ? plan->c.source : c.source; }
+  [[nodiscard]] const ExcitationSpec& excitation() const { return plan ? plan->c.excitation[0] : c.excitation; }
   TomlValue root;
   std::string name;              ///< that messages carry
   std::filesystem::path folder;  ///< that record files are relative to
@@ -26,7 +39,8 @@ struct PyCase {
 /// A run and all that is told of it. Arrays that Python gets look into it and keep it alive.
 struct PyRun {
   RunResults results;
-  bool has_figures = false;  ///< results.figures is there
+  std::optional<PlanRun> plan = {};  ///< of buildings in plan, whose `results` are empty
+  bool has_figures = false;          ///< results.figures is there
 };
 
 void bind_case(pybind11::module_& module);

@@ -7,15 +7,22 @@
 #include <utility>
 
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
+#include "bentur/io/results/plan/plan_csv.h"
+#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/rules_json.h"
 #include "bentur/io/results/run_variables.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/plan_story.h"
 #include "bentur/pounding/pounding.h"
+#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
@@ -59,8 +66,36 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 
 namespace {
 
+/// As solved() of buildings in plan.
+std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double> output_step,
+                                      const py::object& progress) {
+  PyCase::Plan plan = *given.plan;
+  SolveOptions options = solve_options(plan.c);
+  options.output_step = output_step.value_or(report_output_step(plan.problem));
+  if (!output_step) options.energy_step = plan.c.analysis.output_step;
+  const std::string refusal = beyond_limits(plan.c, effort(plan.problem, plan.c.analysis.solver, options));
+  if (!refusal.empty()) {
+    Diagnostics found;
+    found.error({given.name, 0, 0}, refusal);
+    raise_case_error(found);
+  }
+  Watcher watcher(progress);
+  options.progress = [&](double fraction) { return watcher(fraction); };
+  PlanResponse response;
+  {
+    const py::gil_scoped_release unlocked;
+    response = solve(plan.problem, plan.c.analysis.solver, options);
+  }
+  watcher.rethrow();
+  rethrow_of_laws();
+  if (response.status != Status::done) raise_error("SolveError", response.message);
+  PlanRun run{std::move(plan.c), std::move(plan.problem), std::move(response)};
+  return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
+}
+
 /// With histories at so many seconds, or, with nothing, as a report needs them.
 std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_step, const py::object& progress) {
+  if (given.plan) return solved_in_plan(given, output_step, progress);
   if (Diagnostics found; refuse_without_motion(given.c, found)) raise_case_error(found);
   Problem problem = given.problem;
   SolveOptions options = solve_options(given.c);
@@ -90,7 +125,7 @@ std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_
 
 /// Attributes of the file, and each variable.
 py::tuple variables(const std::shared_ptr<PyRun>& run) {
-  const ResultFile file = run_file(run->results, BENTUR_VERSION);
+  const ResultFile file = run->plan ? plan_file(*run->plan, BENTUR_VERSION) : run_file(run->results, BENTUR_VERSION);
   const py::object owner = py::cast(run);
   py::list found;
   for (const ResultVariable& one : file.variables) found.append(python_of(one, owner));
@@ -100,6 +135,19 @@ py::tuple variables(const std::shared_ptr<PyRun>& run) {
 /// The columns of the list of impacts that are numbers: key, unit, values, whether they are yes or no.
 py::list impacts(const PyRun& run) {
   py::list found;
+  if (run.plan) {
+    const Units& units = run.plan->c.units;
+    for (const PlanQuantity& one : plan_quantities()) {
+      if (one.owner != PlanOwner::impact) continue;
+      std::vector<double> values;
+      for (Eigen::Index i = 0; i < std::ssize(run.plan->response.impacts); ++i) {
+        values.push_back(one.value(*run.plan, {i}));
+      }
+      found.append(py::make_tuple(std::string(one.told.key), udunits(one.told.units, units), array_of(values),
+                                  is_whole(one.told)));
+    }
+    return found;
+  }
   const RunView view = run.results.view();
   for (const Quantity* quantity : quantities_of(Owner::impact)) {
     std::vector<double> values;
@@ -112,11 +160,23 @@ py::list impacts(const PyRun& run) {
   return found;
 }
 
+std::string summary(const PyRun& run) {
+  return run.plan ? plan_summary_json(*run.plan, BENTUR_VERSION) : summary_json(run.results, BENTUR_VERSION);
+}
+
+std::string table_of_impacts(const PyRun& run) {
+  return run.plan ? impacts_csv(*run.plan) : impacts_csv(run.results.view());
+}
+
+std::string gaps(const PyRun& run) {
+  return run.plan ? plan_gap_json(*run.plan, BENTUR_VERSION) : gap_json(run.results, BENTUR_VERSION);
+}
+
 /// Writes the results into a folder by the rules that the command line has. @return the names of the files.
 std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& folder,
                               const std::optional<py::bytes>& histories, const py::function& is_histories, bool force) {
   OutputRules rules{
-      .inputs = files_read(run.results.c),
+      .inputs = run.plan ? files_read(run.plan->c) : files_read(run.results.c),
       .force = force,
       .is_netcdf = [&](const fs::path& file,
                        ResultKind kind) { return kind == ResultKind::histories && is_histories(file).cast<bool>(); },
@@ -129,10 +189,10 @@ std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& fold
       files.add(name, content, kind);
       names.emplace_back(name);
     };
-    std::optional<CaseSource>& source = run.results.c.source;
+    std::optional<CaseSource>& source = run.plan ? run.plan->c.source : run.results.c.source;
     if (source) source->copied = !rules.is_input(folder / "case.toml");
-    add("summary.json", summary_json(run.results, BENTUR_VERSION), ResultKind::summary);
-    add("impacts.csv", impacts_csv(run.results.view()), ResultKind::impacts);
+    add("summary.json", summary(run), ResultKind::summary);
+    add("impacts.csv", table_of_impacts(run), ResultKind::impacts);
     if (source && std::exchange(source->copied, false)) add("case.toml", source->text, ResultKind::case_copy);
     if (histories) {
       add("histories.nc", *histories, ResultKind::histories);
@@ -148,6 +208,14 @@ std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& fold
 }
 
 std::string modes(const PyCase& given, bool jacobi) {
+  if (given.plan) {
+    PlanProblem problem = given.plan->problem;
+    for (PlanBuilding& building : problem.buildings) {
+      if (!jacobi || building.is_rigid()) continue;
+      building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+    }
+    return plan_modes_json(problem);
+  }
   std::vector<Building> buildings = given.problem.buildings;
   for (Building& building : buildings) {
     if (!jacobi || building.modes.omega.size() < building.model.dofs()) continue;
@@ -167,7 +235,8 @@ const RunResults& with_figures(PyRun& run) {
 /// Kinds of figure that the run can give, each with what it shows.
 std::vector<std::pair<std::string, std::string>> kinds_of(PyRun& run) {
   std::vector<std::pair<std::string, std::string>> kinds;
-  for (const FigureKind& kind : figure_kinds(with_figures(run))) kinds.emplace_back(kind.name, kind.shows);
+  const std::vector<FigureKind> all = run.plan ? figure_kinds(*run.plan) : figure_kinds(with_figures(run));
+  for (const FigureKind& kind : all) kinds.emplace_back(kind.name, kind.shows);
   return kinds;
 }
 
@@ -184,7 +253,7 @@ std::string drawn(PyRun& run, const std::string& kind, const std::string& langua
   options.gap = gap;
   options.elevation = elevation;
   try {
-    return figure_svg(make_figure(with_figures(run), kind, options));
+    return figure_svg(run.plan ? make_figure(*run.plan, kind, options) : make_figure(with_figures(run), kind, options));
   } catch (const NoFigure& error) {
     throw py::value_error(error.what());
   }
@@ -194,9 +263,9 @@ std::string drawn(PyRun& run, const std::string& kind, const std::string& langua
 
 void bind_run(py::module_& module) {
   py::class_<PyRun, std::shared_ptr<PyRun>>(module, "Run")
-      .def("summary_json", [](const PyRun& run) { return summary_json(run.results, BENTUR_VERSION); })
-      .def("impacts_csv", [](const PyRun& run) { return impacts_csv(run.results.view()); })
-      .def("gap_json", [](const PyRun& run) { return gap_json(run.results, BENTUR_VERSION); })
+      .def("summary_json", &summary)
+      .def("impacts_csv", &table_of_impacts)
+      .def("gap_json", &gaps)
       .def("variables", &variables)
       .def("save", &save, py::arg("case"), py::arg("folder"), py::arg("histories"), py::arg("is_histories"),
            py::arg("force"))
@@ -205,7 +274,8 @@ void bind_run(py::module_& module) {
            [](const PyRun& run, const std::string& language) {
              const Words say(language);
              std::vector<std::string> lines =
-                 story_lines(run.results.problem, run_story(run.results), say, Told::outcome);
+                 run.plan ? story_lines(gap_names(run.plan->problem), plan_story(*run.plan), say, Told::outcome)
+                          : story_lines(run.results.problem, run_story(run.results), say, Told::outcome);
              for (std::string& line : lines) line = with_spaces(std::move(line));
              return lines;
            })
@@ -221,12 +291,13 @@ void bind_run(py::module_& module) {
           "report_html",
           [](PyRun& run, const std::string& language, const std::optional<fs::path>& head) {
             ReportOptions options{.language = language, .version = BENTUR_VERSION};
+            if (head && run.plan) throw py::value_error("template does not go with buildings in plan");
             if (head) {
               Diagnostics found;
               options.head = read_markup(*head, MarkupKind::head, found).value_or("");
               if (!found.ok()) raise_case_error(found);
             }
-            return report_html(with_figures(run), options);
+            return run.plan ? plan_report_html(*run.plan, options) : report_html(with_figures(run), options);
           },
           py::arg("language") = "en", py::arg("template") = py::none())
       .def("figure_kinds", &kinds_of)
@@ -239,14 +310,18 @@ void bind_run(py::module_& module) {
       "gap_json",
       [](const PyCase& given, const py::object& progress) {
         const Case& c = given.c;
-        if (!c.excitation.spectrum) return gap_json(solved(given, 0, progress)->results, BENTUR_VERSION);
+        if (!c.excitation.spectrum) return gaps(*solved(given, 0, progress));
         return spectral_gap_json(c, given.problem,
                                  spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units), BENTUR_VERSION);
       },
       py::arg("case"), py::arg("progress"));
   module.def(
       "height_rules_json",
-      [](const PyCase& given) { return height_rules_json(given.c, given.problem, BENTUR_VERSION); }, py::arg("case"));
+      [](const PyCase& given) {
+        if (given.plan) return plan_height_rules_json(given.plan->c, given.plan->problem, BENTUR_VERSION);
+        return height_rules_json(given.c, given.problem, BENTUR_VERSION);
+      },
+      py::arg("case"));
   module.def("modes_json", &modes, py::arg("case"), py::arg("jacobi"));
 }
 

@@ -46,7 +46,7 @@ bool read_footprint(const TableView& table, Footprint& footprint) {
   const auto corner = read_pair(table, "corner"), size = read_pair(table, "size");
   if (!corner || !size) return false;
   footprint = {.corner = *corner, .size = *size};
-  return true;
+  return (size->array() > 0).all();
 }
 
 /// Centres of mass stand on the floor.

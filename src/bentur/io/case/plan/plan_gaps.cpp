@@ -257,7 +257,9 @@ void Pairs::add_near(const TomlView& root) {
       gaps_.push_back(std::move(gap));
     }
   }
-  if (gaps_.empty() && named_.empty()) {
+  const bool all_known =
+      std::all_of(buildings_.begin(), buildings_.end(), [](const auto& one) { return one.is_whole; });
+  if (all_known && gaps_.empty() && named_.empty()) {
     clearance.error_value("brings no two buildings together: make it larger, or give a [[gap]] between two");
   }
 }
