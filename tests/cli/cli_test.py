@@ -1481,6 +1481,12 @@ duration = 5.0
         text = self.done("run", case).stdout
         self.assertEqual(text.count("To model it"), 1)
         self.assertRegex(text, r"So do 4\s+more\s+floors")
+        for thousandths in range(999, 900, -1):  # narrower and narrower
+            case = self.with_width(thousandths / 1000 * self.summary(self.with_width(0.01))["gap_needed"])
+            if len(self.summary(case)["unmodelled_contact"]) == 2:
+                self.assertRegex(self.done("run", case).stdout, r"So does one\s+more\s+floor")
+                return
+        self.fail("two floors never meet")
 
     def test_floors_that_nearly_meet_are_told_of_the_tolerance(self):
         # A's middle floor at 6 faces B's column 0.5 m below a floor, B's lowest floor meets A's.

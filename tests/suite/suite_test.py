@@ -202,6 +202,14 @@ class Suites(unittest.TestCase):
             values = [one["values"][name] for one in runs["records"]]
             self.assertAlmostEqual(runs["mean"][name], sum(values) / 7, places=9)
             self.assertEqual(runs["largest"][name], max(values))
+        text = self.told("run", file)
+        for record in runs["suite"]["records"]:
+            self.assertIn(pathlib.Path(record["file"]).name, text)
+        wide = file.with_name("wide.toml")  # with which the neediest three collide
+        needs = sorted(one["values"]["gap_needed"] for one in runs["records"])
+        wide.write_text(file.read_text().replace("width = 0.05", f"width = {(needs[3] + needs[4]) / 2}"))
+        said = {one["kind"]: one["values"] for one in json.loads(self.told("run", wide, "--json"))["statements"]}
+        self.assertEqual((said["suite_pounding"]["pounding"], said["suite_pounding"]["records"]), (3, 7))
         # One of them in full is the run of that record by itself, times its factor.
         one = json.loads(self.told("run", file, "--record", 3, "--json"))
         record = runs["suite"]["records"][2]
@@ -223,6 +231,14 @@ class Suites(unittest.TestCase):
         self.assertEqual(code["too_narrow"], max(means) > 0.05)
         self.assertIn("4.3.3.4.3(3)", self.told("gap", file))
         self.assertIn("rata-rata", self.told("gap", file, "--lang", "id"))
+
+    def test_records_that_take_too_much_are_no_runs(self):
+        files = self.synthetic(3)
+        file = self.case(f'files = [{files}]\nscale = "en-1998-1"\n', "[analysis]\nduration = 60.0\nlimits = { steps = 100 }\n")
+        runs = json.loads(self.told("run", file, "--json"))
+        self.assertEqual({one["status"] for one in runs["records"]}, {"failed"})
+        self.assertEqual([one["kind"] for one in runs["statements"]][0], "suite_failed")
+        self.assertIn("over the limit of 100", runs["records"][0]["message"])
 
     def test_what_codes_take(self):
         files = self.synthetic(12)

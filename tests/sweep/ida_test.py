@@ -325,6 +325,9 @@ class Fragility(Ida):
         text = self.bentur("fragility", output, "--event", "drift > 0.5").stdout
         self.assertEqual(text.count("no run has the event: θ cannot be found, it is above 1 g"), 10)
         self.assertIn("every run has the event", self.bentur("fragility", output, "--event", "drift > 0").stdout)
+        for method in ("cloud", "stripes"):
+            demands = self.json_of("fragility", output, "--event", "drift > 0.005", "--method", method)
+            self.assertTrue(any(method in curve for curve in demands["curves"]), method)
         twice = [self.bentur("fragility", output, "--seed", 3, "--json").stdout for _ in range(2)]
         self.assertEqual(*twice)
 
