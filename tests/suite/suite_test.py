@@ -205,11 +205,13 @@ class Suites(unittest.TestCase):
         text = self.told("run", file)
         for record in runs["suite"]["records"]:
             self.assertIn(pathlib.Path(record["file"]).name, text)
+        self.assertIn("◄ mean", text)
         wide = file.with_name("wide.toml")  # with which the neediest three collide
         needs = sorted(one["values"]["gap_needed"] for one in runs["records"])
         wide.write_text(file.read_text().replace("width = 0.05", f"width = {(needs[3] + needs[4]) / 2}"))
         said = {one["kind"]: one["values"] for one in json.loads(self.told("run", wide, "--json"))["statements"]}
         self.assertEqual((said["suite_pounding"]["pounding"], said["suite_pounding"]["records"]), (3, 7))
+        self.assertNotIn("suite_collapsed", said)
         # One of them in full is the run of that record by itself, times its factor.
         one = json.loads(self.told("run", file, "--record", 3, "--json"))
         record = runs["suite"]["records"][2]
