@@ -377,20 +377,22 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   const double nil = no_slope * weights(candidates.of).dot(lambda.cwiseAbs());
   for (Index n = 0; n < lambda.size(); ++n) {
     const Index h = candidates.of[n];
-    const bool stopped = mixed && ended != nullptr && ended->of == h && ended->speed >= 0;
+    // One that turns at next to no rate and ends at once again: the instant is not known well enough to tell it by λ.
+    const bool again = ended != nullptr && ended->zeros > 0;
+    const bool stopped = (mixed || again) && ended != nullptr && ended->of == h && ended->speed >= 0;
     const bool flows_on = lambda(n) > 0.0 && !(stopped && lambda(n) * weights(h) <= nil);
     if (flows_on || is_free(now, h)) now.memory(h, side) = sides[n];
   }
   // What flows at a rate that is zero whatever x does would never cease to end its branch.
   Flow flows = flow(now);
-  for (bool again = true; again;) {
-    again = false;
+  for (bool changed = true; changed;) {
+    changed = false;
     for (const Index h : flows.at()) {
       if (is_free(now, h) || flows.set->still[h] == 0) continue;
       now.memory(h, side) = 0.0;
-      again = true;
+      changed = true;
     }
-    if (again) flows = flow(now);
+    if (changed) flows = flow(now);
   }
   note_mechanism(now, *flows.set, time);
   const VectorXd turning = flows.set->inverse * motion.speed(flows.at());
