@@ -43,6 +43,7 @@ ELSEWHERE = {
     "sudo cmake --install": "tests/consumer installs",
     "pip install .": "./dev wheels builds and installs",
     "build/release/apps/bentur/bentur run": "examples are run under the name bentur",
+    "build/tsan/": "needs a oneTBB built with the thread sanitizer",
     ".venv-peers/bin/python": "./dev bench --peers, with OpenSees from PyPI",
 }
 # What cannot run, by words in it, and why.

@@ -66,6 +66,30 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 
 namespace {
 
+void refuse(const std::string& refusal, const PyCase& given) {
+  if (refusal.empty()) return;
+  Diagnostics found;
+  found.error({given.name, 0, 0}, refusal);
+  raise_case_error(found);
+}
+
+/// What solve() gives, without the lock and told of. @throws what the watcher, or a law written in Python, has raised
+template <class Solve>
+auto watched(SolveOptions& options, const py::object& progress, const Solve& solve) {
+  Watcher watcher(progress);
+  options.progress = [&](double fraction) { return watcher(fraction); };
+  decltype(solve()) response;
+  {
+    const py::gil_scoped_release unlocked;
+    response = solve();
+  }
+  watcher.rethrow();
+  rethrow_of_laws();
+  if (response.status != Status::done && response.status != Status::collapsed)
+    raise_error("SolveError", response.message);
+  return response;
+}
+
 /// As solved() of buildings in plan.
 std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double> output_step,
                                       const py::object& progress) {
@@ -73,22 +97,9 @@ std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double>
   SolveOptions options = solve_options(plan.c);
   options.output_step = output_step.value_or(report_output_step(plan.problem));
   if (!output_step) options.energy_step = plan.c.analysis.output_step;
-  const std::string refusal = beyond_limits(plan.c, effort(plan.problem, plan.c.analysis.solver, options));
-  if (!refusal.empty()) {
-    Diagnostics found;
-    found.error({given.name, 0, 0}, refusal);
-    raise_case_error(found);
-  }
-  Watcher watcher(progress);
-  options.progress = [&](double fraction) { return watcher(fraction); };
-  PlanResponse response;
-  {
-    const py::gil_scoped_release unlocked;
-    response = solve(plan.problem, plan.c.analysis.solver, options);
-  }
-  watcher.rethrow();
-  rethrow_of_laws();
-  if (response.status != Status::done) raise_error("SolveError", response.message);
+  refuse(beyond_limits(plan.c, effort(plan.problem, plan.c.analysis.solver, options)), given);
+  PlanResponse response =
+      watched(options, progress, [&] { return solve(plan.problem, plan.c.analysis.solver, options); });
   PlanRun run{std::move(plan.c), std::move(plan.problem), std::move(response)};
   return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
 }
@@ -102,23 +113,8 @@ std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_
   options.output_step = output_step.value_or(report_output_step(problem));
   if (!output_step) options.energy_step = given.c.analysis.output_step;
   options.course = options.output_step > 0;
-  const std::string refusal = beyond_limits(given.c, problem, effort(problem, given.c.analysis.solver, options));
-  if (!refusal.empty()) {
-    Diagnostics found;
-    found.error({given.name, 0, 0}, refusal);
-    raise_case_error(found);
-  }
-  Watcher watcher(progress);
-  options.progress = [&](double fraction) { return watcher(fraction); };
-  Response response;
-  {
-    const py::gil_scoped_release unlocked;
-    response = solve(problem, given.c.analysis.solver, options);
-  }
-  watcher.rethrow();
-  rethrow_of_laws();
-  if (response.status != Status::done && response.status != Status::collapsed)
-    raise_error("SolveError", response.message);
+  refuse(beyond_limits(given.c, problem, effort(problem, given.c.analysis.solver, options)), given);
+  Response response = watched(options, progress, [&] { return solve(problem, given.c.analysis.solver, options); });
   const py::gil_scoped_release unlocked;
   return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
 }
