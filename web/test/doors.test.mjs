@@ -6,7 +6,7 @@ import { mkdtempSync, copyFileSync, readFileSync, rmSync, writeFileSync } from "
 import { tmpdir } from "node:os";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { launch, open, solved } from "./browser.mjs";
+import { launch, open, solved, taken } from "./browser.mjs";
 import { difference, examples, isLoose, lineOf, spaced, terminal, tolerance } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;
@@ -27,8 +27,7 @@ async function opened() {
 async function summary(page, text) {
   await page.locator(editor).evaluate((area, all) => { area.value = all; area.dispatchEvent(new Event("input", { bubbles: true })); }, text);
   await solved(page);
-  const [given] = await Promise.all([page.waitForEvent("download"), page.click('[data-take="summary"]')]);
-  return JSON.parse(readFileSync(await given.path(), "utf8"));
+  return JSON.parse(await taken(page, '[data-take="summary"]'));
 }
 
 function same(mine, file, name) {

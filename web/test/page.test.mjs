@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 import { getStaticTOMLValue, parseTOML } from "toml-eslint-parser";
-import { curveDone, launch, open, solved } from "./browser.mjs";
+import { curveDone, launch, open, solved, taken } from "./browser.mjs";
 import { difference, examples, isLoose, studio } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;
@@ -71,10 +71,7 @@ async function atSizes(page, sizes, work) {
 }
 
 const editor = 'textarea[aria-label]';
-async function download(page, what) {
-  const [given] = await Promise.all([page.waitForEvent("download"), page.click(`[data-take="${what}"]`)]);
-  return readFileSync(await given.path(), "utf8");
-}
+const download = (page, what) => taken(page, `[data-take="${what}"]`);
 /** Types a text, or puts it there at once where typing would be what takes long. */
 async function write(page, text, state = "fine", atOnce = false) {
   if (!atOnce) await page.fill(editor, text);
@@ -162,12 +159,10 @@ test("what is taken away is what was computed; the link brings the case back", a
     assert.equal(summary.gaps[0].points.reduce((sum, point) => sum + point.impacts, 0), 37);
     assert.match(await download(page, "report"), /^<!DOCTYPE html>/);
     assert.match(await download(page, "svg"), /^<svg[^>]*viewBox/);
-    const [figure] = await Promise.all([page.waitForEvent("download"), page.click('[data-file="force.svg"]')]);
-    assert.match(readFileSync(await figure.path(), "utf8"), /^<\?xml[^>]*>\s*<svg[^>]*class="bentur"/);
+    assert.match(await taken(page, '[data-file="force.svg"]'), /^<\?xml[^>]*>\s*<svg[^>]*class="bentur"/);
     await page.click("#figures summary");
     for (const kind of ["overview", "scene"]) {
-      const [given] = await Promise.all([page.waitForEvent("download"), page.click(`[data-file="${kind}.svg"]`)]);
-      assert.match(readFileSync(await given.path(), "utf8"), /impact \d+: /, kind);
+      assert.match(await taken(page, `[data-file="${kind}.svg"]`), /impact \d+: /, kind);
     }
     assert.equal((await download(page, "histories")).split("\n")[0].split(",").length, 2 + 6 + 6);
     assert.ok((await download(page, "png")).startsWith("\u{FFFD}PNG"));
