@@ -5,7 +5,6 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/case/case_parts.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/parameter_path.h"
@@ -28,8 +27,7 @@ std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::
   const TomlView view(root, "", name, found);
   const auto given = std::make_shared<const TomlValue>(root);
   if (plan_of(view)) {
-    PyCase::Plan& plan = made->plan.emplace();
-    plan.c = read_plan_case_parts(view, folder, found, &plan.problem);
+    ReadPlan& plan = made->plan.emplace(read_plan_case_parts(view, folder, found));
     plan.c.source = std::move(source);
     plan.c.given = given;
   } else {

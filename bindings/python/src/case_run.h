@@ -9,31 +9,27 @@
 #include <string>
 #include <vector>
 
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/result_variable.h"
 #include "bentur/io/toml/toml_value.h"
-#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur::python {
 
 /// A case with its problem, and the values it was read from, so that others can be put into it.
 struct PyCase {
-  struct Plan {
-    PlanCase c;
-    PlanProblem problem;
-  };
   Case c;  ///< with `problem` of a row, else empty
   Problem problem;
-  std::optional<Plan> plan;  ///< of buildings in plan
+  std::optional<ReadPlan> plan;  ///< of buildings in plan
+  TomlValue root;
+  std::string name;              ///< that messages carry
+  std::filesystem::path folder;  ///< that record files are relative to
 
   [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : c.title; }
   [[nodiscard]] const Units& units() const { return plan ? plan->c.units : c.units; }
   [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : c.analysis; }
   [[nodiscard]] const std::optional<CaseSource>& source() const { return plan ? plan->c.source : c.source; }
   [[nodiscard]] const ExcitationSpec& excitation() const { return plan ? plan->c.excitation[0] : c.excitation; }
-  TomlValue root;
-  std::string name;              ///< that messages carry
-  std::filesystem::path folder;  ///< that record files are relative to
 };
 
 /// A run and all that is told of it. Arrays that Python gets look into it and keep it alive.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/plan/plan_csv.h"
@@ -93,7 +92,7 @@ auto watched(SolveOptions& options, const py::object& progress, const Solve& sol
 /// As solved() of buildings in plan.
 std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double> output_step,
                                       const py::object& progress) {
-  PyCase::Plan plan = *given.plan;
+  ReadPlan plan = *given.plan;
   SolveOptions options = solve_options(plan.c);
   options.output_step = output_step.value_or(report_output_step(plan.problem));
   if (!output_step) options.energy_step = plan.c.analysis.output_step;

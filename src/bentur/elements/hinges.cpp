@@ -377,9 +377,8 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   const double nil = no_slope * weights(candidates.of).dot(lambda.cwiseAbs());
   for (Index n = 0; n < lambda.size(); ++n) {
     const Index h = candidates.of[n];
-    // One that turns at next to no rate and ends at once again: the instant is not known well enough to tell it by λ.
-    const bool again = ended != nullptr && ended->zeros > 0;
-    const bool stopped = (mixed || again) && ended != nullptr && ended->of == h && ended->speed >= 0;
+    // With zeros it turned at next to no rate and ends: the instant is not known well enough to tell that by λ.
+    const bool stopped = ended != nullptr && ended->of == h && ended->speed >= 0 && (mixed || ended->zeros > 0);
     const bool flows_on = lambda(n) > 0.0 && !(stopped && lambda(n) * weights(h) <= nil);
     if (flows_on || is_free(now, h)) now.memory(h, side) = sides[n];
   }

@@ -226,9 +226,10 @@ struct SpecAndModel {
 [[nodiscard]] std::optional<double> watched_width(const std::vector<ContactPoint>& points, Eigen::Index gap,
                                                   double elevation);
 
-/// What a single run of a case is asked for: levels, both ways round and the energy audit as the case says, its limit
-/// of steps; no histories.
+/// What the case lets each response take.
 [[nodiscard]] RunLimits run_limits(const AnalysisSpec& analysis);
+/// What a single run of a case is asked for: levels, both ways round and the energy audit as the case says, its limits;
+/// no histories.
 [[nodiscard]] SolveOptions solve_options(const Case& c);
 [[nodiscard]] SolveOptions solve_options(const AnalysisSpec& analysis);
 

@@ -17,17 +17,32 @@ bool any_column_has(const Quantity& quantity, const Problem& problem) {
 
 }  // namespace
 
+RowPart& add_part(std::vector<RowPart>& parts, const Quantity& quantity, Eigen::Index count, const Units& units) {
+  parts.push_back({.name = file_name(quantity),
+                   .units = udunits(quantity.units, units),
+                   .long_name = std::string(quantity.long_name),
+                   .owner = quantity.owner,
+                   .count = count,
+                   .first = row_size(parts),
+                   .quantity = &quantity});
+  return parts.back();
+}
+
+void name_building(RowPart& part, Eigen::Index building, const std::string& name) {
+  part.name += fmt::format("_{}", building + 1);
+  part.long_name += fmt::format(", building \"{}\"", name);
+  part.building = building;
+}
+
+void require_size(const std::vector<RowPart>& parts, std::span<const double> row) {
+  if (row.size() == row_size(parts)) return;
+  throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
+}
+
 std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit) {
   std::vector<RowPart> parts;
   const auto add = [&](const Quantity& quantity, Eigen::Index count) -> RowPart& {
-    parts.push_back({.name = file_name(quantity),
-                     .units = udunits(quantity.units, units),
-                     .long_name = std::string(quantity.long_name),
-                     .owner = quantity.owner,
-                     .count = count,
-                     .first = row_size(parts),
-                     .quantity = &quantity});
-    return parts.back();
+    return add_part(parts, quantity, count, units);
   };
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const Building& building = problem.buildings[b];
@@ -42,9 +57,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
                                        : owner == Owner::hinge  ? hinges
                                        : owner == Owner::column ? columns
                                                                 : 1);
-        part.name += fmt::format("_{}", b + 1);
-        part.long_name += fmt::format(", building \"{}\"", building.name);
-        part.building = b;
+        name_building(part, b, building.name);
       }
     }
   }
@@ -86,9 +99,7 @@ bool same_places(const Problem& a, const Problem& b) {
 }
 
 void fill_row(const std::vector<RowPart>& parts, const RunView& run, std::span<double> row) {
-  if (row.size() != row_size(parts)) {
-    throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
-  }
+  require_size(parts, row);
   for (const RowPart& part : parts) {
     for (Eigen::Index i = 0; i < part.count; ++i) {
       const QuantityPlace at = part.is_of_building() ? QuantityPlace{part.building, i} : QuantityPlace{i, 0};

@@ -33,12 +33,20 @@ struct RowPart {
 /// There are as many floors, points, gaps and links as the problem has: the same in every problem of a study.
 [[nodiscard]] std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit);
 
+/// Adds the part of a quantity to those of a row, of which there are `count` values.
+RowPart& add_part(std::vector<RowPart>& parts, const Quantity& quantity, Eigen::Index count, const Units& units);
+/// Says that it is of this building, from 0: its name ends in the number.
+void name_building(RowPart& part, Eigen::Index building, const std::string& name);
+
 /// Values of a row: the sum of all counts.
 [[nodiscard]] std::size_t row_size(const std::vector<RowPart>& parts);
 
 /// Whether the floors, hinges, points, gaps and links of two problems are as many, the same buildings can yield or
 /// stand on soil, and the same points strike columns, so that their rows are alike.
 [[nodiscard]] bool same_places(const Problem& a, const Problem& b);
+
+/// @throws InvalidParameter unless the row is as long as these parts need.
+void require_size(const std::vector<RowPart>& parts, std::span<const double> row);
 
 /// Fills `row` with the values of one run; what does not exist (the time of a force that never was) is NaN.
 /// @throws InvalidParameter unless the row is as long as these parts need.

@@ -185,20 +185,33 @@ void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
   workspace.problem.watched = watched_floors(workspace.c, workspace.problem.buildings, workspace.problem.points);
 }
 
+namespace {
+
+/// How a run ended, with a row of so many values that `fill` fills where it got to its end; nothing where it was
+/// stopped.
+template <class Of, class Fill>
+std::optional<RunResult> result_of(std::size_t run, const Of& response, std::size_t size, const Fill& fill) {
+  if (response.status == Status::stopped) return std::nullopt;
+  if (response.status == Status::failed) return RunResult{run, RunStatus::failed, response.message, {}};
+  RunResult result{run, RunStatus::done, {}, std::vector<double>(size)};
+  fill(result.values);
+  return result;
+}
+
+}  // namespace
+
 std::optional<RunResult> StudyRuns::solved(Workspace& workspace, std::size_t run, SolveOptions& options) const {
   set_problem(workspace, run);
   options.limits = run_limits(workspace.group->read.c.analysis);
   const Response response = workspace.group->free.solve(workspace.problem, options);
-  if (response.status == Status::stopped) return std::nullopt;
-  if (response.status == Status::failed) return RunResult{run, RunStatus::failed, response.message, {}};
-  RunResult result{run, RunStatus::done, {}, std::vector<double>(row_size(quantities_))};
-  fill_row(quantities_, {workspace.problem, response, facts_.units}, result.values);
-  return result;
+  return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
+    fill_row(quantities_, {workspace.problem, response, facts_.units}, row);
+  });
 }
 
 std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions& options) const {
   Diagnostics found;
-  ChosenPlan chosen = read_chosen_plan(study_, chosen_case(study_, choices(run)), *memo_, found);
+  ReadPlan chosen = read_chosen_plan(study_, chosen_case(study_, choices(run)), *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
   if (!same_places(chosen.problem, *facts_.plan)) {
     throw NotACase("other numbers of floors, planes or contact points");
@@ -206,11 +219,9 @@ std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions
   options.limits = run_limits(chosen.c.analysis);
   options.levels = true;
   PlanResponse response = bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
-  if (response.status == Status::stopped) return std::nullopt;
-  if (response.status == Status::failed) return RunResult{run, RunStatus::failed, response.message, {}};
-  RunResult result{run, RunStatus::done, {}, std::vector<double>(row_size(quantities_))};
-  fill_row(quantities_, {std::move(chosen.c), std::move(chosen.problem), std::move(response)}, result.values);
-  return result;
+  return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
+    fill_row(quantities_, {std::move(chosen.c), std::move(chosen.problem), std::move(response)}, row);
+  });
 }
 
 std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const std::function<bool()>& go_on) const {

@@ -325,6 +325,8 @@ Index first_contact(const PlanProblem& problem, std::size_t gap) {
   return first;
 }
 
+Index contact_count(const PlanProblem& problem) { return first_contact(problem, problem.gaps.size()); }
+
 ShownUnits shown_units(const PlanRun& run) {
   double largest = 0;
   for (const PointSummary& one : run.response.points) largest = std::max({largest, one.peak_force, one.peak_tension});

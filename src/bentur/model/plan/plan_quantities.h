@@ -54,6 +54,8 @@ struct PlanContactPlace {
 [[nodiscard]] PlanContactPlace contact_at(const PlanProblem& problem, Eigen::Index contact);
 /// The first of a gap's contacts among those of all gaps.
 [[nodiscard]] Eigen::Index first_contact(const PlanProblem& problem, std::size_t gap);
+/// How many contacts all gaps have.
+[[nodiscard]] Eigen::Index contact_count(const PlanProblem& problem);
 
 /// In the units in which people are told of it: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const PlanRun& run);

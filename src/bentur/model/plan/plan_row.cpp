@@ -1,10 +1,6 @@
 #include "bentur/model/plan/plan_row.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "bentur/core/errors.h"
 
 namespace bentur {
 namespace {
@@ -24,27 +20,15 @@ bool rubs(const PlanProblem& problem) {
   });
 }
 
-Index contacts_of(const PlanProblem& problem) {
-  Index count = 0;
-  for (const PlanGap& gap : problem.gaps) count += std::ssize(gap.contacts);
-  return count;
-}
-
 }  // namespace
 
 std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
   using When = PlanQuantity::When;
   std::vector<RowPart> parts;
-  const auto add = [&](const PlanQuantity& one, Owner owner, Index count) -> RowPart& {
-    parts.push_back({.name = file_name(one.told),
-                     .units = udunits(one.told.units, units),
-                     .long_name = std::string(one.told.long_name),
-                     .owner = owner,
-                     .count = count,
-                     .first = row_size(parts),
-                     .quantity = &one.told,
-                     .in_plan = &one});
-    return parts.back();
+  const auto add = [&](const PlanQuantity& one, Index count) -> RowPart& {
+    RowPart& part = add_part(parts, one.told, count, units);
+    part.in_plan = &one;
+    return part;
   };
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const PlanBuilding& building = problem.buildings[b];
@@ -54,19 +38,18 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
       if (one.owner != PlanOwner::floor && !of_planes) continue;
       if (one.when == When::of_what_moves && building.is_rigid()) continue;
       if (of_planes && (planes == 0 || (one.when == When::where_known && !yields(building)))) continue;
-      RowPart& part = add(one, Owner::floor, of_planes ? planes * floors : floors);
-      part.name = fmt::format("{}{}_{}", of_planes ? "plane_" : "", part.name, b + 1);
-      part.long_name += fmt::format(", building \"{}\"", building.name);
-      part.building = b;
+      RowPart& part = add(one, of_planes ? planes * floors : floors);
+      if (of_planes) part.name = "plane_" + part.name;
       part.of_planes = of_planes;
+      name_building(part, b, building.name);
     }
   }
   for (const PlanQuantity& one : plan_quantities()) {
     if (one.told.single_run) continue;
     if (one.owner == PlanOwner::point && (one.when != When::where_known || rubs(problem))) {
-      add(one, Owner::point, contacts_of(problem));
+      add(one, contact_count(problem));
     }
-    if (one.owner == PlanOwner::gap) add(one, Owner::gap, std::ssize(problem.gaps));
+    if (one.owner == PlanOwner::gap) add(one, std::ssize(problem.gaps));
   }
   return parts;
 }
@@ -84,9 +67,7 @@ bool same_places(const PlanProblem& a, const PlanProblem& b) {
 }
 
 void fill_row(const std::vector<RowPart>& parts, const PlanRun& run, std::span<double> row) {
-  if (row.size() != row_size(parts)) {
-    throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
-  }
+  require_size(parts, row);
   for (const RowPart& part : parts) {
     const Index floors = part.is_of_building() ? run.problem.buildings[part.building].model.floors() : 1;
     for (Index i = 0; i < part.count; ++i) {

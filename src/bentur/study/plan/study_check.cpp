@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "bentur/core/errors.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/quantity_row.h"
@@ -30,12 +29,18 @@ std::string place_text(const SourcePosition& position) {
 /// A case as a study has made it: of a row, or in plan.
 struct Tried {
   ReadCase row;  ///< unless it is in plan
-  std::optional<ChosenPlan> plan;
+  std::optional<ReadPlan> plan;
 
   [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : row.c.analysis; }
   [[nodiscard]] const Units& units() const { return plan ? plan->c.units : row.c.units; }
   [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : row.c.title; }
 };
+
+bool is_in_plan(const Study& study) {
+  Diagnostics ignored;
+  const std::string name = study.case_file.string();
+  return plan_of(TomlView(study.case_root, "", name, ignored)).has_value();
+}
 
 class Trial {
  public:
@@ -115,6 +120,7 @@ class Trial {
     facts_.intensities = std::move(found);
   }
 
+  [[nodiscard]] const StudyFacts& facts() const { return facts_; }
   StudyFacts take() { return std::move(facts_); }
 
  private:
@@ -238,9 +244,7 @@ class Trial {
     for (std::size_t b = 0; b < first.buildings.size(); ++b) {
       facts_.floors_move |= first.buildings[b].model.elevations != problem.buildings[b].model.elevations;
     }
-    Eigen::Index points = 0;
-    for (const PlanGap& gap : first.gaps) points += std::ssize(gap.contacts);
-    for (Eigen::Index i = 0; i < points; ++i) {
+    for (Eigen::Index i = 0; i < contact_count(first); ++i) {
       const PlanContactPlace a = contact_at(first, i), b = contact_at(problem, i);
       facts_.points_move |= a.at != b.at || a.contact->elevation != b.contact->elevation;
     }
@@ -269,7 +273,7 @@ class Trial {
   const Study& study_;
   CaseMemo& memo_;
   Diagnostics& diagnostics_;
-  const bool is_plan_ = is_plan_study(study_);
+  const bool is_plan_ = is_in_plan(study_);
   StudyFacts facts_;
   int errors_ = 0;
 };
@@ -300,18 +304,9 @@ ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, 
   return read_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &memo);
 }
 
-bool is_plan_study(const Study& study) {
-  Diagnostics ignored;
+ReadPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found) {
   const std::string name = study.case_file.string();
-  return plan_of(TomlView(study.case_root, "", name, ignored)).has_value();
-}
-
-ChosenPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found) {
-  const std::string name = study.case_file.string();
-  ChosenPlan plan;
-  plan.c =
-      read_plan_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &plan.problem, &memo);
-  return plan;
+  return read_plan_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &memo);
 }
 
 bool refuse_plan(const StudyFacts& facts, const SourcePosition& position, const std::string& what,
@@ -325,9 +320,7 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
   Trial trial(study, memo, found);
   try {
     (void)SweepPlan(plan_axes(study), study.sampling);
-    if (study.ida && is_plan_study(study)) {
-      found.error(study.ida->position, "does not go with buildings in plan, whose ground moves along two axes");
-    } else if (trial.first()) {
+    if (trial.first() && !(study.ida && refuse_plan(trial.facts(), study.ida->position, "[ida]", found))) {
       for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
         if (!study.ida || axis != study.ida->axis) trial.along(axis);
       }

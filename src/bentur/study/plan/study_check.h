@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bentur/io/case/case_memo.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/study/plan/record_intensity.h"
 #include "bentur/study/plan/study.h"
 #include "bentur/study/plan/sweep_plan.h"
@@ -32,15 +32,8 @@ struct StudyFacts {
 /// Reads a case that a study has made; what is wrong goes to `found`.
 [[nodiscard]] ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found);
 
-/// A case of buildings in plan.
-struct ChosenPlan {
-  PlanCase c;
-  PlanProblem problem;
-};
-[[nodiscard]] bool is_plan_study(const Study& study);
-/// The same of one that is.
-[[nodiscard]] ChosenPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo,
-                                          Diagnostics& found);
+/// The same of a case of buildings in plan.
+[[nodiscard]] ReadPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found);
 
 /// Tries the values of a study in its case, one axis after the other with the others at their first choice: values
 /// given one by one, the ends of a range, the ends of a distribution's support (extremes()). So a key that the case

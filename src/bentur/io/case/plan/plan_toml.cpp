@@ -108,9 +108,11 @@ std::optional<PlanCase> read_text(const std::string& text, const std::filesystem
 
 }  // namespace
 
-PlanCase read_plan_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
-                              PlanProblem* problem, CaseMemo* memo) {
-  return read_parts(root, {folder, diagnostics, memo}, problem);
+ReadPlan read_plan_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                              CaseMemo* memo) {
+  ReadPlan read;
+  read.c = read_parts(root, {folder, diagnostics, memo}, &read.problem);
+  return read;
 }
 
 bool is_plan_case(const std::filesystem::path& file) {

@@ -25,9 +25,14 @@ class CaseMemo;
 [[nodiscard]] std::optional<PlanCase> read_plan_case_text(const std::string& text, const std::filesystem::path& file,
                                                           Diagnostics& diagnostics, PlanProblem* problem = nullptr);
 
+/// A case of buildings in plan and what it is solved as; of one with errors neither is of use.
+struct ReadPlan {
+  PlanCase c;
+  PlanProblem problem;
+};
 /// The same of a text read before. `memo` is for many readings of nearly the same case, which then share records.
-[[nodiscard]] PlanCase read_plan_case_parts(const TomlView& root, const std::filesystem::path& folder,
-                                            Diagnostics& diagnostics, PlanProblem* problem, CaseMemo* memo = nullptr);
+[[nodiscard]] ReadPlan read_plan_case_parts(const TomlView& root, const std::filesystem::path& folder,
+                                            Diagnostics& diagnostics, CaseMemo* memo = nullptr);
 
 /// A case whose records are not at hand: everything but those, in place of which there is no motion. Where it gives no
 /// duration, which a record had, that is 1 s. @param problem as that of read_plan_case()

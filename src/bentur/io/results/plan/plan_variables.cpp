@@ -40,8 +40,7 @@ class PlanVariables : private VariablePass<File> {
     const auto& buildings = run_.problem.buildings;
     const ResultDimension building = file_.dimension({"building", buildings.size(), "building_name"});
     if constexpr (reads) {
-      std::size_t points = 0;
-      for (const PlanGap& gap : run_.problem.gaps) points += gap.contacts.size();
+      const auto points = static_cast<std::size_t>(contact_count(run_.problem));
       if (building.size != buildings.size() || points_.size != points) file_.source.fail("is not of this case");
       run_.response.buildings.resize(buildings.size());
       run_.response.buildings_no_contact.resize(buildings.size());
@@ -246,12 +245,8 @@ ResultVariable plane_names(const ResultDimension& planes, const PlanBuilding& bu
 PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length) {
   std::vector<std::string> names, left, right;
   std::vector<double> elevation, x, y;
-  Index points = 0;
-  for (const PlanGap& gap : problem.gaps) {
-    names.push_back(gap_name(problem, gap));
-    points += std::ssize(gap.contacts);
-  }
-  for (Index i = 0; i < points; ++i) {
+  for (const PlanGap& gap : problem.gaps) names.push_back(gap_name(problem, gap));
+  for (Index i = 0; i < contact_count(problem); ++i) {
     const PlanContactPlace place = contact_at(problem, i);
     const PlanGap& gap = problem.gaps[place.gap];
     left.push_back(problem.buildings[gap.left].name);
