@@ -60,9 +60,9 @@ NetcdfReader::NetcdfReader(const std::filesystem::path& file) : NetcdfReader(fil
 NetcdfReader::NetcdfReader(const std::filesystem::path& file, Examined examined) : name_(file.string()) {
   const std::string problem = input_problem(file, result_input);  // the library would wait for a pipe
   if (!problem.empty()) throw NetcdfError(name_, problem);
-  if (examined == Examined::no) examine();
   std::error_code unknown;
   size_ = std::filesystem::file_size(file, unknown);
+  if (examined == Examined::no) examine();
   check(nc_open(name_.c_str(), NC_NOWRITE, &id_));
   list();
 }
@@ -85,7 +85,10 @@ void NetcdfReader::check(int status) const {
 /// The child ends with 0 where the library has come through everything, errors of its own among it: those are met again
 /// by whoever reads the file. Any other end, by a signal or a sanitizer, is damage.
 void NetcdfReader::examine() const {
-  constexpr ::rlim_t most_seconds = 300;  // of a processor: damage may also make the library go round for ever
+  // Of a processor: damage may also make the library go round for ever. A megabyte packed as tightly as can be takes
+  // some two seconds.
+  constexpr ::rlim_t least_seconds = 10, seconds_a_megabyte = 10, longest = 300;
+  const ::rlim_t most_seconds = std::min<::rlim_t>(longest, least_seconds + seconds_a_megabyte * (size_ >> 20U));
   const ::pid_t child = ::fork();
   if (child < 0) throw NetcdfError(name_, "cannot be examined: " + std::generic_category().message(errno));
   if (child == 0) {
