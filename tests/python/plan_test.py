@@ -140,6 +140,17 @@ def test_sweep(result, tmp_path):
     assert data.plane_peak_drift_ratio_1.dims == ("friction", "plane_1", "elevation_1")
 
 
+def test_ida(tmp_path):
+    pytest.importorskip("xarray")
+    study = tmp_path / "study.toml"
+    study.write_text(f"case = '{CASE}'\n[ida]\nintensity = 'pga'\nunit = 'g'\nlevels = [0.1, 3.4, 8.0]\npolarity = 'both'\n")
+    data = bentur.ida(study)
+    assert data.sizes["intensity"] == 3
+    assert data.impacts.sum("point").isel(intensity=0).values.tolist() == [0, 0]
+    fragility = bentur.fragility(data)
+    assert fragility["curves"][0]["runs"] == 6
+
+
 def test_what_does_not_go_with_them():
     with pytest.raises(ValueError, match="template does not go with buildings in plan"):
         bentur.run(CASE).report(template=__file__)

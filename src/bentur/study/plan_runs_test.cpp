@@ -1,11 +1,14 @@
 // Studies of buildings in plan: every run against the same case read and solved alone.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <numeric>
 #include <utility>
 
+#include "bentur/excitation/motion_measures.h"
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/plan/plan_row.h"
@@ -64,7 +67,7 @@ duration = 3.0
 class PlanRuns : public testing::Test {
  protected:
   std::optional<StudyRuns> runs_of(const std::string& rest) {
-    std::ofstream(folder_.path() / "case.toml") << twisting_case;
+    std::ofstream(folder_.path() / "case.toml") << case_;
     std::ofstream(folder_.path() / "study.toml") << "case = 'case.toml'\n" << rest;
     auto study = read_study(folder_.path() / "study.toml", diagnostics_);
     const auto memo = std::make_shared<CaseMemo>();
@@ -77,7 +80,7 @@ class PlanRuns : public testing::Test {
 
   /// The row of a case that is read and solved by itself.
   std::vector<double> alone(const StudyRuns& runs, const std::function<void(std::string&)>& change) {
-    std::string text = twisting_case;
+    std::string text = case_;
     change(text);
     Diagnostics diagnostics;
     PlanProblem problem;
@@ -95,6 +98,23 @@ class PlanRuns : public testing::Test {
     text.replace(at, old.size(), now);
   }
 
+  /// Two records of so many components, by name; of the second both are larger.
+  void shake(bool both) {
+    const auto write = [this](const std::string& name, double size, double rate) {
+      std::ofstream file(folder_.path() / name);
+      for (int n = 0; n < 150; ++n) file << 0.02 * n << "," << size * std::sin(rate * n) * std::exp(-0.02 * n) << "\n";
+    };
+    write("a-x.csv", 2.0, 0.25);
+    write("a-y.csv", 0.5, 0.30);
+    write("b-x.csv", 3.0, 0.20);
+    write("b-y.csv", 2.0, 0.22);
+    const std::string along_y =
+        both ? "\n[excitation.y]\nkind = 'record'\nfile = 'a-y.csv'\nunit = 'm/s2'\nscale = 7.0\n" : "\n";
+    put(case_, "kind = \"harmonic\"\nperiod = 0.5\ndisplacement_amplitude = 0.03\nangle = 30\n",
+        "kind = 'record'\nfile = 'a-x.csv'\nunit = 'm/s2'\npga = 9.0\nangle = 30\n" + along_y);
+  }
+
+  std::string case_ = twisting_case;
   TemporaryFolder folder_;
   Diagnostics diagnostics_;
 };
@@ -169,9 +189,152 @@ TEST_F(PlanRuns, WhatTheyDoNotTakeIsAnError) {
       << first_error();
 }
 
-TEST_F(PlanRuns, IdaIsRefused) {
+const std::string pairs = R"(
+[[vary]]
+parameter = "excitation.file"
+name = "record"
+files = ["a-x.csv", "b-x.csv"]
+together = "pair"
+[[vary]]
+parameter = "excitation.y.file"
+name = "record_y"
+files = ["a-y.csv", "b-y.csv"]
+together = "pair"
+)";
+
+TEST_F(PlanRuns, OfAnIdaBothComponentsAreScaledAlike) {
+  shake(true);
+  const auto runs = runs_of(pairs + "[ida]\nintensity = 'pga'\nlevels = [1.5, 4.0]\npolarity = 'both'\n");
+  ASSERT_TRUE(runs) << first_error();
+  ASSERT_EQ(runs->plan().runs(), 8);
+  const RecordIntensities& intensities = runs->facts().intensities;
+  ASSERT_EQ(intensities.values.size(), 4);
+  // The same numbers as of the files, read alone.
+  const auto peak = [this](const char* name) {
+    std::ifstream file(folder_.path() / name);
+    double largest = 0;
+    for (std::string line; std::getline(file, line);) {
+      largest = std::max(largest, std::abs(std::stod(line.substr(line.find(',') + 1))));
+    }
+    return largest;
+  };
+  const double of_a = std::sqrt(peak("a-x.csv") * peak("a-y.csv"));
+  const double of_b = std::sqrt(peak("b-x.csv") * peak("b-y.csv"));
+  for (const std::size_t i : {0, 1}) EXPECT_DOUBLE_EQ(intensities.values[i], of_a);
+  for (const std::size_t i : {2, 3}) EXPECT_DOUBLE_EQ(intensities.values[i], of_b);
+  std::vector<std::size_t> all(8);
+  std::iota(all.begin(), all.end(), 0);
+  double impacts = 0;
+  for (const RunResult& result : runs->solve(all, [] { return true; })) {
+    ASSERT_EQ(result.status, RunStatus::done) << result.message;
+    const std::vector<Choice> chosen = runs->choices(result.run);
+    const bool second = chosen[0].level == 1;
+    const double level = chosen[2].level == 0 ? 1.5 : 4.0;
+    const std::string scale = fmt::format("scale = {}", level / (second ? of_b : of_a));
+    const std::string way = chosen[1].level == 0 ? "" : "\npolarity = 'reversed'";
+    const std::vector<double> row = alone(*runs, [&](std::string& text) {
+      put(text, "pga = 9.0", scale + way);
+      put(text, "scale = 7.0", scale + way);
+      if (!second) return;
+      put(text, "a-x.csv", "b-x.csv");
+      put(text, "a-y.csv", "b-y.csv");
+    });
+    expect_same(result.values, row, runs->quantities());
+    for (const RowPart& part : runs->quantities()) {
+      if (part.name == "impacts") impacts += std::accumulate(&row[part.first], &row[part.first + part.count], 0.0);
+    }
+  }
+  EXPECT_GT(impacts, 4);
+}
+
+TEST_F(PlanRuns, AnIdaSaysWhoseIntensityItIs) {
+  shake(true);
+  const auto value = [this](const std::string& component) {
+    const auto runs =
+        runs_of("[ida]\nintensity = 'sa'\nperiod = 0.5\nlevels = [1.0]\ncomponent = '" + component + "'\n");
+    if (!runs) ADD_FAILURE() << first_error();
+    const StudyFile file = study_file(*runs, "0");
+    for (const StudyVariable& variable : file.variables) {
+      if (variable.name != "intensity") continue;
+      const std::string told = component.size() == 1 ? "[excitation" : component.substr(0, 6);
+      EXPECT_NE(variable.long_name.find(told), std::string::npos) << variable.long_name;
+    }
+    return runs->facts().intensities.values.at(0);
+  };
+  const double x = value("x"), y = value("y");
+  EXPECT_GT(std::abs(x - y), 0.1);
+  EXPECT_EQ(value("larger"), std::max(x, y));
+  EXPECT_EQ(value("geometric-mean"), std::sqrt(x * y));
+}
+
+TEST_F(PlanRuns, AnIdaOfOneComponentHasItsIntensity) {
+  shake(false);
+  const auto runs = runs_of("[ida]\nintensity = 'pga'\nlevels = [2.0]\n");
+  ASSERT_TRUE(runs) << first_error();
+  const std::vector<std::size_t> all = {0};
+  const RunResult result = runs->solve(all, [] { return true; }).at(0);
+  ASSERT_EQ(result.status, RunStatus::done) << result.message;
+  const std::string scale = fmt::format("scale = {}", 2.0 / runs->facts().intensities.values.at(0));
+  expect_same(result.values, alone(*runs, [&](std::string& text) { put(text, "pga = 9.0", scale); }),
+              runs->quantities());
+  EXPECT_FALSE(runs_of("[ida]\nintensity = 'pga'\nlevels = [2.0]\ncomponent = 'x'\n"));
+  EXPECT_NE(first_error().find("goes with [excitation.y]"), std::string::npos) << first_error();
+}
+
+TEST_F(PlanRuns, AnIdaNeedsRecordsAlongBoth) {
+  case_ += "[excitation.y]\nkind = 'harmonic'\nperiod = 0.5\ndisplacement_amplitude = 0.03\n";
   EXPECT_FALSE(runs_of("[ida]\nintensity = 'pga'\nlevels = [1.0, 2.0]\n"));
-  EXPECT_NE(first_error().find("does not go with buildings in plan"), std::string::npos) << first_error();
+  EXPECT_NE(first_error().find("needs records: excitation.kind"), std::string::npos) << first_error();
+}
+
+TEST_F(PlanRuns, ScaleOfYIsForAnIdaToSet) {
+  shake(true);
+  EXPECT_FALSE(
+      runs_of("[ida]\nintensity = 'pga'\nlevels = [1.0]\n[[vary]]\nparameter = 'excitation.y.scale'\n"
+              "values = [1.0, 2.0]\n"));
+  EXPECT_NE(first_error().find("is set by [ida]"), std::string::npos) << first_error();
+}
+
+TEST_F(PlanRuns, NormalisationIsOfBothComponents) {
+  shake(true);
+  put(case_, "pga = 9.0\n", "");
+  std::string study = pairs;
+  put(study, "files = [\"a-x.csv\", \"b-x.csv\"]\n", "files = [\"a-x.csv\", \"b-x.csv\"]\nnormalisation = 'pgv'\n");
+  const auto runs = runs_of(study);
+  ASSERT_TRUE(runs) << first_error();
+  const std::vector<double>& factors = runs->study().varies[0].normalisation;
+  ASSERT_EQ(factors.size(), 2);
+  const auto pgv = [this](const std::string& name) {
+    std::string text = twisting_case;
+    Diagnostics diagnostics;
+    put(text, "kind = \"harmonic\"\nperiod = 0.5\ndisplacement_amplitude = 0.03\n",
+        "kind = 'record'\nfile = '" + name + "'\nunit = 'm/s2'\n");
+    return motion_measures(read_plan_case_text(text, folder_.path() / "case.toml", diagnostics)->excitation[0].motion)
+        .pgv;
+  };
+  const double a = std::sqrt(pgv("a-x.csv") * pgv("a-y.csv")), b = std::sqrt(pgv("b-x.csv") * pgv("b-y.csv"));
+  EXPECT_NEAR(factors[0] * a, factors[1] * b, 1e-12 * a);
+  EXPECT_NEAR(factors[0], 0.5 * (a + b) / a, 1e-12);
+  const std::vector<std::size_t> second = {1};
+  const RunResult result = runs->solve(second, [] { return true; }).at(0);
+  ASSERT_EQ(result.status, RunStatus::done) << result.message;
+  const std::vector<double> row = alone(*runs, [&](std::string& text) {
+    put(text, "file = 'a-x.csv'", fmt::format("file = 'b-x.csv'\nscale = {}", factors[1]));
+    put(text, "file = 'a-y.csv'", "file = 'b-y.csv'");
+    put(text, "scale = 7.0", fmt::format("scale = {}", 7.0 * factors[1]));
+  });
+  expect_same(result.values, row, runs->quantities());
+}
+
+TEST_F(PlanRuns, NormalisationOfOneComponentAloneIsAnError) {
+  shake(true);
+  put(case_, "pga = 9.0\n", "");
+  std::string study = pairs;
+  put(study, "together = \"pair\"\n", "normalisation = 'pgv'\n");
+  put(study, "together = \"pair\"\n", "");
+  EXPECT_FALSE(runs_of(study));
+  EXPECT_NE(first_error().find("is of both components: excitation.y.file must move together"), std::string::npos)
+      << first_error();
 }
 
 TEST_F(PlanRuns, ValuesOfTheCaseAreChecked) {

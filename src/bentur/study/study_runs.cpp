@@ -100,12 +100,17 @@ std::vector<Choice> StudyRuns::choices(std::size_t run) const {
   return result;
 }
 
-std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) const {
-  Diagnostics found;
+TomlValue StudyRuns::root_of(std::size_t run) const {
   const std::vector<Choice> chosen = choices(run);
   TomlValue root = chosen_case(study_, chosen);
   if (const auto& ida = study_.ida)
     put_intensity(facts_.intensities, chosen, ida->levels[chosen[ida->axis].level], root);
+  return root;
+}
+
+std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) const {
+  Diagnostics found;
+  TomlValue root = root_of(run);
   ReadCase read = read_chosen(study_, root, *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
   Problem problem = read.problem();
@@ -211,7 +216,7 @@ std::optional<RunResult> StudyRuns::solved(Workspace& workspace, std::size_t run
 
 std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions& options) const {
   Diagnostics found;
-  ReadPlan chosen = read_chosen_plan(study_, chosen_case(study_, choices(run)), *memo_, found);
+  ReadPlan chosen = read_chosen_plan(study_, root_of(run), *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
   if (!same_places(chosen.problem, *facts_.plan)) {
     throw NotACase("other numbers of floors, planes or contact points");

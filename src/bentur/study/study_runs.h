@@ -55,6 +55,8 @@ class StudyRuns {
   struct Place;      // of a group in the making
   struct Workspace;  // what one call of solve() works with
 
+  /// Its case, with the record at its intensity.
+  [[nodiscard]] TomlValue root_of(std::size_t run) const;
   [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run) const;
   /// Of an [ida] in a grid, the run that differs from `run` by its intensity alone and has the first one.
   [[nodiscard]] std::optional<std::size_t> at_first_level(std::size_t run) const;

@@ -266,8 +266,9 @@ std::string without_number(const std::string& name) {
 }
 
 bool is_quantity(const std::string& variable, const std::string& asked) {
-  const std::string wanted = asked == "drift" ? "peak_drift_ratio" : asked;
-  return variable == wanted || without_number(variable) == wanted;
+  const std::string name = without_number(variable);
+  if (asked == "drift") return name == "peak_drift_ratio" || name == plane_drift;
+  return variable == asked || name == asked;
 }
 
 }  // namespace bentur

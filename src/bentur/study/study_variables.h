@@ -37,6 +37,9 @@ void check_names(const Study& study, Diagnostics& diagnostics);
 /// peak_drift_ratio of peak_drift_ratio_2: the name of a variable without the building's number, where it has one.
 [[nodiscard]] std::string without_number(const std::string& name);
 
+/// The drifts of a building in plan, which are those of its planes.
+inline constexpr std::string_view plane_drift = "plane_peak_drift_ratio";
+
 /// Whether a variable is the quantity that is asked for: by its name, by that without the building's number, or as
 /// "drift" for short.
 [[nodiscard]] bool is_quantity(const std::string& variable, const std::string& asked);

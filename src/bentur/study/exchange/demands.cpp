@@ -11,6 +11,7 @@
 #include "bentur/core/units.h"
 #include "bentur/io/output/result_kind.h"
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/study/study_variables.h"
 
 namespace bentur {
 namespace {
@@ -137,6 +138,10 @@ class DemandReader {
 
   /// "_2" of the second building.
   [[nodiscard]] std::string number_of(const std::string& building) const {
+    for (const StoredVariable& variable : file_.variables()) {
+      if (without_number(variable.name) != "peak_displacement_x") continue;
+      file_.fail("is of buildings in plan, whose demands go along two axes: they are not exported yet");
+    }
     std::vector<std::string> names;
     std::string number;
     for (std::size_t b = 1; number.empty(); ++b) {

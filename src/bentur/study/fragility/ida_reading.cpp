@@ -13,6 +13,18 @@
 namespace bentur {
 namespace {
 
+/// Buildings in plan whose rigidity is given as sums, so that nothing says how far a storey drifts at its edges.
+std::vector<std::string> buildings_without_drift(const ResultSource& file) {
+  std::vector<std::string> result;
+  for (int b = 1; file.has(fmt::format("peak_rotation_{}", b)) || file.has(fmt::format("peak_rotation_{}", b + 1));
+       ++b) {
+    const std::string rotation = fmt::format("peak_rotation_{}", b);
+    if (!file.has(rotation) || file.has(fmt::format("{}_{}", plane_drift, b))) continue;
+    result.push_back(file.attribute(rotation, "building"));
+  }
+  return result;
+}
+
 class Reader {
  public:
   Reader(const ResultSource& file, const EventRule& event) : file_(file), event_(event) {
@@ -92,15 +104,24 @@ class Reader {
   /// Those that the event is about.
   [[nodiscard]] std::vector<const StoredVariable*> event_variables() const {
     std::vector<const StoredVariable*> result;
-    std::vector<std::string> known = {"drift"};
+    const std::string drift = "drift";
+    std::vector<std::string> known;
     for (const StoredVariable* variable : quantities()) {
       const std::string base = without_number(variable->name);
       if (is_quantity(variable->name, event_.quantity)) result.push_back(variable);
+      if (is_quantity(variable->name, drift)) known.insert(known.begin(), drift);
       // An impact that is not modelled is one: of how hard it is, or how many there are, nothing is known.
       const bool any_impact = event_.quantity == "impacts" && event_.holds(1) && !event_.holds(0);
       if (any_impact && variable->name == "unmodelled_contacts") result.push_back(variable);
       for (const std::string& name : {base, variable->name}) {
         if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+      }
+    }
+    if (event_.quantity == drift) {
+      const std::vector<std::string> without = buildings_without_drift(file_);
+      if (!without.empty()) {
+        file_.fail(fmt::format("has drifts of planes alone, and building {} has none: the event {} leaves it out",
+                               in_quotes(without.front()), plane_drift));
       }
     }
     if (!result.empty()) return result;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bentur/study/plan/internal/study_parts.h"
 #include "bentur/study/plan/study_keys.h"
 
@@ -36,6 +38,10 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   if (spec.spectral) {
     spec.period = view->number("period").value_or(1);
     spec.damping = view->number("damping").value_or(spec.damping);
+  }
+  if (const auto component = view->word("component")) {
+    const auto& words = ida_keys().at("component").words;
+    spec.component = static_cast<IntensityOf>(std::find(words.begin(), words.end(), *component) - words.begin());
   }
   spec.unit = view->word("unit").value_or("");
   spec.levels = read_levels(*view);

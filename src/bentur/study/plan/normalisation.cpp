@@ -9,6 +9,7 @@
 #include "bentur/excitation/motion_measures.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/schema/case_keys.h"
 #include "bentur/study/plan/internal/study_parts.h"
 #include "bentur/study/plan/study_keys.h"
 #include "bentur/study/quantiles.h"
@@ -90,7 +91,8 @@ void read_factor_file(const TomlView& given, const fs::path& folder, const std::
   }
 }
 
-/// PGV of the record that a file of the vary is; nothing where it cannot be read.
+/// PGV of the record that a file of the vary is, of two components their geometric mean; nothing where it cannot be
+/// read.
 std::optional<double> pgv_of(const Study& study, const Vary& vary, std::size_t level) {
   std::vector<Choice> choices(study.axes.size());
   choices[vary.axis].level = level;
@@ -100,10 +102,18 @@ std::optional<double> pgv_of(const Study& study, const Vary& vary, std::size_t l
   Diagnostics ignored;
   const std::string name = study.case_file.string();
   const TomlView view(root, "", name, ignored);
-  const ExcitationSpec excitation =
-      read_excitation(view, read_units(view), {}, {}, study.case_file.parent_path(), ignored);
-  if (!excitation.record) return std::nullopt;
-  return motion_measures(excitation.motion).pgv;
+  const auto pgv = [&](const TomlView& given, const KeyTable& keys) -> std::optional<double> {
+    ExcitationSpec excitation;
+    if (const auto table = TableView::of(given, keys)) {
+      read_motion(*table, read_units(view), study.case_file.parent_path(), ignored, excitation, nullptr);
+    }
+    return excitation.record ? std::optional(motion_measures(excitation.motion).pgv) : std::nullopt;
+  };
+  const auto excitation = view.find("excitation");
+  const auto along_x = excitation ? pgv(*excitation, excitation_keys()) : std::nullopt;
+  if (!along_x || !excitation->has("y")) return along_x;
+  const auto along_y = pgv(*excitation->find("y"), motion_along_y_keys());
+  return along_y ? std::optional(std::sqrt(*along_x * *along_y)) : std::nullopt;
 }
 
 void normalise_by_pgv(const TomlView& view, const Study& study, Vary& vary) {
@@ -150,13 +160,27 @@ void settle_normalisation(const TomlView& root, Study& study) {
     Vary& vary = study.varies[i];
     if (vary.path.empty() || (vary.normalise_by.empty() && vary.normalisation.empty())) continue;
     const TomlView view = *root.find("vary")->item(i).find("normalisation");
-    const ParameterPath pga = {"excitation", "pga"};
-    const bool varied =
-        std::any_of(study.varies.begin(), study.varies.end(), [&](const Vary& other) { return other.path == pga; });
-    if (!study.ida && (varied || find_value(study.case_root, pga) != nullptr)) {
-      view.error("does not go with excitation.pga, which gives every record the same peak");
-      continue;
+    const bool both = find_value(study.case_root, {"excitation", "y"}) != nullptr;
+    bool refused = false;
+    for (const ParameterPath& pga : {ParameterPath{"excitation", "pga"}, ParameterPath{"excitation", "y", "pga"}}) {
+      const bool varied =
+          std::any_of(study.varies.begin(), study.varies.end(), [&](const Vary& other) { return other.path == pga; });
+      if (study.ida || refused || !(varied || find_value(study.case_root, pga) != nullptr)) continue;
+      refused = true;
+      view.error(fmt::format("does not go with {}, which gives every record the same peak", path_text(pga)));
     }
+    if (both && vary.normalise_by == "pgv-pairs") {
+      refused = true;
+      view.error_value("is for components that stand in one list; with [excitation.y] it is \"pgv\"");
+    }
+    for (const Vary& other : study.varies) {
+      const bool along_y =
+          other.path.size() > 1 && other.path[0] == PathStep("excitation") && other.path[1] == PathStep("y");
+      if (!along_y || other.axis == vary.axis) continue;
+      refused = true;
+      view.error(fmt::format("is of both components: {} must move together with {}", other.parameter, vary.parameter));
+    }
+    if (refused) continue;
     if (vary.normalisation.empty()) normalise_by_pgv(view, study, vary);
     if (study.ida) study.ida->normalised = true;
   }

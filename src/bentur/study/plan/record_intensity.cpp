@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -15,9 +16,10 @@ namespace {
 
 bool decides_record(const ParameterPath& path) {
   if (path.empty() || path.front() != PathStep("excitation")) return false;
+  const std::size_t at = path.size() > 1 && path[1] == PathStep("y") ? 2 : 1;  // of the key
   const std::vector<std::string> keys = {"kind",   "file",    "format",     "time_step", "unit",
                                          "column", "channel", "skip_lines", "polarity"};
-  return path.size() == 1 || std::find(keys.begin(), keys.end(), std::get<std::string>(path[1])) != keys.end();
+  return path.size() == at || std::find(keys.begin(), keys.end(), std::get<std::string>(path[at])) != keys.end();
 }
 
 }  // namespace
@@ -57,6 +59,20 @@ double intensity_of(const IdaSpec& ida, const SampledMotion& motion, const Units
   return ida.unit.empty() ? acceleration : acceleration / acceleration_factor(ida.unit, units);
 }
 
+double intensity_of_both(IntensityOf what, double x, double y) {
+  switch (what) {
+    case IntensityOf::geometric_mean:
+      return std::sqrt(x * y);
+    case IntensityOf::larger:
+      return std::max(x, y);
+    case IntensityOf::x:
+      return x;
+    case IntensityOf::y:
+      return y;
+  }
+  return 0;
+}
+
 double record_factor(const RecordIntensities& intensities, std::size_t place, double level) {
   if (intensities.normalisation.empty()) return level / intensities.values[place];
   return level * intensities.normalisation[place] / intensities.median;
@@ -66,6 +82,9 @@ void put_intensity(const RecordIntensities& intensities, const std::vector<Choic
                    TomlValue& root) {
   const double factor = record_factor(intensities, intensities.place(choices), level);
   put_value(root, {"excitation", "scale"}, toml_number(factor));
+  if (find_value(root, {"excitation", "y"}) != nullptr) {
+    put_value(root, {"excitation", "y", "scale"}, toml_number(factor));
+  }
 }
 
 std::string intensity_units(const IdaSpec& ida, const Units& units) {
@@ -77,9 +96,25 @@ std::string intensity_units(const IdaSpec& ida, const Units& units) {
 }
 
 std::string intensity_name(const IdaSpec& ida) {
-  const std::string measure = ida.spectral ? fmt::format("spectral acceleration, period {:.6g} s, damping {:.6g} %",
-                                                         ida.period, 100 * ida.damping)
-                                           : "peak ground acceleration";
+  std::string measure = ida.spectral ? fmt::format("spectral acceleration, period {:.6g} s, damping {:.6g} %",
+                                                   ida.period, 100 * ida.damping)
+                                     : "peak ground acceleration";
+  if (ida.component) {
+    switch (*ida.component) {
+      case IntensityOf::geometric_mean:
+        measure += ", geometric mean of both components";
+        break;
+      case IntensityOf::larger:
+        measure += ", larger of both components";
+        break;
+      case IntensityOf::x:
+        measure += " of [excitation]";
+        break;
+      case IntensityOf::y:
+        measure += " of [excitation.y]";
+        break;
+    }
+  }
   return ida.normalised ? measure + ", median of the normalised records" : measure;
 }
 

@@ -30,20 +30,24 @@ struct RecordIntensities : AxisSubset {
   double median = 0;                  ///< [unit of the levels] of the normalised records, where they are
 };
 
-/// The axes along which a study chooses the record: those of `excitation` or of its keys that say which file and how to
-/// read it.
+/// The axes along which a study chooses the record: those of `excitation`, `excitation.y` or of their keys that say
+/// which file and how to read it.
 [[nodiscard]] AxisSubset record_axes(const Study& study);
 
 /// Peak ground acceleration or pseudo-acceleration Sa(T, ζ) of a record, in the unit of the levels.
 /// @throws InvalidParameter when the period is too short for the record's step.
 [[nodiscard]] double intensity_of(const IdaSpec& ida, const SampledMotion& motion, const Units& units);
 
+/// That of a record whose components have the intensities x and y.
+[[nodiscard]] double intensity_of_both(IntensityOf what, double x, double y);
+
 /// What a record is multiplied by to have the intensity `level` [unit of the levels]: the level over its own intensity.
 /// Normalised records keep their proportions and are scaled together, their median to the level [FEMAP695, A.8].
 /// @param place of the record in `intensities`
 [[nodiscard]] double record_factor(const RecordIntensities& intensities, std::size_t place, double level);
 
-/// Scales the record of a study's case, with the choices put in, to an intensity [unit of the levels].
+/// Scales the record, both components alike, of a study's case, with the choices put in, to an intensity [unit of the
+/// levels].
 void put_intensity(const RecordIntensities& intensities, const std::vector<Choice>& choices, double level,
                    TomlValue& root);
 

@@ -52,17 +52,21 @@ struct Vary {
   SourcePosition parameter_position, position;  ///< of the parameter and of its values in the study
 };
 
+/// Of a record with two components: what of their intensities is that of both.
+enum class IntensityOf : unsigned char { geometric_mean, larger, x, y };
+
 /// [ida] of a study: an incremental dynamic analysis, in which every record is scaled to each level of intensity.
 struct IdaSpec {
-  bool spectral = false;       ///< Sa(period, damping), oscillator_peaks(); else the peak ground acceleration
-  double period = 0;           ///< [s], of Sa
-  double damping = 0.05;       ///< ratio [-], of Sa
-  std::string unit;            ///< of the levels, as acceleration_units(); empty: the case's length/s²
-  std::vector<double> levels;  ///< [unit] > 0, ascending
-  std::string polarity;        ///< as-recorded reversed both; empty: as the case says
-  bool normalised = false;     ///< records keep their proportions: the median intensity of the set is each level
-  std::size_t axis = 0;        ///< along which they are
-  SourcePosition position;     ///< of the table in the study
+  bool spectral = false;                 ///< Sa(period, damping), oscillator_peaks(); else the peak ground acceleration
+  double period = 0;                     ///< [s], of Sa
+  double damping = 0.05;                 ///< ratio [-], of Sa
+  std::string unit;                      ///< of the levels, as acceleration_units(); empty: the case's length/s²
+  std::vector<double> levels;            ///< [unit] > 0, ascending
+  std::optional<IntensityOf> component;  ///< nothing: the ground moves in one direction
+  std::string polarity;                  ///< as-recorded reversed both; empty: as the case says
+  bool normalised = false;  ///< records keep their proportions: the median intensity of the set is each level
+  std::size_t axis = 0;     ///< along which they are
+  SourcePosition position;  ///< of the table in the study
 };
 
 /// [remedy] of a study: what is to become small by the choice of what has a range.
@@ -115,7 +119,8 @@ struct Choice {
 
 /// Puts into a case what varies along any of the axes by the choices, one per axis. Each value's origin becomes 1 + its
 /// number among the varies, so that an error can be told from one of the case's own. With [ida] the record is left as
-/// its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation.
+/// its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation. Both
+/// components of one are treated alike.
 void put_choices(const Study& study, const std::vector<Choice>& choices, TomlValue& root);
 /// The study's case with the choices put in.
 [[nodiscard]] TomlValue chosen_case(const Study& study, const std::vector<Choice>& choices);

@@ -153,28 +153,41 @@ class Trial {
 
   double measured(const std::vector<Choice>& choices) {
     Diagnostics found;
-    const ReadCase read = tried(choices, found).row;
+    const Tried read = tried(choices, found);
     if (!found.ok()) return std::numeric_limits<double>::quiet_NaN();  // each alone is right, so its runs are marked
     std::string what = "[ida]";
     for (const std::size_t axis : record_axes(study_).axes) {
       const Vary& vary = study_.first_along(axis);
       what += fmt::format(" with {} = {}", vary.parameter, chosen_text(vary, choices[axis]));
     }
-    const auto* motion = std::get_if<SampledMotion>(&read.c.excitation.motion);
-    if (motion == nullptr) {
-      diagnostics_.error(study_.ida->position, what + " needs records: excitation.kind must be \"record\"");
+    const auto component = study_.ida->component;
+    const bool both = read.plan && find_value(chosen_case(study_, choices), {"excitation", "y"}) != nullptr;
+    if (both != component.has_value()) {
+      diagnostics_.error(study_.ida->position, what + ": the ground moves along y in some runs alone");
       return 0;
     }
-    try {
-      const double intensity = intensity_of(*study_.ida, *motion, facts_.units);
-      if (!(intensity > 0)) {
-        diagnostics_.error(study_.ida->position, what + ": the record is zero throughout, no factor scales it");
+    std::vector<double> intensities;  // of x and, where the ground moves along both, y
+    for (std::size_t direction = 0; direction < (both ? 2 : 1); ++direction) {
+      const ExcitationSpec& excitation = read.plan ? read.plan->c.excitation.at(direction) : read.row.c.excitation;
+      const auto* motion = std::get_if<SampledMotion>(&excitation.motion);
+      if (motion == nullptr) {
+        const std::string table = direction == 0 ? "excitation" : "excitation.y";
+        diagnostics_.error(study_.ida->position,
+                           fmt::format("{} needs records: {}.kind must be \"record\"", what, table));
+        return 0;
       }
-      return intensity;
-    } catch (const InvalidParameter& error) {
-      diagnostics_.error(study_.ida->position, fmt::format("{}: {}", what, error.what()));
-      return 0;
+      try {
+        intensities.push_back(intensity_of(*study_.ida, *motion, facts_.units));
+      } catch (const InvalidParameter& error) {
+        diagnostics_.error(study_.ida->position, fmt::format("{}: {}", what, error.what()));
+        return 0;
+      }
     }
+    const double intensity = both ? intensity_of_both(*component, intensities[0], intensities[1]) : intensities.front();
+    if (!(intensity > 0)) {
+      diagnostics_.error(study_.ida->position, what + ": the record is zero throughout, no factor scales it");
+    }
+    return intensity;
   }
 
   void one(const std::vector<Choice>& choices, std::size_t axis) {
@@ -320,7 +333,7 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
   Trial trial(study, memo, found);
   try {
     (void)SweepPlan(plan_axes(study), study.sampling);
-    if (trial.first() && !(study.ida && refuse_plan(trial.facts(), study.ida->position, "[ida]", found))) {
+    if (trial.first()) {
       for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
         if (!study.ida || axis != study.ida->axis) trial.along(axis);
       }

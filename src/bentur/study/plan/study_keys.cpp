@@ -248,6 +248,11 @@ const KeyTable& ida_keys() {
          Key::number("damping", dimension::none, Range::ratio, {"Damping", "Redaman"}, "of that oscillator")
              .by_default(0.05)
              .when("intensity", {"sa"}),
+         // In the order of IntensityOf.
+         Key::choice("component", {"geometric-mean", "larger", "x", "y"}, {"Component", "Komponen"},
+                     "of buildings in plan with `[excitation.y]`: what of the intensities of both components is that "
+                     "of the record; both are multiplied by one factor")
+             .optional("\"geometric-mean\""),
          Key::choice("unit", {acceleration_units().begin(), acceleration_units().end()}, {"Unit", "Satuan"},
                      "of the levels")
              .optional("the case's length/s²"),

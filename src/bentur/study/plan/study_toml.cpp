@@ -34,13 +34,24 @@ bool is_numeric(const TomlValue& value) {
   return value.is_number();
 }
 
+const ParameterPath along_y = {"excitation", "y"};
+
 /// Keys of [excitation] that scale the record.
 bool is_scale(const PathStep& key) { return key == PathStep("pga") || key == PathStep("scale"); }
 
+/// Whether it is one of its keys, or of [excitation.y].
+bool is_of_motion(const ParameterPath& path) {
+  if (path.front() != PathStep("excitation")) return false;
+  return path.size() == 2 || (path.size() == 3 && path[1] == PathStep("y"));
+}
+
 void take_out_scale(TomlValue& root) {
-  if (TomlValue* const excitation = root.find("excitation")) {
-    std::erase_if(excitation->members, [](const TomlMember& member) { return is_scale(member.key); });
-  }
+  const auto take_out = [](TomlValue* table) {
+    if (table != nullptr) std::erase_if(table->members, [](const TomlMember& member) { return is_scale(member.key); });
+  };
+  TomlValue* const excitation = root.find("excitation");
+  if (excitation != nullptr) take_out(excitation->find("y"));  // first, as members move
+  take_out(excitation);
 }
 
 /// Finds the vary's key in the case, and refuses what a study must leave alone.
@@ -64,7 +75,7 @@ void place_in_case(const TomlView& parameter, const TomlValue& case_root, bool i
     parameter.error_value("is the same in all runs of a study");
     return;
   }
-  if (ida && vary.path.size() == 2 && first == "excitation" && is_scale(vary.path[1])) {
+  if (ida && is_of_motion(vary.path) && is_scale(vary.path.back())) {
     parameter.error_value("is set by [ida], which scales every record to each level");
     return;
   }
@@ -226,15 +237,28 @@ void add_polarity(const TomlView& root, Study& study) {
   }
   vary.parameter_position = vary.position = view.position();
   for (const Vary& other : study.varies) {
-    if (overlap(other.path, path)) {
+    if (overlap(other.path, path) || overlap(other.path, {"excitation", "y", "polarity"})) {
       view.error_value(fmt::format("but {} is varied in line {}", other.parameter, other.parameter_position.line));
     } else if (other.name == vary.name || study.axes[other.axis] == vary.name) {
       view.error_value(fmt::format("has the name of what varies in line {}: give that another name = \"..\"",
                                    other.parameter_position.line));
     }
   }
+  if (find_value(study.case_root, along_y) != nullptr) {
+    FileKey both{{"excitation", "y", "polarity"}, {vary.values.begin(), vary.values.end()}};
+    vary.file_keys.push_back(std::move(both));
+  }
   study.axes.push_back(vary.name);
   study.varies.push_back(std::move(vary));
+}
+
+/// By what the intensity of both components goes.
+void settle_component(const TomlView& root, Study& study) {
+  const bool both = find_value(study.case_root, along_y) != nullptr;
+  if (!both && study.ida->component) {
+    root.find("ida")->find("component")->error("goes with [excitation.y], which the case does not have");
+  }
+  if (both && !study.ida->component) study.ida->component = IntensityOf::geometric_mean;
 }
 
 /// [remedy] needs something to choose, and what moves in step with it must have a range too.
@@ -260,7 +284,10 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
   if (has_case) {
     read_varies(root, study);
     if (study.remedy) expect_a_range(root, study);
-    if (study.ida) add_polarity(root, study);
+    if (study.ida) {
+      add_polarity(root, study);
+      settle_component(root, study);
+    }
     if (found.ok()) settle_normalisation(root, study);
     if (records) vary_records_of_suite(std::move(*records), study, found);
   }
@@ -355,13 +382,16 @@ void put_choices(const Study& study, const std::vector<Choice>& choices, TomlVal
     take_out_scale(root);
   } else if (const double factor = normalisation_of(study, choices); factor != 1) {
     // The case's own scale, or the one that varies, and not what an earlier call has put here.
-    const ParameterPath path = {"excitation", "scale"};
-    const TomlValue* const given = find_value(study.case_root, path);
-    double scale = given != nullptr ? given->real : 1;
-    for (const Vary& vary : study.varies) {
-      if (vary.path == path) scale = chosen_value(vary, choices[vary.axis]).real;
-    }
-    put_value(root, path, toml_number(scale * factor));
+    const auto multiply = [&](const ParameterPath& path) {
+      const TomlValue* const given = find_value(study.case_root, path);
+      double scale = given != nullptr ? given->real : 1;
+      for (const Vary& vary : study.varies) {
+        if (vary.path == path) scale = chosen_value(vary, choices[vary.axis]).real;
+      }
+      put_value(root, path, toml_number(scale * factor));
+    };
+    multiply({"excitation", "scale"});
+    if (find_value(root, along_y) != nullptr) multiply({"excitation", "y", "scale"});
   }
 }
 

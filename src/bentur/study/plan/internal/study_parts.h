@@ -41,8 +41,9 @@ void read_normalisation(const TomlView& view, const std::filesystem::path& folde
 
 /// Refuses normalisation beside excitation.pga, finds the factors that a rule gives, and tells [ida] of them. By "pgv"
 /// the factor of a record is median(PGV)/PGV over all files; by "pgv-pairs" PGV is the geometric mean of two files that
-/// follow one another, the two components of a station [FEMAP695, eq. A-1]. PGV is that of the record as read,
-/// motion_measures(). A record that cannot be read has no factor: reading it again tells why.
+/// follow one another, the two components of a station [FEMAP695, eq. A-1], which by "pgv" it is of both components
+/// where the case has [excitation.y]. PGV is that of the record as read, motion_measures(). A record that cannot be
+/// read has no factor: reading it again tells why.
 void settle_normalisation(const TomlView& root, Study& study);
 
 }  // namespace bentur
