@@ -77,8 +77,11 @@ std::string study_text(const GapStudy& study, const Words& say) {
                 {{"value", number(*study.at)}, {"unit", study.intensity_unit}, {"intensity", study.intensity}}) +
             "\n";
   }
-  text += "\n" + story_text(study.problem, gap_study_story(study), say, Told::outcome);
+  std::vector<std::string> names;
+  for (const GapStudy::Between& gap : study.gaps) names.push_back(gap.name);
+  text += "\n" + story_text(names, gap_study_story(study), say, Told::outcome);
   text += "\n" + wrapped(say(study.suite ? "suite.note" : "cli.gap_study_note")) + "\n";
+  if (study.in_plan) text += wrapped(say("cli.gap_study_in_plan")) + "\n";
   if (!study.code.rules.empty()) text += wrapped(say("cli.gap_study_codes")) + "\n";
   return text;
 }

@@ -11,6 +11,7 @@
 #include "bentur/excitation/motion_measures.h"
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/study_runs.h"
@@ -342,10 +343,61 @@ TEST_F(PlanRuns, ValuesOfTheCaseAreChecked) {
   EXPECT_NE(first_error().find("must be >= 0"), std::string::npos) << first_error();
 }
 
-TEST_F(PlanRuns, GapOverRecordsIsRefused) {
-  ASSERT_TRUE(runs_of("[[vary]]\nparameter = 'excitation.period'\nvalues = [0.4, 0.5]\n")) << first_error();
-  EXPECT_FALSE(gap_study(folder_.path() / "study.toml", std::nullopt, {}, diagnostics_));
-  EXPECT_NE(first_error().find("does not go with buildings in plan"), std::string::npos) << first_error();
+TEST_F(PlanRuns, GapsOverRecordsAreThoseOfEachAlone) {
+  shake(true);
+  ASSERT_TRUE(runs_of(pairs + R"(
+[[vary]]
+parameter = "plan.contact.friction"
+values = [0.1, 0.5]
+[[vary]]
+parameter = "building[1].plan.corner[0]"
+name = "corner"
+values = [12.02, 12.03]
+[ida]
+intensity = 'pga'
+levels = [1.0, 3.0]
+)")) << first_error();
+  const auto study = gap_study(
+      folder_.path() / "study.toml", 2.0, [](double) { return true; }, diagnostics_);
+  ASSERT_TRUE(study) << first_error();
+  EXPECT_EQ(study->asked, 4) << "contacts do not matter";
+  ASSERT_EQ(study->needs.size(), 2);
+  ASSERT_EQ(study->gaps.size(), 1);
+  EXPECT_EQ(study->gaps[0].name, "Walled | Frame");
+  EXPECT_TRUE(study->together->gaps[0].given.empty()) << "the corners leave different widths";
+  const auto runs = runs_of(pairs + "[ida]\nintensity = 'pga'\nlevels = [2.0]\n");
+  ASSERT_TRUE(runs) << first_error();
+  for (std::size_t corner = 0; corner < 2; ++corner) {
+    const RecordNeeds& needs = study->needs[corner];
+    ASSERT_EQ(needs.records.size(), 2);
+    std::size_t beyond = 0;
+    for (std::size_t record = 0; record < 2; ++record) {
+      const std::string scale = fmt::format("scale = {}", 2.0 / runs->facts().intensities.values[record]);
+      std::string text = case_;
+      put(text, "pga = 9.0", scale);
+      put(text, "scale = 7.0", scale);
+      put(text, "[12.02, 0]", corner == 0 ? "[12.02, 0]" : "[12.03, 0]");
+      if (record == 1) put(text, "a-x.csv", "b-x.csv");
+      if (record == 1) put(text, "a-y.csv", "b-y.csv");
+      Diagnostics diagnostics;
+      PlanProblem problem;
+      const auto c = read_plan_case_text(text, folder_.path() / "case.toml", diagnostics, &problem);
+      ASSERT_TRUE(c);
+      const PlanRun run{*c, problem, solve(problem, c->analysis.solver, {.levels = true})};
+      const RunResults pair = pair_of(run, 0);
+      const LevelSeparation largest = largest_of(separations(pair.problem, pair.response, pair.c.code, pair.c.units));
+      const GapNeed& need = needs.records[record].gaps.at(0);
+      EXPECT_EQ(need.gap_needed, largest.gap_needed);
+      EXPECT_EQ(need.abs, largest.abs);
+      EXPECT_EQ(need.srss, largest.srss);
+      EXPECT_TRUE(std::isnan(need.ddc)) << "periods of one direction are not known";
+      EXPECT_GT(need.gap_needed, 0);
+      beyond += need.gap_needed > problem.gaps[0].stretch.width ? 1 : 0;
+    }
+    ASSERT_EQ(needs.gaps[0].given.size(), 1);
+    EXPECT_EQ(needs.gaps[0].given[0].beyond, beyond);
+    EXPECT_NEAR(needs.gaps[0].given[0].widths.at(0), corner == 0 ? 0.02 : 0.03, 1e-12);
+  }
 }
 
 }  // namespace

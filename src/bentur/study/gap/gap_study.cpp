@@ -8,6 +8,7 @@
 
 #include "bentur/io/input_file.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/study/plan/study_check.h"
 #include "bentur/study/quantiles.h"
@@ -20,8 +21,8 @@ namespace {
 constexpr double told_quantiles[] = {0.16, 0.5, 0.84, 0.9, 0.95};
 
 /// The largest of the levels of a gap.
-GapNeed need_of(const std::vector<LevelSeparation>& separations, const Gap& gap) {
-  const LevelSeparation largest = largest_of(of_gap(separations, gap.left));
+GapNeed need_of(const std::vector<LevelSeparation>& separations, Eigen::Index gap) {
+  const LevelSeparation largest = largest_of(of_gap(separations, gap));
   GapNeed need{largest.gap_needed, largest.abs, largest.srss, largest.ddc, {}};
   for (const CodeSeparation& code : largest.codes) need.codes.push_back(code.gap);
   return need;
@@ -58,6 +59,40 @@ GapNeed mean_of_needs(const RecordNeeds& needs, Eigen::Index gap) {
 }
 
 using Named = std::vector<std::pair<std::string, std::string>>;
+
+/// A case with the choices put in: of a row, or in plan.
+struct Chosen {
+  ReadCase row;
+  std::optional<ReadPlan> plan;
+
+  [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : row.c.title; }
+  [[nodiscard]] const CodeSpec& code() const { return plan ? plan->c.code : row.c.code; }
+  /// The file that the ground's motion comes from, if there is one.
+  [[nodiscard]] std::optional<std::string> record_file() const {
+    for (const ExcitationSpec& one :
+         plan ? std::vector(plan->c.excitation.begin(), plan->c.excitation.end()) : std::vector{row.c.excitation}) {
+      if (one.record) return one.record->file;
+    }
+    return std::nullopt;
+  }
+};
+
+/// The gaps of a case as those of rows: all gaps of one row, or in plan each that of a row of two.
+class GapsOfRows {
+ public:
+  explicit GapsOfRows(const Chosen& chosen) : in_plan_(chosen.plan) {
+    if (!chosen.plan) rows_.push_back(chosen.row.problem());
+    for (std::size_t gap = 0; chosen.plan && gap < chosen.plan->problem.gaps.size(); ++gap) {
+      rows_.push_back(pair_of(chosen.plan->problem, gap));
+    }
+  }
+  [[nodiscard]] const Problem& row(Eigen::Index gap) const { return rows_.at(in_plan_ ? gap : 0); }
+  [[nodiscard]] Eigen::Index place(Eigen::Index gap) const { return in_plan_ ? 0 : gap; }  ///< in its row
+
+ private:
+  bool in_plan_;
+  std::vector<Problem> rows_;
+};
 
 class Work {
  public:
@@ -123,7 +158,7 @@ class Work {
   }
 
   void tell_quantiles(RecordNeeds& needs) const {
-    for (Eigen::Index gap = 0; gap + 1 < std::ssize(facts_.problem.buildings); ++gap) {
+    for (Eigen::Index gap = 0; gap < std::ssize(result_.gaps); ++gap) {
       GapOverRecords over{.largest = quantile_of_needs(needs, gap, 1),
                           .median = quantile_of_needs(needs, gap, 0.5),
                           .mean = mean_of_needs(needs, gap),
@@ -134,7 +169,7 @@ class Work {
     }
   }
 
-  /// Of all choices of whatever else varies. Widths do not, so that those given are the same for all.
+  /// Of all choices of whatever else varies.
   void put_together() {
     RecordNeeds all;
     for (const RecordNeeds& one : result_.needs) {
@@ -143,6 +178,11 @@ class Work {
     tell_quantiles(all);
     for (std::size_t gap = 0; gap < all.gaps.size(); ++gap) {
       all.gaps[gap].given = result_.needs.front().gaps[gap].given;
+      const auto given_alike = [&](const RecordNeeds& one) {
+        return std::equal(one.gaps[gap].given.begin(), one.gaps[gap].given.end(), all.gaps[gap].given.begin(),
+                          [](const GivenGap& a, const GivenGap& b) { return a.widths == b.widths; });
+      };
+      if (!std::all_of(result_.needs.begin(), result_.needs.end(), given_alike)) all.gaps[gap].given.clear();
       for (std::size_t i = 0; i < all.gaps[gap].given.size(); ++i) {
         all.gaps[gap].given[i].beyond = 0;
         for (const RecordNeeds& one : result_.needs) {
@@ -158,19 +198,20 @@ class Work {
     for (std::size_t number = 0; number < widths.combinations(); ++number) {
       widths.choose(number, choices);
       Diagnostics found;
-      const ReadCase read = case_of(choices, found);
+      const Chosen chosen = case_of(choices, found);
       if (!found.ok()) throw std::runtime_error(first_message(found));
-      const Problem problem = read.problem();
+      const GapsOfRows gaps(chosen);
       for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
         GivenGap given;
         given.others = values_along(widths, choices);
-        const Gap between = gap_at(problem, gap);
+        const Problem& problem = gaps.row(gap);
+        const Gap between = gap_at(problem, gaps.place(gap));
         for (const std::size_t i : between.points) given.widths.push_back(problem.points[i].width);
         if (given.widths.empty()) {
           for (const std::size_t i : between.watched) given.widths.push_back(problem.watched[i].width);
         }
         for (const RecordNeed& record : needs.records) {
-          given.beyond += needs_more(record, problem, gap) ? 1 : 0;
+          given.beyond += needs_more(of_gap(record.separations, gap), facing_levels(problem, gaps.place(gap))) ? 1 : 0;
         }
         needs.gaps[gap].given.push_back(std::move(given));
       }
@@ -214,19 +255,23 @@ class Work {
     }
   }
 
-  static bool needs_more(const RecordNeed& record, const Problem& given, Eigen::Index gap) {
-    const std::vector<LevelSeparation> levels = of_gap(record.separations, gap);
-    const std::vector<FacingLevel> now = facing_levels(given, gap);
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-      if (levels[i].gap_needed > now.at(i).width) return true;
+  static bool needs_more(const std::vector<LevelSeparation>& needed, const std::vector<FacingLevel>& given) {
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+      if (needed[i].gap_needed > given.at(i).width) return true;
     }
     return false;
   }
 
-  [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
+  [[nodiscard]] Chosen case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
     TomlValue root = chosen_case(study_, choices);
     if (study_.ida) put_intensity(facts_.intensities, choices, *result_.at, root);
-    return read_chosen(study_, root, memo_, found);
+    Chosen chosen;
+    if (facts_.plan) {
+      chosen.plan = read_chosen_plan(study_, root, memo_, found);
+    } else {
+      chosen.row = read_chosen(study_, root, memo_, found);
+    }
+    return chosen;
   }
 
   /// A label without quotes, or the number.
@@ -235,22 +280,34 @@ class Work {
   }
 
   [[nodiscard]] std::string record_name(const std::vector<Choice>& choices, const AxisSubset& records,
-                                        const ReadCase& read) const {
+                                        const Chosen& read) const {
     std::string name;
     for (const Vary& vary : study_.varies) {
       if (!records.has(vary.axis) || vary.labels.empty()) continue;
       name += (name.empty() ? "" : ", ") + value_text(vary, choices[vary.axis]);
     }
     if (!name.empty()) return name;
-    return read.c.excitation.record ? std::filesystem::path(read.c.excitation.record->file).filename().string()
-                                    : "ground motion";
+    const std::optional<std::string> file = read.record_file();
+    return file ? std::filesystem::path(*file).filename().string() : "ground motion";
   }
 
   [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const AxisSubset& records) {
     Diagnostics found;
-    const ReadCase read = case_of(choices, found);
-    const std::string record = record_name(choices, records, read);
+    const Chosen chosen = case_of(choices, found);
+    const std::string record = record_name(choices, records, chosen);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
+    RecordNeed result = chosen.plan ? need_in_plan(record, *chosen.plan) : need_of_row(record, chosen.row);
+    for (Eigen::Index gap = 0; gap < std::ssize(result_.gaps); ++gap) {
+      result.gaps.push_back(need_of(result.separations, gap));
+    }
+    if (result_.title.empty() && result_.needs.empty()) {
+      result_.title = chosen.title();
+      result_.code = chosen.code();
+    }
+    return result;
+  }
+
+  [[nodiscard]] RecordNeed need_of_row(const std::string& record, const ReadCase& read) const {
     const Problem problem = read.problem();
     const FreeResponse free(problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
     const Response& response = free.response();
@@ -259,10 +316,21 @@ class Work {
     RecordNeed result{
         record, response.status == Status::collapsed, separations(problem, response, read.c.code, read.c.units), {}};
     if (takes_both_ways_ && read.c.analysis.both_ways) take_other_way(read, problem, result);
-    for (const Gap& gap : gaps_of(problem)) result.gaps.push_back(need_of(result.separations, gap));
-    if (result_.title.empty() && result_.needs.empty()) {
-      result_.title = read.c.title;
-      result_.code = read.c.code;
+    return result;
+  }
+
+  /// Of buildings in plan contact is solved too, as nothing tells their response without it apart.
+  [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadPlan& read) {
+    const SolveOptions options{.limits = run_limits(read.c.analysis), .levels = true};
+    PlanRun run{read.c, read.problem, solve(read.problem, read.c.analysis.solver, options)};
+    if (run.response.status != Status::done) throw std::runtime_error(record + ": " + run.response.message);
+    RecordNeed result{.record = record, .separations = {}, .gaps = {}};
+    for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
+      const RunResults pair = pair_of(run, gap);
+      for (LevelSeparation& one : separations(pair.problem, pair.response, pair.c.code, pair.c.units)) {
+        one.level.gap = static_cast<Eigen::Index>(gap);
+        result.separations.push_back(std::move(one));
+      }
     }
     return result;
   }
@@ -312,12 +380,22 @@ std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> a
                                      const std::function<bool(double)>& progress, Diagnostics& diagnostics) {
   CaseMemo memo;
   const auto facts = check_study(study, memo, diagnostics);
-  if (!facts || refuse_plan(*facts, {study.file.string(), 0, 0}, "bentur gap with a study", diagnostics)) {
-    return std::nullopt;
-  }
+  if (!facts) return std::nullopt;
   GapStudy result;
   result.units = facts->units;
-  result.problem = facts->problem;
+  result.in_plan = facts->plan.has_value();
+  if (facts->plan) {
+    for (const PlanBuilding& building : facts->plan->buildings) result.buildings.push_back(building.name);
+    for (const PlanGap& gap : facts->plan->gaps) {
+      result.gaps.push_back(
+          {gap_name(*facts->plan, gap), static_cast<Eigen::Index>(gap.left), static_cast<Eigen::Index>(gap.right)});
+    }
+  } else {
+    for (const Building& building : facts->problem.buildings) result.buildings.push_back(building.name);
+    for (const Gap& gap : gaps_of(facts->problem)) {
+      result.gaps.push_back({gap_name(facts->problem, gap.left), gap.left, gap.left + 1});
+    }
+  }
   result.suite = study.suite;
   if (study.ida) {
     result.at = at.value_or(study.ida->levels.back());

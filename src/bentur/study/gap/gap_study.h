@@ -64,7 +64,7 @@ struct GapOverRecords {
   GapNeed largest, median;
   GapNeed mean;                        ///< each number by itself; NaN where one is not known
   std::vector<GapQuantile> quantiles;  ///< ascending
-  std::vector<GivenGap> given;         ///< one per choice of widths
+  std::vector<GivenGap> given;         ///< one per choice of widths; none where what else varies changes them
   /// Of a suite that a code scales, where records are applied as it scales them and one width is given.
   std::optional<SuiteDemand> demand = {};
 };
@@ -80,7 +80,14 @@ struct GapStudy {
   std::string title;
   Units units;
   CodeSpec code;
-  Problem problem;           ///< of the first record: places and names
+  std::vector<std::string> buildings;  ///< their names
+  /// A gap: what people call it, and which buildings it is between.
+  struct Between {
+    std::string name;
+    Eigen::Index left = 0, right = 0;
+  };
+  std::vector<Between> gaps;
+  bool in_plan = false;
   std::optional<double> at;  ///< with [ida]: intensity that every record is scaled to
   std::string intensity, intensity_unit;
   std::vector<RecordNeeds> needs;

@@ -70,7 +70,7 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
                      {"records_beyond", one.beyond},
                      {"share_beyond", static_cast<double>(one.beyond) / static_cast<double>(needs.records.size())}});
   }
-  Json json = {{"between", {study.problem.buildings[gap].name, study.problem.buildings[gap + 1].name}},
+  Json json = {{"between", {study.buildings.at(study.gaps[gap].left), study.buildings.at(study.gaps[gap].right)}},
                {"largest", need_json(over.largest, study.code)},
                {"median", need_json(over.median, study.code)},
                {"mean", need_json(over.mean, study.code)},
@@ -123,7 +123,7 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
                {"units", {{"length", study.units.length}, {"force", study.units.force}}},
                {"version", version},
                {"intensity", intensity},
-               {"statements", Json::parse(statements_json(study.problem, gap_study_story(study).statements))},
+               {"statements", Json::parse(statements_json(study.buildings, gap_study_story(study).statements))},
                {"code_rules", rules},
                {"studied", all}};
   if (study.suite) json["suite"] = Json::parse(suite_json(*study.suite));

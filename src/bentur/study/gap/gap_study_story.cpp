@@ -51,7 +51,8 @@ const GapNeed& quantile(const GapOverRecords& over, double probability) {
 StoryValue count_value(const Told& told) { return {told.together ? "runs" : "records", told.count()}; }
 
 Statement statement_of(const Told& told, Eigen::Index gap, std::string kind) {
-  return {.kind = std::move(kind), .gap = gap, .buildings = {gap, gap + 1}, .subject = told.others};
+  const GapStudy::Between& between = told.study.gaps.at(gap);
+  return {.kind = std::move(kind), .gap = gap, .buildings = {between.left, between.right}, .subject = told.others};
 }
 
 /// What the code takes of the records of a suite that it scales.
@@ -84,7 +85,7 @@ void tell_demand(const Told& told, Eigen::Index gap, std::vector<Statement>& sta
 void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::string& length = told.study.units.length;
   const GapOverRecords& over = told.needs.gaps[gap];
-  if (over.given.front().widths.empty()) {
+  if (!over.given.empty() && over.given.front().widths.empty()) {
     statements.push_back(statement_of(told, gap, "no_level"));
     return;
   }
@@ -115,7 +116,7 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
 }
 
 std::vector<StoryValue> heading(const Told& told, Eigen::Index gap) {
-  return {{"between", gap_name(told.study.problem, gap)},
+  return {{"between", told.study.gaps.at(gap).name},
           {"others", told.others},
           {"with", std::string(told.others.empty() ? "" : "story.with"), {}, !told.others.empty()},
           count_value(told)};
@@ -180,7 +181,7 @@ StoryTable choice_table(const GapStudy& study, Eigen::Index gap) {
   const std::string& length = study.units.length;
   StoryColumn choice{.label = "column.choice"}, median{"column.half", length}, most{"column.most_records", length};
   StoryColumn largest{"column.hardest_record", length}, beyond{.label = "column.beyond", .are_counts = true};
-  StoryTable table{.kind = "choices", .gap = gap, .values = {{"between", gap_name(study.problem, gap)}}};
+  StoryTable table{.kind = "choices", .gap = gap, .values = {{"between", study.gaps.at(gap).name}}};
   for (const RecordNeeds& needs : study.needs) {
     const GapOverRecords& over = needs.gaps[gap];
     const std::size_t most_beyond = over.given.front().beyond;

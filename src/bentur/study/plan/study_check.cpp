@@ -291,6 +291,11 @@ class Trial {
   int errors_ = 0;
 };
 
+/// Whether a vary changes contacts alone.
+bool is_of_contact(const ParameterPath& path) {
+  return path.size() > 1 && path[0] == PathStep("plan") && path[1] == PathStep("contact");
+}
+
 bool touches(const ParameterPath& path, const char* table, const char* key) {
   if (path.empty() || std::get<std::string>(path[0]) != table) return false;
   const auto* last = path.size() > 2 ? std::get_if<std::string>(&path[2]) : nullptr;
@@ -358,7 +363,8 @@ std::vector<SweepAxis> plan_axes(const Study& study) {
   for (const Vary& vary : study.varies) {
     SweepAxis& axis = axes[vary.axis];
     axis.levels = vary.values.size();
-    axis.inner = axis.inner && (touches(vary.path, "gap", "width") || touches(vary.path, "gap", "contact"));
+    axis.inner = axis.inner && (touches(vary.path, "gap", "width") || touches(vary.path, "gap", "contact") ||
+                                is_of_contact(vary.path));
   }
   if (study.ida) axes[study.ida->axis] = {.levels = study.ida->levels.size(), .inner = false};
   return axes;
