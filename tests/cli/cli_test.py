@@ -32,7 +32,7 @@ BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 BASH = os.environ.get("BENTUR_BASH", "bash")
 SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
-EXAMPLES = ["m12-el-centro", "frame-and-wall", "free-impact", "generic-neighbour", "hinged-frame", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
+EXAMPLES = ["m12-el-centro", "breaking-column", "frame-and-wall", "free-impact", "generic-neighbour", "hinged-frame", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
             "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
             "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"

@@ -187,7 +187,7 @@ class Plot(Figures):
     def test_the_same_figure_as_run_draws(self):
         """And as the report of the case shows, but for title and style, which are the page's; it has one more, the first,
         wider."""
-        for name in "m12-el-centro", "linked-pair", "isolated-moat", "generic-neighbour", "struck-column", "hinged-frame", "kelvin-voigt-pair":
+        for name in "m12-el-centro", "linked-pair", "isolated-moat", "generic-neighbour", "struck-column", "breaking-column", "hinged-frame", "kelvin-voigt-pair":
             results = self.run_of(name, "--figures", "svg")
             page = self.bentur(0, "report", SOURCE / f"examples/{name}.toml", "-o", "-").stdout
             shown = 0

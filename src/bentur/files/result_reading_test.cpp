@@ -151,7 +151,7 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
 INSTANTIATE_TEST_SUITE_P(Examples, ReadBack,
                          testing::Values("m12-el-centro", "m12-harmonic", "row-of-three", "kelvin-voigt-pair",
                                          "restitution-asked", "free-impact", "yielding-pair", "linked-pair",
-                                         "isolated-moat", "generic-neighbour", "struck-column"),
+                                         "isolated-moat", "generic-neighbour", "struck-column", "breaking-column"),
                          [](const auto& instance) {
                            std::string label = instance.param;
                            std::replace(label.begin(), label.end(), '-', '_');
