@@ -290,8 +290,8 @@ bool has_colours() {
 std::string with_colours(std::string text) {
   for (const std::string& language : report_languages()) {
     const Words say(language);
-    for (const auto& [key, unused] : catalogue().texts) {
-      if (!key.starts_with("story.") || !key.ends_with(".badge")) continue;
+    for (const std::string& key : text_keys("story.")) {
+      if (!key.ends_with(".badge")) continue;
       const std::string words = upper_case(say(key)) + ":";
       const bool good = key == "story.no_pounding.badge" || key == "story.spectral_enough.badge";
       for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at)) {

@@ -4,36 +4,75 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
+#include "bentur/core/diagnostics.h"
 #include "bentur/core/errors.h"
-#include "bentur/io/toml/parameter_path.h"
+#include "bentur/io/toml/toml_value.h"
 #include "bentur/report/html/internal/assets.h"
 
 namespace bentur {
 namespace {
 
-/// A table holds the text of one key in each language, tables of longer keys, or both.
-void collect(const TomlValue& table, const std::string& key, Catalogue& into) {
-  for (const TomlMember& member : table.members) {
-    if (member.value.kind == TomlValue::Kind::text) into.texts[key][member.key] = member.value.text;
-    collect(member.value, key.empty() ? member.key : key + "." + member.key, into);
-  }
+/// The file: what stands before the first [key], and what stands under each.
+struct Sections {
+  std::string_view head;
+  std::map<std::string_view, std::string_view> of_key;
+};
+
+const Sections& sections() {
+  static const Sections all = [] {
+    Sections read;
+    const std::string_view file = html::asset("texts.toml");
+    const std::string_view begins = "\n[";
+    std::size_t header = file.find(begins);
+    read.head = file.substr(0, header);
+    while (header != std::string_view::npos) {
+      const std::size_t name = header + begins.size();
+      const std::size_t end = file.find(']', name);
+      header = file.find(begins, end);
+      read.of_key[file.substr(name, end - name)] = file.substr(end + 1, header - end - 1);
+    }
+    return read;
+  }();
+  return all;
+}
+
+TomlValue parsed(std::string_view text) {
+  Diagnostics diagnostics;
+  return parse_toml(std::string(text), "texts.toml", diagnostics).value();
 }
 
 }  // namespace
 
-const std::vector<std::string>& report_languages() { return catalogue().languages; }
-
-const Catalogue& catalogue() {
-  static const Catalogue all = [] {
-    Diagnostics diagnostics;
-    const TomlValue file = parse_toml(std::string(html::asset("texts.toml")), "texts.toml", diagnostics).value();
-    Catalogue read;
-    collect(file, "", read);
-    for (const TomlValue& tag : find_value(file, {"languages"})->items) read.languages.push_back(tag.text);
+const std::vector<std::string>& report_languages() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> read;
+    for (const TomlValue& tag : parsed(sections().head).find("languages")->items) read.push_back(tag.text);
     return read;
   }();
   return all;
+}
+
+const Texts* catalogue_entry(std::string_view key) {
+  static std::mutex mutex;
+  static std::map<std::string_view, Texts> known;
+  const auto section = sections().of_key.find(key);
+  if (section == sections().of_key.end()) return nullptr;
+  const std::lock_guard lock(mutex);
+  const auto [texts, is_new] = known.try_emplace(section->first);
+  if (is_new) {
+    for (const TomlMember& member : parsed(section->second).members) texts->second[member.key] = member.value.text;
+  }
+  return &texts->second;
+}
+
+std::vector<std::string> text_keys(std::string_view prefix) {
+  std::vector<std::string> keys;
+  for (const auto& [key, unused] : sections().of_key) {
+    if (key.starts_with(prefix)) keys.emplace_back(key);
+  }
+  return keys;
 }
 
 Words::Words(std::string_view language) : language_(language) {
@@ -48,13 +87,12 @@ std::size_t Words::number() const {
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), language_) - all.begin());
 }
 
-bool Words::has(std::string_view key) const { return catalogue().texts.find(key) != catalogue().texts.end(); }
+bool Words::has(std::string_view key) const { return catalogue_entry(key) != nullptr; }
 
 std::string Words::operator()(std::string_view key) const {
-  const auto& texts = catalogue().texts;
-  const auto found = texts.find(key);
-  if (found == texts.end()) throw InvalidParameter("key", std::string(key), "is not in the catalogue");
-  return found->second.at(language_);
+  const Texts* const found = catalogue_entry(key);
+  if (found == nullptr) throw InvalidParameter("key", std::string(key), "is not in the catalogue");
+  return found->at(language_);
 }
 
 std::string Words::operator()(std::string_view key,
@@ -79,11 +117,11 @@ std::string Words::count(std::string_view key, long n) const {
 }
 
 FigureWords figure_words(const std::string& language) {
-  using Texts = std::map<std::string, std::string, std::less<>>;
-  static const std::map<std::string, Texts> all = [] {
-    std::map<std::string, Texts> made;
-    for (const auto& [key, texts] : catalogue().texts) {
-      if (!key.starts_with("figure.text.")) continue;
+  using ByEnglish = std::map<std::string, std::string, std::less<>>;
+  static const std::map<std::string, ByEnglish> all = [] {
+    std::map<std::string, ByEnglish> made;
+    for (const std::string& key : text_keys("figure.text.")) {
+      const Texts& texts = *catalogue_entry(key);
       for (const auto& [tag, text] : texts) made[tag].emplace(texts.at("en"), text);
     }
     return made;

@@ -16,12 +16,14 @@ namespace bentur {
 /// Languages a report can be in, by their tags of BCP 47: "en", "id". The first is the default.
 [[nodiscard]] const std::vector<std::string>& report_languages();
 
-/// Every text for people: what stands in texts.toml.
-struct Catalogue {
-  std::vector<std::string> languages;
-  std::map<std::string, std::map<std::string, std::string>, std::less<>> texts;  ///< by key and language
-};
-[[nodiscard]] const Catalogue& catalogue();
+/// A text for people in each language, by its tag.
+using Texts = std::map<std::string, std::string>;
+
+/// What texts.toml has under a key; null where it has none. Each is read when it is first asked for, as a run needs few
+/// of them and reading all takes longer than a short run. May serve many threads.
+[[nodiscard]] const Texts* catalogue_entry(std::string_view key);
+/// The keys of all texts that begin so, in their order.
+[[nodiscard]] std::vector<std::string> text_keys(std::string_view prefix = "");
 
 /// The catalogue in one language. Texts are plain: whoever puts them into a page escapes them.
 class Words {

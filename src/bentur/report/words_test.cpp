@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <map>
 #include <set>
 #include <string>
 
 #include "bentur/core/errors.h"
 #include "bentur/io/schema/case_keys.h"
+#include "bentur/io/toml/toml_value.h"
 #include "bentur/model/quantities.h"
+#include "bentur/report/html/internal/assets.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/studies/sweep_data.h"
 #include "tests/support/example_laws.h"
@@ -27,8 +30,9 @@ std::set<std::string> names(std::string_view text) {
 
 TEST(Catalogue, EveryKeyHasATextInEveryLanguageThatTakesTheSameValues) {
   ASSERT_EQ(report_languages(), (std::vector<std::string>{"en", "id"}));
-  EXPECT_GT(catalogue().texts.size(), 200U);
-  for (const auto& [key, texts] : catalogue().texts) {
+  EXPECT_GT(text_keys().size(), 200U);
+  for (const std::string& key : text_keys()) {
+    const Texts& texts = *catalogue_entry(key);
     EXPECT_EQ(texts.size(), report_languages().size()) << key << ": another language than those of the file";
     for (const std::string& language : report_languages()) {
       ASSERT_TRUE(texts.contains(language)) << key << " " << language;
@@ -36,6 +40,27 @@ TEST(Catalogue, EveryKeyHasATextInEveryLanguageThatTakesTheSameValues) {
       EXPECT_EQ(names(texts.at(language)), names(texts.begin()->second)) << key;
     }
   }
+}
+
+/// A table holds the text of one key in each language, tables of longer keys, or both.
+void collect(const TomlValue& table, const std::string& key, std::map<std::string, Texts>& into) {
+  for (const TomlMember& member : table.members) {
+    if (member.value.kind == TomlValue::Kind::text) into[key][member.key] = member.value.text;
+    collect(member.value, key.empty() ? member.key : key + "." + member.key, into);
+  }
+}
+
+TEST(Catalogue, WhatIsReadKeyByKeyIsWhatTheWholeFileHas) {
+  Diagnostics diagnostics;
+  const auto whole = parse_toml(std::string(html::asset("texts.toml")), "texts.toml", diagnostics);
+  ASSERT_TRUE(whole) << diagnostics.errors().front().text();
+  std::map<std::string, Texts> all;
+  collect(*whole, "", all);
+  std::map<std::string, Texts> by_key;
+  for (const std::string& key : text_keys()) by_key[key] = *catalogue_entry(key);
+  EXPECT_EQ(by_key, all);
+  EXPECT_EQ(catalogue_entry("story"), nullptr);
+  EXPECT_EQ(catalogue_entry("languages"), nullptr);
 }
 
 TEST(Catalogue, QuantitiesHaveALabelInEveryLanguage) {

@@ -31,9 +31,7 @@ std::vector<std::string> texts_of(const Figure& figure) {
 /// Every text that a figure shows is a word of the catalogue, the name of a building, or symbols and numbers.
 TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
   std::set<std::string> known;
-  for (const auto& [key, text] : catalogue().texts) {
-    if (key.starts_with("figure.text.")) known.insert(text.at("en"));
-  }
+  for (const std::string& key : text_keys("figure.text.")) known.insert(catalogue_entry(key)->at("en"));
   const std::regex symbols(R"((T[₁₂₃]|S[ad]|ζ)[^a-zA-Z]*( s|%| \[.*\])?)");
   for (const std::string& text :
        {std::string(test::struck_columns), std::string(test::every_kind), std::string(test::linked),

@@ -79,9 +79,7 @@ TEST(PlanPictures, KindsOfARowAreRefused) {
 /// All texts are words of the catalogue, names, or symbols and numbers, and both languages draw.
 TEST(PlanPictures, TextsAreInTheCatalogue) {
   std::set<std::string> known;
-  for (const auto& [key, text] : catalogue().texts) {
-    if (key.starts_with("figure.text.")) known.insert(text.at("en"));
-  }
+  for (const std::string& key : text_keys("figure.text.")) known.insert(catalogue_entry(key)->at("en"));
   FigureOptions options;
   options.say = [&](std::string_view english) {
     EXPECT_TRUE(known.contains(std::string(english))) << english << " is not in the catalogue";
