@@ -117,6 +117,7 @@ docs/report
 docs/figures
 docs/gallery
 docs/studio
+docs/examples/two-real-buildings
 docs/examples/struck-columns
 docs/howto/etabs_sap2000
 docs/howto/add_contact_law

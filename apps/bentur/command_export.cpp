@@ -13,6 +13,7 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/spectral_gap.h"
+#include "bentur/report/errors.h"
 #include "bentur/study/exchange/demands.h"
 #include "bentur/study/exchange/gem.h"
 #include "bentur/study/exchange/nrml.h"
@@ -24,7 +25,7 @@ namespace bentur::cli {
 namespace {
 
 struct ExportArguments {
-  std::string file, output = "-", building, taxonomy;
+  std::string file, output = "-", building, taxonomy, language = "en";
   std::vector<std::string> only, events;
   bool force = false;
 };
@@ -38,7 +39,8 @@ void export_demands(const ExportArguments& arguments) {
   for (const std::string& one : arguments.only) {
     const std::size_t equals = one.find('=');
     if (equals == std::string::npos || equals == 0) {
-      throw Failure(exit_bad_input, fmt::format("bentur export: --only {}: must be NAME=VALUE", one));
+      throw Failure(exit_bad_input, "bentur export: " + error_words(fmt::format("--only {}: must be NAME=VALUE", one),
+                                                                    arguments.language));
     }
     request.only.emplace_back(one.substr(0, equals), one.substr(equals + 1));
   }
@@ -47,15 +49,19 @@ void export_demands(const ExportArguments& arguments) {
   try {
     demands = demand_sample(NetcdfReader(arguments.file), request);
   } catch (const NetcdfError& error) {
-    throw Failure(exit_bad_input, fmt::format("{}: error: {}", arguments.file, error.reason));
+    Diagnostics diagnostics;
+    diagnostics.error({arguments.file, 0, 0}, error.reason);
+    throw Failure(diagnostics, arguments.language);
   }
   output.write(demands.csv);
   std::vector<std::string> over;
   for (const auto& [name, size] : demands.over) over.push_back(fmt::format("{} ({})", name, size));
-  std::string told = fmt::format("{} runs", demands.runs);
-  if (!over.empty()) told += fmt::format(" over {}", fmt::join(over, ", "));
-  if (demands.errors > 0) told += fmt::format(", {} of them with 1-ERROR", demands.errors);
-  if (demands.left_out > 0) told += fmt::format("; {} whose values make no case are left out", demands.left_out);
+  const Words say(arguments.language);
+  const auto count = [&](const char* key, std::size_t n) { return say(key, {{"n", fmt::format("{}", n)}}); };
+  std::string told = count("cli.demands", demands.runs);
+  if (!over.empty()) told += say("cli.demands_over", {{"names", fmt::format("{}", fmt::join(over, ", "))}});
+  if (demands.errors > 0) told += count("cli.demands_errors", demands.errors);
+  if (demands.left_out > 0) told += count("cli.demands_left_out", demands.left_out);
   message(told);
 }
 
@@ -69,21 +75,22 @@ void export_fragility(const ExportArguments& arguments) {
     if (auto results = read_ida_results(arguments.file, event, diagnostics))
       read.emplace_back(event, std::move(*results));
   }
-  if (!diagnostics.ok()) throw Failure(diagnostics);
+  if (!diagnostics.ok()) throw Failure(diagnostics, arguments.language);
   std::string error;
   const auto made = nrml_of(read, arguments.taxonomy, error);
   if (!made) {
     diagnostics.error({arguments.file, 0, 0}, error);
-    throw Failure(diagnostics);
+    throw Failure(diagnostics, arguments.language);
   }
   output.write(nrml_fragility(made->model, BENTUR_VERSION));
-  if (!made->left_out.empty()) {
-    message(
-        fmt::format("warning: left out, for want of a median and a dispersion: {}", fmt::join(made->left_out, "; ")));
-  }
+  const Words say(arguments.language);
+  const auto warn = [&](const char* key, const std::vector<std::string>& names) {
+    if (!names.empty()) message(say(key, {{"names", fmt::format("{}", fmt::join(names, "; "))}}));
+  };
+  warn("cli.curves_left_out", made->left_out);
+  warn("cli.curves_extrapolated", made->extrapolated);
   if (made->model.period && made->damping != 0.05) {
-    message(
-        fmt::format("warning: intensities are of {:.3g} % damping, where OpenQuake takes 5 %", 100 * made->damping));
+    message(say("cli.curves_damping", {{"damping", fmt::format("{:.3g}", 100 * made->damping)}}));
   }
 }
 
@@ -97,7 +104,7 @@ bool is_short(const std::vector<LevelSeparation>& all, Eigen::Index gap, double 
 
 void export_taxonomy(const ExportArguments& arguments) {
   OutputFile output = output_file(arguments, ResultKind::taxonomy);
-  const Loaded loaded = load(arguments.file, Purpose::no_run);
+  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   const Case& c = loaded.c;
   const Eigen::Index gaps = std::ssize(loaded.problem.buildings) - 1;
   std::vector<char> pounds(static_cast<std::size_t>(gaps) + 2, 0);  // of the gap left of each building
@@ -109,7 +116,7 @@ void export_taxonomy(const ExportArguments& arguments) {
     tell(spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units).levels,
          [](Eigen::Index) { return 0.0; });
   } else {
-    const RunResults run = simulate(loaded, 0, true);
+    const RunResults run = simulate(loaded, 0, true, arguments.language);
     tell(separations(run.problem, run.response),
          [&](Eigen::Index gap) { return displacement_scale(run.problem, run.response, gap); });
   }
@@ -128,6 +135,7 @@ CLI::App* format(CLI::App& app, const char* name, const char* what, const char* 
   command->add_option("FILE", arguments.file, file)->required()->check(not_empty());
   command->add_option("-o,--output", arguments.output, "file to write; default - for standard output")
       ->check(not_empty());
+  add_language(*command, arguments.language);
   add_force(*command, arguments.force);
   return command;
 }

@@ -6,10 +6,15 @@
 #include <string>
 
 #include "arguments.h"
+#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/model/gap/spectral_gap.h"
+#include "bentur/report/errors.h"
 #include "bentur/report/studies/remedy_figure.h"
 #include "bentur/study/gap/gap_study.h"
+#include "bentur/study/remedy/least_gap.h"
 #include "bentur/study/remedy/remedy.h"
 #include "bentur/study/remedy/remedy_story.h"
+#include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
 #include "output/picture.h"
@@ -44,12 +49,42 @@ std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::fi
   return found;
 }
 
-void run(const RemedyArguments& arguments) {
-  if (!is_study(arguments.study)) {
-    throw Failure(exit_bad_input,
-                  fmt::format("bentur remedy: {}: must be a study with [remedy]; what gap a case needs says bentur gap",
-                              arguments.study));
+/// Of a case as it stands: the least gap, which wants no search.
+LeastGaps gaps_of(const RemedyArguments& arguments) {
+  const Loaded loaded = load(arguments.study, Purpose::no_run, arguments.language);
+  const Case& c = loaded.c;
+  if (c.excitation.suite) {
+    const GapStudy study = gaps_over_records(loaded, arguments.study, arguments.language);
+    if (!study.is_whole())
+      throw Failure(exit_other, error_words("Stopped: not all records are run", arguments.language));
+    return least_gaps(c, study);
   }
+  if (c.excitation.spectrum) {
+    return least_gaps(c, loaded.problem, spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units));
+  }
+  return least_gaps(simulate(loaded, 0, true, arguments.language));
+}
+
+void run_case(const RemedyArguments& arguments) {
+  const auto refuse = [&](const char* why) {
+    throw Failure(exit_bad_input, "bentur remedy: " + error_words(why, arguments.language));
+  };
+  if (arguments.resume || !arguments.output.empty() || !arguments.figure.empty()) {
+    refuse("--output, --resume and --figure are for a study with [remedy]; of a case --json has the least gap");
+  }
+  if (is_plan_case(arguments.study)) {
+    refuse("does not go with buildings in plan: bentur gap says which gap they need");
+  }
+  const LeastGaps found = gaps_of(arguments);
+  if (arguments.json) return print(least_gap_json(found, BENTUR_VERSION));
+  const Words say(arguments.language);
+  std::string text = found.title.empty() ? "" : found.title + "\n";
+  text += story_text(found.problem, least_gap_story(found), say, Told::outcome);
+  print(fitted(text));
+}
+
+void run(const RemedyArguments& arguments) {
+  if (!is_study(arguments.study)) return run_case(arguments);
   if (arguments.resume && arguments.output.empty()) {
     throw Failure(exit_bad_input, "bentur remedy: --resume needs --output: evaluations are kept beside it");
   }
@@ -92,7 +127,9 @@ void run(const RemedyArguments& arguments) {
 void add_remedy_command(CLI::App& app) {
   auto arguments = std::make_shared<RemedyArguments>();
   CLI::App* command = app.add_subcommand("remedy", "Gap, damper, filler or stiffness that keeps a limit");
-  command->add_option("STUDY", arguments->study, "a study with [remedy]: a case, what may be chosen, what is sought")
+  command
+      ->add_option("FILE", arguments->study,
+                   "a study with [remedy]: a case, what may be chosen, what is sought; or a case: its least gap")
       ->required()
       ->check(not_empty());
   command->add_option("-o,--output", arguments->output, "file for the result (JSON)")
@@ -105,7 +142,9 @@ void add_remedy_command(CLI::App& app) {
   command->add_flag("--json", arguments->json, "JSON instead of words");
   add_language(*command, arguments->language);
   add_force(*command, arguments->force);
-  command->footer("Example: bentur remedy study.toml -o remedy.json --figure remedy.svg");
+  command->footer(
+      "Example: bentur remedy study.toml -o remedy.json --figure remedy.svg\n"
+      "The least gap of a case as it stands: bentur remedy case.toml");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -276,6 +276,15 @@ class Suites(unittest.TestCase):
             self.assertIn(words, text)
             self.assertIn("r02.txt", text)
             self.assertIn("<svg", text)
+        # To hand in, with what the code takes of them as a check.
+        file.write_text(file.read_text() + '\n[project]\nname = "Hotel"\n')
+        report = self.folder / "hand-in.html"
+        self.told("report", file, "-o", report)
+        rows = re.findall(r"<tr.*?</tr>", report.read_text().split('<section id="checks"')[1].split("</section>")[0], re.DOTALL)
+        row, = (row for row in rows if "4.3.3.4.3(3)" in row)
+        code = self.gap(file)["studied"][0]["gaps"][0]["code"]
+        self.assertEqual(float(re.search(r">([\d.]+)\u00a0m<", row)[1]), float(f"{code['gap_needed']:.4g}"))
+        self.assertIn("NOT met" if code["too_narrow"] else ">met<", row)
         self.told("plot", file, "suite", "-o", self.folder / "suite.svg")
         self.assertIn("target", (self.folder / "suite.svg").read_text())
 

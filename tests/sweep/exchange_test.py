@@ -109,6 +109,25 @@ class Demands(Exchange):
                       self.bentur("export", "pelicun", file, "--building", "Barn", "--only", "intensity=0.3", status=2).stderr)
         self.assertIn("4 runs over width (2), polarity (2)", self.bentur(*tower, "--only", "intensity=0.3").stderr)
 
+    def test_errors_and_counts_in_indonesian(self):
+        file = self.ida()
+        tower = ("export", "pelicun", file, "--building", "Tower, the tall one", "--lang", "id")
+        for options, said in (
+                ((), "kesalahan: memuat beberapa tingkat intensitas"), (("--only", "intensity=7"), "yang ada 0.05, 0.1, 0.2"),
+                (("--only", "size=7"), 'tidak ada yang bernama "size"'), (("--only", "size"), "harus NAMA=NILAI"),
+                (("--only", "intensity=0.3", "--building", "Barn"), "tidak punya bangunan")):
+            options = tower[:3] + options + tower[5:] if "--building" in options else tower + options
+            self.assertIn(said, self.bentur(*options, status=2).stderr)
+        self.assertIn("4 hitungan atas width (2), polarity (2)", self.bentur(*tower, "--only", "intensity=0.3").stderr)
+        openquake = ("export", "openquake", file, "--taxonomy", "X", "--lang", "id", "--event")
+        self.assertIn("tidak punya besaran", self.bentur(*openquake, "size > 1", status=2).stderr)
+        self.assertIn("harus besaran, salah satu dari", self.bentur(*openquake, "size", status=2).stderr)
+        broken = self.case()
+        broken.write_text(broken.read_text().replace("width = 3\n", "width = -3\n"))
+        self.assertIn("kesalahan: gap[0].width = -3", self.bentur("export", "gem", broken, "--lang", "id", status=2).stderr)
+        self.assertIn("bukan berkas NetCDF",
+                      self.bentur("export", "openquake", broken, "--taxonomy", "X", "--lang", "id", status=2).stderr)
+
     def test_inputs_and_what_others_wrote_stay(self):
         file = self.ida()
         before = file.read_bytes()

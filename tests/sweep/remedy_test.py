@@ -64,6 +64,30 @@ class Remedy(unittest.TestCase):
         self.assertGreater(max(self.gap_needed(less, way) for way in ("as-recorded", "reversed")), 0.03)
         self.assertEqual(found["runs_each"], 2)
 
+    def test_a_case_as_it_stands_has_its_least_gap(self):
+        case = SOURCE / "examples" / "linked-pair.toml"
+        found, = json.loads(self.bentur("remedy", case, "--json").stdout)["gaps"]
+        runs = [self.gap_needed([100.0, 200.0], way) for way in ("as-recorded", "reversed")]
+        self.assertEqual(found["gap_needed"], max(runs))
+        self.assertTrue(max(runs) <= found["least_gap"] <= 1.01 * max(runs))
+        said = f"Tall and Low apart in this one motion, both ways round, is {found['least_gap']} m"
+        self.assertIn(said, " ".join(self.bentur("remedy", case).stdout.split()))
+        self.assertIn("Celah terkecil", self.bentur("remedy", case, "--lang", "id").stdout)
+        # The gap that it says is told as enough.
+        text = case.read_text().replace("../data", f"{SOURCE}/data").replace("width = 0.03", f"width = {found['least_gap']}")
+        wide = self.folder / "wide.toml"
+        wide.write_text(text)
+        self.assertFalse(json.loads(self.bentur("remedy", wide, "--json").stdout)["gaps"][0]["too_narrow"])
+
+    def test_of_records_it_says_what_the_code_takes_of_them(self):
+        case = SOURCE / "examples" / "two-real-buildings" / "record.toml"
+        text = " ".join(self.bentur("remedy", case).stdout.split())
+        self.assertIn("apart under 1 record, both ways round, is 0.211 m", text)
+        self.assertIn("EN 1998-1 asks for 3 records or more", text)
+        gap, = json.loads(self.bentur("gap", case, "--json").stdout)["studied"][0]["gaps"]
+        found, = json.loads(self.bentur("remedy", case, "--json").stdout)["gaps"]
+        self.assertEqual(found["gap_needed"], gap["largest"]["gap_needed"])
+
     def test_words_in_both_languages_file_and_figure(self):
         figure = self.folder / "remedy.svg"
         text = self.bentur("remedy", STUDY, "-o", self.output, "--figure", figure, "--lang", "id").stdout
@@ -108,7 +132,10 @@ class Remedy(unittest.TestCase):
 
     def test_what_is_not_asked_well_is_refused(self):
         case = SOURCE / "examples" / "linked-pair.toml"
-        self.assertIn("must be a study with [remedy]", self.bentur("remedy", case, status=2).stderr)
+        for option in ("-o", self.output), ("--figure", self.folder / "x.svg"), ("--resume",):
+            self.assertIn("are for a study with [remedy]", self.bentur("remedy", case, *option, status=2).stderr)
+        plan = SOURCE / "examples" / "plan" / "twisting-pair.toml"
+        self.assertIn("tidak menyertai bangunan dalam denah", self.bentur("remedy", plan, "--lang", "id", status=2).stderr)
         for changes, said in (
                 ([('"gap_needed"', '"gap_neded"')], r"study.toml:6:\d+: error: remedy.objective = \"gap_neded\", must be "
                                                     "a quantity of the results: .*peak_force"),

@@ -5,10 +5,13 @@ The program under test is the environment variable BENTUR, the repository BENTUR
 (counts by one), as another machine's round-off moves an impact here and there.
 """
 
+import json
 import os
 import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 import unittest
 
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"]).resolve()
@@ -51,6 +54,40 @@ class Pages(unittest.TestCase):
     @unittest.skipUnless((SOURCE / "records/far-field").is_dir(), "no records/: ./dev records fetches them")
     def test_those_with_many_records_ran_too(self):
         self.assertTrue(any(needs for page in PAGES for needs, _ in worked_pages.blocks(page.read_text())))
+
+
+class Dampers(unittest.TestCase):
+    """Those of two-real-buildings.md beside a grid over their whole range."""
+
+    def bentur(self, *arguments):
+        run = subprocess.run([os.environ["BENTUR"], *map(str, arguments)], capture_output=True, text=True, timeout=280)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return json.loads(run.stdout)
+
+    def test_the_search_finds_what_a_grid_finds(self):
+        folder = SOURCE / "examples/two-real-buildings"
+        found = self.bentur("remedy", folder / "dampers.toml", "--json")
+        chosen, = found["parameters"]
+        places = [i / 50 for i in range(51)]
+        grid = [chosen["from"] * (chosen["to"] / chosen["from"]) ** place for place in places]
+        text = (folder / "dampers.toml").read_text().replace('"record.toml"', f'"{folder}/record.toml"')
+        text, count = re.subn(r"from = 1\nto = 100000\nspacing = \"log\"", f"values = {grid}", text)
+        self.assertEqual(count, 1)
+        head, rest = text.split("[remedy]")
+        with tempfile.TemporaryDirectory() as there:
+            study = pathlib.Path(there) / "grid.toml"
+            study.write_text(head + rest[rest.index("[[vary]]"):])
+            studied = self.bentur("gap", study, "--json")["studied"]
+        needed = {}
+        for one in studied:
+            gap, = one["gaps"]
+            damping = one["with"]["damping"]
+            needed[damping] = max(needed.get(damping, 0), gap["largest"]["gap_needed"])
+        self.assertEqual(len(needed), len(grid))
+        self.assertLessEqual(found["best"]["objective"], 1.01 * min(needed.values()))
+        smallest = min(place for place, need in zip(places, needed.values()) if need <= found["limit"])
+        self.assertLessEqual(found["smallest"]["size"], smallest)
+        self.assertLessEqual(found["smallest"]["objective"], found["limit"])
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bentur/model/story/internal/story_parts.h"
+#include "bentur/model/suite/suite.h"
 
 namespace bentur {
 namespace {
@@ -247,6 +248,7 @@ std::vector<Statement> assumptions_of(const Case& c, const Problem& problem) {
   tell_of("assumption.calibrated", problem, is_calibrated, statements);
   const bool is_late = std::any_of(problem.delays.begin(), problem.delays.end(), [](double s) { return s != 0; });
   if (!c.excitation.spectrum) tell(is_late ? "assumption.late_motion" : "assumption.one_motion", statements);
+  if (c.excitation.suite) tell("assumption.suite", statements);
   if (!c.links.empty()) tell("assumption.links", statements);
   if (!c.code.rules.empty()) tell("assumption.codes", statements);
   tell("assumption.defaults", statements);
@@ -265,7 +267,12 @@ void tell_always(const Case& c, const Problem& problem, std::vector<Statement>& 
   tell_of("unchecked.soil", problem, no_soil, statements);
   tell("unchecked.other_directions", statements);
   tell("unchecked.local", statements);
-  if (!c.excitation.spectrum) tell("unchecked.motions", statements);
+  if (const auto& suite = c.excitation.suite) {
+    tell("unchecked.records", statements, {story::count_of("records", std::ssize(suite->records))});
+    tell("unchecked.each_record", statements);
+  } else if (!c.excitation.spectrum) {
+    tell("unchecked.motions", statements);
+  }
 }
 
 /// What the case leaves open: rules, columns, ways round.
@@ -289,23 +296,29 @@ std::vector<Statement> unchecked_of(const GapFacts& facts, bool needs_seismicity
   }
   if (!bare.empty()) tell("unchecked.columns", statements, {text_of("levels", bare)});
   if (needs_seismicity) tell("unchecked.screening", statements);
-  if (facts.response != nullptr && !c.analysis.both_ways) tell("unchecked.reversed", statements);
+  const bool is_moved = facts.response != nullptr || c.excitation.suite;
+  if (is_moved && !c.analysis.both_ways) tell("unchecked.reversed", statements);
   if (facts.response != nullptr && !facts.response->energy) tell("unchecked.energy", statements);
   tell_always(c, facts.problem, statements);
   return statements;
 }
 
-HandIn hand_in(const GapFacts& facts, Checks checks, const RunResults* run) {
+/// Rules of thumb for every gap, and all that is told of what is checked. @param run null: there is none
+HandIn hand_in_with(const GapFacts& facts, Checks checks, const RunResults* run) {
   bool needs_seismicity = false;
-  for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings); ++gap) {
-    check_need(facts, gap, checks);
-    check_rules(facts, gap, checks);
-  }
   for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings) && !facts.c.buildings.empty(); ++gap) {
     needs_seismicity = check_screening(facts, gap, checks) || needs_seismicity;
   }
   if (run != nullptr) check_solution(*run, checks);
   return {assumptions_of(facts.c, facts.problem), checks.take(), unchecked_of(facts, needs_seismicity)};
+}
+
+HandIn hand_in(const GapFacts& facts, Checks checks, const RunResults* run) {
+  for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings); ++gap) {
+    check_need(facts, gap, checks);
+    check_rules(facts, gap, checks);
+  }
+  return hand_in_with(facts, std::move(checks), run);
 }
 
 }  // namespace
@@ -324,6 +337,25 @@ HandIn hand_in(const RunResults& run) {
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   HandIn made = hand_in(GapFacts{.c = c, .problem = problem, .levels = spectral.levels}, {}, nullptr);
   made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
+  return made;
+}
+
+HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow>& of_records) {
+  Checks checks;
+  const auto text = [](const std::optional<double>& value, const std::string& unit) {
+    return value ? with_unit(*value, unit) : "–";
+  };
+  for (const CheckRow& row : of_records) {
+    const std::string demand = text(row.demand, row.unit), limit = text(row.limit, row.unit);
+    if (row.result.empty()) {
+      checks.add(row.check, row.by, row.where, demand, limit, row.is_met);
+    } else {
+      checks.add(row.check, row.by, row.where, demand, limit, row.result, true);
+    }
+  }
+  HandIn made = hand_in_with(GapFacts{.c = c, .problem = problem, .levels = {}}, std::move(checks), nullptr);
+  const RunResults still{.c = c, .problem = problem, .response = {}, .remarks = {}};
+  made.assumptions.insert(made.assumptions.begin(), story::model_statement(still));
   return made;
 }
 

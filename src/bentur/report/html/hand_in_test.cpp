@@ -12,6 +12,8 @@
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
+#include "bentur/report/html/suite_report.h"
+#include "bentur/study/suite/suite_hand_in.h"
 
 namespace bentur {
 namespace {
@@ -172,6 +174,51 @@ TEST(HandIn, BySpectrumToo) {
     EXPECT_EQ(found, expected);
     EXPECT_TRUE(holds(page, "24-117"));
   }
+}
+
+TEST(HandIn, OfASuiteOfRecordsToo) {
+  const std::string folder = "/examples/two-real-buildings/";
+  const auto page_of = [&](const std::string& text, const std::string& language, const std::string& head = {}) {
+    const Case c = case_of(text, folder);
+    const SuiteRun run = run_suite(c, [](double) { return true; });
+    Diagnostics diagnostics;
+    const auto gaps = gap_study(
+        c, BENTUR_SOURCE_DIR + folder + "record.toml", [](double) { return true; }, diagnostics);
+    return suite_report_html(run, gaps.value(), {.language = language, .version = "0", .head = head});
+  };
+  const std::string text = case_to_hand_in("two-real-buildings/record", "");
+  for (const char* const language : {"en", "id"}) {
+    const std::string page = page_of(text, language);
+    EXPECT_EQ(sections_of(page), (std::vector<std::string>{"verdict", "assumptions", "input", "records", "checks",
+                                                           "unchecked", "figures", "runs", "gaps"}));
+    EXPECT_TRUE(holds(page, "<body class=\"hand-in\">") && holds(page, "31-07"));
+  }
+  EXPECT_TRUE(holds(page_of(text, "en"), "too few records"));
+  EXPECT_TRUE(holds(page_of(text, "en", "<p>Bureau</p>"), "<div class=\"office\"><p>Bureau</p></div>"));
+  std::string plain = text;
+  plain.erase(plain.find("[project]"), plain.find("[[gap]]") - plain.find("[project]"));
+  const std::string bare = page_of(plain, "en");
+  EXPECT_EQ(sections_of(bare), (std::vector<std::string>{"verdict", "records", "figures", "runs", "gaps", "input"}));
+  EXPECT_FALSE(holds(bare, "<body class="));
+  EXPECT_TRUE(holds(page_of(plain, "en", "<p>Bureau</p>"), "<body class=\"hand-in\">"));
+}
+
+TEST(HandIn, WhatARecordDoesNotTellCountsAsNotMet) {
+  const Case c = case_of(case_to_hand_in("two-real-buildings/record", ""), "/examples/two-real-buildings/");
+  SuiteRun run = run_suite(c, [](double) { return true; });
+  Diagnostics diagnostics;
+  GapStudy gaps = *gap_study(
+      c, BENTUR_SOURCE_DIR "/examples/two-real-buildings/record.toml", [](double) { return true; }, diagnostics);
+  const auto result = [&](const std::string& check) {
+    const StoryTable checks = suite_hand_in(run, gaps).checks;
+    return checks.columns.at(5).texts.at(static_cast<std::size_t>(row_of(checks, check)));
+  };
+  EXPECT_EQ(result("check.drift"), "check.met");
+  EXPECT_EQ(result("check.gap_records"), "check.not_met");
+  run.records.front().status = Status::collapsed;
+  EXPECT_EQ(result("check.drift"), "check.not_met");
+  gaps.needs.front().records.front().collapsed = true;
+  EXPECT_EQ(result("check.gap_records"), "story.silence.collapsed");
 }
 
 TEST(HandIn, AnOfficesHeadIsFilledAndRunsNothing) {

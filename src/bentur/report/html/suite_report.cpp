@@ -8,6 +8,7 @@
 #include "bentur/report/html/internal/page_figures.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/study/gap/gap_study_story.h"
+#include "bentur/study/suite/suite_hand_in.h"
 
 namespace bentur {
 namespace {
@@ -42,8 +43,9 @@ Html suite_tables(const html::Report& report, const char* first, const char* sec
 std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options) {
   const Words say(options.language);
   const Response none;
-  const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
-                            suite_page_story(run, gaps),      {},    {}};
+  const html::Report report{
+      {run.problem, none, run.c.units},      run.c, run.problem, none, say, suite_page_story(run, gaps), {}, {},
+      run.c.project || !options.head.empty()};
   std::vector<StoryTable> of_gaps = report.story.tables;
   std::erase_if(of_gaps, [](const StoryTable& one) { return !one.gap; });
   const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
@@ -53,8 +55,8 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
         return suite_figure(*run.c.excitation.suite, run.c.units, drawn);
       },
       "figure.", options.language);
-  const html::PageBody body{
-      .header = element("h1", title) + element("p", say("suite.by", {{"version", options.version}}), "class=\"note\""),
+  html::PageBody body{
+      .header = html::title_block(report, title, say("suite.by", {{"version", options.version}}), options),
       .sections = {html::verdict_section(report),
                    {"records", say("suite.records"), suite_tables(report, "suite", "suite_buildings")},
                    html::figures_section(say, figures),
@@ -62,6 +64,17 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
                    {"gaps", say("heading.gaps"),
                     html::gap_tables(report, of_gaps) + element("p", say("suite.note"), "class=\"note\"")},
                    html::input_section(report)}};
+  if (report.to_hand_in) {
+    const HandIn told = suite_hand_in(run, gaps);
+    std::vector<html::PageSection>& all = body.sections;
+    std::vector<html::PageSection> ordered = {
+        std::move(all[0]), html::assumptions_section(report, told), std::move(all.back()),
+        std::move(all[1]), html::checks_section(report, told),      html::unchecked_section(report, told)};
+    all.pop_back();
+    for (std::size_t i = 2; i < all.size(); ++i) ordered.push_back(std::move(all[i]));
+    all = std::move(ordered);
+    body.running_head = html::running_head(run.c.project, title);
+  }
   return html::page(say, title, body, false);
 }
 

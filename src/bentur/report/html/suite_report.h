@@ -10,7 +10,7 @@ namespace bentur {
 
 /// One HTML page on a case with a suite of records: verdict, spectra against the target, records and what each of them
 /// does, the gap by record with what the code takes, the case as it was given. Nothing moves in it: `--record N` gives
-/// the page of one record.
+/// the page of one record. With [project] in the case, or a head, it is one to hand in, as that of a run.
 [[nodiscard]] std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options);
 
 }  // namespace bentur

@@ -36,8 +36,8 @@ class DemandReader {
     for (const auto& [name, value] : request.only) choose(name, value);
     const StoredVariable* const intensity = file_.find("intensity");
     if (intensity != nullptr && intensity->dimensions.size() == 1 && places_left(intensity->dimensions[0]) > 1) {
-      file_.fail(fmt::format("has several levels of intensity, which are no sample: say --only intensity={}",
-                             fmt::join(file_.numbers("intensity"), ", or ")));
+      file_.fail(fmt::format("has several levels of intensity, which are no sample: give --only intensity=X, one of {}",
+                             fmt::join(file_.numbers("intensity"), ", ")));
     }
     number_ = number_of(request.building);
   }

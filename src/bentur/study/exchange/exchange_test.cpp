@@ -97,6 +97,30 @@ TEST(Nrml, OfResultsInTheUnitOfOpenQuake) {
   EXPECT_FALSE(error.empty());
 }
 
+TEST(Nrml, AMedianBeyondTheLevelsIsMarked) {
+  IdaResults given = results("g", "peak ground acceleration");
+  std::string error;
+  const auto within = nrml_of({{"impacts > 0", given}}, "X", error);
+  ASSERT_TRUE(within) << error;
+  EXPECT_TRUE(within->extrapolated.empty());
+  EXPECT_EQ(nrml_fragility(within->model, "1").find("extrapolated"), std::string::npos);
+  // One of three records has the event, from the third level on: every second one is beyond the last level.
+  for (std::size_t record = 0; record < 3; ++record) {
+    for (std::size_t level = 0; level < 4; ++level) {
+      given.table.outcomes[record * 4 + level] = record == 2 && level > 1 ? Outcome::event : Outcome::no_event;
+    }
+  }
+  const auto beyond = nrml_of({{"impacts > 0", given}}, "X", error);
+  ASSERT_TRUE(beyond) << error;
+  const NrmlCurve& curve = beyond->model.functions.at(0).curves.at(0);
+  EXPECT_GT(curve.median, beyond->model.highest);
+  EXPECT_EQ(beyond->extrapolated, std::vector<std::string>{"X/width=0.1 (impacts > 0)"});
+  const std::string xml = nrml_fragility(beyond->model, "1");
+  const std::size_t mark = xml.find("<!-- extrapolated: median ");
+  ASSERT_NE(mark, std::string::npos);
+  EXPECT_LT(mark, xml.find("<params"));
+}
+
 TEST(Gem, HasSystemStoreysPlaceAndPounding) {
   Case c;
   c.buildings.resize(3);

@@ -104,9 +104,15 @@ std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaR
         fault = event;
         break;
       }
-      function.curves.push_back({state_name(event), fragility.fit.median * in_g, fragility.fit.dispersion});
+      function.curves.push_back({.limit_state = state_name(event),
+                                 .median = fragility.fit.median * in_g,
+                                 .dispersion = fragility.fit.dispersion,
+                                 .extrapolated = is_extrapolated(fragility.counts, fragility.fit)});
     }
     if (fault.empty()) {
+      for (std::size_t i = 0; i < events.size(); ++i) {
+        if (function.curves[i].extrapolated) made.extrapolated.push_back(function.id + " (" + events[i].first + ")");
+      }
       model.functions.push_back(std::move(function));
     } else {
       made.left_out.push_back(function.id + " (" + fault + ")");
@@ -149,6 +155,10 @@ std::string nrml_fragility(const NrmlModel& model, std::string_view version) {
         throw InvalidParameter("limit_state", curve.limit_state, "must be that of the first function");
       }
       const LognormalMoments moments = lognormal_moments(curve.median, curve.dispersion);
+      if (curve.extrapolated) {
+        xml += fmt::format("      <!-- extrapolated: median {} g, levels analysed from {} g to {} g -->\n",
+                           curve.median, model.lowest, model.highest);
+      }
       xml +=
           fmt::format("      <params ls=\"{}\" mean=\"{}\" stddev=\"{}\"/>\n", states[i], moments.mean, moments.stddev);
     }

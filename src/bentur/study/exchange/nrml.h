@@ -26,6 +26,8 @@ struct NrmlCurve {
   std::string limit_state;
   double median = 0;      ///< θ [g]
   double dispersion = 0;  ///< β [-]
+  /// θ is beyond the levels analysed: a comment says so.
+  bool extrapolated = false;
 };
 
 struct NrmlFunction {
@@ -50,8 +52,9 @@ struct NrmlModel {
 /// whatever else varies. Cases without θ and β for every event are left out.
 struct NrmlResults {
   NrmlModel model;
-  std::vector<std::string> left_out = {};  ///< ids of the cases without, each with the event at fault
-  double damping = 0.05;                   ///< of the spectral acceleration [-]
+  std::vector<std::string> left_out = {};      ///< ids of the cases without, each with the event at fault
+  std::vector<std::string> extrapolated = {};  ///< the same of medians beyond the levels analysed
+  double damping = 0.05;                       ///< of the spectral acceleration [-]
 };
 /// @param events as read, one IdaResults each, of one file @param id taxonomy of the asset, told apart by what varies
 /// @return nothing where no case has θ and β; `error` says so.

@@ -27,7 +27,7 @@ std::optional<RemedySpec> read_remedy(const TomlView& root) {
   spec.objective = view->text("objective").value_or("");
   spec.mean = view->word("of_records") == "mean";
   spec.limit = view->number("limit");
-  spec.evaluations = static_cast<std::size_t>(view->whole("evaluations").value_or(1));
+  if (const auto most = view->whole("evaluations")) spec.evaluations = static_cast<std::size_t>(*most);
   if (const auto objective = view->find("objective")) spec.position = objective->position();
   return spec;
 }

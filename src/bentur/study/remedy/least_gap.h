@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/run_results.h"
+#include "bentur/model/story/story.h"
+#include "bentur/study/gap/gap_study.h"
+
+namespace bentur {
+
+/// The least gap between two neighbours, one width at all levels [length].
+struct LeastGap {
+  double needed = 0;      ///< by the free response or the spectrum, the largest of all levels
+  double width = 0;       ///< the same rounded up to three figures: what is to be built
+  double given = 0;       ///< the narrowest that the case gives
+  bool is_short = false;  ///< at some level less is given than is needed there
+};
+
+/// What a case as it stands needs for its buildings to stay apart: the remedy that wants no search.
+struct LeastGaps {
+  enum class Basis { motion, records, spectrum };
+
+  std::string title;
+  Units units;
+  Problem problem;  ///< names the buildings
+  Basis basis = Basis::motion;
+  long records = 0;                      ///< of a suite
+  bool both_ways = false;                ///< of a motion or of records: reversed they need no more
+  bool collapses = false;                ///< a building does without contact: then no gap is known
+  std::vector<LeastGap> gaps = {};       ///< one per gap
+  std::vector<char> is_facing = {};      ///< per gap: whether floors face one another there
+  std::vector<Statement> of_codes = {};  ///< of a suite: what its code takes of the records
+};
+
+/// @param run of the case, with what its levels need
+[[nodiscard]] LeastGaps least_gaps(const RunResults& run);
+[[nodiscard]] LeastGaps least_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral);
+/// Over all records of the suite of a case. @throws InvalidParameter where some were left out
+[[nodiscard]] LeastGaps least_gaps(const Case& c, const GapStudy& study);
+
+/// What a statement says of each gap, and how other remedies are sought.
+[[nodiscard]] Story least_gap_story(const LeastGaps& found);
+/// docs/result-files.md, "bentur remedy --json"
+[[nodiscard]] std::string least_gap_json(const LeastGaps& found, std::string_view version);
+
+/// x ≥ 0 rounded up to three figures; never below x.
+[[nodiscard]] double rounded_up(double x);
+
+}  // namespace bentur

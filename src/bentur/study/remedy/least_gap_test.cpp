@@ -1,0 +1,126 @@
+// The least gap of a case, confirmed by runs with it.
+#include "bentur/study/remedy/least_gap.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/temporary_folder.h"
+#include "bentur/pounding/pounding.h"
+
+namespace bentur {
+namespace {
+
+/// Two sticks whose upper floors do not meet: the lower one's roof faces a column.
+std::string case_of(double width, const std::string& excitation, const std::string& more = "") {
+  return fmt::format(R"(
+[units]
+length = "m"
+force = "kN"
+[[building]]
+name = "West"
+damping = 0.03
+p_delta = true
+stick = {{ storey_heights = [3, 3, 3], masses = [60, 60, 50], stiffnesses = [30e3, 25e3, 25e3]{} }}
+[[building]]
+name = "East"
+damping = 0.03
+stick = {{ storey_heights = [3, 4], masses = [40, 35], stiffnesses = [60e3, 50e3] }}
+[[gap]]
+between = ["West", "East"]
+width = {:.17g}
+contact = {{ law = "linear", stiffness = 2e5 }}
+{}
+)",
+                     more, width, excitation);
+}
+
+constexpr const char* shaken = R"([excitation]
+kind = "harmonic"
+period = 0.45
+displacement_amplitude = 0.02
+[analysis]
+duration = 3.0)";
+
+class LeastGapOf : public testing::Test {
+ protected:
+  [[nodiscard]] Case case_with(const std::string& text) const {
+    std::ofstream(folder_.path() / "case.toml") << text;
+    Diagnostics diagnostics;
+    auto read = read_case(folder_.path() / "case.toml", diagnostics);
+    for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+    return std::move(read.value());
+  }
+  [[nodiscard]] static RunResults run(const Case& c) {
+    Problem problem = make_problem(c);
+    Response response = solve(problem, c.analysis.solver, solve_options(c));
+    return run_results(c, std::move(problem), std::move(response));
+  }
+  static std::string kind_of(const LeastGaps& found) { return least_gap_story(found).statements.front().kind; }
+
+  const TemporaryFolder folder_;
+};
+
+TEST(RoundedUp, HasThreeFiguresAndIsNeverLess) {
+  EXPECT_EQ(rounded_up(0.2109), 0.211);
+  EXPECT_EQ(rounded_up(0.211), 0.211);
+  EXPECT_EQ(rounded_up(0.99901), 1.0);
+  EXPECT_EQ(rounded_up(123.01), 124);
+  EXPECT_EQ(rounded_up(12341), 12400);
+  EXPECT_EQ(rounded_up(0), 0);
+  for (double x = 1e-6; x < 1e6; x *= 1.037) {
+    EXPECT_GE(rounded_up(x), x);
+    EXPECT_LE(rounded_up(x), x * 1.0101);
+  }
+}
+
+TEST_F(LeastGapOf, AMotionKeepsTheBuildingsApartBothWaysRoundAndALittleLessDoesNot) {
+  const LeastGaps found = least_gaps(run(case_with(case_of(0.01, shaken))));
+  ASSERT_EQ(found.gaps.size(), 1U);
+  const LeastGap& gap = found.gaps[0];
+  EXPECT_TRUE(found.both_ways);
+  EXPECT_TRUE(gap.is_short);
+  EXPECT_EQ(gap.given, 0.01);
+  EXPECT_EQ(kind_of(found), "least_gap_short");
+  // A run with it: no impact, and no floor in a column.
+  const RunResults apart = run(case_with(case_of(gap.width, shaken)));
+  EXPECT_EQ(apart.response.impacts.size(), 0U);
+  ASSERT_FALSE(apart.response.watched.empty());
+  for (const WatchedSummary& floor : apart.response.watched) EXPECT_FALSE(floor.closes);
+  const LeastGaps again = least_gaps(apart);
+  EXPECT_FALSE(again.gaps[0].is_short);
+  EXPECT_EQ(again.gaps[0].needed, gap.needed);
+  EXPECT_EQ(kind_of(again), "least_gap_enough");
+  EXPECT_TRUE(least_gaps(run(case_with(case_of(gap.needed * (1 - 1e-6), shaken)))).gaps[0].is_short);
+}
+
+TEST_F(LeastGapOf, ASpectrumIsItsLargestDifference) {
+  const Case c = case_with(case_of(
+      0.01,
+      "[excitation]\nkind = 'spectrum'\nshape = 'table'\nperiods = [0, 3]\naccelerations = [0.3, 0.3]\nunit = 'g'"));
+  const Problem problem = make_still_problem(c);
+  const SpectralGaps spectral = spectral_gaps(problem, *c.excitation.spectrum, c.code, c.units);
+  double most = 0;
+  for (const LevelSeparation& one : spectral.levels) most = std::max(most, one.gap_needed);
+  const LeastGaps found = least_gaps(c, problem, spectral);
+  EXPECT_EQ(found.gaps[0].needed, most);
+  EXPECT_FALSE(found.both_ways);
+  EXPECT_EQ(kind_of(found), "least_gap_short");
+}
+
+TEST_F(LeastGapOf, NothingIsKnownWhereABuildingCollapses) {
+  const std::string weak = ", backbone = { yield = 20, plastic_drift = 0.001, softening_drift = 0.002 }";
+  const LeastGaps found = least_gaps(run(case_with(case_of(0.01, shaken, weak))));
+  ASSERT_TRUE(found.collapses);
+  EXPECT_EQ(kind_of(found), "least_gap_unknown");
+  const auto json = nlohmann::json::parse(least_gap_json(found, "0"));
+  EXPECT_TRUE(json["gaps"][0]["least_gap"].is_null());
+  EXPECT_TRUE(json["gaps"][0]["too_narrow"].is_null());
+}
+
+}  // namespace
+}  // namespace bentur
