@@ -1,10 +1,14 @@
 #include "bentur/report/scene/plan_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_quantities.h"
 #include "bentur/report/scene/scene.h"
 
 namespace bentur {
@@ -150,6 +154,12 @@ PlanPoint movement_of(const PlanModel& model, Index floor, const PlanPoint& at, 
     return model.movement(floor, at, axis).segment<3>(3 * floor);
   };
   return {along(PlanPoint::UnitX()).dot(motion), along(PlanPoint::UnitY()).dot(motion)};
+}
+
+std::string along_text(const PlanRun& run, Index contact) {
+  const PlanContactPlace place = contact_at(run.problem, contact);
+  const char* const axis = run.problem.gaps[place.gap].stretch.across == 0 ? "y" : "x";
+  return fmt::format("{} = {} {}", axis, number(place.contact->along), run.c.units.length);
 }
 
 Index nearest_floor(const PlanModel& model, double elevation) {

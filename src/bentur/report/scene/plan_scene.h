@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,6 +67,8 @@ class PlanScene {
 /// How a point of the plan moves with a floor (P-1) [length].
 [[nodiscard]] PlanPoint movement_of(const PlanModel& model, Eigen::Index floor, const PlanPoint& at,
                                     const Eigen::Vector3d& motion);
+/// Where a contact is along its stretch: "y = 18 m".
+[[nodiscard]] std::string along_text(const PlanRun& run, Eigen::Index contact);
 /// The floor nearest to a level.
 [[nodiscard]] Eigen::Index nearest_floor(const PlanModel& model, double elevation);
 

@@ -59,7 +59,11 @@ function benturMotion(parts, data) {
     duration = data.duration;
     const before = picture;
     picture = (scene.outlines ? benturPlan : benturRow)(data, buildings, svg, number);
-    if (before && picture.levels.length > 0 && before.levels.join() === picture.levels.join()) picture.choose(before.level);
+    if (!before) return;
+    if (before.levels.join() !== picture.levels.join()) { // of other buildings, or from another side
+      usual = undefined;
+      parts.magnify.value = 0;
+    } else if (picture.levels.length > 0) picture.choose(before.level);
   }
 
   /** Impacts under way at some time of [from, to], but for rounding. */

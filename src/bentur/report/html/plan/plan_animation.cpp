@@ -7,7 +7,6 @@
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/internal/motion_data.h"
-#include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/scene/plan_scene.h"
 
 namespace bentur::html {

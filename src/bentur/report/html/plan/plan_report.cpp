@@ -18,6 +18,7 @@
 #include "bentur/report/html/internal/motion_section.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
+#include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/plan/plan_animation.h"
 #include "bentur/structure/modes.h"
 
@@ -317,6 +318,11 @@ std::string csv_of(const PlanRun& run, std::vector<Index> listed) {
 
 }  // namespace
 
+std::vector<PagePart> table_parts(const PlanRun& run, const std::string& language) {
+  const Words say(language);
+  return html::parts({PlanPage(run, say).peaks()});
+}
+
 double report_output_step(const PlanProblem& problem) {
   constexpr double finest = 1e-3, most = 5e4;  // [s], samples
   return std::max(finest, problem.duration / most);
@@ -338,7 +344,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   if (!run.response.points.empty()) {
     verdict.content +=
         html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, "overview", drawn); },
-                             say("plan.overview"), options.language);
+                             say(caption_key("overview", true)), options.language);
   }
   std::vector<const RecordEcho*> records;
   for (const ExcitationSpec& one : run.c.excitation) {
