@@ -7,11 +7,13 @@ import { viteSingleFile } from "vite-plugin-singlefile";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 
-/** The report's moving buildings are a classic script there and a module here. */
+/** The report's moving buildings are classic scripts there, one after the other, and a module here. */
 const motion: Plugin = {
   name: "bentur-motion",
   transform(code, id) {
-    return id.endsWith("/report/html/motion.js") ? { code: `${code}\nexport { benturMotion };\n`, map: null } : undefined;
+    if (!id.endsWith("/report/html/motion/motion.js")) return undefined;
+    const drawn = ["samples.js", "row.js", "plan.js"].map((name) => readFileSync(id.replace(/motion\.js$/, name), "utf8"));
+    return { code: `${drawn.join("")}${code}\nexport { benturMotion };\n`, map: null };
   },
 };
 

@@ -14,7 +14,7 @@ export async function studio(source) {
   const module = await createBentur();
   const one = new module.Studio();
   for (const name of readdirSync(`${source}/data`).filter((file) => file.endsWith(".csv"))) {
-    one.putFile(`../data/${name}`, readFileSync(`${source}/data/${name}`));
+    for (const to of ["../data", "../../data"]) one.putFile(`${to}/${name}`, readFileSync(`${source}/data/${name}`));
   }
   return one;
 }

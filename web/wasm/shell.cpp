@@ -19,6 +19,8 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/records/record_files.h"
+#include "bentur/io/results/plan/plan_csv.h"
+#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/schema/case_keys.h"
@@ -27,6 +29,7 @@
 #include "bentur/model/limits.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
+#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/kinds/kinds.h"
@@ -78,6 +81,7 @@ Size size_of(const TomlValue& building) {
     size.modes = condensation != nullptr && condensation->text == "none" ? size.joints : floors;
   }
   if (const TomlValue* stick = building.find("stick")) size.modes = length_of(*stick, "storey_heights");
+  if (const TomlValue* plan = building.find("plan")) size.modes = 3 * length_of(*plan, "storey_heights");
   for (const char* const known : {"matrices", "modal"}) {
     if (const TomlValue* one = building.find(known)) size.modes = length_of(*one, "elevations");
   }
@@ -154,7 +158,7 @@ void refuse_suite(const TomlValue& root, const std::string& file, Diagnostics& d
 
 std::string Studio::open(const std::string& text, const std::string& file) {
   return guarded([&]() -> Json {
-    case_.reset(), problem_.reset(), run_.reset(), spectral_.reset(), free_.reset();
+    case_.reset(), problem_.reset(), run_.reset(), spectral_.reset(), free_.reset(), plan_.reset(), plan_run_.reset();
     if (text.size() > most_text) return too_much("text");
     const fs::path path = folder / "cases" / file;
     Diagnostics diagnostics;
@@ -162,27 +166,44 @@ std::string Studio::open(const std::string& text, const std::string& file) {
     if (root) leave_out_lost_logo(*root, path.parent_path());
     if (!root) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
     if (std::optional<Json> answer = too_large(*root)) return *answer;
-    ReadCase read =
-        read_case_parts(TomlView(*root, "", path.string(), diagnostics), path.parent_path(), diagnostics, memo_.get());
-    refuse_suite(*root, path.string(), diagnostics);
-    if (!diagnostics.ok()) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
-    Problem problem = read.c.excitation.spectrum ? make_still_problem(read.c, read.made_buildings()) : read.problem();
-    read.c.source = CaseSource{.file = file, .text = text, .sha256 = sha256(text)};
-    read.c.given = std::make_shared<const TomlValue>(*root);
-    if (auto& record = read.c.excitation.record) {
-      const auto known = identities_.try_emplace(record->path);
-      if (known.second) known.first->second = identify(record->path);
-      record->size = known.first->second.size;
-      record->sha256 = known.first->second.sha256;
+    const std::string name = path.string();  // which the view refers to
+    const TomlView view(*root, "", name, diagnostics);
+    const CaseSource source{.file = file, .text = text, .sha256 = sha256(text)};
+    const auto refused = [&]() -> Json { return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}}; };
+    if (plan_of(view)) {
+      ReadPlan read = read_plan_case_parts(view, path.parent_path(), diagnostics, memo_.get());
+      if (!diagnostics.ok()) return refused();
+      read.c.source = source;
+      read.c.given = std::make_shared<const TomlValue>(*root);
+      for (ExcitationSpec& one : read.c.excitation) know(one);
+      plan_ = std::move(read);
+      return {{"ok", true}, {"errors", Json::array()}};
     }
+    ReadCase read = read_case_parts(view, path.parent_path(), diagnostics, memo_.get());
+    refuse_suite(*root, path.string(), diagnostics);
+    if (!diagnostics.ok()) return refused();
+    Problem problem = read.c.excitation.spectrum ? make_still_problem(read.c, read.made_buildings()) : read.problem();
+    read.c.source = source;
+    read.c.given = std::make_shared<const TomlValue>(*root);
+    know(read.c.excitation);
     case_ = std::move(read.c);
     problem_ = std::move(problem);
     return {{"ok", true}, {"errors", Json::array()}};
   });
 }
 
+void Studio::know(ExcitationSpec& excitation) {
+  auto& record = excitation.record;
+  if (!record) return;
+  const auto known = identities_.try_emplace(record->path);
+  if (known.second) known.first->second = identify(record->path);
+  record->size = known.first->second.size;
+  record->sha256 = known.first->second.sha256;
+}
+
 std::string Studio::contacts() const {
   return guarded([&]() -> Json {
+    if (plan_) return {{"ok", true}, {"errors", Json::array()}, {"counts", Json::array()}};
     if (!problem_) return failure("no case is open");
     std::vector<int> counts(problem_->buildings.size() - 1);
     for (const ContactPoint& point : problem_->points) ++counts[static_cast<std::size_t>(point.left)];
@@ -213,57 +234,114 @@ std::string Studio::record_unit(const std::string& path) const {
   return record ? record->unit : "";
 }
 
+namespace {
+
+/// A run with what a page takes of time and memory, beside what its case allows. @param refused why the case refuses it
+/// @param run solves, and answers with the response
+template <class Refused, class Run>
+std::optional<Json> run_within(SolveOptions& options, const emscripten::val& progress, const Effort& needed,
+                               const Refused& refused, const Run& run) {
+  options.limits.steps = std::min(options.limits.steps, static_cast<long>(most_steps));
+  if (!progress.isNull()) options.progress = [&](double done) { return progress(done).template as<bool>(); };
+  if (const std::string why = refused(needed); !why.empty()) return failure(why);
+  if (needed.certain_steps > most_steps) {
+    return too_much("steps", {{"n", needed.certain_steps}, {"most", most_steps}});
+  }
+  if (needed.memory > most_memory) return too_much("memory.run", {{"n", std::ceil(needed.memory / 1e6)}});
+  const auto& response = run();
+  if (response.status == Status::stopped) return failure("stopped");
+  if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
+  return std::nullopt;
+}
+
+/// Histories as a page asks for them, as fine as a report has them where it names no step.
+template <class Case, class Problem>
+SolveOptions options_of(const Case& c, const Problem& problem, const emscripten::val& output_step) {
+  SolveOptions options = solve_options(c);
+  options.output_step = output_step.isNull() ? report_output_step(problem) : output_step.as<double>();
+  options.energy_step = c.analysis.output_step;
+  if (options.output_step < 0) options.output_step = c.analysis.output_step;
+  return options;
+}
+
+}  // namespace
+
 std::string Studio::solve(const emscripten::val& output_step, const emscripten::val& progress) {
   return guarded([&]() -> Json {
-    run_.reset(), spectral_.reset();
+    run_.reset(), spectral_.reset(), plan_run_.reset();
+    const auto solved = [](double seconds) -> Json {
+      return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
+    };
+    if (plan_) {
+      const PlanCase& c = plan_->c;
+      const PlanProblem& problem = plan_->problem;
+      SolveOptions options = options_of(c, problem, output_step);
+      PlanResponse response;
+      const auto refused = [&](const Effort& needed) { return beyond_limits(c, needed); };
+      const Effort needed = effort(problem, c.analysis.solver, options);
+      const auto run = [&]() -> const PlanResponse& {
+        return response = bentur::solve(problem, c.analysis.solver, options);
+      };
+      if (const auto failed = run_within(options, progress, needed, refused, run)) return *failed;
+      const double seconds = response.wall_time;
+      plan_run_ = PlanRun{c, problem, std::move(response)};
+      return solved(seconds);
+    }
     if (!problem_) return failure("no case is open");
     const Case& c = *case_;
     if (c.excitation.spectrum) {
       spectral_ = spectral_gaps(*problem_, *c.excitation.spectrum, c.code, c.units);
-      return {{"ok", true}, {"errors", Json::array()}, {"seconds", 0}};
+      return solved(0);
     }
-    SolveOptions options = solve_options(c);
     const bool fine = output_step.isNull();
-    options.output_step = fine ? report_output_step(*problem_) : output_step.as<double>();
+    SolveOptions options = options_of(c, *problem_, output_step);
     options.course = fine;
-    options.energy_step = c.analysis.output_step;
-    if (options.output_step < 0) options.output_step = c.analysis.output_step;
-    options.limits.steps = std::min(options.limits.steps, static_cast<long>(most_steps));
-    if (!progress.isNull()) options.progress = [&](double done) { return progress(done).as<bool>(); };
+    Response response;
+    const auto refused = [&](const Effort& needed) { return beyond_limits(c, *problem_, needed); };
     const Effort needed = effort(*problem_, c.analysis.solver, options);
-    if (const std::string refused = beyond_limits(c, *problem_, needed); !refused.empty()) return failure(refused);
-    if (needed.certain_steps > most_steps) {
-      return too_much("steps", {{"n", needed.certain_steps}, {"most", most_steps}});
-    }
-    if (needed.memory > most_memory) return too_much("memory.run", {{"n", std::ceil(needed.memory / 1e6)}});
-    Response response = bentur::solve(*problem_, c.analysis.solver, options);
-    if (response.status == Status::stopped) return failure("stopped");
-    if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
+    const auto run = [&]() -> const Response& {
+      return response = bentur::solve(*problem_, c.analysis.solver, options);
+    };
+    if (const auto failed = run_within(options, progress, needed, refused, run)) return *failed;
     const double seconds = response.wall_time;
     run_ = run_results(c, *problem_, std::move(response));
     if (fine) {
       run_->figures = figures_ = figure_data(*run_, motion_, std::move(figures_));
       motion_ = run_->problem.motion;
     }
-    return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
+    return solved(seconds);
   });
 }
 
-std::string Studio::summary() const { return run_ ? summary_json(*run_, BENTUR_VERSION) : ""; }
+std::string Studio::summary() const {
+  if (plan_run_) return plan_summary_json(*plan_run_, BENTUR_VERSION);
+  return run_ ? summary_json(*run_, BENTUR_VERSION) : "";
+}
 
-std::string Studio::impacts() const { return run_ ? impacts_csv(run_->view()) : ""; }
+std::string Studio::impacts() const {
+  if (plan_run_) return impacts_csv(*plan_run_);
+  return run_ ? impacts_csv(run_->view()) : "";
+}
 
 std::string Studio::gaps() const {
+  if (plan_run_) return plan_gap_json(*plan_run_, BENTUR_VERSION);
   if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, BENTUR_VERSION);
   return run_ ? gap_json(*run_, BENTUR_VERSION) : "";
 }
 
-std::string Studio::modes() const { return problem_ ? modes_json(problem_->buildings, case_->units) : ""; }
+std::string Studio::modes() const {
+  if (plan_) return plan_modes_json(plan_->problem);
+  return problem_ ? modes_json(problem_->buildings, case_->units) : "";
+}
 
-std::string Studio::motion(const std::string& language) const { return run_ ? motion_json(*run_, language) : ""; }
+std::string Studio::motion(const std::string& language) const {
+  if (plan_run_) return motion_json(*plan_run_, language);
+  return run_ ? motion_json(*run_, language) : "";
+}
 
 std::string Studio::report(const std::string& language) const {
   const ReportOptions options{.language = language, .version = BENTUR_VERSION};
+  if (plan_run_) return plan_report_html(*plan_run_, options);
   if (spectral_) return spectral_report_html(*case_, *problem_, *spectral_, options);
   return run_ ? report_html(*run_, options) : "";
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/run_results.h"
@@ -19,7 +20,8 @@ namespace bentur::web {
 
 /// What stands between a page and the library: the case that is open, and its run. Everything a page gets is text, JSON
 /// or arrays of numbers; no exception leaves a public function. Answers that may fail are JSON objects with "ok", and
-/// where that is false "errors": [{file, line, column, key, message}], line and column 0 for the whole file.
+/// where that is false "errors": [{file, line, column, key, message}], line and column 0 for the whole file. A case may
+/// be of a row or of buildings in plan; what a page is told has the same shape for both.
 class Studio {
  public:
   Studio();
@@ -32,8 +34,8 @@ class Studio {
   /// @return {ok, errors}
   [[nodiscard]] std::string open(const std::string& text, const std::string& file);
 
-  /// How many contact points each gap of the case that is open has, by the building to its left. @return {ok, errors,
-  /// counts}
+  /// How many contact points each gap of the case that is open has, by the building to its left; none of buildings in
+  /// plan. @return {ok, errors, counts}
   [[nodiscard]] std::string contacts() const;
 
   /// A case's text with its numbers in other units, text_in_units(). @return {ok, errors, text}
@@ -82,12 +84,17 @@ class Studio {
   [[nodiscard]] std::string at_width(int gap, double width);
 
  private:
+  /// Says of a record what it is by its content.
+  void know(ExcitationSpec& excitation);
+
   std::unique_ptr<CaseMemo> memo_;  // buildings and records of the cases that were open: a gap that moves leaves them
   std::map<std::string, FileIdentity> identities_;  // of records, which are large
   std::optional<Case> case_;
   std::optional<Problem> problem_;
   std::optional<RunResults> run_;
   std::optional<SpectralGaps> spectral_;
+  std::optional<ReadPlan> plan_;  // in place of case and problem, and its run
+  std::optional<PlanRun> plan_run_;
   GroundMotion motion_;  // of the figures that were made last, which another width of the gap leaves their spectrum
   FigureData figures_;
   std::unique_ptr<FreeResponse> free_;

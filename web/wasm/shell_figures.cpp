@@ -5,6 +5,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/report/html/page_parts.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 #include "shell.h"
@@ -67,6 +68,11 @@ Figure figure_of(const RunResults& run, const std::string& kind, const FigureOpt
   return make_figure(run, kind, options);
 }
 
+/// Of buildings in plan no other widths are asked for.
+Figure figure_of(const PlanRun& run, const std::string& kind, const FigureOptions& options, const val&) {
+  return make_figure(run, kind, options);
+}
+
 val axis(const std::string& label, const std::pair<double, double>& ends, bool logarithmic) {
   val one = val::object();
   one.set("label", label);
@@ -102,9 +108,12 @@ val panel_of(const Panel& panel, const PanelPlace& place) {
 val Studio::draw(const std::string& kind, const std::string& language, const val& wanted) const {
   val drawn = val::object();
   try {
-    if (!run_) return drawn;
-    const Figure figure = figure_of(*run_, kind, options_of(language, wanted), wanted);
-    const PlacedFigure placed = placed_figure(figure, Words(language)("figure." + kind));
+    if (!run_ && !plan_run_) return drawn;
+    const FigureOptions options = options_of(language, wanted);
+    const Figure figure =
+        plan_run_ ? figure_of(*plan_run_, kind, options, wanted) : figure_of(*run_, kind, options, wanted);
+    const std::string caption = Words(language)(caption_key(kind, plan_run_.has_value()));
+    const PlacedFigure placed = placed_figure(figure, caption);
     drawn.set("svg", placed.svg);
     drawn.set("width", figure.width);
     val panels = val::array();
@@ -120,18 +129,45 @@ val Studio::draw(const std::string& kind, const std::string& language, const val
 
 std::string Studio::figure_file(const std::string& kind, const std::string& language, const val& wanted) const {
   try {
-    return run_ ? figure_svg(figure_of(*run_, kind, options_of(language, wanted), wanted)) : "";
+    const FigureOptions options = options_of(language, wanted);
+    if (plan_run_) return figure_svg(figure_of(*plan_run_, kind, options, wanted));
+    return run_ ? figure_svg(figure_of(*run_, kind, options, wanted)) : "";
   } catch (const std::exception&) {
     return "";
   }
 }
 
+namespace {
+
+val histories_of(const PlanHistories& histories) {
+  val all = val::object();
+  all.set("time", array(histories.time));
+  all.set("ground", rows(histories.ground_acceleration));
+  all.set("opening", rows(histories.opening));
+  all.set("force", rows(histories.force));
+  val buildings = val::array();
+  for (std::size_t b = 0; b < histories.x.size(); ++b) {
+    val one = val::object();
+    one.set("displacement_x", rows(histories.x[b]));
+    one.set("displacement_y", rows(histories.y[b]));
+    one.set("rotation", rows(histories.rotation[b]));
+    buildings.call<void>("push", one);
+  }
+  all.set("buildings", buildings);
+  return all;
+}
+
+}  // namespace
+
 val Studio::histories() const {
   val all = val::object();
+  if (plan_run_) return histories_of(plan_run_->response.histories);
   if (!run_) return all;
   const Histories& histories = run_->response.histories;
   all.set("time", array(histories.time));
-  all.set("ground", array(histories.ground_acceleration));
+  val ground = val::array();
+  ground.call<void>("push", array(histories.ground_acceleration));
+  all.set("ground", ground);
   all.set("opening", rows(histories.opening));
   all.set("force", rows(histories.force));
   val buildings = val::array();

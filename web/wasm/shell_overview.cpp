@@ -1,12 +1,16 @@
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/plan_story.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/scene/plan_scene.h"
 #include "bentur/report/story_text.h"
 #include "shell.h"
 #include "shell_answers.h"
@@ -51,13 +55,13 @@ Json gap_overview(const Problem& problem, Eigen::Index gap, const GoverningLevel
   return {{"name", gap_name(problem, gap)}, {"width", found.width}, {"needed", found.gap_needed}};
 }
 
-/// What is to be said, in words, the gravest first.
-Json statements_of(const Problem& problem, const Story& story, const Words& say) {
+/// What is to be said, in words, the gravest first. @param gaps by name
+Json statements_of(const std::vector<std::string>& gaps, const Story& story, const Words& say) {
   Json all = Json::array();
   for (const SaidStatement& one : said(story.statements, say)) {
     all.push_back({{"kind", one.kind},
                    {"severity", severity_name(one.severity)},
-                   {"gap", one.gap ? Json(gap_name(problem, *one.gap)) : Json()},
+                   {"gap", one.gap ? Json(gaps.at(*one.gap)) : Json()},
                    {"badge", one.badge},
                    {"text", one.text}});
   }
@@ -94,27 +98,92 @@ Json impacts_of(const RunResults& run, const ShownUnits& shown) {
 }
 
 /// Every figure that the run can give, with its caption; those that do not tell something of it are given away alone.
-Json kinds_of(const RunResults& run, const Words& say) {
+template <class Run>
+Json kinds_of(const Run& run, const Words& say) {
   Json all = Json::array();
   if (run.response.histories.time.empty()) return all;
+  constexpr bool in_plan = std::is_same_v<Run, PlanRun>;
   for (const FigureKind& kind : figure_kinds(run)) {
     all.push_back({{"kind", kind.name},
-                   {"caption", say("figure." + kind.name)},
+                   {"caption", say(caption_key(kind.name, in_plan))},
                    {"tells", kind.tells},
                    {"overTime", kind.over_time}});
   }
   return all;
 }
 
-/// What there is of any case that is right.
-Json overview_of(const Case& c, const Problem& problem, const Json& gaps, const Story& story, const Words& say) {
+/// What there is of any case that is right. @param gaps by name
+Json overview_of(const std::string& title, const Units& units, double duration, const Json& told,
+                 const std::vector<std::string>& gaps, const Story& story, const Words& say) {
   return {{"ok", true},
-          {"title", c.title},
+          {"title", title},
           {"version", BENTUR_VERSION},
-          {"duration", problem.duration},
-          {"units", {{"length", c.units.length}, {"force", c.units.force}}},
-          {"gaps", gaps},
-          {"statements", statements_of(problem, story, say)}};
+          {"duration", duration},
+          {"units", {{"length", units.length}, {"force", units.force}}},
+          {"gaps", told},
+          {"statements", statements_of(gaps, story, say)}};
+}
+
+std::vector<std::string> names_of(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const Gap& gap : gaps_of(problem)) names.push_back(gap_name(problem, gap.left));
+  return names;
+}
+
+/// The largest displacement along x or y over that without contact.
+double largest_amplification(const PlanRun& run) {
+  double largest = 0;
+  for (const char* const key : {"amplification_x", "amplification_y"}) {
+    const PlanQuantity& quantity = plan_quantity_named(key, PlanOwner::floor);
+    for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+      for (const double value : values_at(quantity, run, floors_of(run.problem, b))) {
+        if (value > largest) largest = value;  // NaN: none
+      }
+    }
+  }
+  return largest;
+}
+
+Json plan_overview(const PlanRun& run, const Words& say) {
+  const PlanProblem& problem = run.problem;
+  const std::vector<std::string> names = gap_names(problem);
+  Json gaps = Json::array(), buildings = Json::array(), points = Json::array(), impacts = Json::array();
+  for (std::size_t g = 0; g < names.size(); ++g) {
+    const auto found = governing_level(run, g, false);
+    gaps.push_back({{"name", names[g]},
+                    {"width", problem.gaps[g].stretch.width},
+                    {"needed", found ? number_or_null(found->gap_needed) : Json()}});
+  }
+  for (const PlanBuilding& building : problem.buildings) {
+    buildings.push_back(
+        {{"name", building.name}, {"rigid", building.is_rigid()}, {"elevations", building.model.elevations}});
+  }
+  for (Eigen::Index i = 0; i < std::ssize(run.response.points); ++i) {
+    const PlanContactPlace place = contact_at(problem, i);
+    points.push_back({{"gap", place.gap}, {"elevation", place.contact->elevation}, {"along", along_text(run, i)}});
+  }
+  const ShownUnits shown = shown_units(run);
+  double force = 0;
+  for (const PointSummary& point : run.response.points) force = std::max(force, point.peak_force);
+  for (const Impact& one : run.response.impacts) {
+    if (impacts.size() == most_impacts) break;
+    const std::optional<double> e = one.restitution();
+    impacts.push_back({points[one.point]["gap"], points[one.point]["elevation"], one.start, one.end,
+                       shown.force * one.peak_force, one.closing_speed, e ? number_or_null(*e) : Json(),
+                       points[one.point]["along"]});
+  }
+  Json all = overview_of(run.c.title, run.c.units, problem.duration, gaps, names, plan_story(run), say);
+  all["spectral"] = false;
+  all["plan"] = true;
+  all["buildings"] = buildings;
+  all["points"] = points;
+  all["impacts"] = impacts;
+  all["impactCount"] = run.response.impacts.size();
+  all["force"] = shown.force * force;
+  all["forceUnit"] = shown.units.force;
+  all["amplification"] = largest_amplification(run);
+  all["figures"] = kinds_of(run, say);
+  return all;
 }
 
 }  // namespace
@@ -122,11 +191,13 @@ Json overview_of(const Case& c, const Problem& problem, const Json& gaps, const 
 std::string Studio::overview(const std::string& language) const {
   return guarded([&]() -> Json {
     const Words say(language);
+    if (plan_run_) return plan_overview(*plan_run_, say);
     Json gaps = Json::array();
     if (spectral_) {
       for (const Gap& gap : gaps_of(*problem_))
         gaps.push_back(gap_overview(*problem_, gap.left, governing(*spectral_, gap.left)));
-      Json all = overview_of(*case_, *problem_, gaps, spectral_story(*case_, *problem_, *spectral_), say);
+      Json all = overview_of(case_->title, case_->units, problem_->duration, gaps, names_of(*problem_),
+                             spectral_story(*case_, *problem_, *spectral_), say);
       all["spectral"] = true;
       return all;
     }
@@ -139,7 +210,8 @@ std::string Studio::overview(const std::string& language) const {
     for (const ContactPoint& point : run.problem.points) {
       points.push_back({{"gap", point.left}, {"elevation", point.elevation}});
     }
-    Json all = overview_of(run.c, run.problem, gaps, run_story(run), say);
+    Json all =
+        overview_of(run.c.title, run.c.units, run.problem.duration, gaps, names_of(run.problem), run_story(run), say);
     const ShownUnits shown = shown_units(run.c.units, run.response);
     all["spectral"] = false;
     all["buildings"] = buildings_of(run);
@@ -157,7 +229,9 @@ std::string Studio::overview(const std::string& language) const {
 std::string Studio::tables(const std::string& language) const {
   return guarded([&]() -> Json {
     std::vector<PagePart> parts;
-    if (spectral_)
+    if (plan_run_)
+      parts = table_parts(*plan_run_, language);
+    else if (spectral_)
       parts = table_parts(*case_, *problem_, *spectral_, language);
     else if (run_)
       parts = table_parts(*run_, language);

@@ -11,6 +11,6 @@ endfunction()
 # Style, script and texts of the report become part of the program.
 function(bentur_report_assets out)
   set(html ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/html)
-  file(GLOB assets CONFIGURE_DEPENDS ${html}/*.css ${html}/*.js ${html}/*.toml)
+  file(GLOB assets CONFIGURE_DEPENDS ${html}/*.css ${html}/*.js ${html}/motion/*.js ${html}/*.toml)
   set(${out} ${assets} PARENT_SCOPE)
 endfunction()

@@ -1,4 +1,4 @@
-import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion.js";
+import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion/motion.js";
 import { useEffect, useRef } from "preact/hooks";
 import type { Overview } from "./solver";
 import { time } from "./state";
@@ -70,6 +70,7 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
         <label>{say("motion.speed")} <select data-part="speed">{speeds.map(([value, shown]) => <option key={value} value={value} selected={value === "1"}>{shown}</option>)}</select></label>
         <label><input type="checkbox" data-part="slow" /> {say("motion.slow")}</label>
         <label>{say("motion.magnify")} <input type="range" data-part="magnify" /><output data-part="magnified" /></label>
+        <label data-part="levelChoice" hidden>{say("history.point")} <select data-part="level" /></label>
       </p>
     </div>
   );

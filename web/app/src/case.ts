@@ -10,6 +10,8 @@ export const text = signal<string>(before?.text ?? cases[0].text);
 /** Records that were added, each name once: the same text with another file is another case. */
 export const files = signal<Files>(before?.files ?? []);
 export const found = computed(() => outline(text.value));
+/** Whether the buildings stand in plan: by any key that says so, as the library does it. */
+export const inPlan = computed(() => (found.value?.leaves ?? []).some(({ path }) => path[0] === "plan" || (path[0] === "building" && path[2] === "plan")));
 
 export const result = signal<Result | null>(null);
 export const solvedText = signal("");

@@ -1,6 +1,7 @@
 // The cases that the page starts from: examples of the repository, as they are.
 import moat from "@repo/examples/isolated-moat.toml?raw";
 import monograph from "@repo/examples/m12-el-centro.toml?raw";
+import plan from "@repo/examples/plan/twisting-pair.toml?raw";
 import row from "@repo/examples/row-of-three.toml?raw";
 import frames from "@repo/examples/two-frames-si.toml?raw";
 import yielding from "@repo/examples/yielding-pair.toml?raw";
@@ -8,7 +9,7 @@ import record from "@repo/data/el-centro-1940-ns.csv?raw";
 import lobes from "@repo/data/four-lobes.csv?raw";
 import columns from "../cases/eight-and-five.toml?raw";
 
-const bare = (text: string) => text.replaceAll('"../data/', '"');
+const bare = (text: string) => text.replace(/"(\.\.\/)+data\//g, '"');
 
 export const cases = [
   { id: "frames", text: bare(frames) },
@@ -17,6 +18,7 @@ export const cases = [
   { id: "row", text: bare(row) },
   { id: "moat", text: bare(moat) },
   { id: "yielding", text: bare(yielding) },
+  { id: "plan", text: bare(plan) },
 ] as const;
 
 export const recordName = "el-centro-1940-ns.csv";

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { found, gap, result, text } from "./case";
+import { found, gap, inPlan, result, text } from "./case";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
 import { type CaseError, type Key, type Node, schema } from "./solver";
@@ -133,7 +133,7 @@ function Group({ path, title }: { path: Path; title: string }) {
         for (const one of places) made = put(made, one, next);
         change(made);
       }} /></label></div>}
-      {path[0] === "building" && <>{(["storey", "bay"] as const).map((part) => <Count key={part} building={path[1] as number} part={part} title={title} />)}</>}
+      {path[0] === "building" && !inPlan.value && <>{(["storey", "bay"] as const).map((part) => <Count key={part} building={path[1] as number} part={part} title={title} />)}</>}
       {numbers.slice(0, MOST).map((one) =>
         <NumberField key={`${loads.value} ${one.path.join(".")}`} at={one} from={path.length} title={title} />)}
       {numbers.length > MOST && <p class="note">{say("form.more", { n: numbers.length - MOST })}</p>}
@@ -204,7 +204,7 @@ export function Form() {
   return (
     <div class="form">
       {groups("building").map((path, i) => <Group key={i} path={path} title={String(leaf(now, [...path, "name"])?.value ?? `${i + 1}`)} />)}
-      <p><button type="button" onClick={() => change(withNeighbour(text.value, metre, unitOf("force").size))}>{say("form.add")}</button></p>
+      {!inPlan.value && <p><button type="button" onClick={() => change(withNeighbour(text.value, metre, unitOf("force").size))}>{say("form.add")}</button></p>}
       {groups("gap").map((path, i) => <Group key={i} path={path} title={say("gap.of", { name: result.value?.overview.gaps[i]?.name ?? i + 1 })} />)}
       {groups("link").map((path, i) => <Group key={i} path={path} title={say("form.link", { n: i + 1 })} />)}
       <Group path={["excitation"]} title={nameOf("excitation")} />
@@ -278,7 +278,8 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
   const overview = result.value?.overview;
   const one = overview?.gaps[gap.value];
   const most = useRef<{ key: string; value: number }>({ key: "", value: 0 });
-  if (!overview || !one) return <div class="head">{children}<p><Travel /></p></div>;
+  // In plan a gap is as wide as footprints stand apart: no number of its own can be slid.
+  if (!overview || !one || overview.plan || one.needed === null) return <div class="head">{children}<p><Travel /></p></div>;
   const key = `${gap.value}|${loads.value}|${one.name}|${overview.units.length}`;
   const wanted = Math.max(1.3 * one.needed, 1.3 * width.value, 1e-9);
   if (most.current.key !== key || Math.max(width.value, one.needed) > most.current.value) most.current = { key, value: Number(wanted.toPrecision(2)) };

@@ -124,21 +124,24 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
 
 /** Every figure that the run gives, as its report has them, and what other widths of the gap would give. */
 export function Figures({ now }: { now: Result }) {
-  const { points, gaps, units, figures } = now.overview;
+  const { points, gaps, units, figures, plan } = now.overview;
+  const hasCurve = curve.value.length > 1 && !plan; // of buildings in plan no other widths are simulated
+  const levels = points.map((one, i) => ({ ...one, i })) // in plan there are several points of one
+    .filter((one) => points.findIndex(({ gap, elevation }) => gap === one.gap && elevation === one.elevation) === one.i);
   return (
-    <section id="figures" data-curve={curve.value.length > 1 ? curveDone.value : 0}>
+    <section id="figures" data-curve={hasCurve ? curveDone.value : 0}>
       <h2>{say("figures")}</h2>
       <p class="controls">
-        {points.length > 1 && <label>{say("history.point")} <select value={point.value ?? -1} onChange={(event) => { const to = Number(event.currentTarget.value); point.value = to < 0 ? null : to; }}>
+        {levels.length > 1 && <label>{say("history.point")} <select value={point.value ?? -1} onChange={(event) => { const to = Number(event.currentTarget.value); point.value = to < 0 ? null : to; }}>
           <option value={-1} selected={point.value === null}>{say("history.hardest")}</option>
-          {points.map((one, i) => <option key={i} value={i} selected={i === point.value}>{gaps[one.gap].name}, {number(one.elevation)} {units.length}</option>)}
+          {levels.map((one) => <option key={one.i} value={one.i} selected={one.i === point.value}>{gaps[one.gap].name}, {number(one.elevation)} {units.length}</option>)}
         </select></label>}
         {span.value && <button type="button" data-span onClick={() => { span.value = null; }}>{say("history.all")}</button>}
         <span class="note">{say("history.hint")}</span>
       </p>
       <div class="sheets">
         {figures.filter((one) => one.tells).map((one) => <FigureView key={one.kind} {...one} />)}
-        {curve.value.length > 1 && <FigureView kind="gap-curve" overTime={false}
+        {hasCurve && <FigureView kind="gap-curve" overTime={false}
           caption={`${say("curve.note")}${curveDone.value < 1 ? ` ${say("curve.progress", { percent: Math.round(100 * curveDone.value) })}` : ""}`} />}
       </div>
       <details><summary>{say("figures.more")}</summary>

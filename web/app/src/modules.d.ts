@@ -32,7 +32,7 @@ declare module "*/bentur_web.mjs" {
   export const deflated: string; // the solver, in base64: vite.config.ts
   export default function createBentur(module: { wasmBinary: ArrayBuffer }): Promise<{ Studio: new () => Studio }>;
 }
-declare module "*/report/html/motion.js" {
+declare module "*/report/html/motion/motion.js" {
   export interface Motion {
     readonly impacts: { number: number; start: number; end: number }[];
     number(value: number): string;

@@ -94,7 +94,7 @@ export function Impacts({ now }: { now: Result }) {
           <tbody>{impacts.slice(0, LISTED).map((one, k) => (
             <tr key={k} class={Math.abs(one[4] - now.overview.force) === 0 && one[4] > 0 ? "marked" : ""}>
               <td><button type="button" aria-label={say("impact.show", { n: k + 1 })} onClick={() => { main?.showImpact(main.impacts[k]); document.getElementById("motion")?.scrollIntoView(); }}>{k + 1}</button></td>
-              <td class="t">{gaps[one[0]]?.name}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[4])}</td><td>{number(one[5])}</td><td>{number(one[6])}</td>
+              <td class="t">{[gaps[one[0]]?.name, one[7]].filter(Boolean).join(", ")}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[4])}</td><td>{number(one[5])}</td><td>{number(one[6])}</td>
             </tr>))}</tbody>
         </table>
       </div>
@@ -107,7 +107,7 @@ export function Impacts({ now }: { now: Result }) {
 function compared({ overview }: Result, { units, forceUnit }: Overview): (string | number)[] {
   const by = (sizes: Record<string, number> = {}, mine: string, theirs: string) => (sizes[mine] ?? NaN) / (sizes[theirs] ?? NaN);
   const length = by(schema.value?.units.length, overview.units.length, units.length), force = by(schema.value?.units.force, overview.forceUnit, forceUnit);
-  const each = (value: (one: GapOverview) => number) => overview.gaps.map((one) => with_(length * value(one), units.length)).join(" | ");
+  const each = (value: (one: GapOverview) => number | null) => overview.gaps.map((one) => with_(length * (value(one) ?? NaN), units.length)).join(" | ");
   return [each((one) => one.width), overview.impactCount, with_(force * overview.force, forceUnit), each((one) => one.needed), number(overview.amplification)];
 }
 

@@ -19,12 +19,13 @@ export interface Wanted {
 export type Draw = [kind: string, wanted: Wanted][];
 export interface Histories {
   time: Float64Array;
-  ground: Float64Array;
+  ground: Float64Array[];
   opening: Float64Array[];
   force: Float64Array[];
-  buildings: { displacement: Float64Array[]; drift: Float64Array[]; shear: Float64Array[] }[];
+  /** By what is told of floors, of a row displacement, drift and shear. */
+  buildings: Record<string, Float64Array[]>[];
 }
-export interface GapOverview { name: string; width: number; needed: number }
+export interface GapOverview { name: string; width: number; needed: number | null }
 export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; text: string }
 export interface BuildingOverview {
   name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
@@ -32,12 +33,12 @@ export interface BuildingOverview {
 }
 /** What does not tell something of the run is there as a file alone. */
 export interface FigureOverview { kind: string; caption: string; tells: boolean; overTime: boolean }
-/** [left building, elevation, start, end, peak force, closing speed, restitution] */
-export type ImpactRow = [number, number, number, number, number, number, number | null];
+/** [gap, elevation, start, end, peak force, closing speed, restitution, in plan where along the stretch] */
+export type ImpactRow = [number, number, number, number, number, number, number | null, string?];
 /** Forces are in `forceUnit`, in which all people are told of the run; `units` are those of the case and of its files. */
 export interface Overview {
-  title: string; version: string; duration: number; spectral: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];
-  buildings: BuildingOverview[]; points: { gap: number; elevation: number }[]; impacts: ImpactRow[];
+  title: string; version: string; duration: number; spectral: boolean; plan: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];
+  buildings: BuildingOverview[]; points: { gap: number; elevation: number; along?: string }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
   figures: FigureOverview[];
 }

@@ -63,7 +63,7 @@ export const width = computed(() => {
 
 const behind = new Solver(); // curves and files, so that nothing waits for them
 const give = (more: Files) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
-give([...records.flatMap(([name, bytes]): Files => [[name, bytes], [`../data/${name}`, bytes]]), ...files.value]);
+give([...records.flatMap(([name, bytes]): Files => [[name, bytes], [`../data/${name}`, bytes], [`../../data/${name}`, bytes]]), ...files.value]);
 
 let settle = 0, curveText = "", curveFiles: Files = [];
 
@@ -97,7 +97,7 @@ function run(fine: boolean) {
 /** The curve belongs to the case without its gap's width: a drag of the slider does not make it anew. */
 function drawCurve(wanted: string) {
   const overview = result.value?.overview;
-  if (!overview || overview.spectral || widths(outline(wanted), gap.value).length === 0) return;
+  if (!overview || overview.spectral || overview.plan || widths(outline(wanted), gap.value).length === 0) return;
   const key = `${gap.value}|${withWidth(wanted, gap.value, 0)}`;
   if (key === curveText && files.value === curveFiles) return;
   [curveText, curveFiles] = [key, files.value];

@@ -10,15 +10,17 @@ import { say } from "./texts";
 
 function historiesCsv({ histories, overview }: { histories: Histories; overview: Overview }): string {
   const quoted = (value: string) => `"${value.replaceAll('"', '""')}"`;
-  const heads = ["time [s]", `ground_acceleration [${overview.units.length}/s2]`];
-  const columns: Float64Array[] = [histories.time, histories.ground];
-  histories.buildings.forEach((building, b) => building.displacement.forEach((values, floor) => {
-    heads.push(quoted(`displacement ${overview.buildings[b].name} at ${overview.buildings[b].elevations[floor]} [${overview.units.length}]`));
+  const { length } = overview.units;
+  const heads = ["time [s]", ...histories.ground.map((_, k) => `ground_acceleration${overview.plan ? ` ${k + 1}` : ""} [${length}/s2]`)];
+  const columns: Float64Array[] = [histories.time, ...histories.ground];
+  const told = overview.plan ? { displacement_x: length, displacement_y: length, rotation: "rad" } : { displacement: length };
+  histories.buildings.forEach((building, b) => Object.entries(told).forEach(([what, unit]) => building[what].forEach((values, floor) => {
+    heads.push(quoted(`${what} ${overview.buildings[b].name} at ${overview.buildings[b].elevations[floor]} [${unit}]`));
     columns.push(values);
-  }));
+  })));
   overview.points.forEach((point, i) => {
-    const where = `${overview.gaps[point.gap].name} at ${point.elevation}`;
-    heads.push(quoted(`opening ${where} [${overview.units.length}]`), quoted(`force ${where} [${overview.units.force}]`));
+    const where = `${overview.gaps[point.gap].name} at ${[point.elevation, point.along].filter((one) => one !== undefined).join(", ")}`;
+    heads.push(quoted(`opening ${where} [${length}]`), quoted(`force ${where} [${overview.units.force}]`));
     columns.push(histories.opening[i], histories.force[i]);
   });
   const lines = [heads.join(",")];
@@ -44,7 +46,7 @@ function stageSvg(now: Result): string {
   const mine = [...stage.querySelectorAll<SVGElement>("*")], theirs = [...copy.querySelectorAll<SVGElement>("*")];
   mine.forEach((node, i) => {
     const style = getComputedStyle(node);
-    for (const property of ["fill", "stroke", "stop-color", "stroke-width", "stroke-dasharray", "font-size", "font-weight", "r"]) theirs[i].style.setProperty(property, style.getPropertyValue(property));
+    for (const property of ["fill", "stroke", "stop-color", "stroke-width", "stroke-dasharray", "stroke-linecap", "opacity", "font-size", "font-weight", "r"]) theirs[i].style.setProperty(property, style.getPropertyValue(property));
   });
   const box = stage.viewBox.baseVal;
   const size = 13 * (Number(stage.style.getPropertyValue("--px")) || 1), { color } = getComputedStyle(stage);

@@ -4,7 +4,7 @@ import { signal } from "@preact/signals";
 const en = {
   lead: "Buildings side by side in an earthquake: drag the gap and see whether, where and how hard they collide.",
   cases: "Cases", "case.frames": "Eight and six storeys", "case.monograph": "The monograph's pair", "case.columns": "Eight and five, floors that do not meet",
-  "case.row": "A row of three", "case.moat": "Isolated in its moat", "case.yielding": "A pair that yields",
+  "case.row": "A row of three", "case.moat": "Isolated in its moat", "case.yielding": "A pair that yields", "case.plan": "A pair that twists, in plan",
   "gap.of": "Gap {name}", "gap.which": "Gap that the slider is of", needed: "needed", solving: "Simulating …", cancel: "Cancel", stale: "Results of “{name}”: the last case that could be computed, not the one that stands here now.", "take.stale": "These would be of “{name}”, not of the case that stands here now.", undo: "Undo", redo: "Redo", anew: "Start anew", "solved.in": "Simulated in {ms} ms",
   "verdict.remark": "Remarks", "verdict.more": "More that was found",
   motion: "In motion", "motion.none": "A spectrum has no course in time: nothing moves, and no impact is counted. What it gives is the gap that each level needs, as bentur gap computes it. A record or a harmonic motion sets the buildings in motion.", tables: "In numbers", figures: "Figures", "figures.more": "More figures, as files", impacts: "Impacts", edit: "The case", take: "Take away",
@@ -33,7 +33,7 @@ const en = {
 const id: Record<keyof typeof en, string> = {
   lead: "Gedung bersebelahan dalam gempa: geser celahnya dan lihat apakah, di mana dan sekeras apa mereka berbenturan.",
   cases: "Kasus", "case.frames": "Delapan dan enam lantai", "case.monograph": "Pasangan dalam monografi", "case.columns": "Delapan dan lima, lantai tidak sejajar",
-  "case.row": "Tiga sederet", "case.moat": "Terisolasi dalam paritnya", "case.yielding": "Pasangan yang leleh",
+  "case.row": "Tiga sederet", "case.moat": "Terisolasi dalam paritnya", "case.yielding": "Pasangan yang leleh", "case.plan": "Pasangan yang memuntir, denah",
   "gap.of": "Celah {name}", "gap.which": "Celah milik penggeser", needed: "perlu", solving: "Menghitung …", cancel: "Batal", stale: "Hasil “{name}”: kasus terakhir yang dapat dihitung, bukan kasus yang sekarang tertulis.", "take.stale": "Ini milik “{name}”, bukan kasus yang sekarang tertulis.", undo: "Batalkan perubahan", redo: "Ulangi perubahan", anew: "Mulai dari awal", "solved.in": "Dihitung dalam {ms} ms",
   "verdict.remark": "Catatan", "verdict.more": "Temuan lain",
   motion: "Gerakan", "motion.none": "Spektrum tidak punya riwayat waktu: tidak ada yang bergerak, dan tidak ada benturan yang dihitung. Yang diberikannya ialah celah yang diperlukan setiap elevasi, seperti dihitung bentur gap. Rekaman atau gerakan harmonik menggerakkan gedung.", tables: "Dalam angka", figures: "Gambar", "figures.more": "Gambar lain, sebagai berkas", impacts: "Benturan", edit: "Kasus", take: "Simpan",

@@ -16,7 +16,7 @@ const ready: Promise<Studio> = inflated().then((wasmBinary) => createBentur({ wa
   return studio;
 });
 /** What a case has not that is not run. */
-const still = { figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, forceUnit: "", amplification: 0 };
+const still = { plan: false, figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, forceUnit: "", amplification: 0 };
 let opened = "";
 let stop = 0; // curves up to this number are no longer wanted
 

@@ -255,7 +255,8 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   Case& c = read.c;
   if (const auto plan = plan_of(root)) {
     plan->error(
-        "is of buildings in plan, which bentur check, modes, run, gap, report and sweep take: nothing else does");
+        "is of buildings in plan, which bentur check, modes, run, gap, report and sweep take, Python and the studio: "
+        "nothing else does");
     return read;
   }
   (void)TableView::of(root, case_keys());

@@ -22,8 +22,7 @@ Html csv_script(const std::string& csv) {
   return json_script("impacts-csv", nlohmann::json(csv).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-Html impact_list(const Words& say, const char* note, const HtmlTable& table, std::size_t listed, std::size_t all,
-                 int sorted) {
+Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all, int sorted) {
   Html content;
   if (listed < all) {
     content += element(
@@ -31,7 +30,7 @@ Html impact_list(const Words& say, const char* note, const HtmlTable& table, std
   }
   content += element("p",
                      element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
-                         Html::markup(" ") + element("span", Html::text(say(note)), "class=\"note\""),
+                         Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
                      "class=\"screen\"");
   content += table.markup(fmt::format("id=\"impact-list\" data-sorted=\"{}\"", sorted));
   if (listed > rows_in_print) {
@@ -68,8 +67,7 @@ PageSection impacts_section(const Report& report, const std::vector<Eigen::Index
     if (quantity->key == "peak_force") break;
     sorted += quantity->label[0].empty() ? 0 : 1;
   }
-  return {"impacts", say("heading.impacts"),
-          impact_list(say, "impacts.sort", table, listed.size(), all.size(), sorted)};
+  return {"impacts", say("heading.impacts"), impact_list(say, table, listed.size(), all.size(), sorted)};
 }
 
 }  // namespace bentur::html

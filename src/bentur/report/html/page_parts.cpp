@@ -6,12 +6,19 @@
 
 #include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/sections.h"
+#include "bentur/report/html/plan/plan_animation.h"
 
 namespace bentur {
 namespace {
 
 html::Report part_of(const RunResults& results, const Words& say) {
   return {results.view(), results.c, results.problem, results.response, say, {}, {}};
+}
+
+std::vector<Eigen::Index> first_of(const std::vector<Impact>& impacts) {
+  std::vector<Eigen::Index> listed(std::min(impacts.size(), most_impacts));
+  std::iota(listed.begin(), listed.end(), Eigen::Index{0});
+  return listed;
 }
 
 }  // namespace
@@ -26,9 +33,15 @@ std::vector<PagePart> html::parts(const std::vector<PageSection>& sections) {
 
 std::string motion_json(const RunResults& results, const std::string& language) {
   const Words say(language);
-  std::vector<Eigen::Index> listed(std::min(results.response.impacts.size(), most_impacts));
-  std::iota(listed.begin(), listed.end(), Eigen::Index{0});
-  return html::animation_json(part_of(results, say), listed);
+  return html::animation_json(part_of(results, say), first_of(results.response.impacts));
+}
+
+std::string motion_json(const PlanRun& run, const std::string& language) {
+  return html::plan_animation_json(run, Words(language), first_of(run.response.impacts));
+}
+
+std::string caption_key(const std::string& kind, bool in_plan) {
+  return (in_plan && kind == "overview" ? "plan." : "figure.") + kind;
 }
 
 std::vector<PagePart> table_parts(const RunResults& results, const std::string& language) {

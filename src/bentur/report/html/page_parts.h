@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -17,6 +18,7 @@ constexpr std::size_t most_impacts = 1500;
 /// The response must have histories.
 /// @throws InvalidParameter for an unknown language.
 [[nodiscard]] std::string motion_json(const RunResults& results, const std::string& language);
+[[nodiscard]] std::string motion_json(const PlanRun& run, const std::string& language);
 
 /// A section of a report. No text of a case can bring a tag, an attribute or a script into its markup.
 struct PagePart {
@@ -26,5 +28,10 @@ struct PagePart {
 /// The tables of a run as its report has them: the gap each level needs, simulated and by every rule, what contact and
 /// floors reach, and struck columns. @throws InvalidParameter for an unknown language.
 [[nodiscard]] std::vector<PagePart> table_parts(const RunResults& results, const std::string& language);
+/// The same of buildings in plan: contacts, floors and planes.
+[[nodiscard]] std::vector<PagePart> table_parts(const PlanRun& run, const std::string& language);
+
+/// The key of the text below a figure of a kind, of buildings in plan or of a row.
+[[nodiscard]] std::string caption_key(const std::string& kind, bool in_plan);
 
 }  // namespace bentur

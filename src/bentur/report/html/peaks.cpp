@@ -26,12 +26,17 @@ std::string short_gap_name(const Report& report, Eigen::Index gap) {
   return fmt::format("{}\u00A0|\u00A0{}", gap + 1, gap + 2);
 }
 
-std::string building_key(const Report& report) {
+std::string numbered(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
-    text += fmt::format("{}{}\u00A0{}", b > 0 ? ", " : "", b + 1, report.problem.buildings[b].name);
-  }
+  for (std::size_t b = 0; b < names.size(); ++b)
+    text += fmt::format("{}{}\u00A0{}", b > 0 ? ", " : "", b + 1, names[b]);
   return text;
+}
+
+std::string building_key(const Report& report) {
+  std::vector<std::string> names;
+  for (const Building& building : report.problem.buildings) names.push_back(building.name);
+  return numbered(names);
 }
 
 std::string acceleration_unit(const Units& units) { return units.length + "/s²"; }

@@ -13,6 +13,8 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/markup.h"
+#include "bentur/report/html/internal/motion_data.h"
+#include "bentur/report/html/internal/motion_section.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/sections.h"
 
@@ -29,63 +31,6 @@ std::string csv_of(const Report& report, std::vector<Eigen::Index> listed) {
   Response shown;
   for (const Eigen::Index k : listed) shown.impacts.push_back(report.response.impacts[k]);
   return impacts_csv({report.problem, shown, report.c.units});
-}
-
-Html button(const Words& say, const std::string& id) {
-  return element("button", say("motion." + id), fmt::format("type=\"button\" id=\"{}\"", id));
-}
-
-Html labelled(const Words& say, const std::string& key, const Html& control) {
-  return element("label", Html::text(say(key)) + Html::markup(" ") + control);
-}
-
-Html speeds() {
-  Html options;
-  const std::pair<const char*, const char*> all[] = {{"2", "2 ×"},      {"1", "1 ×"},        {"0.5", "1/2 ×"},
-                                                     {"0.1", "1/10 ×"}, {"0.01", "1/100 ×"}, {"0.001", "1/1000 ×"}};
-  for (const auto& [value, text] : all) {
-    const std::string chosen = std::string(value) == "1" ? " selected" : "";
-    options += element("option", text, fmt::format("value=\"{}\"{}", value, chosen));
-  }
-  return element("select", options, "id=\"speed\"");
-}
-
-/// The buildings in motion; the script draws them.
-html::PageSection motion_section(const Report& report) {
-  const Words& say = report.say;
-  const std::string label = Html::text(say("motion.picture")).str();
-  Html content = element("noscript", element("p", say("motion.noscript")));
-  content += element(
-      "div",
-      element("svg", Html(), "id=\"stage\" role=\"img\" aria-label=\"" + label + "\"") +
-          element("div",
-                  element("p", element("output", Html(), "id=\"clock\"") + Html::markup("<br>") +
-                                   element("span", Html(), "id=\"event\"")) +
-                      element("div",
-                              element("table",
-                                      element("caption", say("motion.opening", {{"unit", report.c.units.length}})) +
-                                          element("tbody", Html(), "id=\"live\""),
-                                      "class=\"live\""),
-                              "class=\"wide\""),
-                  "class=\"readout\""),
-      "class=\"player\"");
-  content += element("p", html::building_key(report), "id=\"building-key\" class=\"note\"");
-  content += element("svg", Html(),
-                     "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
-  content += element("div", Html(), "id=\"time-axis\" aria-hidden=\"true\"");
-  content += Html::markup("<input type=\"range\" id=\"scrub\" class=\"screen\" min=\"0\" aria-label=\"" +
-                          Html::text(say("motion.scrub")).str() + "\">\n");
-  content += element(
-      "p",
-      button(say, "play") + button(say, "previous") + button(say, "next") + button(say, "hardest") +
-          labelled(say, "motion.speed", speeds()) +
-          element("label", Html::markup("<input type=\"checkbox\" id=\"slow\"> ") + Html::text(say("motion.slow"))) +
-          labelled(
-              say, "motion.magnify",
-              Html::markup("<input type=\"range\" id=\"magnify\">") + element("output", Html(), "id=\"magnified\"")),
-      "class=\"controls screen\"");
-  content += element("p", say("motion.note"), "class=\"note\"");
-  return {"motion", say("heading.motion_picture"), content};
 }
 
 /// The sections of a page to hand in: what was assumed and given and what came out of the checks before all else.
@@ -108,14 +53,7 @@ std::vector<html::PageSection> in_order_of_codes(const Report& report, const Run
 double report_output_step(const Problem& problem) {
   Eigen::Index floors = 0;
   for (const Building& building : problem.buildings) floors += building.model.floors();
-  const double bytes = 6e5 * std::clamp(problem.duration / 10, 1.0, 5.0);
-  const double samples = bytes * 3 / 4 / 2;
-  const double least = problem.duration * static_cast<double>(floors) / samples;
-  double step = 5e-4;  // some samples of even a short impact
-  for (const double longer : {1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.5, 1.0}) {
-    if (step < least) step = longer;
-  }
-  return std::max(std::min(step, problem.duration / 100), least);
+  return html::motion_step(problem.duration, floors);
 }
 
 std::string report_html(const RunResults& results, const ReportOptions& options) {
@@ -151,7 +89,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
   body.header = html::title_block(report, title, say("report.by", {{"version", options.version}}), options);
   body.sections = {verdict,
                    html::remarks_section(report),
-                   motion_section(report),
+                   html::motion_section(say, report.c.units.length, html::building_key(report)),
                    html::gap_section(report),
                    html::peaks_section(report),
                    html::damage_section(report),

@@ -15,6 +15,8 @@
     }
     parts.timeAxis = document.getElementById("time-axis");
     parts.buildingKey = document.getElementById("building-key");
+    parts.level = document.getElementById("level");
+    parts.levelChoice = document.getElementById("level-choice");
     parts.steady = true;
     return benturMotion(parts, data);
   }

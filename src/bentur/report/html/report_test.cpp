@@ -14,7 +14,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/results/result_csv.h"
-#include "bentur/report/html/internal/animation.h"
+#include "bentur/report/html/internal/motion_data.h"
 #include "bentur/report/html/internal/page.h"
 
 namespace bentur {

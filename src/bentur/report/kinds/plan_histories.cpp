@@ -123,11 +123,6 @@ std::string level_text(const PlanRun& run, Index point, const FigureOptions& opt
               number(contact_at(run.problem, point).contact->elevation) + " " + run.c.units.length);
 }
 
-std::string along_text(const PlanRun& run, Index point) {
-  const char* const axis = gap_at(run, point).stretch.across == 0 ? "y" : "x";
-  return fmt::format("{} = {} {}", axis, number(contact_at(run.problem, point).contact->along), run.c.units.length);
-}
-
 std::string point_text(const PlanRun& run, Index point, const FigureOptions& options) {
   return fmt::format("{}, {}, {}", gap_name(run.problem, gap_at(run, point)), level_text(run, point, options),
                      along_text(run, point));

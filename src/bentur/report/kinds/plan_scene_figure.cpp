@@ -141,12 +141,9 @@ class PlanPicture {
     Curve masses{.label = word(options_, "centre of mass"), .line = Line::none, .mark = Mark::disc, .complete = true};
     Curve rigidity{
         .label = word(options_, "centre of rigidity"), .line = Line::none, .mark = Mark::cross, .complete = true};
-    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
-      const auto* const plan = std::get_if<Plan>(&run_.c.buildings[b].structure);
-      if (plan == nullptr) continue;
-      const PlanModel& model = run_.problem.buildings[b].model;
-      add(masses, moved(b, model.footprint.corner + model.centres[floors_[b]]));
-      add(rigidity, moved(b, model.footprint.corner + centre_of_rigidity(*plan, floors_[b])));
+    for (const PlanCentre& centre : centres_of(run_)) {
+      if (centre.floor != floors_[centre.building]) continue;
+      add(centre.of_rigidity ? rigidity : masses, moved(centre.building, centre.at));
     }
     if (masses.x.empty()) return;
     panel_.curves.push_back(std::move(rigidity));

@@ -1,10 +1,14 @@
 #include "bentur/report/scene/plan_scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_quantities.h"
 #include "bentur/report/scene/scene.h"
 
 namespace bentur {
@@ -37,6 +41,21 @@ PlanInstant telling_instant(const PlanResponse& response, const std::vector<Inde
   return instant;
 }
 
+std::vector<PlanCentre> centres_of(const PlanRun& run) {
+  std::vector<PlanCentre> centres;
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const auto* const plan = std::get_if<Plan>(&run.c.buildings[b].structure);
+    if (plan == nullptr) continue;
+    const PlanModel& model = run.problem.buildings[b].model;
+    for (Index floor = 0; floor < model.floors(); ++floor) {
+      const PlanPoint& corner = model.footprint.corner;
+      centres.push_back({b, floor, corner + model.centres[floor], false});
+      centres.push_back({b, floor, corner + centre_of_rigidity(*plan, floor), true});
+    }
+  }
+  return centres;
+}
+
 PlanScene::PlanScene(const PlanRun& run) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   lower_ = PlanPoint::Constant(infinite);
@@ -67,31 +86,30 @@ PlanScene::PlanScene(const PlanRun& run) {
     constexpr double spread = 0.3;  // of the picture
     if (wide > 0) fits = std::min(fits, spread * size[axis] / wide);
   }
-  double largest = 0;
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanHistories& histories = run.response.histories;
     const double side = run.problem.buildings[b].model.footprint.size.maxCoeff();
     for (const auto& [list, arm] :
          {std::pair(&histories.x, 1.0), std::pair(&histories.y, 1.0), std::pair(&histories.rotation, 0.5 * side)}) {
-      if ((*list)[b].size() > 0) largest = std::max(largest, arm * (*list)[b].cwiseAbs().maxCoeff());
+      if ((*list)[b].size() > 0) largest_ = std::max(largest_, arm * (*list)[b].cwiseAbs().maxCoeff());
     }
   }
   constexpr double sway = 0.07;  // of the picture
-  if (largest > 0) fits = std::min(fits, sway * size.maxCoeff() / largest);
+  if (largest_ > 0) fits = std::min(fits, sway * size.maxCoeff() / largest_);
   magnification_ = std::isfinite(fits) ? std::max(1.0, round_125(fits)) : 1;
   lower_ = place(lower_);
   upper_ = place(upper_);
 }
 
-PlanPoint PlanScene::place(const PlanPoint& at) const {
-  PlanPoint drawn = at;
+PlanPoint PlanScene::spread(const PlanPoint& at) const {
+  PlanPoint wider = PlanPoint::Zero();
   for (const int axis : {0, 1}) {
-    for (const auto& [from, to] : lines_[axis]) {
-      drawn[axis] += (magnification_ - 1) * (std::clamp(at[axis], from, to) - from);
-    }
+    for (const auto& [from, to] : lines_[axis]) wider[axis] += std::clamp(at[axis], from, to) - from;
   }
-  return drawn;
+  return wider;
 }
+
+PlanPoint PlanScene::place(const PlanPoint& at) const { return at + (magnification_ - 1) * spread(at); }
 
 PlanPoint PlanScene::place(const PlanPoint& at, const PlanPoint& moved) const {
   return place(at) + magnification_ * moved;
@@ -136,6 +154,12 @@ PlanPoint movement_of(const PlanModel& model, Index floor, const PlanPoint& at, 
     return model.movement(floor, at, axis).segment<3>(3 * floor);
   };
   return {along(PlanPoint::UnitX()).dot(motion), along(PlanPoint::UnitY()).dot(motion)};
+}
+
+std::string along_text(const PlanRun& run, Index contact) {
+  const PlanContactPlace place = contact_at(run.problem, contact);
+  const char* const axis = run.problem.gaps[place.gap].stretch.across == 0 ? "y" : "x";
+  return fmt::format("{} = {} {}", axis, number(place.contact->along), run.c.units.length);
 }
 
 Index nearest_floor(const PlanModel& model, double elevation) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,15 @@ struct PlanInstant {
 /// Of these contacts, or of all.
 [[nodiscard]] PlanInstant telling_instant(const PlanResponse& response, const std::vector<Eigen::Index>& points);
 
+/// A centre of a floor.
+struct PlanCentre {
+  Eigen::Index building = 0, floor = 0;
+  PlanPoint at;              ///< in the common plan, at rest [length]
+  bool of_rigidity = false;  ///< of the storey below, before anything yields; else of mass
+};
+/// Of all floors but those of walls.
+[[nodiscard]] std::vector<PlanCentre> centres_of(const PlanRun& run);
+
 /// Where the parts of a plan are drawn: gaps and displacements are magnified alike, so that floors that touch in the
 /// picture touch. Whatever stands across the line of a gap is drawn that much wider.
 class PlanScene {
@@ -28,8 +38,12 @@ class PlanScene {
 
   /// 1, 2 or 5 times a power of ten.
   [[nodiscard]] double magnification() const { return magnification_; }
+  /// The largest displacement of all, of a rotation half that of the longer side [length].
+  [[nodiscard]] double largest() const { return largest_; }
   /// Where the line of a gap across x (0) or y (1) runs, from and to, ascending [length].
   [[nodiscard]] const std::vector<std::pair<double, double>>& lines(int axis) const { return lines_[axis]; }
+  /// How much further a place at rest is drawn for every 1 of magnification beyond 1 [length].
+  [[nodiscard]] PlanPoint spread(const PlanPoint& at) const;
   /// Of a place of the plan at rest [length].
   [[nodiscard]] PlanPoint place(const PlanPoint& at) const;
   /// The same after it has moved [length].
@@ -43,7 +57,7 @@ class PlanScene {
 
  private:
   std::array<std::vector<std::pair<double, double>>, 2> lines_;
-  double magnification_ = 1;
+  double magnification_ = 1, largest_ = 0;
   PlanPoint lower_, upper_;
 };
 
@@ -53,6 +67,8 @@ class PlanScene {
 /// How a point of the plan moves with a floor (P-1) [length].
 [[nodiscard]] PlanPoint movement_of(const PlanModel& model, Eigen::Index floor, const PlanPoint& at,
                                     const Eigen::Vector3d& motion);
+/// Where a contact is along its stretch: "y = 18 m".
+[[nodiscard]] std::string along_text(const PlanRun& run, Eigen::Index contact);
 /// The floor nearest to a level.
 [[nodiscard]] Eigen::Index nearest_floor(const PlanModel& model, double elevation);
 

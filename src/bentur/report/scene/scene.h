@@ -12,7 +12,7 @@
 namespace bentur {
 
 // The picture of the buildings as plain data: one description for stills (kinds/scene_figure.cpp) and for what moves on
-// a page (html/motion.js).
+// a page (html/motion/motion.js).
 
 /// What a point of the scene follows, or a part of it: a place on a building.
 struct SceneMover {

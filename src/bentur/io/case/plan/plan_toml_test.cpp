@@ -328,9 +328,9 @@ TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {
   Diagnostics diagnostics;
   EXPECT_FALSE(read_case_text(plan_text, "a.toml", diagnostics));
   ASSERT_EQ(diagnostics.errors().size(), 1U);
-  EXPECT_EQ(
-      diagnostics.errors()[0].message(),
-      "plan is of buildings in plan, which bentur check, modes, run, gap, report and sweep take: nothing else does");
+  EXPECT_EQ(diagnostics.errors()[0].message(),
+            "plan is of buildings in plan, which bentur check, modes, run, gap, report and sweep take, Python and the "
+            "studio: nothing else does");
   const auto errors_of_row = [](const std::string& more_of_gap, const std::string& more,
                                 const std::string& more_of_contact = "") {
     Diagnostics found;

@@ -7,7 +7,7 @@
 
 namespace bentur {
 
-/// report.css, motion.js, report.js, texts.toml and errors.toml as they stood when the program was built.
+/// report.css, the scripts, texts.toml and errors.toml as they stood when the program was built.
 [[nodiscard]] std::span<const EmbeddedFile> report_assets();
 
 namespace html {

@@ -10,8 +10,8 @@
 #include "bentur/core/errors.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/report/figures/figure.h"
-#include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/assets.h"
+#include "bentur/report/html/internal/motion_data.h"
 #include "bentur/report/utf8.h"
 
 namespace bentur::html {
@@ -64,7 +64,12 @@ std::string_view asset(std::string_view name) {
 std::string page(const Words& say, const std::string& title, const PageBody& body, bool with_script) {
   const std::string style = std::string(asset("report.css")) + page_style() + "\n@page { @top-left { content: \"" +
                             css_text(body.running_head.empty() ? title : body.running_head) + "\"; } }\n";
-  const std::string script = with_script ? std::string(asset("motion.js")) + std::string(asset("report.js")) : "";
+  std::string script;
+  if (with_script) {
+    for (const char* const name : {"samples.js", "row.js", "plan.js", "motion.js", "report.js"}) {
+      script += asset(name);
+    }
+  }
   const std::string head =
       "<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +

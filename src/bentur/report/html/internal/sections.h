@@ -106,9 +106,9 @@ struct GapBar {
 /// The hardest impacts, as many as a page lists, the hardest first.
 [[nodiscard]] std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts);
 /// The list of impacts with its buttons; a page's script sorts and saves it. @param all how many there are
-/// @param sorted the column by which they are @param note what clicks do
-[[nodiscard]] Html impact_list(const Words& say, const char* note, const HtmlTable& table, std::size_t listed,
-                               std::size_t all, int sorted);
+/// @param sorted the column by which they are
+[[nodiscard]] Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all,
+                               int sorted);
 /// impacts.csv for the script that saves it.
 [[nodiscard]] Html csv_script(const std::string& csv);
 
@@ -130,6 +130,8 @@ struct GapBar {
 /// "Model 1 | Model 2", or of a row "1 | 2".
 [[nodiscard]] std::string short_gap_name(const Report& report, Eigen::Index gap);
 /// "1 Bank, 2 Hotel, 3 Office".
+[[nodiscard]] std::string numbered(const std::vector<std::string>& names);
+/// The same of the buildings of a report.
 [[nodiscard]] std::string building_key(const Report& report);
 [[nodiscard]] std::string acceleration_unit(const Units& units);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Units& units);          ///< "t", "kgf·s²/cm"

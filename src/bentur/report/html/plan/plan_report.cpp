@@ -15,8 +15,11 @@
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/report/html/internal/echo.h"
+#include "bentur/report/html/internal/motion_section.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
+#include "bentur/report/html/page_parts.h"
+#include "bentur/report/html/plan/plan_animation.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -98,8 +101,7 @@ class PlanPage {
       sorted += before ? 1 : 0;
       table.add(column.label, column.unit, std::move(column.cells));
     }
-    return {"impacts", say_("heading.impacts"),
-            html::impact_list(say_, "plan.sort", table, listed.size(), all.size(), sorted)};
+    return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size(), sorted)};
   }
 
   /// The case key by key, and what follows from it.
@@ -316,6 +318,11 @@ std::string csv_of(const PlanRun& run, std::vector<Index> listed) {
 
 }  // namespace
 
+std::vector<PagePart> table_parts(const PlanRun& run, const std::string& language) {
+  const Words say(language);
+  return html::parts({PlanPage(run, say).peaks()});
+}
+
 double report_output_step(const PlanProblem& problem) {
   constexpr double finest = 1e-3, most = 5e4;  // [s], samples
   return std::max(finest, problem.duration / most);
@@ -337,19 +344,28 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   if (!run.response.points.empty()) {
     verdict.content +=
         html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, "overview", drawn); },
-                             say("plan.overview"), options.language);
+                             say(caption_key("overview", true)), options.language);
   }
   std::vector<const RecordEcho*> records;
   for (const ExcitationSpec& one : run.c.excitation) {
     if (one.record) records.push_back(&*one.record);
   }
-  const html::PageBody body{.header = html::title_block(std::nullopt, run.c.source ? run.c.source->file : "", title,
-                                                        say("report.by", {{"version", options.version}}), options) +
-                                      html::identity(run.c.source, records, say),
-                            .sections = {verdict, sections.remarks(), sections.peaks(), sections.impacts(listed),
-                                         html::figures_section(say, figures), sections.input()},
-                            .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +
-                                      html::csv_script(csv_of(run, listed))};
+  html::PageSection motion;
+  Html data;
+  if (!run.response.points.empty()) {
+    std::vector<std::string> names;
+    for (const PlanBuilding& building : run.problem.buildings) names.push_back(building.name);
+    motion = html::motion_section(say, run.c.units.length, html::numbered(names), html::MotionView::plan);
+    data = html::json_script("data", html::plan_animation_json(run, say, listed));
+  }
+  const html::PageBody body{
+      .header = html::title_block(std::nullopt, run.c.source ? run.c.source->file : "", title,
+                                  say("report.by", {{"version", options.version}}), options) +
+                html::identity(run.c.source, records, say),
+      .sections = {verdict, sections.remarks(), motion, sections.peaks(), sections.impacts(listed),
+                   html::figures_section(say, figures), sections.input()},
+      .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
+                html::csv_script(csv_of(run, listed))};
   return html::page(say, title, body, true);
 }
 

@@ -8,6 +8,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/figures/internal/text.h"
 
 namespace bentur {
 namespace {

@@ -17,8 +17,6 @@ namespace bentur {
 [[nodiscard]] Eigen::Index chosen_point(const PlanRun& run, const FigureOptions& options);
 /// "level 6.7 m".
 [[nodiscard]] std::string level_text(const PlanRun& run, Eigen::Index point, const FigureOptions& options);
-/// "y = 18 m", along the stretch.
-[[nodiscard]] std::string along_text(const PlanRun& run, Eigen::Index point);
 /// "A | B, level 6.7 m, y = 18 m".
 [[nodiscard]] std::string point_text(const PlanRun& run, Eigen::Index point, const FigureOptions& options);
 /// What histories there are of.

@@ -1,0 +1,135 @@
+// The picture of buildings from above: what motion.js moves where they stand in plan. plan_animation.cpp wrote what it
+// draws.
+
+/**
+ * Where the points of a PlanScene are drawn at a magnification: a function of a building, its floor and a point [x, y,
+ * spread along x, along y] that gives x and y.
+ * @param motion by building u_x, u_y and θ · arm of each floor; nothing of a building: it is at rest
+ */
+function benturPlanPlaces(scene, magnification, motion) {
+  "use strict";
+  return (b, floor, [x, y, spreadX, spreadY]) => {
+    const [moveX, moveY] = benturPlanMovement(scene, motion, b, floor, x, y);
+    return [x + (magnification - 1) * spreadX + magnification * moveX, y + (magnification - 1) * spreadY + magnification * moveY];
+  };
+}
+
+/** How a point of the plan moves with a floor (P-1). */
+function benturPlanMovement(scene, motion, b, floor, x, y) {
+  "use strict";
+  if (motion[b].length === 0) return [0, 0];
+  const [centreX, centreY] = scene.centres[b][floor];
+  const turn = motion[b][3 * floor + 2] / scene.arm;
+  return [motion[b][3 * floor] - turn * (y - centreY), motion[b][3 * floor + 1] + turn * (x - centreX)];
+}
+
+/** A picture as benturRow() makes one, @param data what plan_animation_json() gives. */
+function benturPlan(data, buildings, svg, number) {
+  "use strict";
+  const { scene, points } = data;
+  const corners = scene.outlines.flat();
+  const size = [0, 1].map((axis) => Math.max(...corners.map((at) => at[axis])) - Math.min(...corners.map((at) => at[axis])));
+  const unit = Math.min(320 / size[1], 620 / size[0]);
+  const rest = buildings.map(() => []);
+  const drawn = {};
+  let magnification = 1, place, level = scene.level;
+
+  /** On the page, where y runs downwards. */
+  const shown = (b, floor, point) => {
+    const [x, y] = place(b, floor, point);
+    return [unit * x, -unit * y];
+  };
+  const text = (numbers) => numbers.map((one) => one.toFixed(2)).join(" ");
+  const outline = (b, floor) => `M${scene.outlines[b].map((point) => text(shown(b, floor, point))).join("L")}Z`;
+
+  function build(stage) {
+    drawn.ghost = svg("path", { class: "ghost" }, stage);
+    drawn.floors = buildings.map(({ tone }, b) => scene.centres[b].map(() => svg("path", { class: `floor stroke-${tone}` }, stage)));
+    drawn.chosen = buildings.map(({ tone }) => svg("path", { class: `footprint stroke-${tone}` }, stage));
+    drawn.marks = scene.marks.map(({ cross }) => svg("path", { class: `${cross ? "rigidity" : "mass"} stroke-ink` }, stage));
+    drawn.contacts = points.map(({ struck }) => [0, 1].map(() => svg("circle", { class: `contact stroke-${struck ? "red" : "grey"}` }, stage)));
+    drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
+  }
+
+  function frame(magnified) {
+    magnification = magnified;
+    place = benturPlanPlaces(scene, magnification, rest);
+    const all = buildings.flatMap((_, b) => scene.outlines[b].map((point) => shown(b, 0, point)));
+    const [x, y] = [0, 1].map((axis) => all.map((at) => at[axis]));
+    const margin = unit * Math.max(1.05 * magnification * scene.largest, 0.04 * Math.max(...size)); // as far as all may move
+    drawn.ghost.setAttribute("d", buildings.map((_, b) => outline(b, 0)).join(""));
+    return { left: Math.min(...x) - margin, right: Math.max(...x) + margin, top: Math.min(...y) - margin, bottom: Math.max(...y) + margin };
+  }
+
+  /** Names within the footprints at rest, or numbers where names do not fit. @returns whether they do */
+  function name(pixel) {
+    place = benturPlanPlaces(scene, magnification, rest);
+    let fit = true;
+    drawn.names.forEach((line, b) => {
+      const at = scene.outlines[b].map((point) => shown(b, 0, point));
+      const left = Math.min(...at.map(([x]) => x)), right = Math.max(...at.map(([x]) => x));
+      line.setAttribute("x", (left + right) / 2);
+      line.setAttribute("y", Math.min(...at.map(([, y]) => y)) + 22 * pixel);
+      line.textContent = buildings[b].name;
+      fit = fit && line.getComputedTextLength() < right - left - 8 * pixel;
+    });
+    if (!fit) drawn.names.forEach((line, b) => { line.textContent = String(b + 1); });
+    return fit;
+  }
+
+  function show(motion, now, pixel) {
+    place = benturPlanPlaces(scene, magnification, motion);
+    const { floors } = scene.levels[level];
+    drawn.floors.forEach((all, b) => all.forEach((line, floor) => line.setAttribute("d", outline(b, floor))));
+    drawn.chosen.forEach((line, b) => line.setAttribute("d", outline(b, floors[b])));
+    drawn.names.forEach((line, b) => { // go with the centre of the floor
+      const centre = scene.centres[b][floors[b]];
+      const [x, y] = benturPlanMovement(scene, motion, b, floors[b], ...centre);
+      line.setAttribute("transform", `translate(${text([unit * magnification * x, -unit * magnification * y])})`);
+    });
+    scene.marks.forEach(({ building, floor, at, cross }, k) => {
+      drawn.marks[k].setAttribute("opacity", floor === floors[building] ? 1 : 0);
+      const [x, y] = shown(building, floor, at), arm = (cross ? 5 : 0.01) * pixel;
+      drawn.marks[k].setAttribute("d", `M${text([x - arm, y - arm])}l${text([2 * arm, 2 * arm])}` +
+        (cross ? `m0 ${text([-2 * arm])}l${text([-2 * arm, 2 * arm])}` : ""));
+    });
+    points.forEach((point, i) => faces(point).forEach(([x, y], side) => {
+      const circle = drawn.contacts[i][side];
+      circle.setAttribute("opacity", point.level === level ? 1 : 0);
+      circle.setAttribute("cx", x.toFixed(2));
+      circle.setAttribute("cy", y.toFixed(2));
+    }));
+  }
+
+  const faces = ({ left, right, leftFloor, rightFloor, faces }) => [shown(left, leftFloor, faces[0]), shown(right, rightFloor, faces[1])];
+
+  function contact(point) {
+    const [[x, y], [otherX, otherY]] = faces(points[point]);
+    return { x: (x + otherX) / 2, y: (y + otherY) / 2, across: points[point].across };
+  }
+
+  function opening(point, motion) {
+    const { left, right, leftFloor, rightFloor, faces, across, width } = points[point];
+    const moved = (b, floor, [x, y]) => benturPlanMovement(scene, motion, b, floor, x, y)[across];
+    return width + moved(right, rightFloor, faces[1]) - moved(left, leftFloor, faces[0]);
+  }
+
+  const metres = (elevation) => `${number(elevation)} ${data.units.length}`;
+  const where = (point) => `${data.words.level} ${metres(points[point].elevation)}, ${points[point].along}`;
+
+  /** What the table of openings holds: the contact points of the chosen level. */
+  function live(numbered) {
+    const many = new Set(points.map(({ gap }) => gap)).size > 1;
+    const gap = ({ left, right }) => (numbered ? `${left + 1} | ${right + 1}` : `${buildings[left].name} | ${buildings[right].name}`);
+    const rows = points.flatMap((point, i) =>
+      (point.level === level ? [{ name: (many ? `${gap(point)}, ` : "") + point.along, points: [i] }] : []));
+    return { head: [], rows };
+  }
+
+  return {
+    unit, grain: 20, below: 0, key: scene.key, build, frame, name, show, contact, opening, where, live,
+    levels: scene.levels.map(({ elevation }) => metres(elevation)),
+    get level() { return level; },
+    choose(other) { level = other; },
+  };
+}

@@ -1,0 +1,138 @@
+// The picture of buildings in a row, from the side: what motion.js moves. animation.cpp wrote what it draws.
+
+/**
+ * Where the points of a scene (report/scene/scene.h) are at a magnification: a function of a point that gives its x. A
+ * point is [height, then of each of its movers: building, row or -1, weight, offset, apart].
+ * @param motion displacements by building and row
+ */
+function benturPlaces(scene, magnification, motion) {
+  "use strict";
+  const faces = [0];
+  scene.gaps.forEach((gap, b) => faces.push(faces[b] + scene.breadths[b] + magnification * gap));
+  return (point) => {
+    let x = 0;
+    for (let k = 1; k < point.length; k += 5) {
+      const [b, row] = [point[k], point[k + 1]];
+      x += point[k + 2] * (faces[b] + point[k + 3] + magnification * (point[k + 4] + (row < 0 ? 0 : motion[b][row])));
+    }
+    return x;
+  };
+}
+
+/**
+ * A picture that motion.js moves; benturPlan() is another. What it is asked comes in this order: build, frame, show.
+ * @param data what animation_json() gives @param buildings the same with their samples read
+ * @param svg makes an element of the stage @param number writes a number
+ * @returns {unit: picture units per length, grain: what is small there, below: room for names [px], key: lines of
+ *   {tone, mark, text} that say what marks mean, levels: names of those that can be chosen, none where all are
+ *   seen at once (else level, choose(level)), build(stage),
+ *   frame(magnification): {left, right, top, bottom} of all that moves, name(pixel), show(motion, time, pixel),
+ *   contact(point): {x, y, across}, opening(point, motion), where(point), live(numbered): {head, rows}}
+ */
+function benturRow(data, buildings, svg, number) {
+  "use strict";
+  const { scene } = data;
+  const breadth = scene.breadths.reduce((sum, one) => sum + one, 0);
+  const unit = Math.min(320 / (scene.top - scene.bottom), 620 / breadth);
+  const drawn = {};
+  let magnification = 1, place;
+
+  const y = (height) => unit * (scene.top - height);
+
+  /** Lines of a shape as the data of a path. */
+  function path(lines, place) {
+    return lines.map((line) =>
+      "M" + line.map((point) => `${(unit * place(point)).toFixed(2)} ${y(point[0]).toFixed(2)}`).join("L")).join("");
+  }
+
+  function build(stage) {
+    drawn.ghost = svg("path", { class: "ghost" }, stage);
+    drawn.shapes = scene.shapes.map(({ role, tone }) => svg("path", { class: `${role} stroke-${tone}` }, stage));
+    drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
+    drawn.dots = data.hinges.dots.map(({ name }) => {
+      const dot = svg("circle", { class: "hinge", opacity: 0 }, stage);
+      svg("title", {}, dot).textContent = name;
+      return dot;
+    });
+    drawn.crosses = data.breaks.crosses.map(() => svg("path", { class: "break stroke-red", opacity: 0 }, stage));
+  }
+
+  const key = data.hinges.levels.map(({ tone, text }, level) => [{ tone, mark: level === 0 ? "\u25cb" : "\u25cf", text }]);
+  if (data.breaks.crosses.length > 0) key.push([{ tone: "red", mark: "\u00d7", text: data.breaks.text }]);
+
+  function frame(magnified) {
+    magnification = magnified;
+    place = benturPlaces(scene, magnification, buildings.map(({ rows }) => new Array(rows).fill(0)));
+    const ground = scene.shapes[0].lines[0]; // as wide as all may move
+    drawn.left = unit * place(ground[0]);
+    drawn.right = unit * place(ground[ground.length - 1]);
+    drawn.ghost.setAttribute("d", scene.shapes.filter(({ role }) => role !== "ground" && role !== "soil")
+      .map(({ lines }) => path(lines, place)).join(""));
+    return { left: drawn.left, right: drawn.right, top: 0, bottom: y(scene.bottom) };
+  }
+
+  /** Names below the buildings, or their numbers where names do not fit. @returns whether they do */
+  function name(pixel) {
+    let end = drawn.left;
+    let fit = true;
+    drawn.names.forEach((text, b) => {
+      const middle = unit * (place([0, b, -1, 1, 0, 0]) + scene.breadths[b] / 2);
+      text.setAttribute("x", middle);
+      text.setAttribute("y", y(scene.bottom) + 20 * pixel);
+      text.textContent = buildings[b].name;
+      const half = text.getComputedTextLength() / 2;
+      fit = fit && middle - half >= end && middle + half <= drawn.right;
+      end = middle + half + 4;
+    });
+    if (!fit) drawn.names.forEach((text, b) => { text.textContent = String(b + 1); });
+    return fit;
+  }
+
+  function show(motion, now, pixel) {
+    place = benturPlaces(scene, magnification, motion);
+    scene.shapes.forEach(({ lines }, k) => drawn.shapes[k].setAttribute("d", path(lines, place)));
+    data.hinges.dots.forEach(({ at, reached }, k) => {
+      const level = reached.filter((time) => time !== null && time <= now).length;
+      const dot = drawn.dots[k];
+      dot.setAttribute("cx", (unit * place(at)).toFixed(2));
+      dot.setAttribute("cy", y(at[0]).toFixed(2));
+      dot.setAttribute("opacity", level > 0 ? 1 : 0);
+      if (dot.getAttribute("data-level") === String(level)) return;
+      dot.setAttribute("data-level", level);
+      const tone = level > 0 ? data.hinges.levels[level - 1].tone : "ink";
+      dot.setAttribute("class", level > 1 ? `hinge fill-${tone} stroke-paper` : `hinge fill-paper stroke-${tone}`);
+    });
+    data.breaks.crosses.forEach(({ at, time }, k) => {
+      const arm = 5 * pixel, left = (unit * place(at) - arm).toFixed(2), top = (y(at[0]) - arm).toFixed(2);
+      const across = (2 * arm).toFixed(2);
+      drawn.crosses[k].setAttribute("d", `M${left} ${top}l${across} ${across}m0 -${across}l-${across} ${across}`);
+      drawn.crosses[k].setAttribute("opacity", time <= now ? 1 : 0);
+    });
+  }
+
+  const contact = (point) => ({ x: unit * place(scene.contacts[point]), y: y(data.points[point].elevation), across: 0 });
+
+  function opening(point, motion) {
+    const { left, leftFloor, rightFloor, width } = data.points[point];
+    return width + motion[left + 1][rightFloor] - motion[left][leftFloor];
+  }
+
+  const level = (elevation) => `${number(elevation)} ${data.units.length}`;
+  const where = (point) => `${data.words.level} ${level(data.points[point].elevation)}`;
+
+  /** What the table of openings holds: a row for each level, a column for each gap. */
+  function live(numbered) {
+    const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);
+    const names = scene.gaps.map((_, gap) =>
+      numbered ? `${gap + 1} | ${gap + 2}` : `${buildings[gap].name} | ${buildings[gap + 1].name}`);
+    return {
+      head: names.length > 1 ? [data.words.level, ...names] : [],
+      rows: levels.map((elevation) => ({
+        name: level(elevation),
+        points: scene.gaps.map((_, gap) => data.points.findIndex((p) => p.left === gap && p.elevation === elevation)),
+      })),
+    };
+  }
+
+  return { unit, grain: unit * scene.storey, below: 22, key, levels: [], build, frame, name, show, contact, opening, where, live };
+}

@@ -1,0 +1,174 @@
+#include "bentur/report/html/plan/plan_animation.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/report/figures/internal/colours.h"
+#include "bentur/report/html/internal/motion_data.h"
+#include "bentur/report/scene/plan_scene.h"
+
+namespace bentur::html {
+namespace {
+
+using Eigen::Index;
+
+/// As plan.js reads it.
+Json point_json(const PlanScene& scene, const PlanPoint& at) {
+  const PlanPoint spread = scene.spread(at);
+  return {at.x(), at.y(), spread.x(), spread.y()};
+}
+
+/// Elevations at which floors meet, from the top down.
+std::vector<double> levels_of(const PlanProblem& problem) {
+  std::vector<double> levels;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) levels.push_back(contact.elevation);
+  }
+  std::sort(levels.begin(), levels.end(), std::greater<>());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  return levels;
+}
+
+Index number_of(const std::vector<double>& levels, double elevation) {
+  return std::find(levels.begin(), levels.end(), elevation) - levels.begin();
+}
+
+/// A length by which a rotation is as large as the displacements beside it [length].
+double arm_of(const PlanProblem& problem) {
+  double longest = 0;
+  for (const PlanBuilding& building : problem.buildings) {
+    longest = std::max(longest, building.model.footprint.size.maxCoeff());
+  }
+  return longest / 2;
+}
+
+Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<double>& levels, Index shown) {
+  Json outlines = Json::array(), centres = Json::array(), marks = Json::array(), told = Json::array();
+  Json gaps = Json::array();
+  for (const PlanBuilding& building : run.problem.buildings) {
+    const PlanModel& model = building.model;
+    Json& outline = outlines.emplace_back(Json::array());
+    for (const PlanPoint& at : scene.outline(model.footprint)) outline.push_back(point_json(scene, at));
+    Json& about = centres.emplace_back(Json::array());
+    for (const PlanPoint& centre : model.centres) {
+      const PlanPoint at = model.footprint.corner + centre;
+      about.push_back({at.x(), at.y()});
+    }
+  }
+  for (const PlanCentre& centre : centres_of(run)) {
+    marks.push_back({{"building", centre.building},
+                     {"floor", centre.floor},
+                     {"at", point_json(scene, centre.at)},
+                     {"cross", centre.of_rigidity}});
+  }
+  for (const double level : levels) {
+    Json floors = Json::array();
+    for (const PlanBuilding& building : run.problem.buildings) floors.push_back(nearest_floor(building.model, level));
+    told.push_back({{"elevation", level}, {"floors", floors}});
+  }
+  for (const PlanGap& gap : run.problem.gaps) gaps.push_back(gap.stretch.width);
+  return {{"outlines", outlines},
+          {"centres", centres},
+          {"arm", arm_of(run.problem)},
+          {"marks", marks},
+          {"levels", told},
+          {"level", shown},
+          {"gaps", gaps},
+          {"largest", scene.largest()},
+          {"magnification", scene.magnification()}};
+}
+
+/// What the marks of the picture mean, in lines.
+Json key_of(const PlanRun& run, const Words& say) {
+  const auto entry = [&](const char* tone, const char* mark, const char* text) -> Json {
+    return {{"tone", tone}, {"mark", mark}, {"text", say("figure.text." + std::string(text))}};
+  };
+  Json key = Json::array();
+  if (!centres_of(run).empty()) {
+    key.push_back({entry("ink", "●", "centre_of_mass"), entry("ink", "×", "centre_of_rigidity")});
+  }
+  key.push_back({entry("grey", "○", "contact_point"), entry("red", "○", "contact_point_struck")});
+  return key;
+}
+
+/// Of a building that moves three rows for each floor; of a wall none.
+Eigen::MatrixXd rows_of(const PlanRun& run, std::size_t b, double arm) {
+  const PlanBuilding& building = run.problem.buildings[b];
+  const PlanHistories& histories = run.response.histories;
+  if (building.is_rigid()) return {};
+  Eigen::MatrixXd rows(building.model.dofs(), std::ssize(histories.time));
+  for (Index floor = 0; floor < building.model.floors(); ++floor) {
+    rows.row(3 * floor) = histories.x[b].row(floor);
+    rows.row(3 * floor + 1) = histories.y[b].row(floor);
+    rows.row(3 * floor + 2) = arm * histories.rotation[b].row(floor);
+  }
+  return rows;
+}
+
+Json points_json(const PlanRun& run, const PlanScene& scene, const std::vector<double>& levels) {
+  Json points = Json::array();
+  for (Index i = 0; i < std::ssize(run.response.points); ++i) {
+    const PlanContactPlace place = contact_at(run.problem, i);
+    const PlanGap& gap = run.problem.gaps[place.gap];
+    const Stretch& stretch = gap.stretch;
+    const double along = place.contact->along;
+    points.push_back(
+        {{"gap", place.gap},
+         {"left", gap.left},
+         {"right", gap.right},
+         {"leftFloor", place.contact->left_floor},
+         {"rightFloor", place.contact->right_floor},
+         {"elevation", place.contact->elevation},
+         {"level", number_of(levels, place.contact->elevation)},
+         {"across", stretch.across},
+         {"width", stretch.width},
+         {"along", along_text(run, i)},
+         {"faces", {point_json(scene, stretch.on_edge(0, along)), point_json(scene, stretch.on_edge(1, along))}},
+         {"struck", run.response.points[i].impacts > 0}});
+  }
+  return points;
+}
+
+}  // namespace
+
+std::string plan_animation_json(const PlanRun& run, const Words& say, const std::vector<Index>& listed) {
+  const std::vector<double>& time = run.response.histories.time;
+  std::vector<Index> all_points(run.response.points.size());
+  std::iota(all_points.begin(), all_points.end(), Index{0});
+  const PlanInstant instant = telling_instant(run.response, all_points);
+  const PlanContactPlace hardest = contact_at(run.problem, instant.point.value());
+  const int across = run.problem.gaps[hardest.gap].stretch.across;
+  Index moving = 0;
+  for (const PlanBuilding& building : run.problem.buildings) moving += building.is_rigid() ? 0 : building.model.dofs();
+  const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
+  const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
+  const double arm = arm_of(run.problem);
+  Json buildings = Json::array();
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
+    const PlanBuilding& building = run.problem.buildings[b];
+    const Eigen::MatrixXd rows = rows_of(run, b, arm);
+    Eigen::MatrixXd exact;
+    if (rows.size() > 0) exact = rows(Eigen::all, keys);
+    Json one = {{"name", building.name},
+                {"tone", colour(building_tone(b)).name},
+                {"roof", 3 * (building.model.floors() - 1) + across}};
+    one.update(samples_json(rows, sampling, exact));
+    buildings.push_back(one);
+  }
+  const PlanScene scene(run);
+  const std::vector<double> levels = levels_of(run.problem);
+  const ShownUnits units = shown_units(run);
+  Json all = {{"units", {{"length", run.c.units.length}, {"force", units.units.force}}},
+              {"duration", run.problem.duration},
+              {"points", points_json(run, scene, levels)},
+              {"shown", instant.time},
+              {"scene", scene_json(run, scene, levels, number_of(levels, hardest.contact->elevation))},
+              {"buildings", buildings}};
+  all["scene"]["key"] = key_of(run, say);
+  all.update(played_json(sampling, time, keys, run.response.impacts, listed, units.force, say));
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace bentur::html

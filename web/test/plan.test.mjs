@@ -1,0 +1,177 @@
+// The studio with buildings in plan, as its user meets it. Environment as page.test.mjs.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { curveDone, launch, open, solved, taken } from "./browser.mjs";
+import { difference, lineOf, spaced, terminal } from "./core.mjs";
+
+const file = `${process.env.BENTUR_SOURCE}/examples/plan/twisting-pair.toml`;
+const text = readFileSync(file, "utf8");
+const editor = "textarea[aria-label]";
+let browser;
+before(async () => { browser = await launch(); });
+after(async () => { await browser.close(); });
+
+/** Does something in a page that stands at the case, opened as a file, and looks whether it complained or asked for anything. */
+async function inPlan(work, options = {}) {
+  const { page, complaints, requests, close } = await open(browser, pathToFileURL(process.env.BENTUR_PAGE).href, options);
+  try {
+    await solved(page);
+    await curveDone(page); // which is of a row, and must not stand beside buildings in plan
+    await page.setInputFiles(".cases input[type=file]", file);
+    await page.waitForFunction(([at, wanted]) => document.querySelector(at).value === wanted, [editor, text]);
+    await solved(page);
+    await work(page);
+    assert.deepEqual(requests, []);
+    assert.deepEqual(complaints, []);
+  } finally {
+    await close();
+  }
+}
+
+const put = async (page, given, state = "fine") => {
+  await page.locator(editor).evaluate((area, all) => { area.value = all; area.dispatchEvent(new Event("input", { bubbles: true })); }, given);
+  await solved(page, state);
+};
+
+test("a case in plan that is opened gives the command line's words and numbers", async () => {
+  await inPlan(async (page) => {
+    const mine = JSON.parse(await taken(page, '[data-take="summary"]'));
+    const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["run", "--json", file]));
+    // Losses of a linear law are round-off.
+    const unlike = (path) => /^\/case|\/wall_time$|\/energy_residual$|\/excitation.*\/file$|\/energy_lost$/.test(path);
+    const found = difference(mine, theirs, "", unlike);
+    assert.ok(found.size < 1e-12, `${found.path} ${found.size}`);
+    for (const language of ["en", "id"]) {
+      await page.selectOption("#language", language);
+      await solved(page);
+      const lines = await page.evaluate(() => [...document.querySelectorAll(".verdict [data-kind]")].map((one) => ({ badge: one.querySelector(".badge")?.textContent ?? "", text: one.querySelector("p:not(.badge)").textContent })));
+      const said = terminal(file, language);
+      assert.deepEqual(lines.map((one) => lineOf({ gap: null, severity: "", kind: "", ...one })), said.verdict);
+      assert.deepEqual(spaced(await page.textContent("[data-remarks]")), said.remarks.join(" ").replaceAll("remark: ", ""));
+    }
+    assert.equal(await taken(page, '[data-take="impacts"]').then((csv) => csv.trim().split("\n").length), 1 + 7);
+    const report = await taken(page, '[data-take="report"]');
+    assert.match(report, /id="motion"/);
+    assert.match(report, /lang="id"/);
+  });
+});
+
+test("figures, tables and impacts are those of buildings in plan, without what only a row has", async () => {
+  await inPlan(async (page) => {
+    const kinds = await page.$$eval("[data-figure]", (all) => all.map((one) => one.dataset.figure));
+    assert.deepEqual(kinds, ["displacement", "opening", "orbit", "force", "friction-cone"]); // no gap-curve
+    for (const kind of kinds) {
+      await page.locator(`[data-figure="${kind}"]`).evaluate((one) => one.scrollIntoView());
+      await page.waitForSelector(`[data-figure="${kind}"] .sheet svg`);
+    }
+    const levels = await page.$$eval("#figures select option", (all) => all.map((one) => one.textContent));
+    assert.deepEqual(levels, ["hit hardest", "Walled | Frame, 3.5 m", "Walled | Frame, 6.7 m"]);
+    await page.selectOption("#figures select", { label: "Walled | Frame, 3.5 m" });
+    await page.waitForFunction(() => document.querySelector('[data-figure="opening"]').textContent.includes("level 3.5 m"));
+    assert.equal(await page.locator("#gap").count(), 0); // no width of its own to be slid
+    await page.click('[data-table="peaks"] summary');
+    assert.match(await page.textContent('[data-table="peaks"]'), /north frame/);
+    const rows = await page.$$eval("#impacts tbody tr", (all) => all.map((row) => row.cells[1].textContent));
+    assert.equal(rows.length, 7);
+    assert.equal(rows[0], "Walled | Frame, y = 18 m");
+    assert.equal((await page.$$("#impacts .marked")).length, 1);
+    const heads = (await taken(page, '[data-take="histories"]')).split("\n")[0];
+    for (const head of ["ground_acceleration 1 [m/s2]", "displacement_y Walled at 6.7 [m]", "rotation Frame at 3.5 [rad]", "force Walled | Frame at 6.7, y = 18 m [kN]"]) {
+      assert.ok(heads.includes(head), `${head} in ${heads}`);
+    }
+    const lines = (await taken(page, '[data-file="orbit.svg"]')).match(/<path/g);
+    assert.ok(lines.length > 4);
+    await page.click("#compare button");
+    await put(page, text.replace("corner = [12.04, 0.0]", "corner = [12.08, 0.0]"));
+    assert.deepEqual(await page.$$eval("#compare tbody tr", (all) => all.map((row) => row.cells[1].textContent)), ["0.08\u00a0m", "0.04\u00a0m"]);
+  });
+});
+
+test("they move as seen from above, at the level that is chosen, magnified as is said", async () => {
+  await inPlan(async (page) => {
+    await page.click('[data-part="play"]'); // which was playing
+    const stage = page.locator('[data-part="stage"]').first();
+    assert.equal(await stage.locator(".footprint").count(), 2);
+    assert.match(await stage.textContent(), /magnified 20 times, level 6\.7 m/);
+    assert.deepEqual(await page.$$eval('[data-part="level"] option', (all) => all.map((one) => one.textContent)), ["6.7 m", "3.5 m"]);
+    await page.selectOption('[data-part="level"]', "1");
+    assert.match(await stage.textContent(), /level 3\.5 m/);
+    await page.locator("#impacts button", { hasText: "4" }).first().click();
+    await page.waitForFunction(() => document.querySelector('#motion .hit[data-contact="1"]'));
+    assert.match(await stage.textContent(), /level 6\.7 m/); // an impact shows its level
+    await page.waitForFunction(() => document.querySelector('[data-part="play"]').getAttribute("aria-pressed") === "false");
+    // Another text moves otherwise; the level that was chosen stays.
+    await page.selectOption('[data-part="level"]', "1");
+    await put(page, text.replace("pga = 3.4", "pga = 1.0"));
+    assert.match(await page.textContent(".verdict"), /do not touch/);
+    assert.match(await stage.textContent(), /level 3\.5 m/);
+    // And a row after it is seen from the side again.
+    await page.click('[data-case="row"]');
+    await solved(page);
+    assert.equal(await stage.locator(".footprint").count(), 0);
+    assert.ok(await stage.locator(".column").count() > 2);
+    assert.equal(await page.locator('[data-part="levelChoice"]').first().isVisible(), false);
+    await page.waitForSelector("#gap");
+  });
+});
+
+test("the still that is given away looks as the picture does", async () => {
+  await inPlan(async (page) => {
+    const still = await taken(page, '[data-take="svg"]');
+    assert.match(still, /A building with a wall along one side/);
+    const style = (selector) => page.locator(`#motion ${selector}`).first().evaluate((one) => { const { stroke, opacity, strokeLinecap } = getComputedStyle(one); return { stroke, opacity, strokeLinecap }; });
+    const shown = { floor: await style(".floor"), mass: await style(".mass") };
+    const kept = (name) => {
+      const path = still.match(new RegExp(`<path [^>]*class="${name} [^>]*>`))[0];
+      const value = (key) => path.match(new RegExp(`[ ";]${key}: ([^;"]+)`))[1];
+      return { stroke: value("stroke"), opacity: value("opacity"), strokeLinecap: value("stroke-linecap") };
+    };
+    assert.deepEqual({ floor: kept("floor"), mass: kept("mass") }, shown);
+    assert.equal(shown.mass.strokeLinecap, "round");
+  });
+});
+
+test("the form changes the text, and has nothing that plans cannot have", async () => {
+  await inPlan(async (page) => {
+    await page.click("text=Form");
+    await page.waitForSelector(".form fieldset");
+    assert.equal(await page.locator(".form .count").count(), 0);
+    assert.equal(await page.locator("text=Add a neighbour known by little").count(), 0);
+    const stiffness = page.locator(".form fieldset").first().locator(".field", { hasText: "Stiffnesses 1" }).first().locator("input[type=number]");
+    await stiffness.fill("50000");
+    await stiffness.press("Tab");
+    await solved(page);
+    assert.notEqual(await page.inputValue(editor), text);
+    assert.match(await page.inputValue(editor), /stiffnesses = \[(5e4|50000(\.0)?), 9e4\]/);
+    await page.click(".travel");
+    await solved(page);
+    assert.equal(await page.inputValue(editor), text);
+  });
+});
+
+test("what is wrong is said at its line, in both languages", async () => {
+  await inPlan(async (page) => {
+    await put(page, text.replace("damping = 0.05", "dampnig = 0.05"), "errors");
+    assert.match(await page.textContent(".errors"), /dampnig/);
+    assert.match(await page.textContent(".errors"), /Line 16/);
+    await page.selectOption("#language", "id");
+    assert.match(await page.textContent(".errors"), /Baris 16/);
+    await put(page, text);
+    assert.equal((await page.$$(".errors li")).length, 0);
+  });
+});
+
+test("nothing is wider than a telephone or too dark to be seen there, and axe-core finds no violation", async () => {
+  await inPlan(async (page) => {
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+    await page.evaluate(readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8"));
+    const { violations } = await page.evaluate(() => window.axe.run(document));
+    assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), []);
+    const stroke = await page.locator("#motion .footprint").first().evaluate((one) => getComputedStyle(one).stroke);
+    assert.ok(stroke.match(/\d+/g).slice(0, 3).map(Number).reduce((a, b) => a + b) > 300, stroke);
+  }, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
+});
