@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -55,11 +56,11 @@ std::optional<PlanBuildingSpec> twin_of(const BuildingSpec& spec, double corner)
     return twin;
   }
   const auto* stick = std::get_if<Stick>(&spec.structure);
-  if (stick == nullptr || stick->backbone || spec.calibrate_period || spec.isolation || spec.soil || spec.p_delta ||
-      !spec.gravity_loads.empty()) {
+  if (stick == nullptr || stick->backbone || spec.calibrate_period || spec.isolation || spec.soil) {
     return std::nullopt;
   }
   Plan plan{.footprint = footprint, .storey_heights = stick->storey_heights, .masses = stick->masses};
+  plan.gravity_loads = spec.p_delta ? times(stick->masses, spec.gravity) : spec.gravity_loads;
   plan.planes = {plane_of(*stick, 1, true, 0.5), plane_of(*stick, 13, true, 0.5), plane_of(*stick, 0.5, false, 200),
                  plane_of(*stick, 9.5, false, 200)};
   if (auto* modal = std::get_if<ModalDamping>(&twin.damping); modal != nullptr && modal->ratios.size() > 1) {
@@ -199,10 +200,20 @@ int expect_watched_twins(const PlanProblem& problem, const PlanResponse& plan, c
   return count;
 }
 
+void expect_collapse(const std::optional<Collapse>& plan, const std::optional<Collapse>& row) {
+  ASSERT_EQ(plan.has_value(), row.has_value());
+  if (!row) return;
+  EXPECT_EQ(plan->building, row->building);
+  EXPECT_EQ(plan->storey, row->storey);
+  EXPECT_NEAR(plan->time, row->time, 1e-9 * row->time);
+}
+
 void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Response& row, double tolerance,
                   bool along_y) {
-  ASSERT_EQ(plan.status, Status::done) << plan.message;
-  ASSERT_EQ(row.status, Status::done) << row.message;
+  ASSERT_TRUE(plan.status == Status::done || plan.status == Status::collapsed) << plan.message;
+  ASSERT_EQ(plan.status, row.status) << row.message;
+  expect_collapse(plan.collapse, row.collapse);
+  expect_collapse(plan.collapse_no_contact, row.collapse_no_contact);
   for (std::size_t b = 0; b < row.buildings.size(); ++b) {
     const PlanPeaks& found = plan.buildings[b];
     const BuildingPeaks& wanted = row.buildings[b];
@@ -283,6 +294,59 @@ TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
   EXPECT_GT(impacts, 100);
   EXPECT_GT(watched, 10);
   std::printf("%d twins, %d walls, %d impacts, %d watched\n", twins, walls, impacts, watched);
+}
+
+/// Two sticks under gravity that yield, with so much on the left one and collapse at so much drift; and their twin.
+std::pair<Case, PlanCase> under_gravity(const std::string& loads, double collapse_drift) {
+  Diagnostics diagnostics;
+  auto row = read_case_text(
+      "units = { length = \"m\", force = \"kN\" }\n"
+      "[[building]]\nname = \"A\"\ndamping = { stiffness_proportional = 0.03 }\n"
+      "damping_stiffness = \"tangent\"\ngravity_loads = " +
+          loads +
+          "\n"
+          "stick = { storey_heights = [3, 3], masses = [30, 25], stiffnesses = [40e3, 30e3], yield_forces = [90, 80], "
+          "hardening = 0.02 }\n"
+          "[[building]]\nname = \"B\"\ndamping = 0.05\np_delta = true\n"
+          "stick = { storey_heights = [3, 3], masses = [20, 18], stiffnesses = [60e3, 50e3] }\n"
+          "[[gap]]\nbetween = [\"A\", \"B\"]\nwidth = 0.02\ncontact = { law = \"linear\", stiffness = 3e5 }\n"
+          "[excitation]\nkind = \"harmonic\"\nperiod = 0.6\ndisplacement_amplitude = 0.06\n"
+          "[analysis]\nduration = 6\ncollapse_drift = " +
+          std::to_string(collapse_drift) + "\n",
+      "row.toml", diagnostics);
+  if (!row) throw std::runtime_error(diagnostics.errors().front().text());
+  auto twin = twin_of(*row, 2, Eigen::Matrix2d::Identity());
+  return {*std::move(row), std::move(twin).value()};
+}
+
+TEST(PlanTwins, UnderGravityLoads) {
+  const auto [row, twin] = under_gravity("[1000, 800]", 0.1);
+  const SolveOptions options{.levels = true, .both_ways = true};
+  const Response wanted = solve(make_problem(row), ExactSolver{}, options);
+  const PlanProblem problem = make_plan_problem(twin);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Building made = make_building(row.buildings[b]);
+    EXPECT_NEAR(problem.buildings[b].modes.omega(0), made.modes.omega(0), 1e-12 * made.modes.omega(0));
+    EXPECT_NEAR(problem.buildings[b].tangent_damping, made.tangent_damping, 1e-12 * made.tangent_damping);
+  }
+  const PlanResponse plan = solve(problem, ExactSolver{}, options);
+  expect_twins(problem, plan, wanted, 1e-9, false);
+  EXPECT_GT(plan.impacts.size(), 2U);
+  EXPECT_GT(wanted.buildings[0].yielding.ductility.maxCoeff(), 1.5);
+  // And they are not those without gravity.
+  const Response without = solve(make_problem(under_gravity("[0, 0]", 0.1).first));
+  EXPECT_GT(std::abs(without.buildings[0].displacement(1) / wanted.buildings[0].displacement(1) - 1), 0.01);
+}
+
+TEST(PlanTwins, CollapseWhenTheirRowsDo) {
+  const auto [row, twin] = under_gravity("[9000, 7000]", 0.03);
+  const SolveOptions options{.levels = true, .both_ways = true};
+  const Response wanted = solve(make_problem(row), ExactSolver{}, options);
+  const PlanResponse plan = solve(make_plan_problem(twin), ExactSolver{}, options);
+  ASSERT_EQ(wanted.status, Status::collapsed);
+  ASSERT_EQ(plan.status, Status::collapsed) << plan.message;
+  ASSERT_TRUE(wanted.collapse);
+  expect_twins(make_plan_problem(twin), plan, wanted, 1e-9, false);
 }
 
 }  // namespace

@@ -21,11 +21,14 @@ BEYOND = {
             generic-lists-length gravity-loads-length initial-length isolation-initial-length
             length-of-list link-length matrices-not-square modal-damping-length modal-lengths
             modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
+        "places in plan": """
+            plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing
+            plan-not-held-against-rotation""",
         "order of numbers": """
             column-elevations-order gap-elevations-order matrices-elevations-order
             modal-elevations-order rayleigh-equal-periods rigid-elevations-order
             spectrum-table-order""",
-        "moments of loads": "hinges-gravity",
+        "moments of loads": "hinges-gravity plan-gravity-loads",
         "names of buildings": """
             between-order between-unknown-name building-name-twice initial-unknown-building
             link-order link-unknown-name""",
@@ -48,7 +51,7 @@ BEYOND = {
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone
-            isolation-strength-alone matrices-damping-none
+            isolation-strength-alone plan-beside-row plan-friction-of-law plan-gap-width matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice
             spectrum-damping-of-code spectrum-long-period spectrum-with-bearings-that-yield

@@ -175,6 +175,24 @@ void read_solved(const UnorderedJson& solved, Of& response) {
   response.energy->residual = response.energy->peak_input * solved.at("energy_residual").template get<double>();
 }
 
+/// @param lowest number of the lowest storey of a building
+template <class Buildings, class Lowest, class Of>
+void read_collapses(const UnorderedJson& json, const fs::path& file, const Buildings& buildings, const Lowest& lowest,
+                    Of& response) {
+  const auto collapse = [&](const char* key) -> std::optional<Collapse> {
+    if (!json.contains(key)) return std::nullopt;
+    const UnorderedJson& told = json.at(key);
+    const auto named = std::find_if(buildings.begin(), buildings.end(),
+                                    [&](const auto& building) { return told.at("building") == building.name; });
+    if (named == buildings.end()) fail(file, "names a building that collapsed and is not there");
+    const Eigen::Index storey = told.at("storey");
+    return Collapse{named - buildings.begin(), storey - lowest(*named), told.at("time")};
+  };
+  response.collapse = collapse("collapse");
+  response.collapse_no_contact = collapse("collapse_no_contact");
+  if (response.collapse) response.status = Status::collapsed;
+}
+
 void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
@@ -193,19 +211,9 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
     if (!building.contains("stiffness_factor")) continue;
     results.problem.buildings[b].model.stiffness_factor = building.at("stiffness_factor").get<double>();
   }
-  const auto collapse = [&](const char* key) -> std::optional<Collapse> {
-    if (!json.contains(key)) return std::nullopt;
-    const UnorderedJson& told = json.at(key);
-    const std::vector<Building>& buildings = results.problem.buildings;
-    const auto named = std::find_if(buildings.begin(), buildings.end(),
-                                    [&](const Building& building) { return told.at("building") == building.name; });
-    if (named == buildings.end()) fail(file, "names a building that collapsed and is not there");
-    const Eigen::Index storey = told.at("storey");
-    return Collapse{named - buildings.begin(), storey - named->model.storey_number(0), told.at("time")};
-  };
-  results.response.collapse = collapse("collapse");
-  results.response.collapse_no_contact = collapse("collapse_no_contact");
-  if (results.response.collapse) results.response.status = Status::collapsed;
+  read_collapses(
+      json, file, results.problem.buildings, [](const Building& building) { return building.model.storey_number(0); },
+      results.response);
   for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.left), gap, file, results);
   std::size_t links = 0;
   for (const UnorderedJson& table : json.value("links", UnorderedJson::array())) {
@@ -276,6 +284,8 @@ void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun&
     run.c.analysis.duration = run.problem.duration = longest;
   }
   read_solved(json.at("solver"), run.response);
+  read_collapses(
+      json, file, run.problem.buildings, [](const PlanBuilding&) { return Eigen::Index(1); }, run.response);
   for (const UnorderedJson& one : json.at("discrepancies")) {
     run.response.discrepancies.push_back({one.at("key"), one.at("size")});
   }

@@ -65,6 +65,8 @@ void read_modal(const TomlView& modal, const CaseFiles& files, ReadBuilding& bui
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
 void read_rigid(const TableView& table, ReadBuilding& building);
 
+/// case_support.cpp: gravity loads of a building whose elevations are known.
+void read_gravity(const TableView& table, ReadBuilding& building);
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TableView& table, double gravity, ReadBuilding& building);
 

@@ -14,13 +14,6 @@ Impedance read_impedance(const TableView& view, const std::string& key) {
   return {table->number("stiffness").value_or(0), table->number("damping").value_or(0)};
 }
 
-void read_gravity(const TableView& view, ReadBuilding& building) {
-  building.spec.p_delta = view.flag("p_delta");
-  if (!view.has("gravity_loads")) return;
-  building.spec.gravity_loads = view.numbers("gravity_loads", building.elevations.size());
-  if (view.has("p_delta")) view.find("p_delta")->error("and gravity_loads exclude one another: give one of them");
-}
-
 /// Numbers of a law of bearings, from the table that they stand in.
 void read_bearings(const TableView& view, const LawEntryOf<Bearings>& law, IsolationSpec& spec) {
   spec.law = law.name;
@@ -80,6 +73,13 @@ void read_soil(const TomlView& given_soil, ReadBuilding& building) {
 }
 
 }  // namespace
+
+void read_gravity(const TableView& view, ReadBuilding& building) {
+  building.spec.p_delta = view.flag("p_delta");
+  if (!view.has("gravity_loads")) return;
+  building.spec.gravity_loads = view.numbers("gravity_loads", building.elevations.size());
+  if (view.has("p_delta")) view.find("p_delta")->error("and gravity_loads exclude one another: give one of them");
+}
 
 void read_support(const TableView& view, double gravity, ReadBuilding& building) {
   building.spec.gravity = gravity;

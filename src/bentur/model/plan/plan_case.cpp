@@ -129,6 +129,7 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
   problem.initial_displacement = initial_vectors(c.initial.displacements);
   problem.initial_velocity = initial_vectors(c.initial.velocities);
   problem.duration = c.analysis.duration;
+  problem.collapse_drift = c.analysis.collapse_drift;
   validate(problem);
   return problem;
 }

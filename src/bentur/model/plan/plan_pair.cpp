@@ -106,6 +106,7 @@ RunResults pair_of(const PlanRun& run, std::size_t gap) {
     return std::decay_t<decltype(list)>(begin, begin + static_cast<std::ptrdiff_t>(count));
   };
   pair.response.status = run.response.status;
+  pair.response.collapse_no_contact = run.response.collapse_no_contact;
   pair.response.points = part(run.response.points, point, of.contacts.size());
   pair.response.watched = part(run.response.watched, watched, of.watched.size());
   for (const Index b : {of.left, of.right}) {

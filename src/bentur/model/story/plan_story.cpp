@@ -38,9 +38,9 @@ Statement of_gap(const PlanRun& run, std::size_t g, std::string kind, Severity s
           .severity = severity,
           .gap = static_cast<Index>(g),
           .buildings = {first, second},
-          .values = {text_of("left", run.problem.buildings[first].name),
-                     text_of("right", run.problem.buildings[second].name),
-                     value_in("duration", run.problem.duration, "s")}};
+          .values = {
+              text_of("left", run.problem.buildings[first].name), text_of("right", run.problem.buildings[second].name),
+              value_in("duration", run.response.collapse ? run.response.collapse->time : run.problem.duration, "s")}};
 }
 
 /// The hardest impact of a contact; nullptr where it has none.
@@ -263,7 +263,7 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
         }
       }
     }
-    if (drifts) {
+    if (drifts && !run.problem.buildings[b].has_gravity_loads()) {
       statements.push_back({.kind = "drift_beyond",
                             .severity = Severity::danger,
                             .buildings = {b},
@@ -281,6 +281,13 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
                     count_of("storey", yields->second + 1), value_in("alone", alone(yields->second)),
                     word_of("comparison", "story.ductility_alone")}});
   }
+}
+
+void tell_collapse(const PlanRun& run, std::vector<Statement>& statements) {
+  story::tell_collapse(
+      run.response.collapse, run.response.collapse_no_contact, run.problem.collapse_drift,
+      [&](const Collapse& one) { return std::pair(run.problem.buildings[one.building].name, one.storey + 1); },
+      statements);
 }
 
 void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
@@ -320,13 +327,20 @@ void tell_rotations(const PlanRun& run, std::vector<Statement>& statements) {
 
 Statement model_statement(const PlanRun& run) {
   bool yields = false;
+  std::size_t counted = 0, loaded = 0;  // buildings that move, those with gravity loads
+  for (const PlanBuilding& building : run.problem.buildings) {
+    counted += building.is_rigid() ? 0 : 1;
+    loaded += building.has_gravity_loads() ? 1 : 0;
+  }
+  std::vector<std::vector<StoryValue>> left_out = story::gravity_left_out(loaded, counted);
+  left_out.push_back({word_of("what", "remarks.no_soil")});
   for (const PlanPeaks& peaks : run.response.buildings) {
     for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
   }
   return {.kind = "model_plan",
           .severity = Severity::remark,
           .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
-          .items = {{word_of("what", "remarks.no_gravity")}, {word_of("what", "remarks.no_soil")}}};
+          .items = std::move(left_out)};
 }
 
 }  // namespace
@@ -381,6 +395,7 @@ Story plan_story(const PlanRun& run) {
     pair.tell(story::tell_need, told.statements);
     pair.tell(story::tell_rules, told.statements);
   }
+  tell_collapse(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_planes(run, told.statements);
   tell_amplification(run, told.statements);
@@ -402,6 +417,7 @@ Story plan_gap_story(const PlanRun& run) {
     pair.tell(story::tell_rules, told.statements);
     pair.put_tables(told.tables);
   }
+  tell_collapse(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
   sort_by_severity(told.statements);

@@ -18,10 +18,33 @@ Statement model_statement(const RunResults& run) {
   Statement statement{.kind = some_building_yields(run.problem, run.response) ? "model_yielding" : "model",
                       .severity = Severity::remark};
   const auto leave_out = [&](const char* key) { statement.items.push_back({word_of("what", key)}); };
-  if (loaded < counted) leave_out(loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of");
+  statement.items = gravity_left_out(loaded, counted);
   leave_out("remarks.no_torsion");
   if (moved < counted) leave_out(moved == 0 ? "remarks.no_soil" : "remarks.soil_of");
   return statement;
+}
+
+void tell_collapse(const std::optional<Collapse>& with, const std::optional<Collapse>& without, double drift,
+                   const std::function<std::pair<std::string, Index>(const Collapse&)>& place,
+                   std::vector<Statement>& statements) {
+  const auto tell = [&](const Collapse& collapse, const char* kind) {
+    const auto [building, storey] = place(collapse);
+    statements.push_back({.kind = kind,
+                          .severity = Severity::danger,
+                          .buildings = {collapse.building},
+                          .values = {text_of("building", building), count_of("storey", storey),
+                                     value_in("time", collapse.time, "s"), value_in("limit", percent * drift, "%")}});
+  };
+  if (with) {
+    tell(*with, "collapse");
+    if (!without) statements.push_back({.kind = "collapse_by_contact", .severity = Severity::danger});
+  }
+  if (without) tell(*without, with ? "collapse_also_alone" : "collapse_alone");
+}
+
+std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted) {
+  if (loaded == counted) return {};
+  return {{word_of("what", loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of")}};
 }
 
 void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement) {
@@ -63,28 +86,14 @@ using story::word_of;
 
 std::string acceleration_unit(const Units& units) { return units.length + "/s²"; }
 
-/// {building}, {storey}, {time} and {limit} of a collapse.
-Statement collapse_statement(const RunResults& run, const Collapse& collapse, std::string kind, Severity severity) {
-  const Building& building = run.problem.buildings[collapse.building];
-  return {
-      .kind = std::move(kind),
-      .severity = severity,
-      .buildings = {collapse.building},
-      .values = {text_of("building", building.name), count_of("storey", building.model.storey_number(collapse.storey)),
-                 value_in("time", collapse.time, "s"), value_in("limit", percent * run.problem.collapse_drift, "%")}};
-}
-
 void tell_collapse(const RunResults& run, std::vector<Statement>& statements) {
-  const auto& with = run.response.collapse;
-  const auto& without = run.response.collapse_no_contact;
-  if (with) {
-    statements.push_back(collapse_statement(run, *with, "collapse", Severity::danger));
-    if (!without) statements.push_back({.kind = "collapse_by_contact", .severity = Severity::danger});
-  }
-  if (without) {
-    const char* const kind = with ? "collapse_also_alone" : "collapse_alone";
-    statements.push_back(collapse_statement(run, *without, kind, Severity::danger));
-  }
+  story::tell_collapse(
+      run.response.collapse, run.response.collapse_no_contact, run.problem.collapse_drift,
+      [&](const Collapse& one) {
+        const Building& building = run.problem.buildings[one.building];
+        return std::pair(building.name, building.model.storey_number(one.storey));
+      },
+      statements);
 }
 
 /// Storeys that drift beyond what counts as collapse where nothing looks for it, since no gravity acts.

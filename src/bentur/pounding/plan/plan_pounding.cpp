@@ -192,7 +192,7 @@ bool is_finite(const PlanResponse& response) {
 
 void check_response(const PlanProblem& problem, const Solver& solver, const SelfMeasures& measures,
                     PlanResponse& response) {
-  if (response.status != Status::done) return;
+  if (response.status != Status::done && response.status != Status::collapsed) return;
   if (!is_finite(response)) {
     response.status = Status::failed;
     response.message = "a number of the results is not finite";
@@ -256,6 +256,7 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const Solve
   const FreeSolution free(system, solver, progress.free, options.limits);
   PlanResponse response;
   response.buildings_no_contact = peaks_of(problem, free.solution());
+  response.collapse_no_contact = collapse_of(problem, free.solution());
   const bool mirrored = free.solution().status == Status::done && is_mirrored(problem);
   take_free(problem, free.solution(), levels, mirrored, response);
   response.friction.resize(response.points.size());
@@ -263,6 +264,7 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const Solve
   Solution solution = free.solve(system.contacts, rest);
   response.status = solution.status;
   response.message = std::move(solution.message);
+  response.collapse = collapse_of(problem, solution);
   response.steps = solution.steps;
   response.events = solution.events;
   response.buildings = peaks_of(problem, solution);

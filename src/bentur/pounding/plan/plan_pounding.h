@@ -44,7 +44,9 @@ struct PlanHistories {
 /// What the response of buildings in plan was; the impacts' points count the contacts of all gaps.
 struct PlanResponse {
   Status status = Status::done;
-  std::string message = {};  ///< why and when, unless done
+  std::string message = {};                          ///< why and when, unless done
+  std::optional<Collapse> collapse = {};             ///< where the status says so; all else is up to that time
+  std::optional<Collapse> collapse_no_contact = {};  ///< of the response with contact switched off
   long steps = 0, events = 0;
   double wall_time = 0;  ///< of the solution alone [s]
   std::vector<PlanPeaks> buildings;

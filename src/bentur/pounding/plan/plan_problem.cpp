@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/contact/laws/rubbing.h"
+#include "bentur/elements/deformation_limit.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/structure/plan/plan_body.h"
@@ -136,7 +137,42 @@ void check_motion(const GroundMotion& motion, double duration) {
   }
 }
 
+/// The edges of storeys of buildings that gravity pulls down: an end of a run where one drifts too far along itself.
+std::vector<Element> drift_limits(const PlanProblem& problem) {
+  std::vector<Element> limits;
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    const PlanBuilding& building = problem.buildings[b];
+    if (!building.has_gravity_loads()) continue;
+    const PlanModel& model = building.model;
+    const PlanPoint &low = model.footprint.corner, high = model.footprint.far_corner();
+    for (Index j = 0; j < model.floors(); ++j) {
+      const auto law = std::make_shared<DeformationLimit>(problem.collapse_drift * model.storey_heights[j]);
+      for (const PlanPoint& corner : {low, high}) {
+        for (const PlanPoint& along : {PlanPoint(PlanPoint::UnitX()), PlanPoint(PlanPoint::UnitY())}) {
+          Element& limit = limits.emplace_back();
+          limit.at.left = {.body = b, .row = model.drift(j, corner, along)};
+          limit.law = law;
+        }
+      }
+    }
+  }
+  return limits;
+}
+
 }  // namespace
+
+std::optional<Collapse> collapse_of(const PlanProblem& problem, const Solution& solution) {
+  if (!solution.passed) return std::nullopt;
+  constexpr Index edges = 4;
+  Index storey = solution.passed->limit / edges;
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    const PlanBuilding& building = problem.buildings[b];
+    if (!building.has_gravity_loads()) continue;
+    if (storey < building.model.floors()) return Collapse{b, storey, solution.passed->time};
+    storey -= building.model.floors();
+  }
+  return std::nullopt;
+}
 
 std::string gap_name(const PlanProblem& problem, const PlanGap& gap) {
   const auto [first, second] = std::minmax(gap.left, gap.right);
@@ -147,6 +183,8 @@ void validate(const PlanProblem& problem) {
   require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
   require(std::isfinite(problem.duration) && problem.duration > 0, "duration", fmt::format("{}", problem.duration),
           "must be finite and > 0");
+  require(std::isfinite(problem.collapse_drift) && problem.collapse_drift > 0, "collapse_drift",
+          fmt::format("{}", problem.collapse_drift), "must be finite and > 0");
   for (const PlanBuilding& building : problem.buildings) check_building(building, problem.duration);
   for (const PlanGap& gap : problem.gaps) check_gap(problem, gap);
   for (const GroundMotion& motion : problem.motions) check_motion(motion, problem.duration);
@@ -192,6 +230,7 @@ System system_of(const PlanProblem& problem, bool levels) {
     if (moves(motion)) system.motions.push_back(motion);
   }
   if (system.motions.empty()) system.motions.push_back(NoMotion{});
+  system.limits = drift_limits(problem);
   system.delays = problem.delays;
   system.initial_displacement = problem.initial_displacement;
   system.initial_velocity = problem.initial_velocity;

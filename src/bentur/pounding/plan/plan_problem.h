@@ -10,6 +10,7 @@
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/pounding/plan/faces.h"
 #include "bentur/pounding/problem.h"
+#include "bentur/pounding/response.h"
 #include "bentur/solve/system.h"
 #include "bentur/structure/plan/plan.h"
 
@@ -53,6 +54,9 @@ struct PlanProblem {
   std::vector<Eigen::VectorXd> initial_displacement;  ///< per building, dofs [length, rad]; empty: at rest
   std::vector<Eigen::VectorXd> initial_velocity;      ///< likewise [length/s, rad/s]
   double duration = 0;                                ///< [s] > 0
+  /// Drift ratio [-] > 0 of an edge, along it, at which a storey of a building with gravity loads has collapsed, which
+  /// ends the run.
+  double collapse_drift = 0.1;
 };
 
 /// "A | B", as the buildings stand in the problem.
@@ -65,5 +69,8 @@ void validate(const PlanProblem& problem);
 /// levels what rules for gaps take is watched in the free response: level_interfaces() of the contacts of all gaps,
 /// then of all that is watched, no face of which is a floor
 [[nodiscard]] System system_of(const PlanProblem& problem, bool levels = false);
+
+/// The storey, from 0, whose edge passed its limit, where one did.
+[[nodiscard]] std::optional<Collapse> collapse_of(const PlanProblem& problem, const Solution& solution);
 
 }  // namespace bentur

@@ -1,5 +1,8 @@
 #include "bentur/structure/plan/plan.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -155,6 +158,69 @@ PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, const
   return made;
 }
 
+/// What the loads of storey `storey` and above take from its stiffness (P-22).
+MatrixXd softening_of(const PlanModel& model, const std::vector<double>& loads, Index storey) {
+  MatrixXd softening = MatrixXd::Zero(model.dofs(), model.dofs());
+  VectorXd turn = VectorXd::Zero(model.dofs());
+  turn(3 * storey + 2) = 1;
+  if (storey > 0) turn(3 * storey - 1) = -1;
+  for (Index f = storey; f < model.floors(); ++f) {
+    const PlanPoint at = model.footprint.corner + model.centres[f];
+    const VectorXd x = model.drift(storey, at, PlanPoint::UnitX()), y = model.drift(storey, at, PlanPoint::UnitY());
+    const double radius2 = model.mass(3 * f + 2, 3 * f + 2) / model.mass(3 * f, 3 * f);
+    softening += loads[f] / model.storey_heights[storey] *
+                 (x * x.transpose() + y * y.transpose() + radius2 * turn * turn.transpose());
+  }
+  return softening;
+}
+
+/// All floors above a storey as one rigid body that moves with the floor just above it: dofs × 3.
+MatrixXd rigid_above(const PlanModel& model, Index storey) {
+  MatrixXd moved = MatrixXd::Zero(model.dofs(), 3);
+  for (Index f = storey; f < model.floors(); ++f) {
+    const PlanPoint arm = model.centres[f] - model.centres[storey];
+    moved.middleRows<3>(3 * f) << 1, 0, -arm.y(), 0, 1, arm.x(), 0, 0, 1;
+  }
+  return moved;
+}
+
+/// Names what is wrong with loads under which a building does not stand; `model` before they act.
+[[noreturn]] void refuse_loads(const PlanModel& model, const std::vector<double>& loads, const MatrixXd& softening) {
+  using Solver = Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>;
+  const auto share = [](const MatrixXd& part, const MatrixXd& whole) {
+    return Solver(part, whole, Eigen::EigenvaluesOnly | Eigen::Ax_lBx).eigenvalues().maxCoeff();
+  };
+  Index weakest = 0;
+  double most = 0;
+  for (Index j = 0; j < model.floors(); ++j) {
+    const MatrixXd moved = rigid_above(model, j);
+    const MatrixXd bears = model.storey_forces.middleRows<3>(3 * j) * moved;
+    const double of_storey =
+        share(moved.transpose() * softening_of(model, loads, j) * moved, 0.5 * (bears + bears.transpose()));
+    if (of_storey > most) {
+      most = of_storey;
+      weakest = j;
+    }
+  }
+  const double of_all = share(softening, model.stiffness);
+  throw InvalidParameter("gravity_loads", fmt::format("{:.4g} times what the building bears", of_all),
+                         fmt::format("must leave the building standing: storey {} has the least margin, and all loads "
+                                     "times {:.3g} are critical",
+                                     weakest + 1, 1 / of_all));
+}
+
+/// P-Δ: loads of the floors, from the lowest up, take from the stiffness of all storeys below them.
+void soften(const std::vector<double>& loads, PlanModel& model) {
+  require_size("gravity_loads", loads.size(), model.floors());
+  for (std::size_t f = 0; f < loads.size(); ++f) require_not_negative(indexed("gravity_loads", f), loads[f]);
+  MatrixXd softening = MatrixXd::Zero(model.dofs(), model.dofs());
+  for (Index j = 0; j < model.floors(); ++j) softening += softening_of(model, loads, j);
+  const MatrixXd left = model.stiffness - softening;
+  if (Eigen::LLT<MatrixXd>(left).info() != Eigen::Success) refuse_loads(model, loads, softening);
+  model.stiffness = left;
+  model.softening = std::move(softening);
+}
+
 }  // namespace
 
 std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
@@ -192,6 +258,12 @@ VectorXd PlanModel::movement_at(double elevation, const PlanPoint& at, const Pla
   const auto [upper, s] = storey_place(elevations, storey_heights, elevation);
   VectorXd row = s * movement(upper, at, direction);
   if (upper > 0) row += (1 - s) * movement(upper - 1, at, direction);
+  return row;
+}
+
+VectorXd PlanModel::drift(Index storey, const PlanPoint& at, const PlanPoint& direction) const {
+  VectorXd row = movement(storey, at, direction);
+  if (storey > 0) row -= movement(storey - 1, at, direction);
   return row;
 }
 
@@ -237,6 +309,7 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
       model.storey_forces.middleRows<3>(3 * j) += spring.stiffness * spring.above.transpose() * row;
     }
   }
+  if (!plan.gravity_loads.empty()) soften(plan.gravity_loads, model);
   return model;
 }
 
@@ -245,7 +318,11 @@ PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping
   building.modes = modes(building.model.mass, building.model.stiffness);
   building.modal_damping = modal_damping(damping, building.modes);
   if (tangent) {
-    const auto beta = stiffness_part(damping, building.modes.omega(0));
+    const MatrixXd& softening = building.model.softening;
+    const double omega = building.has_gravity_loads()
+                             ? modes(building.model.mass, building.model.stiffness + softening).omega(0)
+                             : building.modes.omega(0);
+    const auto beta = stiffness_part(damping, omega);
     if (!beta || *beta < 0) {
       throw InvalidParameter("damping_stiffness", "tangent",
                              "needs damping with a stiffness part that is not negative");

@@ -53,6 +53,7 @@ struct Plan {
   std::vector<double> inertias = {};            ///< about these, one per floor [mass·length²]; empty: (P-2)
   std::vector<PlanPlane> planes = {};
   std::optional<PlanRigidity> rigidity = {};  ///< beside the planes
+  std::vector<double> gravity_loads = {};  ///< of P-Δ, on each floor, spread as its mass is [force] ≥ 0; empty: none
 };
 
 /// A direction in which nothing holds a storey, counted from 0.
@@ -69,7 +70,8 @@ struct PlanModel {
   std::vector<double> floor_masses;    ///< [mass]; infinite of a wall
   std::vector<PlanPoint> centres;      ///< c_f from the footprint's corner [length]
   Eigen::MatrixXd mass, stiffness;     ///< dofs × dofs
-  Eigen::MatrixXd load;                ///< dofs × 2: p = −load · (a_x, a_y) [mass]
+  Eigen::MatrixXd softening = {};  ///< what gravity loads have taken from the stiffness (P-22); empty: there are none
+  Eigen::MatrixXd load;            ///< dofs × 2: p = −load · (a_x, a_y) [mass]
   /// A plane as rows over the dofs, storey by storey.
   struct Plane {
     std::string name;
@@ -91,6 +93,8 @@ struct PlanModel {
   /// The same at an elevation [length] between base and top: on the straight line between floors, as sway_at() of a
   /// stick. @throws InvalidParameter as storey_place().
   [[nodiscard]] Eigen::VectorXd movement_at(double elevation, const PlanPoint& at, const PlanPoint& direction) const;
+  /// How far that point of floor `storey` moves along a direction against the same point of the floor below.
+  [[nodiscard]] Eigen::VectorXd drift(Eigen::Index storey, const PlanPoint& at, const PlanPoint& direction) const;
 };
 
 /// A building in plan as the rest of the program sees it.
@@ -101,6 +105,8 @@ struct PlanBuilding {
   Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s]
   double tangent_damping = 0;     ///< as Building's [s]
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
+  /// Gravity loads act (P-Δ), so that it may collapse.
+  [[nodiscard]] bool has_gravity_loads() const { return model.softening.size() > 0; }
 };
 
 /// The directions in which storeys are not held: the least eigenvalue of their stiffness, rotations times the longer
@@ -112,7 +118,7 @@ struct PlanBuilding {
 [[nodiscard]] PlanPoint centre_of_rigidity(const Plan& plan, Eigen::Index storey);
 
 /// @throws InvalidParameter, naming the key, when lists have wrong lengths, a value is out of its range, a centre of
-/// mass is outside the footprint or a storey is not held.
+/// mass is outside the footprint, a storey is not held or the building does not stand under its gravity loads.
 [[nodiscard]] PlanModel plan_model(const Plan& plan, double base_elevation = 0.0);
 
 /// With its modes and damping. @param tangent whether the stiffness part of damping follows that of a plane that yields

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -126,6 +127,90 @@ TEST(Plan, AShearBuildingAlongEachAxis) {
     EXPECT_EQ(model.load.row(3 * a + 2), Eigen::RowVector2d(0, 0));
   }
   EXPECT_EQ(model.elevations, stick.elevations);
+}
+
+/// Gravity takes P/h from both translations of a storey and Σ P r²/h from its rotation (P-22).
+TEST(Plan, GravityLoadsSoftenTranslationsAndRotation) {
+  Plan plan = eccentric_storey();  // about its centre of mass r² = 39
+  plan.planes = {plane_at(1, true, {7e4}), plane_at(17, true, {7e4}), plane_at(2, false, {6e4}),
+                 plane_at(10, false, {6e4})};
+  plan.gravity_loads = {60e3};
+  const PlanModel model = plan_model(plan);
+  const double k_x = 14e4, k_y = 12e4, k_theta = 14e4 * 64 + 12e4 * 16, p_h = 60e3 / 3.0, r2 = 39, m = 200;
+  const Modes found = modes(model.mass, model.stiffness);
+  VectorXd omega2 = Eigen::Vector3d((k_x - p_h) / m, (k_y - p_h) / m, (k_theta - p_h * r2) / (m * r2));
+  std::sort(omega2.begin(), omega2.end());
+  for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(found.omega(i) * found.omega(i) / omega2(i), 1, 1e-12);
+  // What storeys bear is that of their planes alone.
+  Plan without = plan;
+  without.gravity_loads.clear();
+  EXPECT_EQ(model.storey_forces, plan_model(without).storey_forces);
+  EXPECT_TRUE((model.stiffness + model.softening).isApprox(plan_model(without).stiffness, 1e-14));
+}
+
+TEST(Plan, GravityLoadsAreTheWorkOfWeightsThatComeDown) {
+  // Each floor's load, spread as its mass, comes down by Σ |Δ|²/(2 h) over the storeys below, Δ where it stands: here
+  // of a ring of points with the floor's radius of gyration about its centre of mass.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> u(-1, 1);
+  Plan plan = shifted_storeys();
+  plan.gravity_loads = {900, 1500};
+  const PlanModel model = plan_model(plan);
+  constexpr int ring = 12;
+  for (int n = 0; n < 20; ++n) {
+    const VectorXd x = VectorXd::NullaryExpr(model.dofs(), [&] { return u(random); });
+    double work = 0;
+    for (Eigen::Index f = 0; f < 2; ++f) {
+      const double radius = std::sqrt(plan.inertias[f] / plan.masses[f]);
+      for (int i = 0; i < ring; ++i) {
+        const double angle = 2 * std::numbers::pi * i / ring;
+        const PlanPoint at =
+            plan.footprint.corner + plan.centres_of_mass[f] + radius * PlanPoint(std::cos(angle), std::sin(angle));
+        for (Eigen::Index j = 0; j <= f; ++j) {
+          const double dx = model.drift(j, at, PlanPoint::UnitX()).dot(x);
+          const double dy = model.drift(j, at, PlanPoint::UnitY()).dot(x);
+          work += plan.gravity_loads[f] / ring / plan.storey_heights[j] * (dx * dx + dy * dy);
+        }
+      }
+    }
+    EXPECT_NEAR(x.dot(model.softening * x) / work, 1, 1e-12);
+  }
+}
+
+TEST(Plan, LoadsUnderWhichItDoesNotStandAreRefusedWithTheirNumbers) {
+  const auto refusal = [](Plan plan) -> std::string {
+    try {
+      static_cast<void>(plan_model(plan));
+    } catch (const InvalidParameter& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  Plan plan = eccentric_storey();
+  plan.planes = {plane_at(1, true, {7e4}), plane_at(17, true, {7e4}), plane_at(2, false, {6e4}),
+                 plane_at(10, false, {6e4})};
+  plan.gravity_loads = {2 * 12e4 * 3.0};  // twice what it bears along y
+  EXPECT_NE(refusal(plan).find("2 times what the building bears"), std::string::npos) << refusal(plan);
+  EXPECT_NE(refusal(plan).find("storey 1 has the least margin, and all loads times 0.5 are critical"),
+            std::string::npos)
+      << refusal(plan);
+  plan.gravity_loads = {0.999 * 12e4 * 3.0};
+  EXPECT_EQ(refusal(plan), "nothing");
+  // Both axes hold and rotation does not: planes close to the middle.
+  plan.planes = {plane_at(8, true, {14e4}), plane_at(10, true, {14e4}), plane_at(6, false, {28e4})};
+  const double k_theta = 28e4;
+  plan.gravity_loads = {1.25 * k_theta / 39 * 3.0};
+  EXPECT_NE(refusal(plan).find("1.25 times what the building bears"), std::string::npos) << refusal(plan);
+  plan.gravity_loads = {-1};
+  EXPECT_NE(refusal(plan).find("gravity_loads[0]"), std::string::npos);
+  plan.gravity_loads = {1, 1};
+  EXPECT_NE(refusal(plan).find("gravity_loads"), std::string::npos);
+  // Of two storeys the upper one.
+  Plan two = shifted_storeys();
+  two.gravity_loads = {0, 0};
+  EXPECT_EQ(refusal(two), "nothing");
+  two.gravity_loads = {0, 1e6};
+  EXPECT_NE(refusal(two).find("storey 2 has the least margin"), std::string::npos) << refusal(two);
 }
 
 TEST(Plan, EnergyOfThePlanesIsThatOfTheStiffness) {

@@ -167,10 +167,9 @@ void read_wall(const TableView& building, ReadPlanBuilding& read) {
   read.spec.structure = std::move(wall);
 }
 
-void read_floors(const TableView& building, ReadPlanBuilding& read) {
+void read_floors(const TableView& building, double gravity, ReadPlanBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"calibrate_period", "width", "p_delta", "gravity_loads", "soil", "isolation", "frame", "stick",
-                   "matrices", "modal", "generic"},
+  building.refuse({"calibrate_period", "width", "soil", "isolation", "frame", "stick", "matrices", "modal", "generic"},
                   "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
@@ -195,6 +194,11 @@ void read_floors(const TableView& building, ReadPlanBuilding& read) {
   if (known && held) check_held(building, plan);
   read.told.modes = 3 * storeys;
   read.told.elevations = floor_elevations(plan.storey_heights);
+  read_gravity(building, read.told);
+  plan.gravity_loads = read.told.spec.gravity_loads;
+  if (read.told.spec.p_delta && plan.gravity_loads.empty()) {
+    for (const double mass : plan.masses) plan.gravity_loads.push_back(mass * gravity);
+  }
   if (const auto damping = building.get("damping")) {
     read.spec.damping = read_damping(*damping, read.told.modes);
   } else {
@@ -213,7 +217,7 @@ void read_floors(const TableView& building, ReadPlanBuilding& read) {
 
 }  // namespace
 
-std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root) {
+std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, double gravity) {
   std::vector<ReadPlanBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");
   if (!list || list->has_more_than(case_keys().at("building").most)) return buildings;
@@ -228,7 +232,7 @@ std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root) {
       if (view.flag("rigid")) {
         read_wall(view, read);
       } else {
-        read_floors(view, read);
+        read_floors(view, gravity, read);
       }
       read.told.spec.base_elevation = read.spec.base_elevation;
       for (double& elevation : read.told.elevations) elevation += read.spec.base_elevation;

@@ -22,7 +22,6 @@ namespace {
 void refuse_analysis(const TomlView& root) {
   const auto analysis = root.find("analysis");
   if (!analysis || !analysis->is(TomlValue::Kind::table)) return;
-  analysis->refuse({"collapse_drift"}, "does not go with buildings in plan");
   const auto solver = analysis->find("solver");
   if (solver && solver->value().text == "runge-kutta") solver->error_value("does not go with buildings in plan");
 }
@@ -41,7 +40,7 @@ PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* p
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
-  const std::vector<ReadPlanBuilding> buildings = read_plan_buildings(root);
+  const std::vector<ReadPlanBuilding> buildings = read_plan_buildings(root, c.units.gravity);
   for (const ReadPlanBuilding& building : buildings) c.buildings.push_back(building.spec);
   c.gaps = read_plan_gaps(root, buildings);
   c.code = read_code(root, c.units, buildings.size(), files.diagnostics.ok() ? c.gaps.size() : 0);

@@ -179,8 +179,11 @@ TEST(PlanToml, SaysEveryErrorOfBuildings) {
             (Errors{"building[\"B\"].damping.modal has 4 entries, expected 6 (one per mode)"}));
   EXPECT_EQ(errors_with("elevations = [4.5]\n", "elevations = [4.5]\ndamping = 0.1\n"),
             (Errors{"building[\"W\"].damping is not for a rigid building, which moves with the ground"}));
-  EXPECT_EQ(errors_with("base_elevation = 1.0", "base_elevation = 1.0\np_delta = true"),
-            (Errors{"building[\"A\"].p_delta does not go with buildings in plan"}));
+  EXPECT_EQ(errors_with("base_elevation = 1.0", "base_elevation = 1.0\np_delta = true"), Errors{});
+  EXPECT_EQ(errors_with("base_elevation = 1.0", "base_elevation = 1.0\ngravity_loads = [1]"),
+            (Errors{"building[\"A\"].gravity_loads has 1 entry, expected 2 (one per floor)"}));
+  EXPECT_EQ(errors_with("base_elevation = 1.0", "base_elevation = 1.0\np_delta = true\ngravity_loads = [1, 1]"),
+            (Errors{"building[\"A\"].p_delta and gravity_loads exclude one another: give one of them"}));
 }
 
 TEST(PlanToml, SaysEveryErrorOfPairs) {
@@ -307,10 +310,8 @@ TEST(PlanToml, CornerSlidesAlongAWall) {
 }
 
 TEST(PlanToml, SaysWhatIsNotBuilt) {
-  EXPECT_EQ(errors_with("[analysis]\nduration = 2",
-                        "[analysis]\nduration = 2\nsolver = \"runge-kutta\"\ncollapse_drift = 0.1"),
-            (Errors{"analysis.solver = \"runge-kutta\", does not go with buildings in plan",
-                    "analysis.collapse_drift does not go with buildings in plan"}));
+  EXPECT_EQ(errors_with("[analysis]\nduration = 2", "[analysis]\nduration = 2\nsolver = \"runge-kutta\""),
+            (Errors{"analysis.solver = \"runge-kutta\", does not go with buildings in plan"}));
   EXPECT_EQ(errors_with("[analysis]", "[screening]\nseismicity = \"high\"\n[analysis]"),
             (Errors{"screening does not go with buildings in plan"}));
   EXPECT_EQ(errors_with("A = [[0.1, 0.0, 0.002], [0.2, 0.0, 0.004]]",

@@ -113,6 +113,12 @@ Json plan_statements_json(const PlanProblem& problem, const std::vector<Statemen
   return Json::parse(statements_json(names, statements));
 }
 
+Json plan_collapse_json(const PlanRun& run, const Collapse& collapse) {
+  return {{"building", run.problem.buildings.at(static_cast<std::size_t>(collapse.building)).name},
+          {"storey", collapse.storey + 1},
+          {"time", collapse.time}};
+}
+
 Json excitations_json(const PlanCase& c) {
   Json json = excitation_json(c.excitation[0]);
   Json y = excitation_json(c.excitation[1]);
@@ -149,17 +155,22 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b));
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) gaps.push_back(plan_gap_json(run, g));
   for (Index i = 0; i < std::ssize(run.response.impacts); ++i) impacts.push_back(plan_impact_json(run, i));
-  return text_of({{"title", run.c.title},
-                  {"units", units_json(run.c.units)},
-                  {"version", version},
-                  {"case", source_json(run.c.source)},
-                  {"status", "completed"},
-                  {"solver", plan_solver_json(run)},
-                  {"excitation", excitations_json(run.c)},
-                  {"discrepancies", discrepancies_json(run.response.discrepancies)},
-                  {"buildings", std::move(buildings)},
-                  {"gaps", std::move(gaps)},
-                  {"impacts", std::move(impacts)}});
+  Json json = {{"title", run.c.title},
+               {"units", units_json(run.c.units)},
+               {"version", version},
+               {"case", source_json(run.c.source)},
+               {"status", run.response.collapse ? "collapsed" : "completed"},
+               {"solver", plan_solver_json(run)},
+               {"excitation", excitations_json(run.c)},
+               {"discrepancies", discrepancies_json(run.response.discrepancies)},
+               {"buildings", std::move(buildings)},
+               {"gaps", std::move(gaps)},
+               {"impacts", std::move(impacts)}};
+  if (run.response.collapse) json["collapse"] = plan_collapse_json(run, *run.response.collapse);
+  if (run.response.collapse_no_contact) {
+    json["collapse_no_contact"] = plan_collapse_json(run, *run.response.collapse_no_contact);
+  }
+  return text_of(json);
 }
 
 std::string plan_gap_json(const PlanRun& run, std::string_view version) {
@@ -168,7 +179,8 @@ std::string plan_gap_json(const PlanRun& run, std::string_view version) {
     const RunResults pair = pair_of(run, g);
     gaps.push_back(gap_json_of(pair.c, pair.problem,
                                separations(pair.problem, pair.response, pair.c.code, pair.c.units),
-                               displacement_scale(pair.problem, pair.response, 0), false, 0, &run.problem.gaps[g]));
+                               displacement_scale(pair.problem, pair.response, 0),
+                               pair.response.collapse_no_contact.has_value(), 0, &run.problem.gaps[g]));
   }
   return text_of({{"title", run.c.title},
                   {"units", units_json(run.c.units)},

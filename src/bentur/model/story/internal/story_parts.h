@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/core/number_text.h"
@@ -63,6 +66,13 @@ void tell_breaking(const RunResults& run, Story& told);
 
 /// Of a run, which must outlive them.
 [[nodiscard]] GapFacts facts_of(const RunResults& run);
+/// Collapses with contact and without: {building}, {storey}, {time} and {limit}. @param place name of the building and
+/// number of the storey
+void tell_collapse(const std::optional<Collapse>& with, const std::optional<Collapse>& without, double drift,
+                   const std::function<std::pair<std::string, Eigen::Index>(const Collapse&)>& place,
+                   std::vector<Statement>& statements);
+/// The item of model_statement() where gravity acts on `loaded` of so many buildings.
+[[nodiscard]] std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted);
 /// What the model leaves out.
 [[nodiscard]] Statement model_statement(const RunResults& run);
 
