@@ -323,8 +323,9 @@ class Work {
   [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadPlan& read) {
     const SolveOptions options{.limits = run_limits(read.c.analysis), .levels = true};
     PlanRun run{read.c, read.problem, solve(read.problem, read.c.analysis.solver, options)};
-    if (run.response.status != Status::done) throw std::runtime_error(record + ": " + run.response.message);
-    RecordNeed result{.record = record, .separations = {}, .gaps = {}};
+    if (run.response.status != Status::done && run.response.status != Status::collapsed)
+      throw std::runtime_error(record + ": " + run.response.message);
+    RecordNeed result{record, run.response.collapse_no_contact.has_value(), {}, {}};
     for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
       const RunResults pair = pair_of(run, gap);
       for (LevelSeparation& one : separations(pair.problem, pair.response, pair.c.code, pair.c.units)) {
