@@ -22,7 +22,7 @@ BEYOND = {
             length-of-list link-length matrices-not-square modal-damping-length modal-lengths
             modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
-            plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing
+            plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing plan-link-not-facing
             plan-not-held-against-rotation""",
         "order of numbers": """
             column-elevations-order gap-elevations-order matrices-elevations-order
@@ -51,7 +51,8 @@ BEYOND = {
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone
-            isolation-strength-alone plan-beside-row plan-friction-of-law plan-gap-width matrices-damping-none
+            isolation-strength-alone link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
+            plan-friction-of-law plan-gap-width plan-link-without-place matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice
             spectrum-damping-of-code spectrum-long-period spectrum-with-bearings-that-yield

@@ -68,6 +68,30 @@ std::string plane_table(const PlanRun& run, Index building, const Words& say) {
          with_columns(std::move(table), table_columns(PlanOwner::plane, false, run, places, say.number()));
 }
 
+/// The links of each [[link]] of the case, from the top down.
+std::string link_tables(const PlanRun& run, const Words& say) {
+  std::string text;
+  Index next = 0;
+  for (const PlanLinkSpec& spec : run.c.links) {
+    const auto count = std::ssize(spec.link.elevations);
+    if (count == 0) continue;
+    std::vector<PlanPlace> places;
+    std::vector<double> levels;
+    for (Index i = next + count; i-- > next;) {
+      places.push_back({i});
+      levels.push_back(run.problem.links[i].link.elevation);
+    }
+    next += count;
+    const auto name = [&](std::size_t b) { return run.problem.buildings[b].name; };
+    Table table;
+    table.add(say("cli.level"), run.c.units.length, levels);
+    text += "\n" +
+            say("cli.links", {{"link", name(spec.link.left) + " – " + name(spec.link.right)}, {"law", spec.link.law}}) +
+            "\n\n" + with_columns(std::move(table), table_columns(PlanOwner::link, false, run, places, say.number()));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string plan_motion_text(const PlanRun& run, const Words& say) {
@@ -88,6 +112,7 @@ std::string plan_summary_text(const PlanRun& run, const Words& say) {
   for (std::size_t g = 0; g < gaps.size(); ++g) {
     text += "\n" + say("cli.contact", {{"gap", gaps[g]}}) + "\n\n" + contact_table(run, g, say);
   }
+  text += link_tables(run, say);
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
     text += "\n" + say("cli.peaks", {{"building", problem.buildings[b].name}}) + "\n\n";
     text += floor_table(run, b, false, say) + "\n" + floor_table(run, b, true, say);

@@ -132,6 +132,19 @@ TEST(PlanReading, WhatWasWrittenIsWhatIsRead) {
                     yields = "yield_forces = [900, 900]\nhardening = 0.05\n";
   expect_read_back(test::plan_run(test::twisting_pair(before, yields + before)));
   expect_read_back(test::plan_run(test::twisting_pair() + test::wall_beside));
+  // With one that loses strength, and a link; under gravity that brings a building down.
+  const std::string softens = "backbone = { yield = 900, cap = 1.05, plastic_drift = 0.002, softening_drift = 0.01 }\n";
+  const std::string link =
+      "\n[[link]]\nbetween = [\"Frame\", \"Walled\"]\nelevations = [6.7]\nlaw = \"cable\"\nstiffness = 2e4\n"
+      "at = 10\nalong = \"x\"\n";
+  PlanRun softened = test::plan_run(test::twisting_pair(before, softens + before) + link);
+  EXPECT_EQ(softened.response.links.size(), 1U);
+  expect_read_back(std::move(softened));
+  const std::string name = "name = \"Walled\"\n";
+  PlanRun fallen = test::plan_run(test::with(test::twisting_pair(name, name + "p_delta = true\n"), "[analysis]\n",
+                                             "[analysis]\ncollapse_drift = 1e-3\n"));
+  EXPECT_EQ(fallen.response.status, Status::collapsed);
+  expect_read_back(std::move(fallen));
 }
 
 /// A record that is not at hand has told the duration of a case that gives none.

@@ -57,6 +57,31 @@ std::string kind_of(const Law& law) {
 
 }  // namespace
 
+std::vector<Link> links_of(const LinkSpec& spec, const FloorLevels& left, const FloorLevels& right,
+                           const std::array<std::string, 2>& names) {
+  std::vector<Link> links;
+  const std::vector<LevelPair> pairs = level_floors(left, right, spec.level_tolerance);
+  const double round_off = round_off_of_levels(left, right);
+  for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
+    const double wanted = spec.elevations[i];
+    const LevelPair* const pair = pair_at(wanted, pairs, left, right);
+    if (pair == nullptr) {
+      throw InvalidParameter("elevations", std::to_string(wanted),
+                             fmt::format("\"{}\" and \"{}\" do not both have a floor there", names[0], names[1]));
+    }
+    std::shared_ptr<const Law> law = make_link_law(spec, i);
+    std::string kind = kind_of(*law);
+    links.push_back({.left = static_cast<Eigen::Index>(spec.left),
+                     .right = static_cast<Eigen::Index>(spec.right),
+                     .left_floor = pair->left_floor,
+                     .right_floor = pair->right_floor,
+                     .elevation = std::abs(wanted - pair->elevation) <= round_off ? wanted : pair->elevation,
+                     .law = std::move(law),
+                     .kind = std::move(kind)});
+  }
+  return links;
+}
+
 std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector<Building>& buildings) {
   std::vector<Link> links;
   for (const LinkSpec& spec : specs) {
@@ -64,27 +89,9 @@ std::vector<Link> links_of(const std::vector<LinkSpec>& specs, const std::vector
       throw InvalidParameter("link", fmt::format("between buildings {} and {}", spec.left, spec.right),
                              "must be between two buildings of the row, the left one first");
     }
-    const FloorLevels left = levels_of(buildings[spec.left].model);
-    const FloorLevels right = levels_of(buildings[spec.right].model);
-    const std::vector<LevelPair> pairs = level_floors(left, right, spec.level_tolerance);
-    const double round_off = round_off_of_levels(left, right);
-    for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
-      const double wanted = spec.elevations[i];
-      const LevelPair* const pair = pair_at(wanted, pairs, left, right);
-      if (pair == nullptr) {
-        throw InvalidParameter("elevations", std::to_string(wanted),
-                               fmt::format("\"{}\" and \"{}\" do not both have a floor there",
-                                           buildings[spec.left].name, buildings[spec.right].name));
-      }
-      std::shared_ptr<const Law> law = make_link_law(spec, i);
-      std::string kind = kind_of(*law);
-      links.push_back({.left = static_cast<Eigen::Index>(spec.left),
-                       .right = static_cast<Eigen::Index>(spec.right),
-                       .left_floor = pair->left_floor,
-                       .right_floor = pair->right_floor,
-                       .elevation = std::abs(wanted - pair->elevation) <= round_off ? wanted : pair->elevation,
-                       .law = std::move(law),
-                       .kind = std::move(kind)});
+    for (Link& link : links_of(spec, levels_of(buildings[spec.left].model), levels_of(buildings[spec.right].model),
+                               {buildings[spec.left].name, buildings[spec.right].name})) {
+      links.push_back(std::move(link));
     }
   }
   return links;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -36,6 +37,11 @@ struct LinkSpec {
 /// The law of one point. @throws InvalidParameter, naming the key at fault, when the case has no such law or its values
 /// do not go together.
 [[nodiscard]] std::shared_ptr<const Law> make_link_law(const LinkSpec& spec, std::size_t point);
+
+/// One link per elevation of a spec between two buildings, with their names.
+/// @throws InvalidParameter when they do not both have a floor there.
+[[nodiscard]] std::vector<Link> links_of(const LinkSpec& spec, const FloorLevels& left, const FloorLevels& right,
+                                         const std::array<std::string, 2>& names);
 
 /// One link per elevation of each spec, in their order.
 /// @throws InvalidParameter when a building does not exist or has no floor there.

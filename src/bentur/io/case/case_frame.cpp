@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numeric>
 
 #include "bentur/io/case/case_parts.h"
@@ -73,11 +74,12 @@ void read_shear(const TableView& view, std::size_t lines, Section& section) {
 }
 
 /// From a density a member weighs by its own length. @param lines of columns; 0: it is a beam
-Section read_section(const TomlView& given, double gravity, std::size_t lines) {
+Section read_section(const TomlView& given, const KeyTable& keys, double gravity, std::size_t lines) {
   Section section;
-  const auto view = TableView::of(given, section_keys());
+  const auto view = TableView::of(given, keys);
   if (!view) return section;
   read_shape(*view, section);
+  if (&keys == &plane_section_keys()) return section;
   read_hinges(*view, lines, section);
   read_shear(*view, lines, section);
   const auto basis = view->exactly_one("weight");
@@ -95,13 +97,14 @@ Section read_section(const TomlView& given, double gravity, std::size_t lines) {
 /// storey". @param lines as read_section() takes it
 std::vector<Section> read_sections(const TableView& frame, const std::string& key, std::size_t count,
                                    const std::string& each, double gravity, std::size_t lines) {
+  const KeyTable& keys = *frame.key(key).table;
   const auto list = frame.get(key);
   if (!list || !list->is_list_of("sections")) return {};
   if (count > 0 && list->size() != 1 && list->size() != count) {
     list->error(fmt::format("has {} entries, expected 1 or {} ({})", list->size(), count, each));
   }
   std::vector<Section> given;
-  for (const TomlView& section : list->items()) given.push_back(read_section(section, gravity, lines));
+  for (const TomlView& section : list->items()) given.push_back(read_section(section, keys, gravity, lines));
   std::vector<Section> sections;
   for (std::size_t i = 0; i < count; ++i) sections.push_back(given[std::min(i, given.size() - 1)]);
   return sections;
@@ -146,7 +149,35 @@ void check_masses(const TomlView& view, const PlaneFrame& frame) {
   }
 }
 
+/// What makes a frame's stiffness; its heights are known.
+void read_members(const TableView& view, double gravity, PlaneFrame& frame) {
+  const std::size_t storeys = frame.storey_heights.size();
+  frame.elastic_modulus = view.number("elastic_modulus").value_or(0);
+  frame.bay_widths = view.numbers("bay_widths");
+  frame.columns = read_sections(view, "columns", storeys, "one per storey", gravity, frame.bay_widths.size() + 1);
+  frame.beams = read_sections(view, "beams", storeys, "one per floor", gravity, 0);
+}
+
 }  // namespace
+
+bool read_frame_of_plane(const TableView& view, const std::vector<double>& storey_heights, PlanPlane& plane) {
+  PlaneFrame frame;
+  frame.storey_heights = storey_heights;
+  read_members(view, 1, frame);
+  const auto right = [](const Section& section) { return section.area > 0 && section.inertia > 0; };
+  if (storey_heights.empty() || frame.bay_widths.empty() || frame.columns.empty() || frame.beams.empty() ||
+      !(frame.elastic_modulus > 0) || !std::all_of(frame.columns.begin(), frame.columns.end(), right) ||
+      !std::all_of(frame.beams.begin(), frame.beams.end(), right)) {
+    return false;
+  }
+  try {
+    stand_frame(frame, plane);
+  } catch (const std::exception& error) {
+    view.error(std::string("cannot be computed with: ") + error.what());
+    return false;
+  }
+  return true;
+}
 
 void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   building.is_frame = true;
@@ -154,14 +185,11 @@ void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   if (!table) return;
   const TableView& view = *table;
   PlaneFrame frame;
-  frame.elastic_modulus = view.number("elastic_modulus").value_or(0);
   frame.storey_heights = view.numbers("storey_heights");
-  frame.bay_widths = view.numbers("bay_widths");
+  read_members(view, gravity, frame);
 
   const std::size_t storeys = frame.storey_heights.size();
   const double length = std::accumulate(frame.bay_widths.begin(), frame.bay_widths.end(), 0.0);
-  frame.columns = read_sections(view, "columns", storeys, "one per storey", gravity, frame.bay_widths.size() + 1);
-  frame.beams = read_sections(view, "beams", storeys, "one per floor", gravity, 0);
   frame.floor_masses = read_floor_masses(view, gravity, storeys, length);
 
   const auto mass_matrix = view.word("mass_matrix");

@@ -64,14 +64,13 @@ bool read_link_numbers(const TableView& link, const LawEntryOf<Law>& law, LinkSp
   return good && any;
 }
 
-LinkSpec read_link(const TomlView& entry, const std::vector<ReadBuilding>& buildings) {
+}  // namespace
+
+LinkSpec read_link(const TableView& link, const std::vector<ReadBuilding>& buildings,
+                   const std::optional<std::pair<std::size_t, std::size_t>>& sides) {
   LinkSpec spec;
-  const auto table = TableView::of(entry, link_keys());
-  if (!table) return spec;
-  const TableView& link = *table;
   const auto* const law = link.law("law", link_laws(), &OwnLaw::link, spec.own);
   spec.level_tolerance = link.number("level_tolerance");
-  const auto sides = read_sides(link, buildings);
   if (!link.has("elevations")) link.error_missing("elevations");
   if (sides) {
     std::tie(spec.left, spec.right) = *sides;
@@ -96,14 +95,17 @@ LinkSpec read_link(const TomlView& entry, const std::vector<ReadBuilding>& build
   return spec;
 }
 
-}  // namespace
-
 std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   std::vector<LinkSpec> links;
   if (!root.has("link")) return links;
   const auto list = root.tables("link", "");
   if (!list) return links;
-  for (const TomlView& link : list->items()) links.push_back(read_link(link, buildings));
+  for (const TomlView& entry : list->items()) {
+    const auto link = TableView::of(entry, link_keys());
+    if (!link) continue;
+    link->refuse({"at", "along"}, "is for links of buildings in plan");
+    links.push_back(read_link(*link, buildings, read_sides(*link, buildings)));
+  }
   return links;
 }
 

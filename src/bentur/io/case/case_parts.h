@@ -13,6 +13,7 @@
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
+#include "bentur/structure/plan/plan.h"
 
 // The parts a case file is read in. Each reader reports what is wrong and fills in what it can, so that the later parts
 // can still be checked against it; only the sum of all diagnostics says whether the case may be used.
@@ -56,6 +57,10 @@ struct CaseFiles {
 
 /// case_frame.cpp: [building.frame] into `building`. Gravity [length/s²] turns a unit weight into a density.
 void read_frame(const TomlView& frame, double gravity, ReadBuilding& building);
+
+/// case_frame.cpp: what makes the stiffness of a frame that stands as a plane, into `plane`. @return whether it is
+/// known
+bool read_frame_of_plane(const TableView& frame, const std::vector<double>& storey_heights, PlanPlane& plane);
 
 /// case_matrices.cpp: [building.matrices] into `building`, its damping too where it is given.
 void read_matrices(const TomlView& matrices, ReadBuilding& building);
@@ -120,6 +125,10 @@ void make(ReadBuilding& building);
                                                    const std::vector<LevelPair>& pairs, const FloorLevels& left,
                                                    const FloorLevels& right);
 
+/// case_links.cpp: of a link the law and the levels between two of the buildings, the left or lower one first; levels
+/// alone are missing where these are not known.
+[[nodiscard]] LinkSpec read_link(const TableView& link, const std::vector<ReadBuilding>& buildings,
+                                 const std::optional<std::pair<std::size_t, std::size_t>>& sides);
 /// case_links.cpp
 [[nodiscard]] std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 
@@ -127,6 +136,8 @@ void make(ReadBuilding& building);
 void read_stick(const TomlView& stick, ReadBuilding& building);
 /// case_stick.cpp: what says how storeys yield, of a stick or a plane.
 void read_yielding(const TableView& view, std::size_t storeys, Stick& stick);
+/// case_stick.cpp: of one whose storeys lose strength, its stiffnesses known, likewise.
+void read_backbone(const TableView& view, std::size_t storeys, Stick& stick);
 
 /// case_damping.cpp: a number or a table with exactly one form. @param modes how many; 0: not known
 [[nodiscard]] Damping read_damping(const TomlView& damping, std::size_t modes);

@@ -41,8 +41,7 @@ void check_each(const TableView& view, const std::string& key, const std::vector
   view.get(key)->error_value(rule);
 }
 
-StoreyBackbones::Side read_backbone_side(const TableView& view, const Stick& stick) {
-  const std::size_t storeys = stick.storey_heights.size();
+StoreyBackbones::Side read_backbone_side(const TableView& view, std::size_t storeys, const Stick& stick) {
   StoreyBackbones::Side side;
   side.yield = view.numbers("yield", storeys);
   side.cap = view.numbers("cap", storeys);
@@ -73,8 +72,9 @@ StoreyBackbones::Side read_backbone_side(const TableView& view, const Stick& sti
   return side;
 }
 
-/// Storeys that lose strength.
-void read_backbone(const TableView& stick_view, Stick& stick) {
+}  // namespace
+
+void read_backbone(const TableView& stick_view, std::size_t storeys, Stick& stick) {
   const auto given = stick_view.table("backbone");
   if (!given) return;
   const TableView& view = *given;
@@ -84,9 +84,9 @@ void read_backbone(const TableView& stick_view, Stick& stick) {
   }
   stick_view.refuse(others, "does not go with backbone, which says how storeys yield");
   StoreyBackbones backbone;
-  backbone.positive = read_backbone_side(view, stick);
+  backbone.positive = read_backbone_side(view, storeys, stick);
   const auto negative = view.table("negative");
-  if (negative) backbone.negative = read_backbone_side(*negative, stick);
+  if (negative) backbone.negative = read_backbone_side(*negative, storeys, stick);
   const auto word = view.word("hysteresis");
   for (const Reloading one : {Reloading::peak_oriented, Reloading::pinching}) {
     if (word == word_of(one)) backbone.reloading = one;
@@ -107,7 +107,6 @@ void read_backbone(const TableView& stick_view, Stick& stick) {
   wear.exponent = view.number("wear_exponent").value_or(1);
   if (!(wear.exponent >= 1 && wear.exponent <= 2)) view.get("wear_exponent")->error_value("must be in [1, 2]");
   if (backbone.negative) {
-    const std::size_t storeys = stick.storey_heights.size();
     const auto elastic = [storeys](const std::vector<double>& yield, std::size_t j) {
       return !yield.empty() && (yield.size() == 1 || yield.size() == storeys) &&
              std::isinf(yield[yield.size() == 1 ? 0 : j]);
@@ -123,8 +122,6 @@ void read_backbone(const TableView& stick_view, Stick& stick) {
   if (!backbone.positive.yield.empty()) stick.backbone = std::move(backbone);
 }
 
-}  // namespace
-
 void read_stick(const TomlView& given, ReadBuilding& building) {
   const auto table = TableView::of(given, stick_keys());
   if (!table) return;
@@ -136,7 +133,7 @@ void read_stick(const TomlView& given, ReadBuilding& building) {
   stick.masses = view.numbers("masses", storeys);
   stick.stiffnesses = view.numbers("stiffnesses", storeys);
   read_yielding(view, storeys, stick);
-  read_backbone(view, stick);
+  read_backbone(view, storeys, stick);
   building.modes = stick.storey_heights.size();
   building.elevations = floor_elevations(stick.storey_heights);
   building.spec.structure = std::move(stick);

@@ -30,6 +30,8 @@ namespace bentur {
 [[nodiscard]] const KeyTable& building_plan_keys();
 [[nodiscard]] const KeyTable& wall_plan_keys();
 [[nodiscard]] const KeyTable& plane_keys();
+[[nodiscard]] const KeyTable& plane_frame_keys();
+[[nodiscard]] const KeyTable& plane_section_keys();
 [[nodiscard]] const KeyTable& rigidity_keys();
 
 // keys_of_support.cpp

@@ -73,8 +73,9 @@ const KeyTable& link_keys() {
   static const KeyTable table = [] {
     KeyTable made = {
         "link",
-        "a spring, damper or cable that joins two buildings of the row",
-        {Key::of("between", Key::Kind::text, {"Between", "Antara"}, "the names of two buildings, the left one first")
+        "a spring, damper or cable that joins two buildings",
+        {Key::of("between", Key::Kind::text, {"Between", "Antara"},
+                 "the names of two buildings, of a row the left one first")
              .list("the left and the right building", 2),
          Key::number("elevations", dimension::length, Range::finite, {"Elevations", "Elevasi"},
                      "ascending, above the common datum; both buildings need a floor there")
@@ -82,7 +83,13 @@ const KeyTable& link_keys() {
          Key::number("level_tolerance", dimension::length, Range::distance,
                      {"Tolerance of levels", "Toleransi elevasi"},
                      "how far apart in height those two floors may be, as in a gap")
-             .optional("as in a gap")}};
+             .optional("as in a gap"),
+         Key::number(
+             "at", dimension::length, Range::level, {"Place along the joint", "Letak sepanjang celah"},
+             "of buildings in plan: the coordinate along their joint, within the part where they face each other")
+             .optional("needed in plan"),
+         Key::choice("along", {"x", "y"}, {"Along", "Sejajar"}, "of buildings in plan: the axis that it acts along")
+             .optional("across the joint")}};
     add_laws(link_laws(), Key::choice("law", {}, {"Law of the link", "Hukum penghubung"}), made.keys);
     return made;
   }();

@@ -63,6 +63,32 @@ const KeyTable& wall_plan_keys() {
   return table;
 }
 
+/// Some of the keys of another table.
+KeyTable part_of(const KeyTable& whole, std::initializer_list<std::string_view> names, std::string_view name,
+                 std::string_view doc) {
+  KeyTable part = {name, doc, {}};
+  for (const std::string_view one : names) part.keys.push_back(whole.at(one));
+  return part;
+}
+
+const KeyTable& plane_section_keys() {
+  static const KeyTable table = part_of(section_keys(), {"width", "depth", "area", "inertia"},
+                                        "building.plane.frame.section", "a section of a member that stays elastic");
+  return table;
+}
+
+const KeyTable& plane_frame_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = part_of(frame_keys(), {"elastic_modulus", "bay_widths", "columns", "beams"}, "building.plane.frame",
+                            "a plane frame of a building in plan, of whose floors the masses are those of the plan");
+    for (Key& key : made.keys) {
+      if (key.table != nullptr) key.table = &plane_section_keys();
+    }
+    return made;
+  }();
+  return table;
+}
+
 const KeyTable& plane_keys() {
   static const KeyTable table = [] {
     KeyTable made = {
@@ -85,8 +111,12 @@ const KeyTable& plane_keys() {
              .optional("needed with `angle`")
              .goes_with("angle"),
          Key::number("stiffnesses", dimension::stiffness, Range::not_negative, {"Stiffnesses", "Kekakuan"},
-                     "of its storeys, one of them > 0")
-             .for_each("one per storey"),
+                     "of its storeys, one of them > 0; or")
+             .for_each("one per storey")
+             .one_of("holds"),
+         Key::sub_table("frame", plane_frame_keys(), {"Frame", "Portal"},
+                        "an elastic [plane frame](#buildingframe-a-plane-frame) on the line; exactly one of the two")
+             .one_of("holds"),
          Key::number("yield_forces", dimension::force, Range::positive_or_infinite, {"Yield forces", "Gaya leleh"},
                      "the force at which the storey of the plane yields; `inf`: it stays elastic")
              .for_each("one per storey")
@@ -100,6 +130,10 @@ const KeyTable& plane_keys() {
         hysteretic_laws(),
         Key::choice("hysteresis", {}, {"Planes that yield", "Bidang yang leleh"}).optional().goes_with("yield_forces"),
         made.keys);
+    made.keys.push_back(Key::sub_table("backbone", backbone_keys(), {"Loss of strength", "Kehilangan kekuatan"},
+                                       "a plane that yields and [loses strength](#storeys-that-lose-strength); in "
+                                       "place of the keys of yielding above")
+                            .optional("no strength is lost"));
     return made;
   }();
   return table;

@@ -109,6 +109,17 @@ std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap, const std::vecto
   return watched;
 }
 
+std::vector<PlanLink> links_of(const std::vector<PlanLinkSpec>& specs, const std::vector<PlanBuilding>& buildings) {
+  std::vector<PlanLink> links;
+  for (const PlanLinkSpec& spec : specs) {
+    const PlanBuilding &left = buildings.at(spec.link.left), &right = buildings.at(spec.link.right);
+    for (Link& link : links_of(spec.link, levels_of(left.model), levels_of(right.model), {left.name, right.name})) {
+      links.push_back({std::move(link), spec.stretch, spec.at, PlanPoint::Unit(spec.coordinate)});
+    }
+  }
+  return links;
+}
+
 PlanProblem make_plan_problem(const PlanCase& c) {
   std::vector<PlanBuilding> buildings;
   for (const PlanBuildingSpec& spec : c.buildings) buildings.push_back(make_plan_building(spec));
@@ -122,6 +133,7 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
     problem.gaps.push_back(
         {gap.left, gap.right, gap.stretch, contacts_of(gap, c.buildings), watched_floors(gap, problem.buildings)});
   }
+  problem.links = links_of(c.links, problem.buildings);
   problem.motions = {c.excitation[0].motion, c.excitation[1].motion};
   problem.axes = axes_at(c.angle);
   problem.delays = c.excitation[0].delays;

@@ -39,12 +39,21 @@ struct PlanGapSpec {
   std::optional<double> level_tolerance = {};  ///< [length] as level_floors() takes it
 };
 
+/// What joins two buildings at a place of their joint, at some elevations.
+struct PlanLinkSpec {
+  LinkSpec link;  ///< of L and R of the stretch, whichever comes first in the case
+  Stretch stretch;
+  double at = 0;       ///< on the stretch [length]
+  int coordinate = 0;  ///< that it acts along: 0 x, 1 y
+};
+
 /// A case as plain data, validated, in its own consistent units.
 struct PlanCase {
   std::string title;
   Units units;
   std::vector<PlanBuildingSpec> buildings;
   std::vector<PlanGapSpec> gaps;
+  std::vector<PlanLinkSpec> links = {};
   std::array<ExcitationSpec, 2> excitation;  ///< of [excitation] and [excitation.y]; delays and kinematics of the first
   double angle = 0;                          ///< of both, from x and y counter-clockwise [degrees] (P-3)
   InitialSpec initial;                       ///< u_x, u_y, θ of each floor
@@ -69,6 +78,10 @@ struct PlanCase {
 
 /// Floor levels of a model.
 [[nodiscard]] FloorLevels levels_of(const PlanModel& model);
+
+/// One link per elevation of each spec, in their order. @throws InvalidParameter as links_of() of a row.
+[[nodiscard]] std::vector<PlanLink> links_of(const std::vector<PlanLinkSpec>& specs,
+                                             const std::vector<PlanBuilding>& buildings);
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
 [[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c);

@@ -154,6 +154,9 @@ Source of_row(const Quantity& quantity) {
       return asked ? value_of(quantity, view, {}) : none;
     }};
   }
+  if (const auto* const real = std::get_if<double LinkSummary::*>(&source)) {
+    return of_items(&PlanResponse::links, *real);
+  }
   if (quantity.owner != Owner::impact) return {};
   if (quantity.key == "restitution") {
     return {[](const PlanRun& run, const PlanPlace& at) {
@@ -184,7 +187,8 @@ struct Line {
 
 constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, point = PlanOwner::point, gap = PlanOwner::gap,
                     impact = PlanOwner::impact;
-constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known;
+constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known,
+                             lossy = PlanQuantity::When::where_strength_goes;
 
 // clang-format off
 std::deque<Line> list() {
@@ -221,6 +225,11 @@ std::deque<Line> list() {
       {plane_, {"ductility_no_contact", of, "1", "max |Δ⁰|/Δ_y", "largest drift of the plane over that at yield with contact switched off", {}, {}}, of_yielding(&BuildingPeaks::Yielding::ductility, &PlanResponse::buildings_no_contact), known},
       {plane_, {"residual_drift_ratio", of, "1", "Δ_r/h", "drift of the plane left after unloading at the end over storey height", {"Residual drift", "Simpangan sisa"}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::residual_drift_ratio), known},
       {plane_, {"hysteretic_energy", of, "F L", "E_h", "energy that the storey of the plane has dissipated by yielding", {"Energy by yielding", "Energi leleh"}, {}}, of_yielding(&BuildingPeaks::Yielding::hysteretic_energy), known},
+      {plane_, {"strength_left", of, "1", "V_c/V_c⁰", "largest force that the plane can still reach at the end over that at first, of its weaker side", {"Strength left", "Kekuatan tersisa"}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::strength_left), lossy},
+      {plane_, {"capped_time", of, "s", "t_c", "when the storey of the plane first softened", {"Softens at", "Melunak saat"}, {}}, of_yielding(&BuildingPeaks::Yielding::capped_time), lossy},
+      {plane_, {"residual_time", of, "s", "t_r", "when the storey of the plane first was down to its residual strength", {"Residual at", "Sisa saat"}, {}}, of_yielding(&BuildingPeaks::Yielding::residual_time), lossy},
+      {plane_, {"failed_time", of, "s", "t_u", "when the storey of the plane failed", {"Fails at", "Gagal saat"}, {}}, of_yielding(&BuildingPeaks::Yielding::failed_time), lossy},
+      {plane_, {"strength_left_no_contact", of, "1", "V_c/V_c⁰", "largest force that the plane can still reach at the end over that at first, with contact switched off", {}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::strength_left, &PlanResponse::buildings_no_contact), lossy},
   };
   for (const Quantity* const quantity : quantities_of(Owner::point)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({point, *quantity, std::move(source)});
@@ -229,6 +238,9 @@ std::deque<Line> list() {
   all.push_back({point, {"tangential_impulse", Owner::point, "F s", "Σ ∫F_t dt", "impulse along the joint of all impacts", {"Impulse along it", "Impuls sepanjang itu"}, {}}, of_friction(&PlanFriction::tangential_impulse), known});
   all.push_back({point, {"sliding", Owner::point, "L", "Σ |Δs|", "path slid along the joint", {"Slides", "Menggeser"}, {}}, of_friction(&PlanFriction::sliding), known});
   all.push_back({point, {"friction_loss", Owner::point, "F L", "Σ E_t", "energy that friction dissipated", {"Lost by friction", "Hilang oleh gesekan"}, {}}, of_friction(&PlanFriction::friction_loss), known});
+  for (const Quantity* const quantity : quantities_of(Owner::link)) {
+    if (Source source = of_row(*quantity); source.value) all.push_back({PlanOwner::link, *quantity, std::move(source)});
+  }
   for (const Quantity* const quantity : quantities_of(Owner::gap)) all.push_back({gap, *quantity, of_row(*quantity)});
   for (const Quantity* const quantity : quantities_of(Owner::impact)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({impact, *quantity, std::move(source)});
@@ -293,7 +305,8 @@ std::vector<double> values_at(const PlanQuantity& quantity, const PlanRun& run, 
   if (quantity.when == When::of_what_moves && run.problem.buildings[places.front().item].is_rigid()) return values;
   for (const PlanPlace& at : places) values.push_back(quantity.value(run, at));
   const auto is_none = [](double value) { return std::isnan(value); };
-  if (quantity.when == When::where_known && std::all_of(values.begin(), values.end(), is_none)) values.clear();
+  const bool left_out = quantity.when == When::where_known || quantity.when == When::where_strength_goes;
+  if (left_out && std::all_of(values.begin(), values.end(), is_none)) values.clear();
   return values;
 }
 

@@ -11,10 +11,10 @@
 namespace bentur {
 
 /// What quantities of buildings in plan are one of; of a plane one for each storey.
-enum class PlanOwner { floor, plane, point, gap, impact };
+enum class PlanOwner { floor, plane, point, gap, impact, link };
 
-/// Number of the building, of the contact among those of all gaps, of the gap, or of the impact; of the floor, or the
-/// floor above the storey; and of the plane.
+/// Number of the building, of the contact among those of all gaps, of the gap, of the impact, or of the link; of the
+/// floor, or the floor above the storey; and of the plane.
 struct PlanPlace {
   Eigen::Index item = 0, floor = 0, plane = 0;
 };
@@ -22,7 +22,8 @@ struct PlanPlace {
 /// A number that is told of a run of buildings in plan: what Quantity is of a row. Of points, gaps and impacts a row's
 /// are among them.
 struct PlanQuantity {
-  enum class When { always, of_what_moves, where_known };  ///< of what moves: not of walls
+  /// Of what moves: not of walls; where strength goes: of planes that can lose it, as far as that is known.
+  enum class When { always, of_what_moves, where_known, where_strength_goes };
   PlanOwner owner = PlanOwner::floor;
   Quantity told;                                                  ///< its words; `value` stands in for its source
   std::function<double(const PlanRun&, const PlanPlace&)> value;  ///< NaN where there is none

@@ -13,6 +13,13 @@ bool yields(const PlanBuilding& building) {
   });
 }
 
+bool loses_strength(const PlanBuilding& building) {
+  return std::any_of(building.model.planes.begin(), building.model.planes.end(), [](const PlanModel::Plane& plane) {
+    return std::any_of(plane.laws.begin(), plane.laws.end(),
+                       [](const auto& law) { return law != nullptr && law->loss({}, 0).has_value(); });
+  });
+}
+
 bool rubs(const PlanProblem& problem) {
   return std::any_of(problem.gaps.begin(), problem.gaps.end(), [](const PlanGap& gap) {
     return std::any_of(gap.contacts.begin(), gap.contacts.end(),
@@ -38,6 +45,7 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
       if (one.owner != PlanOwner::floor && !of_planes) continue;
       if (one.when == When::of_what_moves && building.is_rigid()) continue;
       if (of_planes && (planes == 0 || (one.when == When::where_known && !yields(building)))) continue;
+      if (one.when == When::where_strength_goes && !loses_strength(building)) continue;
       RowPart& part = add(one, of_planes ? planes * floors : floors);
       if (of_planes) part.name = "plane_" + part.name;
       part.of_planes = of_planes;
@@ -57,13 +65,14 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
 bool same_places(const PlanProblem& a, const PlanProblem& b) {
   const auto alike = [](const PlanBuilding& x, const PlanBuilding& y) {
     return x.model.floors() == y.model.floors() && x.model.planes.size() == y.model.planes.size() &&
-           x.is_rigid() == y.is_rigid() && yields(x) == yields(y);
+           x.is_rigid() == y.is_rigid() && yields(x) == yields(y) && loses_strength(x) == loses_strength(y);
   };
   const auto same_gap = [](const PlanGap& x, const PlanGap& y) {
     return x.left == y.left && x.right == y.right && x.contacts.size() == y.contacts.size();
   };
   return std::equal(a.buildings.begin(), a.buildings.end(), b.buildings.begin(), b.buildings.end(), alike) &&
-         std::equal(a.gaps.begin(), a.gaps.end(), b.gaps.begin(), b.gaps.end(), same_gap) && rubs(a) == rubs(b);
+         std::equal(a.gaps.begin(), a.gaps.end(), b.gaps.begin(), b.gaps.end(), same_gap) && rubs(a) == rubs(b) &&
+         a.links.size() == b.links.size();
 }
 
 void fill_row(const std::vector<RowPart>& parts, const PlanRun& run, std::span<double> row) {

@@ -283,6 +283,31 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
   }
 }
 
+/// Of each building the storey of a plane that has least of its strength left, where some has softened.
+void tell_lost_strength(const PlanRun& run, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const auto& planes = run.response.buildings[b].planes;
+    std::optional<std::pair<std::size_t, Index>> worst;
+    double least = 0;
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      const Index storey = story::most_softened(planes[p].yielding);
+      if (storey < 0) continue;
+      const double left = planes[p].yielding.strength_left(storey);
+      if (worst && !(left < least)) continue;
+      worst = {p, storey};
+      least = left;
+    }
+    if (!worst) continue;
+    const auto& [plane, storey] = *worst;
+    Statement statement = story::lost_strength(planes[plane].yielding, storey);
+    statement.buildings = {b};
+    statement.level = run.problem.buildings[b].model.elevations[storey];
+    statement.values.push_back(text_of("building", plane_name(run, b, plane)));
+    statement.values.push_back(count_of("storey", storey + 1));
+    statements.push_back(std::move(statement));
+  }
+}
+
 void tell_collapse(const PlanRun& run, std::vector<Statement>& statements) {
   story::tell_collapse(
       run.response.collapse, run.response.collapse_no_contact, run.problem.collapse_drift,
@@ -398,6 +423,7 @@ Story plan_story(const PlanRun& run) {
   tell_collapse(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_planes(run, told.statements);
+  tell_lost_strength(run, told.statements);
   tell_amplification(run, told.statements);
   tell_acceleration(run, told.statements);
   tell_motion(run, told.statements);

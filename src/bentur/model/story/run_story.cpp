@@ -47,6 +47,35 @@ std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::s
   return {{word_of("what", loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of")}};
 }
 
+namespace {
+
+/// An entry of a list that results leave out where nothing of it is known.
+double known(const Eigen::VectorXd& list, Index i) {
+  return i < list.size() ? list(i) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+Index most_softened(const BuildingPeaks::Yielding& yielding) {
+  Index worst = -1;
+  for (Index f = 0; f < yielding.strength_left.size(); ++f) {
+    if (std::isnan(known(yielding.capped_time, f)) && std::isnan(known(yielding.failed_time, f))) continue;
+    if (worst < 0 || yielding.strength_left(f) < yielding.strength_left(worst)) worst = f;
+  }
+  return worst;
+}
+
+Statement lost_strength(const BuildingPeaks::Yielding& yielding, Index storey) {
+  const double failed = known(yielding.failed_time, storey), residual = known(yielding.residual_time, storey);
+  const bool has_failed = !std::isnan(failed), to_residual = !std::isnan(residual);
+  const double time = has_failed ? failed : to_residual ? residual : known(yielding.capped_time, storey);
+  return {.kind = has_failed    ? "storey_fails"
+                  : to_residual ? "storey_at_residual"
+                                : "storey_softens",
+          .severity = has_failed ? Severity::danger : Severity::warning,
+          .values = {value_in("time", time, "s"), value_in("left", percent * yielding.strength_left(storey), "%")}};
+}
+
 void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement) {
   if (point.peak_force > 0) {
     statement.kind = "pounding";
@@ -268,24 +297,13 @@ void tell_lost_strength(const RunResults& run, std::vector<Statement>& statement
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const Building& building = run.problem.buildings[b];
     const BuildingPeaks::Yielding& yielding = run.response.buildings[b].yielding;
-    Index worst = -1;
-    for (Index f = 0; f < yielding.capped_time.size(); ++f) {
-      if (std::isnan(yielding.capped_time(f)) && std::isnan(yielding.failed_time(f))) continue;
-      if (worst < 0 || yielding.strength_left(f) < yielding.strength_left(worst)) worst = f;
-    }
+    const Index worst = story::most_softened(yielding);
     if (worst < 0) continue;
-    const double failed = yielding.failed_time(worst);
-    const bool has_failed = !std::isnan(failed);
-    const bool to_residual = !std::isnan(yielding.residual_time(worst));
-    Statement statement{.kind = has_failed    ? "storey_fails"
-                                : to_residual ? "storey_at_residual"
-                                              : "storey_softens",
-                        .severity = has_failed ? Severity::danger : Severity::warning,
-                        .buildings = {b},
-                        .level = building.model.elevations[worst]};
-    const double time = has_failed ? failed : to_residual ? yielding.residual_time(worst) : yielding.capped_time(worst);
-    statement.values = {text_of("building", building.name), count_of("storey", building.model.storey_number(worst)),
-                        value_in("time", time, "s"), value_in("left", percent * yielding.strength_left(worst), "%")};
+    Statement statement = story::lost_strength(yielding, worst);
+    statement.buildings = {b};
+    statement.level = building.model.elevations[worst];
+    statement.values.push_back(text_of("building", building.name));
+    statement.values.push_back(count_of("storey", building.model.storey_number(worst)));
     statements.push_back(std::move(statement));
   }
 }

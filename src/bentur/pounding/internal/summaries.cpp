@@ -40,17 +40,7 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
     const double residual = members[i].residual / height;
     yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
     yielding.hysteretic_energy(f) = members[i].energy_lost;
-    if (!members[i].loss) continue;
-    constexpr double not_so = std::numeric_limits<double>::quiet_NaN();
-    const StrengthLoss& loss = *members[i].loss;
-    for (auto* list :
-         {&yielding.strength_left, &yielding.capped_time, &yielding.residual_time, &yielding.failed_time}) {
-      if (list->size() == 0) list->setConstant(floors, not_so);
-    }
-    yielding.strength_left(f) = loss.left;
-    yielding.capped_time(f) = loss.capped.value_or(not_so);
-    yielding.residual_time(f) = loss.residual.value_or(not_so);
-    yielding.failed_time(f) = loss.failed.value_or(not_so);
+    if (members[i].loss) take_loss(*members[i].loss, floors, f, yielding);
   }
   return yielding;
 }
@@ -197,15 +187,6 @@ void summarise_columns(const Problem& problem, const std::vector<BuildingPeaks>&
   }
 }
 
-std::vector<LinkSummary> links_of(const Solution& solution) {
-  std::vector<LinkSummary> links;
-  for (const ElementFound& joint : solution.joints) {
-    links.push_back(
-        {joint.peak_force, joint.peak_tension, joint.closing.reach, joint.opening.reach, joint.energy_lost});
-  }
-  return links;
-}
-
 /// The storey whose limit a run passed, where it did.
 std::optional<Collapse> collapse_of(const Problem& problem, const Solution& solution) {
   if (!solution.passed) return std::nullopt;
@@ -307,6 +288,26 @@ void summarise(const Solution& solution, const std::vector<double>& widths, std:
     watched[i].least_time = solution.watched[i].time;
     watched[i].closes = watched[i].least_opening < -round_off_watched * (widths[i] + solution.scales[i]);
   }
+}
+
+std::vector<LinkSummary> links_of(const Solution& solution) {
+  std::vector<LinkSummary> links;
+  for (const ElementFound& joint : solution.joints) {
+    links.push_back(
+        {joint.peak_force, joint.peak_tension, joint.closing.reach, joint.opening.reach, joint.energy_lost});
+  }
+  return links;
+}
+
+void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding) {
+  constexpr double not_so = std::numeric_limits<double>::quiet_NaN();
+  for (auto* list : {&yielding.strength_left, &yielding.capped_time, &yielding.residual_time, &yielding.failed_time}) {
+    if (list->size() == 0) list->setConstant(storeys, not_so);
+  }
+  yielding.strength_left(storey) = loss.left;
+  yielding.capped_time(storey) = loss.capped.value_or(not_so);
+  yielding.residual_time(storey) = loss.residual.value_or(not_so);
+  yielding.failed_time(storey) = loss.failed.value_or(not_so);
 }
 
 Response free_response(const Problem& problem, const Solution& free) {

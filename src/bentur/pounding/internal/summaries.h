@@ -10,6 +10,12 @@ namespace bentur {
 /// What the response without contact says of buildings, points and watched floors.
 [[nodiscard]] Response free_response(const Problem& problem, const Solution& free);
 
+/// Puts what storey `storey` of so many has lost of its strength among what yielding did.
+void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding);
+
+/// What links did, the joints of a system.
+[[nodiscard]] std::vector<LinkSummary> links_of(const Solution& solution);
+
 /// Adds impacts to the totals of their points.
 void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points);
 

@@ -38,7 +38,9 @@ BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Pla
     const double height = model.storey_heights[j];
     yielding.ductility(j) = drift_ratio(j) * height / plane.laws[j]->yield_deformation();
     yielding.residual_drift_ratio(j) = members[member].residual / height;
-    yielding.hysteretic_energy(j) = members[member++].energy_lost;
+    yielding.hysteretic_energy(j) = members[member].energy_lost;
+    if (members[member].loss) take_loss(*members[member].loss, storeys, j, yielding);
+    ++member;
   }
   return member == first ? BuildingPeaks::Yielding{} : yielding;
 }
@@ -87,7 +89,9 @@ bool is_mirrored(const PlanProblem& problem) {
   const auto odd = [](const auto& law) { return law == nullptr || law->is_odd(); };
   const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
                                  [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
-  return moves && rests(problem.initial_displacement) && rests(problem.initial_velocity) &&
+  const auto odd_link = [](const PlanLink& link) { return link.link.law->is_odd(); };
+  return moves && std::all_of(problem.links.begin(), problem.links.end(), odd_link) &&
+         rests(problem.initial_displacement) && rests(problem.initial_velocity) &&
          std::all_of(problem.buildings.begin(), problem.buildings.end(), [&](const PlanBuilding& building) {
            return std::all_of(building.model.planes.begin(), building.model.planes.end(), [&](const auto& plane) {
              return std::all_of(plane.laws.begin(), plane.laws.end(), odd);
@@ -182,6 +186,11 @@ bool is_finite(const PlanResponse& response) {
              [](const PlanFriction& p) {
                return std::isfinite(p.peak_tangential_force + p.tangential_impulse + p.sliding + p.friction_loss);
              }) &&
+         std::all_of(response.links.begin(), response.links.end(),
+                     [](const LinkSummary& link) {
+                       return std::isfinite(link.peak_compression + link.peak_tension + link.peak_closing +
+                                            link.peak_opening + link.energy_dissipated);
+                     }) &&
          std::all_of(response.watched.begin(), response.watched.end(),
                      [](const WatchedSummary& w) { return std::isfinite(w.gap_needed + w.least_opening); }) &&
          std::all_of(response.points.begin(), response.points.end(), [](const PointSummary& p) {
@@ -270,6 +279,7 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const Solve
   response.buildings = peaks_of(problem, solution);
   summarise(solution, watched_widths(problem), response.watched);
   if (options.output_step > 0) response.histories = histories_of(problem, solution, places);
+  response.links = links_of(solution);
   response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);
   summarise_friction(response.impacts, response.friction);

@@ -54,6 +54,7 @@ struct PlanResponse {
   std::vector<PointSummary> points;             ///< of all gaps, as their contacts
   std::vector<PlanFriction> friction;           ///< of the same points; zero where nothing rubs
   std::vector<WatchedSummary> watched;          ///< of all gaps, as what they watch
+  std::vector<LinkSummary> links = {};          ///< as PlanProblem::links
   std::vector<Impact> impacts;                  ///< by start, then point, then end
   std::optional<EnergyAudit> energy = {};       ///< when asked for
   PlanHistories histories = {};                 ///< empty unless asked for

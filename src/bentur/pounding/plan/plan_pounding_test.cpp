@@ -273,7 +273,10 @@ TEST(PlanContact, APlanesYieldForcesOutOfReachChangeNothing) {
   PlanProblem problem = eccentric_pair(2, law);
   const PlanResponse elastic = solve(problem);
   PlanModel& model = problem.buildings[0].model;
-  Stick storeys{.storey_heights = {}, .masses = {}, .stiffnesses = model.planes[0].stiffnesses};
+  Stick storeys;
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    storeys.stiffnesses.push_back(model.planes[0].shears.row(j).norm() / model.planes[0].drifts.row(j).norm());
+  }
   storeys.yield_forces = {1e9};
   for (std::size_t j = 0; j < 3; ++j) model.planes[0].laws[j] = storey_law(storeys, j, storeys.stiffnesses[j]);
   const PlanResponse far = solve(problem);

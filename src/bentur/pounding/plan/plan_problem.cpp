@@ -124,6 +124,20 @@ void check_gap(const PlanProblem& problem, const PlanGap& gap) {
   }
 }
 
+void check_link(const PlanProblem& problem, const PlanLink& one) {
+  const Link& link = one.link;
+  const Index count = std::ssize(problem.buildings);
+  require(link.left >= 0 && link.left < count && link.right >= 0 && link.right < count && link.left != link.right,
+          "links", fmt::format("{} and {}", link.left, link.right), "must be between two buildings");
+  const PlanModel &left = problem.buildings[link.left].model, &right = problem.buildings[link.right].model;
+  const std::string name = problem.buildings[link.left].name + " – " + problem.buildings[link.right].name;
+  require(link.left_floor >= 0 && link.left_floor < left.floors() && link.right_floor >= 0 &&
+              link.right_floor < right.floors(),
+          "links", name, "must be at floors of both buildings");
+  require(link.law != nullptr && std::isfinite(one.along) && std::abs(one.direction.norm() - 1) <= 1e-12, "links", name,
+          "must have a law, a place and a direction of length 1");
+}
+
 void check_motion(const GroundMotion& motion, double duration) {
   if (const auto* sampled = std::get_if<SampledMotion>(&motion)) {
     require(std::isfinite(sampled->time_step) && sampled->time_step * most_times >= duration, "motions",
@@ -187,6 +201,7 @@ void validate(const PlanProblem& problem) {
           fmt::format("{}", problem.collapse_drift), "must be finite and > 0");
   for (const PlanBuilding& building : problem.buildings) check_building(building, problem.duration);
   for (const PlanGap& gap : problem.gaps) check_gap(problem, gap);
+  for (const PlanLink& link : problem.links) check_link(problem, link);
   for (const GroundMotion& motion : problem.motions) check_motion(motion, problem.duration);
   check_delays(problem.delays, problem.buildings.size());
   std::vector<Index> dofs;
@@ -230,6 +245,11 @@ System system_of(const PlanProblem& problem, bool levels) {
     if (moves(motion)) system.motions.push_back(motion);
   }
   if (system.motions.empty()) system.motions.push_back(NoMotion{});
+  for (const PlanLink& link : problem.links) {
+    const PlanGap between{.left = link.link.left, .right = link.link.right, .stretch = link.stretch};
+    const EdgePlace at{link.link.left_floor, link.link.right_floor, link.link.elevation, link.along};
+    system.joints.push_back({in_order(interface_of(problem, between, at, link.direction)), link.link.law});
+  }
   system.limits = drift_limits(problem);
   system.delays = problem.delays;
   system.initial_displacement = problem.initial_displacement;

@@ -43,10 +43,20 @@ struct PlanGap {
   std::vector<PlanWatched> watched = {};   ///< likewise
 };
 
+/// What joins a floor of L and one of R at a place of their joint: the deformation is how far their edges come nearer
+/// along a direction there (P-24).
+struct PlanLink {
+  Link link;  ///< of buildings L and R of the stretch, in this order
+  Stretch stretch;
+  double along = 0;                          ///< on the stretch [length]
+  PlanPoint direction = PlanPoint::UnitX();  ///< of length 1
+};
+
 /// Buildings in plan and what a solver needs of them, in consistent units: what Problem is of a row.
 struct PlanProblem {
   std::vector<PlanBuilding> buildings;
   std::vector<PlanGap> gaps;                           ///< by their buildings
+  std::vector<PlanLink> links = {};                    ///< in any order
   std::array<GroundMotion, 2> motions;                 ///< two components, by default along x and y
   Eigen::Matrix2d axes = Eigen::Matrix2d::Identity();  ///< columns: along which they act (P-3)
   std::vector<double> delays = {};                     ///< [s] ≥ 0, one per building; empty: all zero

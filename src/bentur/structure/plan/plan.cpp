@@ -67,10 +67,14 @@ Spring plane_spring(const Plan& plan, const PlanPlane& plane, Index storey) {
   return spring_at(plan, storey, plane.through, plane.direction, plane.storeys.stiffnesses[storey]);
 }
 
-/// All that hold a storey.
-std::vector<Spring> springs_of(const Plan& plan, Index storey) {
+bool is_frame(const PlanPlane& plane) { return plane.sway_stiffness.size() > 0; }
+
+/// All that hold a storey; frames by what the storey has alone.
+std::vector<Spring> springs_of(const Plan& plan, Index storey, bool with_frames = true) {
   std::vector<Spring> springs = springs_of_rigidity(plan, storey);
-  for (const PlanPlane& plane : plan.planes) springs.push_back(plane_spring(plan, plane, storey));
+  for (const PlanPlane& plane : plan.planes) {
+    if (with_frames || !is_frame(plane)) springs.push_back(plane_spring(plan, plane, storey));
+  }
   return springs;
 }
 
@@ -126,6 +130,11 @@ void check_holds(const Plan& plan) {
     }
     require_size("stiffnesses", plane.storeys.stiffnesses.size(), floors);
     check_list("stiffnesses", plane.storeys.stiffnesses, floors);
+    if (!is_frame(plane)) continue;
+    const MatrixXd& sways = plane.sway_stiffness;
+    if (sways.rows() != floors || sways.cols() != floors || !sways.allFinite()) {
+      throw InvalidParameter("sway_stiffness", plane.name, "must be finite, of as many floors as the building");
+    }
   }
   if (plan.rigidity) {
     const PlanRigidity& rigidity = *plan.rigidity;
@@ -141,20 +150,32 @@ void check_holds(const Plan& plan) {
   }
 }
 
+/// How its floors sway along its line, floors × dofs: the drifts of all storeys below.
+MatrixXd sways_of(const PlanModel::Plane& plane) {
+  MatrixXd sways = plane.drifts;
+  for (Index j = 1; j < sways.rows(); ++j) sways.row(j) += sways.row(j - 1);
+  return sways;
+}
+
 /// A plane over the degrees of freedom of a model that has its floors.
 PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, const PlanModel& model) {
   const Index floors = model.floors();
   PlanModel::Plane made{.name = plane.name,
                         .drifts = MatrixXd::Zero(floors, model.dofs()),
                         .pushes = MatrixXd::Zero(3, floors),
-                        .stiffnesses = plane.storeys.stiffnesses,
+                        .shears = MatrixXd::Zero(floors, model.dofs()),
                         .laws = {}};
   for (Index j = 0; j < floors; ++j) {
     const Spring spring = plane_spring(plan, plane, j);
     made.drifts.row(j) = over_dofs(spring, j, model.dofs());
     made.pushes.col(j) = spring.above.transpose();
-    made.laws.push_back(spring.stiffness > 0 ? storey_law(plane.storeys, j, spring.stiffness) : nullptr);
+    made.shears.row(j) = spring.stiffness * made.drifts.row(j);
+    const bool yields = spring.stiffness > 0 && !is_frame(plane);
+    made.laws.push_back(yields ? storey_law(plane.storeys, j, spring.stiffness) : nullptr);
   }
+  if (!is_frame(plane)) return made;
+  made.shears = plane.sway_stiffness * sways_of(made);  // forces of the floors
+  for (Index j = floors - 1; j-- > 0;) made.shears.row(j) += made.shears.row(j + 1);
   return made;
 }
 
@@ -222,6 +243,21 @@ void soften(const std::vector<double>& loads, PlanModel& model) {
 }
 
 }  // namespace
+
+void stand_frame(PlaneFrame frame, PlanPlane& plane) {
+  for (std::vector<Section>* const members : {&frame.columns, &frame.beams}) {
+    for (Section& section : *members) section = {.area = section.area, .inertia = section.inertia};
+  }
+  frame.floor_masses.assign(frame.storey_heights.size(), 1);  // of which the stiffness knows nothing
+  frame.mass_matrix = MassMatrix::lumped;
+  frame.condensation = Condensation::static_;
+  plane.sway_stiffness = plane_frame_model(frame).stiffness;
+  const Index floors = plane.sway_stiffness.rows();
+  plane.storeys.stiffnesses.clear();
+  for (Index j = 0; j < floors; ++j) {
+    plane.storeys.stiffnesses.push_back(plane.sway_stiffness.bottomRightCorner(floors - j, floors - j).sum());
+  }
+}
 
 std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
   constexpr std::array<std::string_view, 3> directions = {"x", "y", "rotation"};
@@ -303,10 +339,19 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
   model.stiffness = MatrixXd::Zero(dofs, dofs);
   model.storey_forces = MatrixXd::Zero(dofs, dofs);
   for (Index j = 0; j < model.floors(); ++j) {
-    for (const Spring& spring : springs_of(plan, j)) {
+    for (const Spring& spring : springs_of(plan, j, false)) {
       const Eigen::RowVectorXd row = over_dofs(spring, j, dofs);
       model.stiffness += spring.stiffness * row.transpose() * row;
       model.storey_forces.middleRows<3>(3 * j) += spring.stiffness * spring.above.transpose() * row;
+    }
+  }
+  for (std::size_t p = 0; p < plan.planes.size(); ++p) {
+    if (!is_frame(plan.planes[p])) continue;
+    const PlanModel::Plane& frame = model.planes[p];
+    const MatrixXd sways = sways_of(frame), part = sways.transpose() * plan.planes[p].sway_stiffness * sways;
+    model.stiffness += 0.5 * (part + part.transpose());
+    for (Index j = 0; j < model.floors(); ++j) {
+      model.storey_forces.middleRows<3>(3 * j) += frame.pushes.col(j) * frame.shears.row(j);
     }
   }
   if (!plan.gravity_loads.empty()) soften(plan.gravity_loads, model);

@@ -9,6 +9,7 @@
 
 #include "bentur/structure/building.h"
 #include "bentur/structure/damping.h"
+#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/stick.h"
 
 // A building in plan (docs/theory/plan.md): floors that are rigid in their plane, with three degrees of freedom each,
@@ -34,7 +35,14 @@ struct PlanPlane {
   /// What its storeys are as those of a shear building: stiffnesses [force/length] ≥ 0, one of them > 0, and how they
   /// yield. Its heights and masses are not looked at.
   Stick storeys = {};
+  /// Of a frame its stiffness against the sways of all floors along the line, floors × floors [force/length] (P-23); it
+  /// stays elastic, and the stiffnesses above are what its storeys have alone. Empty: springs of storeys.
+  Eigen::MatrixXd sway_stiffness = {};
 };
+
+/// Makes a plane a frame: statically condensed onto the sways of its floors. Its masses are not looked at.
+/// @throws InvalidParameter as assemble_plane_frame()
+void stand_frame(PlaneFrame frame, PlanPlane& plane);
 
 /// What holds storeys otherwise (P-5): of each list one for all or one per storey; of stiffnesses none: 0.
 struct PlanRigidity {
@@ -77,7 +85,7 @@ struct PlanModel {
     std::string name;
     Eigen::MatrixXd drifts;  ///< Δ_j, storeys × dofs
     Eigen::MatrixXd pushes;  ///< what V_j = 1 is on the floor above: x, y and about its centre of mass, 3 × storeys
-    std::vector<double> stiffnesses;                         ///< [force/length]
+    Eigen::MatrixXd shears;  ///< V_j of what stays elastic, storeys × dofs [force/length]
     std::vector<std::shared_ptr<const HystereticLaw>> laws;  ///< null: that storey stays elastic
   };
   std::vector<Plane> planes;

@@ -53,7 +53,7 @@ PlaneRows rows_of_planes(const PlanModel& model) {
   for (const PlanModel::Plane& plane : model.planes) {
     for (Index j = 0; j < floors; ++j, ++at) {
       rows.drifts.row(at) = plane.drifts.row(j) / model.storey_heights[j];
-      rows.shears.row(at) = plane.stiffnesses[j] * plane.drifts.row(j);
+      rows.shears.row(at) = plane.shears.row(j);
       if (!plane.laws[j]) continue;
       rows.shear_of_forces(at, force) = 1;
       rows.storey_of_forces.block<3, 1>(3 * j, force++) = plane.pushes.col(j);

@@ -81,8 +81,21 @@ void read_line(const TableView& table, PlanPlane& plane) {
 }
 
 /// @return whether its stiffnesses are known
-bool read_plane(const TableView& table, std::size_t storeys, PlanPlane& plane) {
+bool read_plane(const TableView& table, const std::vector<double>& heights, PlanPlane& plane) {
+  const std::size_t storeys = heights.size();
   read_line(table, plane);
+  const auto holds = table.exactly_one("holds");
+  if (table.has("frame")) {
+    std::vector<std::string> yields = plane_keys().names();
+    std::erase_if(yields, [](const std::string& key) {
+      return key == "name" || key == "along" || key == "at" || key == "angle" || key == "through" ||
+             key == "stiffnesses" || key == "frame";
+    });
+    table.refuse(yields, "does not go with frame, which stays elastic as a plane");
+    const auto frame = table.table("frame");
+    return holds && frame && read_frame_of_plane(*frame, heights, plane);
+  }
+  if (!holds) return false;
   plane.storeys.stiffnesses = table.numbers_for_each("stiffnesses", storeys);
   const std::vector<double>& stiffnesses = plane.storeys.stiffnesses;
   const bool known = stiffnesses.size() == storeys && storeys > 0;
@@ -90,11 +103,12 @@ bool read_plane(const TableView& table, std::size_t storeys, PlanPlane& plane) {
     table.find("stiffnesses")->error("must have one that is > 0");
   }
   read_yielding(table, storeys, plane.storeys);
+  read_backbone(table, storeys, plane.storeys);
   return known;
 }
 
 /// @return whether all that holds the storeys is known
-bool read_planes(const TableView& building, std::size_t storeys, Plan& plan) {
+bool read_planes(const TableView& building, Plan& plan) {
   const auto list = building.find("plane");
   if (!list) return true;
   if (!list->is_list_of("tables")) return false;
@@ -118,7 +132,7 @@ bool read_planes(const TableView& building, std::size_t storeys, Plan& plan) {
     if (std::any_of(plan.planes.begin(), plan.planes.end(), same)) {
       (name ? *name : entry).error(fmt::format("another plane of the building is called {}", in_quotes(plane.name)));
     }
-    known = read_plane(*table, storeys, plane) && known;
+    known = read_plane(*table, plan.storey_heights, plane) && known;
     plan.planes.push_back(std::move(plane));
   }
   return known;
@@ -189,7 +203,7 @@ void read_floors(const TableView& building, double gravity, ReadPlanBuilding& re
     known = known && plan.storey_heights.size() == storeys && storeys > 0 && plan.masses.size() == storeys;
     if (known) check_centres(*table, plan);
   }
-  const bool planes = read_planes(building, storeys, plan);
+  const bool planes = read_planes(building, plan);
   const bool held = read_rigidity(building, storeys, plan) && planes;
   if (known && held) check_held(building, plan);
   read.told.modes = 3 * storeys;
@@ -206,9 +220,11 @@ void read_floors(const TableView& building, double gravity, ReadPlanBuilding& re
   }
   if (const auto word = building.find("damping_stiffness")) {
     read.spec.tangent_damping = building.word("damping_stiffness") == "tangent";
-    const auto yields = [](const PlanPlane& plane) { return !plane.storeys.yield_forces.empty(); };
+    const auto yields = [](const PlanPlane& plane) {
+      return !plane.storeys.yield_forces.empty() || plane.storeys.backbone;
+    };
     if (std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
-      word->error_value("needs planes that can yield: plane.yield_forces");
+      word->error_value("needs planes that can yield: plane.yield_forces or plane.backbone");
     }
   }
   read.is_whole = known;

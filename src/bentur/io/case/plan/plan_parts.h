@@ -27,6 +27,10 @@ struct ReadPlanBuilding {
 [[nodiscard]] std::vector<PlanGapSpec> read_plan_gaps(const TomlView& root,
                                                       const std::vector<ReadPlanBuilding>& buildings);
 
+/// plan_links.cpp
+[[nodiscard]] std::vector<PlanLinkSpec> read_plan_links(const TomlView& root,
+                                                        const std::vector<ReadPlanBuilding>& buildings);
+
 /// plan_excitation.cpp: both components, and the angle of their axes, into the case.
 void read_plan_excitation(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings, const CaseFiles& files,
                           PlanCase& c);

@@ -36,13 +36,14 @@ const ExcitationSpec& longer_of(const std::array<ExcitationSpec, 2>& excitation)
 PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* problem) {
   PlanCase c;
   (void)TableView::of(root, case_keys());
-  root.refuse({"link", "screening", "project"}, "does not go with buildings in plan");
+  root.refuse({"screening", "project"}, "does not go with buildings in plan");
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
   const std::vector<ReadPlanBuilding> buildings = read_plan_buildings(root, c.units.gravity);
   for (const ReadPlanBuilding& building : buildings) c.buildings.push_back(building.spec);
   c.gaps = read_plan_gaps(root, buildings);
+  c.links = read_plan_links(root, buildings);
   c.code = read_code(root, c.units, buildings.size(), files.diagnostics.ok() ? c.gaps.size() : 0);
   read_plan_excitation(root, buildings, files, c);
   bool moves = false;

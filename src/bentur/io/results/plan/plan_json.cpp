@@ -107,6 +107,19 @@ Json plan_impact_json(const PlanRun& run, Index index) {
   return json;
 }
 
+/// @param index among the links of the problem
+Json plan_link_json(const PlanRun& run, std::size_t index) {
+  const PlanLink& link = run.problem.links[index];
+  Json json = {{"between", {run.problem.buildings[link.link.left].name, run.problem.buildings[link.link.right].name}},
+               {"elevation", link.link.elevation},
+               {"at", link.along},
+               {"along", link.direction.x() == 1 ? "x" : "y"}};
+  put_quantities(json, PlanOwner::link, run, {{static_cast<Index>(index)}});
+  json["link"] = {{"kind", link.link.kind}};
+  for (const auto& [name, value] : link.link.law->parameters()) json["link"][std::string(name)] = value;
+  return json;
+}
+
 Json plan_statements_json(const PlanProblem& problem, const std::vector<Statement>& statements) {
   std::vector<std::string> names;
   for (const PlanBuilding& building : problem.buildings) names.push_back(building.name);
@@ -166,6 +179,7 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
                {"buildings", std::move(buildings)},
                {"gaps", std::move(gaps)},
                {"impacts", std::move(impacts)}};
+  for (std::size_t i = 0; i < run.problem.links.size(); ++i) json["links"].push_back(plan_link_json(run, i));
   if (run.response.collapse) json["collapse"] = plan_collapse_json(run, *run.response.collapse);
   if (run.response.collapse_no_contact) {
     json["collapse_no_contact"] = plan_collapse_json(run, *run.response.collapse_no_contact);

@@ -63,6 +63,7 @@ class PlanVariables : private VariablePass<File> {
     }
     for (Index b = 0; b < std::ssize(buildings); ++b) of_building(b);
     of_points();
+    of_links();
     of_impacts();
     energy();
   }
@@ -190,6 +191,17 @@ class PlanVariables : private VariablePass<File> {
     PlaceVariables places = plan_place_variables(run_.problem, length_);
     for (ResultVariable& variable : places.variables) file_.tell(std::move(variable));
     quantities(PlanOwner::gap, {places.gaps}, places_of(places.gaps.size));
+  }
+
+  void of_links() {
+    const auto& links = run_.problem.links;
+    if (links.empty()) return;
+    const ResultDimension link = file_.dimension({"link", links.size()});
+    if constexpr (reads) {
+      if (link.size != links.size()) file_.source.fail("is not of this case");
+      run_.response.links.resize(links.size());
+    }
+    quantities(PlanOwner::link, {link}, places_of(links.size()));
   }
 
   void of_impacts() {

@@ -73,6 +73,10 @@ void tell_collapse(const std::optional<Collapse>& with, const std::optional<Coll
                    std::vector<Statement>& statements);
 /// The item of model_statement() where gravity acts on `loaded` of so many buildings.
 [[nodiscard]] std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted);
+/// The storey that has least of its strength left of those that have softened, from 0; −1: none has.
+[[nodiscard]] Eigen::Index most_softened(const BuildingPeaks::Yielding& yielding);
+/// What it has lost, with {time} and {left}.
+[[nodiscard]] Statement lost_strength(const BuildingPeaks::Yielding& yielding, Eigen::Index storey);
 /// What the model leaves out.
 [[nodiscard]] Statement model_statement(const RunResults& run);
 
