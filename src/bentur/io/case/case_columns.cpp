@@ -36,7 +36,9 @@ std::optional<Storey> storey_at(const FloorLevels& levels, double elevation) {
 std::optional<std::string> refusal(const ReadBuilding& struck, double elevation) {
   if (!std::holds_alternative<PlaneFrame>(struck.spec.structure)) {
     return fmt::format(
-        "is between floors of {}, whose columns only a frame has: give it as one, or leave this elevation out",
+        "is between floors of {}, whose columns only a frame has: give it as one, or leave this elevation out, where "
+        "the "
+        "gap that is needed is told all the same",
         struck.path);
   }
   const FloorLevels levels = floor_levels(struck);

@@ -107,7 +107,8 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const GenericBuild
     throw InvalidParameter(
         "stiffness_ratio", fmt::format("{}", building.stiffness_ratio),
         "must be 30 at least where yield_base_shear is given: shear springs yield, bending does not; give 30, or the "
-        "building as building.frame with moment_capacity");
+        "building as building.stick with yield_forces, which shears alone too, or as building.frame with "
+        "moment_capacity, which bends");
   }
   const VectorXd shape = modes(model.mass, model.stiffness).shapes.col(0);
   const VectorXd shears = shear_rows(model).leftCols(model.floors()) * shape;

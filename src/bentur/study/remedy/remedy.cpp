@@ -42,10 +42,23 @@ std::vector<std::size_t> chosen_axes(const Study& study) {
   return {axes.begin(), axes.end()};
 }
 
+/// Of a building whose calibrate_period is chosen and not in the case: its own first period [s], from what its
+/// stiffness is multiplied by where that is `from`.
+std::optional<double> own_period(const Vary& vary, const Problem& of_first_choice) {
+  if (vary.path.size() != 3 || vary.path.back() != PathStep("calibrate_period")) return std::nullopt;
+  const auto* const place = std::get_if<std::size_t>(&vary.path[1]);
+  if (place == nullptr || *place >= of_first_choice.buildings.size()) return std::nullopt;
+  const std::optional<double>& factor = of_first_choice.buildings[*place].model.stiffness_factor;
+  return factor ? std::optional(vary.sought->from * std::sqrt(*factor)) : std::nullopt;
+}
+
 /// The place in its range of what the case says: of a list of one number that number; `from` where it says none.
-double place_of_case(const Study& study, const Vary& vary) {
+double place_of_case(const Study& study, const Vary& vary, const Problem& of_first_choice) {
   if (vary.factor) return vary.sought->place(1);
   const TomlValue* value = find_value(study.case_root, vary.path);
+  if (value == nullptr) {
+    if (const auto period = own_period(vary, of_first_choice)) return vary.sought->place(*period);
+  }
   while (value != nullptr && value->kind == TomlValue::Kind::list && !value->items.empty()) value = &value->items[0];
   return value != nullptr && value->is_number() ? vary.sought->place(value->real) : 0;
 }
@@ -103,7 +116,7 @@ class Trials {
         options_(options),
         measure_(quantities, search.spec().objective) {
     for (const std::size_t axis : chosen_axes(search.study)) {
-      start_.push_back(place_of_case(search.study, search.study.first_along(axis)));
+      start_.push_back(place_of_case(search.study, search.study.first_along(axis), facts_.problem));
     }
     open_journal();
   }

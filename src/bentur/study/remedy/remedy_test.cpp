@@ -11,6 +11,7 @@
 
 #include "bentur/io/temporary_folder.h"
 #include "bentur/pounding/pounding.h"
+#include "bentur/structure/modes.h"
 #include "bentur/study/remedy/optimiser.h"
 #include "bentur/study/remedy/remedy_story.h"
 #include "bentur/study/study_output.h"
@@ -211,6 +212,23 @@ TEST_F(Remedies, SaysWhenNoneSufficesAndWhatLiesAtABound) {
   EXPECT_EQ(remedy_story(search).statements.front().kind, "remedy_none");
   EXPECT_EQ(kinds_of(search).count("remedy_at_bound"), 1U);
   EXPECT_NEAR(search.best()->values[0], 1.2, 1e-3);
+}
+
+TEST_F(Remedies, ABuildingIsSizedToAPeriodFromItsOwnOn) {
+  const RemedySearch search = found(
+      "[remedy]\nobjective = 'gap_needed'\nevaluations = 40\n"
+      "[[vary]]\nparameter = 'building[\"West\"].calibrate_period'\nfrom = 0.3\nto = 0.6\n");
+  Diagnostics diagnostics;
+  const ReadCase bare =
+      read_case_parts(TomlView(search.study.case_root, "", "case.toml", diagnostics), "", diagnostics);
+  const Problem problem = make_problem(bare.c);
+  const double own = modal_properties(problem.buildings[0]).periods(0);
+  ASSERT_TRUE(own > 0.3 && own < 0.6) << own;
+  EXPECT_NEAR(search.trials.front().values[0], own, 1e-12);
+  EXPECT_NEAR(search.trials.front().objective, needed(solve(problem, bare.c.analysis.solver)), 1e-9);
+  EXPECT_EQ(search.trials.front().size, 0);
+  EXPECT_EQ(needed(run_with(search, search.best()->values)), search.best()->objective);
+  EXPECT_LT(search.best()->objective, search.trials.front().objective);
 }
 
 TEST_F(Remedies, NothingIsNeededWhereTheCaseKeepsTheLimit) {
