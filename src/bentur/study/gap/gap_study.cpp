@@ -392,6 +392,7 @@ std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> a
           {gap_name(*facts->plan, gap), static_cast<Eigen::Index>(gap.left), static_cast<Eigen::Index>(gap.right)});
     }
   } else {
+    result.problem = facts->problem;
     for (const Building& building : facts->problem.buildings) result.buildings.push_back(building.name);
     for (const Gap& gap : gaps_of(facts->problem)) {
       result.gaps.push_back({gap_name(facts->problem, gap.left), gap.left, gap.left + 1});

@@ -52,7 +52,7 @@ void check_gap(const GapStudy& study, Eigen::Index gap, std::vector<CheckRow>& r
   const auto row = [&](std::string check, std::string by, double demand, bool is_met) {
     CheckRow made{.check = std::move(check),
                   .by = std::move(by),
-                  .where = gap_name(study.problem, gap),
+                  .where = study.gaps.at(gap).name,
                   .demand = known(demand),
                   .limit = faces ? std::optional(*narrowest) : std::nullopt,
                   .unit = study.units.length,
@@ -83,7 +83,7 @@ void check_gap(const GapStudy& study, Eigen::Index gap, std::vector<CheckRow>& r
 HandIn suite_hand_in(const SuiteRun& run, const GapStudy& gaps) {
   std::vector<CheckRow> rows;
   check_drifts(run, rows);
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(gaps.problem.buildings); ++gap) check_gap(gaps, gap, rows);
+  for (Eigen::Index gap = 0; gap < std::ssize(gaps.gaps); ++gap) check_gap(gaps, gap, rows);
   return hand_in(run.c, run.problem, rows);
 }
 
