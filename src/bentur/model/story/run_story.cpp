@@ -25,7 +25,7 @@ Statement model_statement(const RunResults& run) {
 }
 
 void tell_collapse(const std::optional<Collapse>& with, const std::optional<Collapse>& without, double drift,
-                   const std::function<std::pair<std::string, Index>(const Collapse&)>& place,
+                   const std::function<std::pair<std::string, Eigen::Index>(const Collapse&)>& place,
                    std::vector<Statement>& statements) {
   const auto tell = [&](const Collapse& collapse, const char* kind) {
     const auto [building, storey] = place(collapse);
