@@ -1,5 +1,7 @@
 #include "bentur/study/study_runs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <optional>

@@ -50,22 +50,22 @@ std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::s
 namespace {
 
 /// An entry of a list that results leave out where nothing of it is known.
-double known(const Eigen::VectorXd& list, Index i) {
+double known(const Eigen::VectorXd& list, Eigen::Index i) {
   return i < list.size() ? list(i) : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
 
-Index most_softened(const BuildingPeaks::Yielding& yielding) {
-  Index worst = -1;
-  for (Index f = 0; f < yielding.strength_left.size(); ++f) {
+Eigen::Index most_softened(const BuildingPeaks::Yielding& yielding) {
+  Eigen::Index worst = -1;
+  for (Eigen::Index f = 0; f < yielding.strength_left.size(); ++f) {
     if (std::isnan(known(yielding.capped_time, f)) && std::isnan(known(yielding.failed_time, f))) continue;
     if (worst < 0 || yielding.strength_left(f) < yielding.strength_left(worst)) worst = f;
   }
   return worst;
 }
 
-Statement lost_strength(const BuildingPeaks::Yielding& yielding, Index storey) {
+Statement lost_strength(const BuildingPeaks::Yielding& yielding, Eigen::Index storey) {
   const double failed = known(yielding.failed_time, storey), residual = known(yielding.residual_time, storey);
   const bool has_failed = !std::isnan(failed), to_residual = !std::isnan(residual);
   const double time = has_failed ? failed : to_residual ? residual : known(yielding.capped_time, storey);
