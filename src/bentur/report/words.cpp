@@ -48,7 +48,8 @@ TomlValue parsed(std::string_view text) {
 const std::vector<std::string>& report_languages() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> read;
-    for (const TomlValue& tag : parsed(sections().head).find("languages")->items) read.push_back(tag.text);
+    const TomlValue head = parsed(sections().head);
+    for (const TomlValue& tag : head.find("languages")->items) read.push_back(tag.text);
     return read;
   }();
   return all;
@@ -62,7 +63,8 @@ const Texts* catalogue_entry(std::string_view key) {
   const std::lock_guard lock(mutex);
   const auto [texts, is_new] = known.try_emplace(section->first);
   if (is_new) {
-    for (const TomlMember& member : parsed(section->second).members) texts->second[member.key] = member.value.text;
+    const TomlValue read = parsed(section->second);
+    for (const TomlMember& member : read.members) texts->second[member.key] = member.value.text;
   }
   return &texts->second;
 }
