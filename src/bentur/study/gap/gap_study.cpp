@@ -60,27 +60,10 @@ GapNeed mean_of_needs(const RecordNeeds& needs, Eigen::Index gap) {
 
 using Named = std::vector<std::pair<std::string, std::string>>;
 
-/// A case with the choices put in: of a row, or in plan.
-struct Chosen {
-  ReadCase row;
-  std::optional<ReadPlan> plan;
-
-  [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : row.c.title; }
-  [[nodiscard]] const CodeSpec& code() const { return plan ? plan->c.code : row.c.code; }
-  /// The file that the ground's motion comes from, if there is one.
-  [[nodiscard]] std::optional<std::string> record_file() const {
-    for (const ExcitationSpec& one :
-         plan ? std::vector(plan->c.excitation.begin(), plan->c.excitation.end()) : std::vector{row.c.excitation}) {
-      if (one.record) return one.record->file;
-    }
-    return std::nullopt;
-  }
-};
-
 /// The gaps of a case as those of rows: all gaps of one row, or in plan each that of a row of two.
 class GapsOfRows {
  public:
-  explicit GapsOfRows(const Chosen& chosen) : in_plan_(chosen.plan) {
+  explicit GapsOfRows(const ChosenCase& chosen) : in_plan_(chosen.plan) {
     if (!chosen.plan) rows_.push_back(chosen.row.problem());
     for (std::size_t gap = 0; chosen.plan && gap < chosen.plan->problem.gaps.size(); ++gap) {
       rows_.push_back(pair_of(chosen.plan->problem, gap));
@@ -198,7 +181,7 @@ class Work {
     for (std::size_t number = 0; number < widths.combinations(); ++number) {
       widths.choose(number, choices);
       Diagnostics found;
-      const Chosen chosen = case_of(choices, found);
+      const ChosenCase chosen = case_of(choices, found);
       if (!found.ok()) throw std::runtime_error(first_message(found));
       const GapsOfRows gaps(chosen);
       for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
@@ -262,16 +245,10 @@ class Work {
     return false;
   }
 
-  [[nodiscard]] Chosen case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
+  [[nodiscard]] ChosenCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
     TomlValue root = chosen_case(study_, choices);
     if (study_.ida) put_intensity(facts_.intensities, choices, *result_.at, root);
-    Chosen chosen;
-    if (facts_.plan) {
-      chosen.plan = read_chosen_plan(study_, root, memo_, found);
-    } else {
-      chosen.row = read_chosen(study_, root, memo_, found);
-    }
-    return chosen;
+    return read_chosen_case(study_, root, facts_.plan.has_value(), memo_, found);
   }
 
   /// A label without quotes, or the number.
@@ -280,20 +257,22 @@ class Work {
   }
 
   [[nodiscard]] std::string record_name(const std::vector<Choice>& choices, const AxisSubset& records,
-                                        const Chosen& read) const {
+                                        const ChosenCase& read) const {
     std::string name;
     for (const Vary& vary : study_.varies) {
       if (!records.has(vary.axis) || vary.labels.empty()) continue;
       name += (name.empty() ? "" : ", ") + value_text(vary, choices[vary.axis]);
     }
     if (!name.empty()) return name;
-    const std::optional<std::string> file = read.record_file();
-    return file ? std::filesystem::path(*file).filename().string() : "ground motion";
+    for (const ExcitationSpec& one : read.excitations()) {
+      if (one.record) return std::filesystem::path(one.record->file).filename().string();
+    }
+    return "ground motion";
   }
 
   [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const AxisSubset& records) {
     Diagnostics found;
-    const Chosen chosen = case_of(choices, found);
+    const ChosenCase chosen = case_of(choices, found);
     const std::string record = record_name(choices, records, chosen);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     RecordNeed result = chosen.plan ? need_in_plan(record, *chosen.plan) : need_of_row(record, chosen.row);

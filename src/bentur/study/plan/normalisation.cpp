@@ -160,7 +160,7 @@ void settle_normalisation(const TomlView& root, Study& study) {
     Vary& vary = study.varies[i];
     if (vary.path.empty() || (vary.normalise_by.empty() && vary.normalisation.empty())) continue;
     const TomlView view = *root.find("vary")->item(i).find("normalisation");
-    const bool both = find_value(study.case_root, {"excitation", "y"}) != nullptr;
+    const bool both = moves_along_y(study.case_root);
     bool refused = false;
     for (const ParameterPath& pga : {ParameterPath{"excitation", "pga"}, ParameterPath{"excitation", "y", "pga"}}) {
       const bool varied =

@@ -82,9 +82,7 @@ void put_intensity(const RecordIntensities& intensities, const std::vector<Choic
                    TomlValue& root) {
   const double factor = record_factor(intensities, intensities.place(choices), level);
   put_value(root, {"excitation", "scale"}, toml_number(factor));
-  if (find_value(root, {"excitation", "y"}) != nullptr) {
-    put_value(root, {"excitation", "y", "scale"}, toml_number(factor));
-  }
+  if (moves_along_y(root)) put_value(root, {"excitation", "y", "scale"}, toml_number(factor));
 }
 
 std::string intensity_units(const IdaSpec& ida, const Units& units) {

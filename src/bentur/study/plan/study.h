@@ -101,6 +101,9 @@ struct Study {
 /// The same of tables that are in memory. @param study its files, texts and case; messages carry no file
 [[nodiscard]] std::optional<Study> read_study(const TomlValue& tables, Study study, Diagnostics& diagnostics);
 
+/// Whether the ground of a case moves along y too: [excitation.y].
+[[nodiscard]] bool moves_along_y(const TomlValue& case_root);
+
 /// One choice along every axis: a level where there are values, else an extreme value or the probability u.
 struct Choice {
   std::size_t level = 0;

@@ -26,16 +26,6 @@ std::string place_text(const SourcePosition& position) {
                            : fmt::format(" ({})", file);
 }
 
-/// A case as a study has made it: of a row, or in plan.
-struct Tried {
-  ReadCase row;  ///< unless it is in plan
-  std::optional<ReadPlan> plan;
-
-  [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : row.c.analysis; }
-  [[nodiscard]] const Units& units() const { return plan ? plan->c.units : row.c.units; }
-  [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : row.c.title; }
-};
-
 bool is_in_plan(const Study& study) {
   Diagnostics ignored;
   const std::string name = study.case_file.string();
@@ -51,7 +41,7 @@ class Trial {
   bool first() {
     Diagnostics found;
     const std::vector<Choice> choices(study_.axes.size());
-    const Tried read = tried(choices, found);
+    const ChosenCase read = tried(choices, found);
     for (const Diagnostic& one : found.errors()) {
       if (one.position.origin > 0) {
         report(one, choices);
@@ -120,7 +110,6 @@ class Trial {
     facts_.intensities = std::move(found);
   }
 
-  [[nodiscard]] const StudyFacts& facts() const { return facts_; }
   StudyFacts take() { return std::move(facts_); }
 
  private:
@@ -131,16 +120,9 @@ class Trial {
     hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
   }
 
-  Tried tried(const std::vector<Choice>& choices, Diagnostics& found) {
-    const TomlValue root = chosen_case(study_, choices);
-    Tried read;
-    if (is_plan_) {
-      read.plan = read_chosen_plan(study_, root, memo_, found);
-      for (const ExcitationSpec& one : read.plan->c.excitation) note(one, found);
-      return read;
-    }
-    read.row = read_chosen(study_, root, memo_, found);
-    note(read.row.c.excitation, found);
+  ChosenCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
+    ChosenCase read = read_chosen_case(study_, chosen_case(study_, choices), is_plan_, memo_, found);
+    for (const ExcitationSpec& one : read.excitations()) note(one, found);
     for (const BuildingSpec& building : read.row.c.buildings) {
       if (found.ok() && !building.shapes_path.empty()) note(building.shapes_path);
     }
@@ -153,7 +135,7 @@ class Trial {
 
   double measured(const std::vector<Choice>& choices) {
     Diagnostics found;
-    const Tried read = tried(choices, found);
+    const ChosenCase read = tried(choices, found);
     if (!found.ok()) return std::numeric_limits<double>::quiet_NaN();  // each alone is right, so its runs are marked
     std::string what = "[ida]";
     for (const std::size_t axis : record_axes(study_).axes) {
@@ -161,15 +143,14 @@ class Trial {
       what += fmt::format(" with {} = {}", vary.parameter, chosen_text(vary, choices[axis]));
     }
     const auto component = study_.ida->component;
-    const bool both = read.plan && find_value(chosen_case(study_, choices), {"excitation", "y"}) != nullptr;
+    const bool both = read.plan && moves_along_y(chosen_case(study_, choices));
     if (both != component.has_value()) {
       diagnostics_.error(study_.ida->position, what + ": the ground moves along y in some runs alone");
       return 0;
     }
     std::vector<double> intensities;  // of x and, where the ground moves along both, y
     for (std::size_t direction = 0; direction < (both ? 2 : 1); ++direction) {
-      const ExcitationSpec& excitation = read.plan ? read.plan->c.excitation.at(direction) : read.row.c.excitation;
-      const auto* motion = std::get_if<SampledMotion>(&excitation.motion);
+      const auto* motion = std::get_if<SampledMotion>(&read.excitations()[direction].motion);
       if (motion == nullptr) {
         const std::string table = direction == 0 ? "excitation" : "excitation.y";
         diagnostics_.error(study_.ida->position,
@@ -192,7 +173,7 @@ class Trial {
 
   void one(const std::vector<Choice>& choices, std::size_t axis) {
     Diagnostics found;
-    const Tried read = tried(choices, found);
+    const ChosenCase read = tried(choices, found);
     for (const Diagnostic& error : found.errors()) {
       if (error.position.origin > 0) {
         report(error, choices);
@@ -325,6 +306,21 @@ ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, 
 ReadPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found) {
   const std::string name = study.case_file.string();
   return read_plan_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &memo);
+}
+
+std::span<const ExcitationSpec> ChosenCase::excitations() const {
+  return plan ? std::span<const ExcitationSpec>(plan->c.excitation) : std::span(&row.c.excitation, 1);
+}
+
+ChosenCase read_chosen_case(const Study& study, const TomlValue& root, bool in_plan, CaseMemo& memo,
+                            Diagnostics& found) {
+  ChosenCase read;
+  if (in_plan) {
+    read.plan = read_chosen_plan(study, root, memo, found);
+  } else {
+    read.row = read_chosen(study, root, memo, found);
+  }
+  return read;
 }
 
 bool refuse_plan(const StudyFacts& facts, const SourcePosition& position, const std::string& what,

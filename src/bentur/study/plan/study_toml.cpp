@@ -34,8 +34,6 @@ bool is_numeric(const TomlValue& value) {
   return value.is_number();
 }
 
-const ParameterPath along_y = {"excitation", "y"};
-
 /// Keys of [excitation] that scale the record.
 bool is_scale(const PathStep& key) { return key == PathStep("pga") || key == PathStep("scale"); }
 
@@ -244,7 +242,7 @@ void add_polarity(const TomlView& root, Study& study) {
                                    other.parameter_position.line));
     }
   }
-  if (find_value(study.case_root, along_y) != nullptr) {
+  if (moves_along_y(study.case_root)) {
     FileKey both{{"excitation", "y", "polarity"}, {vary.values.begin(), vary.values.end()}};
     vary.file_keys.push_back(std::move(both));
   }
@@ -254,7 +252,7 @@ void add_polarity(const TomlView& root, Study& study) {
 
 /// By what the intensity of both components goes.
 void settle_component(const TomlView& root, Study& study) {
-  const bool both = find_value(study.case_root, along_y) != nullptr;
+  const bool both = moves_along_y(study.case_root);
   if (!both && study.ida->component) {
     root.find("ida")->find("component")->error("goes with [excitation.y], which the case does not have");
   }
@@ -333,6 +331,8 @@ std::optional<Study> read_study(const TomlValue& tables, Study study, Diagnostic
   return found.ok() ? std::optional(std::move(study)) : std::nullopt;
 }
 
+bool moves_along_y(const TomlValue& case_root) { return find_value(case_root, {"excitation", "y"}) != nullptr; }
+
 const Vary& Study::first_along(std::size_t axis) const {
   return *std::find_if(varies.begin(), varies.end(), [&](const Vary& vary) { return vary.axis == axis; });
 }
@@ -391,7 +391,7 @@ void put_choices(const Study& study, const std::vector<Choice>& choices, TomlVal
       put_value(root, path, toml_number(scale * factor));
     };
     multiply({"excitation", "scale"});
-    if (find_value(root, along_y) != nullptr) multiply({"excitation", "y", "scale"});
+    if (moves_along_y(root)) multiply({"excitation", "y", "scale"});
   }
 }
 
