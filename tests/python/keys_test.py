@@ -51,7 +51,7 @@ BEYOND = {
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone
-            isolation-strength-alone link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
+            isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             plan-friction-of-law plan-gap-width plan-link-without-place matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice
@@ -75,7 +75,7 @@ BEYOND = {
             case-has-errors case-is-folder case-not-there distribution-above-one
             distribution-negative distribution-uniform-negative files-alone-in-case files-bad-record
             files-empty-glob files-mixed-units files-no-folder files-not-there
-            files-unit-contradicts ida-harmonic ida-period-too-short ida-record-of-zeros
+            files-unit-contradicts ida-component-of-row ida-harmonic ida-period-too-short ida-record-of-zeros
             normalisation-file-not-there normalisation-file-short normalisation-of-zeros path-entry
             path-inside-another path-key-near path-malformed path-name-near path-not-a-list
             path-not-a-table path-table-near value-brings-about value-other-floors
@@ -83,7 +83,7 @@ BEYOND = {
         "lengths that follow from other keys": """
             files-unit-count labels-count normalisation-count together-count""",
         "names, and what stands twice": """
-            files-twice ida-name-taken ida-varies-scale name-is-none name-of-companions name-taken
+            files-twice ida-name-taken ida-scale-of-y ida-varies-scale name-is-none name-of-companions name-taken
             name-twice path-twice path-units polarity-twice value-twice""",
         "keys of several tables, or numbers of several keys": """
             distribution-bounds distribution-in-grid grid-too-large ida-levels-order ida-missing

@@ -280,6 +280,13 @@ bool is_always(const KeyTable& table, const Key& key) {
   });
 }
 
+/// Whether it is needed whatever the words of others are.
+bool is_always_required(const KeyTable& table, const Key& key) {
+  return is_always(table, key) && std::all_of(table.keys.begin(), table.keys.end(), [&](const Key& one) {
+           return one.name != key.name || one.is_required();
+         });
+}
+
 /// Whether it is of its group whatever the words of others are.
 bool is_always_in_group(const KeyTable& table, const Key& key) {
   return is_always(table, key) && std::all_of(table.keys.begin(), table.keys.end(), [&](const Key& one) {
@@ -313,9 +320,8 @@ Schema schema_of_words(const KeyTable& table, const Key& by) {
     const auto is_of_word = [&](const Key& key) {
       return !key.conditions.empty() && key.conditions.back().key == by.name && key.is_for(by.name, word);
     };
-    const auto counts = [&](const Key& key) { return !is_always(table, key) && is_of_word(key); };
     for (const Key& key : table.keys) {
-      if (counts(key) && key.is_required()) required.emplace_back(key.name);
+      if (is_of_word(key) && key.is_required() && !is_always_required(table, key)) required.emplace_back(key.name);
     }
     if (!required.empty()) way["required"] = required;
     if (!others.empty()) way["not"] = {{"anyOf", others}};
@@ -335,12 +341,11 @@ Schema schema_of_table(const KeyTable& table) {
   schema["properties"] = Schema::object();
   for (const std::string& name : table.names()) schema["properties"][name] = schema_of_name(table, name);
   schema["additionalProperties"] = false;
-  const auto always = [&](const Key& key) { return is_always(table, key); };
   std::vector<std::string> required;
   std::vector<Schema> rules;
   for (const Key& key : table.keys) {
     const bool is_new = std::find(required.begin(), required.end(), key.name) == required.end();
-    if (is_new && always(key) && key.is_required()) required.emplace_back(key.name);
+    if (is_new && is_always_required(table, key)) required.emplace_back(key.name);
   }
   if (!required.empty()) schema["required"] = required;
   for (const Key& key : table.keys) {
