@@ -1,19 +1,24 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "arguments.h"
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/studies/remedy_figure.h"
+#include "bentur/runner/solve_in_threads.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/remedy/least_gap.h"
 #include "bentur/study/remedy/remedy.h"
 #include "bentur/study/remedy/remedy_story.h"
+#include "cases/plan.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
@@ -27,6 +32,7 @@ namespace {
 struct RemedyArguments {
   std::string study, output, figure;
   std::string language = "en";
+  int threads = 0;
   bool resume = false, json = false, force = false;
 };
 
@@ -38,10 +44,14 @@ OutputRules rules_of(const RemedyArguments& arguments) {
 std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::filesystem::path& journal) {
   const StopOnSignal stop;
   Progress progress("of the evaluations");
-  RemedyOptions options{.journal = journal, .resume = arguments.resume, .version = BENTUR_VERSION, .goes_on = {}};
+  RemedyOptions options{.journal = journal, .resume = arguments.resume, .version = BENTUR_VERSION};
   options.goes_on = [&progress](double fraction) {
     progress.show(fraction);
     return !StopOnSignal::asked();
+  };
+  options.solve = [&arguments](const StudyRuns& study, std::span<const std::size_t> runs,
+                               const std::function<bool()>& goes_on) {
+    return solve_in_threads(study, runs, arguments.threads, goes_on);
   };
   Diagnostics diagnostics;
   auto found = seek_remedy(arguments.study, options, diagnostics);
@@ -51,6 +61,7 @@ std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::fi
 
 /// Of a case as it stands: the least gap, which wants no search.
 LeastGaps gaps_of(const RemedyArguments& arguments) {
+  if (is_plan_case(arguments.study)) return least_gaps(simulate_plan(arguments.study, arguments.language));
   const Loaded loaded = load(arguments.study, Purpose::no_run, arguments.language);
   const Case& c = loaded.c;
   if (c.excitation.suite) {
@@ -72,14 +83,13 @@ void run_case(const RemedyArguments& arguments) {
   if (arguments.resume || !arguments.output.empty() || !arguments.figure.empty()) {
     refuse("--output, --resume and --figure are for a study with [remedy]; of a case --json has the least gap");
   }
-  if (is_plan_case(arguments.study)) {
-    refuse("does not go with buildings in plan: bentur gap says which gap they need");
-  }
   const LeastGaps found = gaps_of(arguments);
   if (arguments.json) return print(least_gap_json(found, BENTUR_VERSION));
   const Words say(arguments.language);
+  std::vector<std::string> gaps;
+  for (const LeastGap& one : found.gaps) gaps.push_back(one.name);
   std::string text = found.title.empty() ? "" : found.title + "\n";
-  text += story_text(found.problem, least_gap_story(found), say, Told::outcome);
+  text += story_text(gaps, least_gap_story(found), say, Told::outcome);
   print(fitted(text));
 }
 
@@ -106,7 +116,7 @@ void run(const RemedyArguments& arguments) {
     std::filesystem::remove(journal);
   }
   std::string text = found.title.empty() ? "" : found.title + "\n";
-  text += story_text(found.problem, remedy_story(found), say, Told::outcome);
+  text += story_text(std::vector<std::string>(), remedy_story(found), say, Told::outcome);
   print(arguments.json ? json : fitted(text));
   if (!arguments.figure.empty() && found.best() != nullptr) {
     FigureOptions options;
@@ -138,6 +148,8 @@ void add_remedy_command(CLI::App& app) {
   command->add_option("--figure", arguments->figure, "the trade-off as a picture, .svg, .pdf or .png")
       ->check(not_empty())
       ->type_name("FILE");
+  command->add_option("--threads", arguments->threads, "threads for the runs of a choice; default: all")
+      ->check(CLI::Range(1, 4096));
   command->add_flag("--resume", arguments->resume, "go on with an unfinished search");
   command->add_flag("--json", arguments->json, "JSON instead of words");
   add_language(*command, arguments->language);

@@ -149,6 +149,11 @@ def test_remedy(root, program, tmp_path):
     assert list(doors.differences(expected, bentur.remedy(study))) == []
     assert list(doors.differences(expected, bentur.remedy(study, journal=tmp_path / "kept"))) == []
     assert not (tmp_path / "kept").exists()
+    for case in ("row-of-three.toml", "plan/twisting-pair.toml", "two-real-buildings/record.toml"):
+        case = root / "examples" / case
+        assert list(doors.differences(json.loads(output(program, "remedy", case, "--json")), bentur.remedy(case))) == []
+    with pytest.raises(ValueError, match="journal"):
+        bentur.remedy(case, journal=tmp_path / "kept")
     with pytest.raises(bentur.CaseError, match="remedy"):
         bentur.remedy(root / "examples" / "studies" / "m12-gaps.toml")
     with pytest.raises(ValueError, match="journal"):

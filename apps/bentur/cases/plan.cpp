@@ -123,12 +123,16 @@ void print_plan_modes(const std::string& file, bool by_jacobi, bool json) {
   print(fitted(text));
 }
 
-void print_plan_gaps(const std::string& file, bool json, const std::string& language) {
+PlanRun simulate_plan(const std::string& file, const std::string& language) {
   LoadedPlan loaded = load_plan(file, language);
   PlanResponse response = solve_shown(loaded.options, true, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
-  const PlanRun run{std::move(loaded.c), std::move(loaded.problem), std::move(response)};
+  return {std::move(loaded.c), std::move(loaded.problem), std::move(response)};
+}
+
+void print_plan_gaps(const std::string& file, bool json, const std::string& language) {
+  const PlanRun run = simulate_plan(file, language);
   if (json) return print(plan_gap_json(run, BENTUR_VERSION));
   const Words say(language);
   print(fitted(plan_motion_text(run, say) + all_gaps_text(gap_names(run.problem), run.c.code, plan_gap_story(run),

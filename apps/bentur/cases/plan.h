@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/report/html/report.h"
 
 namespace bentur::cli {
@@ -11,6 +12,9 @@ namespace bentur::cli {
 
 void check_plan(const std::string& file, const std::string& language);
 void print_plan_modes(const std::string& file, bool by_jacobi, bool json);
+
+/// Solves it, with progress on a terminal.
+[[nodiscard]] PlanRun simulate_plan(const std::string& file, const std::string& language);
 
 /// What its gaps need and rules ask, simulated, and what rules ask from heights alone.
 void print_plan_gaps(const std::string& file, bool json, const std::string& language);

@@ -18,7 +18,7 @@ from . import _arguments, _core
 from ._case import Case
 from ._dataset import attributes_of_study, dataset, netcdf
 from ._errors import CaseError, Finding, imported
-from ._functions import Progress, shown
+from ._functions import Progress, as_case, shown
 from ._own_laws import OwnLaw, table_of
 
 if TYPE_CHECKING:
@@ -246,7 +246,7 @@ def fragility(
 
 
 def remedy(
-    study: str | PathLike[str],
+    study: Case | str | PathLike[str],
     *,
     journal: str | PathLike[str] | None = None,
     resume: bool = False,
@@ -254,16 +254,20 @@ def remedy(
 ) -> dict[str, Any]:
     """Seeks the gap, damper, filler or stiffness for which the objective of a study with ``[remedy]``
     (docs/studies.md) is least, and with a limit the smallest choice that keeps it, as ``bentur remedy --json``
-    has it.
+    has it. Of a case, or its file, the least gap, which wants no search.
 
-    :param journal: a file that keeps what has been tried until the search is done; with `resume` it goes on there.
+    :param journal: of a search: a file that keeps what has been tried until it is done; with `resume` it goes on there.
     :returns: ``best`` and ``smallest`` with ``values`` by name, ``objective`` and ``size``, None where there is none;
-        all ``evaluations``.
+        all ``evaluations``. Of a case ``gaps``.
     :raises CaseError: where the study or its case has an error.
     :raises RefusedOutput: where the journal is there and not to be gone on with, or is another study's.
     """
     if resume and journal is None:
         raise ValueError("resume needs a journal")
+    if isinstance(study, Case) or not _core.is_study(_arguments.path("study", study)):
+        if journal is not None:
+            raise ValueError("journal is for a study with [remedy]")
+        return _least_gap(as_case(study)._made, progress)
     kept = None if journal is None else Path(_arguments.path("journal", journal))
     with shown(progress, "remedy") as told:
         made = _core.remedy_json(_arguments.path("study", study), "" if kept is None else kept, resume, told)
@@ -271,3 +275,10 @@ def remedy(
     if kept is not None and not found["stopped"]:
         kept.unlink(missing_ok=True)
     return found
+
+
+def _least_gap(case: _core.Case, progress: Progress) -> dict[str, Any]:
+    with shown(progress, "gap") as told:
+        ask = _core.suite_least_gap_json if case.records else _core.least_gap_json
+        found: dict[str, Any] = json.loads(ask(case, told))
+        return found

@@ -27,6 +27,7 @@
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
 #include "bentur/structure/modes.h"
+#include "bentur/study/remedy/least_gap.h"
 #include "case_run.h"
 #include "python_law.h"
 #include "toml_python.h"
@@ -308,6 +309,18 @@ void bind_run(py::module_& module) {
         if (!c.excitation.spectrum) return gaps(*solved(given, 0, progress));
         return spectral_gap_json(c, given.problem,
                                  spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units), BENTUR_VERSION);
+      },
+      py::arg("case"), py::arg("progress"));
+  module.def(
+      "least_gap_json",
+      [](const PyCase& given, const py::object& progress) {
+        const Case& c = given.c;
+        if (c.excitation.spectrum) {
+          const SpectralGaps spectral = spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units);
+          return least_gap_json(least_gaps(c, given.problem, spectral), BENTUR_VERSION);
+        }
+        const std::shared_ptr<PyRun> run = solved(given, 0, progress);
+        return least_gap_json(run->plan ? least_gaps(*run->plan) : least_gaps(run->results), BENTUR_VERSION);
       },
       py::arg("case"), py::arg("progress"));
   module.def(

@@ -9,6 +9,7 @@
 
 #include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/gap/gap_study.h"
+#include "bentur/study/remedy/least_gap.h"
 #include "bentur/study/remedy/remedy.h"
 #include "bentur/study/study_output.h"
 #include "bentur/study/study_variables.h"
@@ -208,8 +209,8 @@ std::string remedy_text(const fs::path& file, const fs::path& journal, bool resu
   return remedy_json(*search, BENTUR_VERSION);
 }
 
-/// The gaps over the records of a case's suite, as `bentur gap CASE --json` tells them.
-std::string suite_gap_text(const PyCase& given, const py::object& progress) {
+/// The gaps over the records of a case's suite.
+GapStudy suite_gaps(const PyCase& given, const py::object& progress) {
   Diagnostics found;
   Watcher watcher(progress);
   std::optional<GapStudy> study;
@@ -224,7 +225,7 @@ std::string suite_gap_text(const PyCase& given, const py::object& progress) {
   }
   watcher.rethrow();
   if (!study) raise_case_error(found);
-  return gap_study_json(*study, BENTUR_VERSION);
+  return *std::move(study);
 }
 
 /// The runs of a case's suite in short, as `bentur run CASE --json` tells them.
@@ -329,10 +330,21 @@ void bind_study(py::module_& module) {
       .def("close", &PyStudy::close)
       .def("solve", &PyStudy::solve, py::arg("first"), py::arg("count"))
       .def("stop", &PyStudy::stop);
-  module.def("suite_gap_json", &suite_gap_text, py::arg("case"), py::arg("progress"));
+  module.def(
+      "suite_gap_json",
+      [](const PyCase& given, const py::object& progress) {
+        return gap_study_json(suite_gaps(given, progress), BENTUR_VERSION);
+      },
+      py::arg("case"), py::arg("progress"));
   module.def("suite_run_json", &suite_run_text, py::arg("case"), py::arg("progress"));
   module.def("gap_study_json", &gap_study_text, py::arg("file"), py::arg("at"), py::arg("progress"));
   module.def("remedy_json", &remedy_text, py::arg("file"), py::arg("journal"), py::arg("resume"), py::arg("progress"));
+  module.def(
+      "suite_least_gap_json",
+      [](const PyCase& given, const py::object& progress) {
+        return least_gap_json(least_gaps(given.c, suite_gaps(given, progress)), BENTUR_VERSION);
+      },
+      py::arg("case"), py::arg("progress"));
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),
              py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"),
              py::arg("method"));

@@ -81,8 +81,7 @@ StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> me
       facts_(std::move(facts)),
       memo_(std::move(memo)),
       plan_(plan_axes(study_), study_.sampling),
-      quantities_(facts_.plan ? row_parts(*facts_.plan, facts_.units)
-                              : row_parts(facts_.problem, facts_.units, facts_.energy_audit)) {
+      quantities_(quantities_of(facts_)) {
   widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
     return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
   });

@@ -364,15 +364,13 @@ std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> a
   GapStudy result;
   result.units = facts->units;
   result.in_plan = facts->plan.has_value();
+  result.buildings = building_names(*facts);
   if (facts->plan) {
-    for (const PlanBuilding& building : facts->plan->buildings) result.buildings.push_back(building.name);
     for (const PlanGap& gap : facts->plan->gaps) {
       result.gaps.push_back(
           {gap_name(*facts->plan, gap), static_cast<Eigen::Index>(gap.left), static_cast<Eigen::Index>(gap.right)});
     }
   } else {
-    result.problem = facts->problem;
-    for (const Building& building : facts->problem.buildings) result.buildings.push_back(building.name);
     for (const Gap& gap : gaps_of(facts->problem)) {
       result.gaps.push_back({gap_name(facts->problem, gap.left), gap.left, gap.left + 1});
     }

@@ -88,7 +88,6 @@ struct GapStudy {
   };
   std::vector<Between> gaps;
   bool in_plan = false;
-  Problem problem;           ///< of the first record, of a row
   std::optional<double> at;  ///< with [ida]: intensity that every record is scaled to
   std::string intensity, intensity_unit;
   std::vector<RecordNeeds> needs;

@@ -323,10 +323,18 @@ ChosenCase read_chosen_case(const Study& study, const TomlValue& root, bool in_p
   return read;
 }
 
-bool refuse_plan(const StudyFacts& facts, const SourcePosition& position, const std::string& what,
-                 Diagnostics& diagnostics) {
-  if (facts.plan) diagnostics.error(position, what + " does not go with buildings in plan");
-  return facts.plan.has_value();
+std::vector<RowPart> quantities_of(const StudyFacts& facts) {
+  return facts.plan ? row_parts(*facts.plan, facts.units) : row_parts(facts.problem, facts.units, facts.energy_audit);
+}
+
+std::vector<std::string> building_names(const StudyFacts& facts) {
+  std::vector<std::string> names;
+  if (facts.plan) {
+    for (const PlanBuilding& building : facts.plan->buildings) names.push_back(building.name);
+  } else {
+    for (const Building& building : facts.problem.buildings) names.push_back(building.name);
+  }
+  return names;
 }
 
 std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics) {

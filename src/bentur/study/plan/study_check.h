@@ -9,6 +9,7 @@
 
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/model/quantity_row.h"
 #include "bentur/study/plan/record_intensity.h"
 #include "bentur/study/plan/study.h"
 #include "bentur/study/plan/sweep_plan.h"
@@ -58,10 +59,9 @@ struct ChosenCase {
 /// record. With [ida] the intensity of every record is found too; of a combination that makes no case it is NaN.
 [[nodiscard]] std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics);
 
-/// An error at `position` where the buildings of the study stand in plan, which `what` does not take.
-/// @return whether they do
-bool refuse_plan(const StudyFacts& facts, const SourcePosition& position, const std::string& what,
-                 Diagnostics& diagnostics);
+/// What is kept of each of its runs, as a row or in plan.
+[[nodiscard]] std::vector<RowPart> quantities_of(const StudyFacts& facts);
+[[nodiscard]] std::vector<std::string> building_names(const StudyFacts& facts);
 
 /// The axes as a plan takes them: runs that differ in gap widths and contacts alone share the response without contact,
 /// unless delays are reckoned from the widths.

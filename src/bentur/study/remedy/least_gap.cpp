@@ -6,6 +6,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/results/story_json.h"
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/study/gap/gap_study_story.h"
 
 namespace bentur {
@@ -15,23 +16,32 @@ using Json = nlohmann::ordered_json;
 
 constexpr int figures = 3;
 
-/// A problem's gaps from what each level needs. @param scale of a gap [length], for round-off
+/// Of a case, with nothing known of its gaps yet.
+LeastGaps begun(const std::string& title, const Units& units, LeastGaps::Basis basis = LeastGaps::Basis::motion) {
+  return {.title = title, .units = units, .buildings = {}, .basis = basis, .both_ways = true};
+}
+
+/// A gap by what each of its levels needs. @param scale [length], for round-off
+void add_gap(LeastGaps& found, LeastGap gap, const std::vector<LevelSeparation>& levels, double scale) {
+  gap.is_facing = !levels.empty();
+  for (const LevelSeparation& one : levels) {
+    const double needed = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
+    gap.needed = std::max(gap.needed, needed);
+    gap.given = &one == levels.data() ? one.level.width : std::min(gap.given, one.level.width);
+    gap.is_short = gap.is_short || falls_short(one.level.width, needed, scale);
+    found.both_ways = found.both_ways && one.gap_needed_reversed.has_value();
+  }
+  if (!falls_short(0, gap.needed, scale)) gap.needed = 0;  // round-off
+  gap.width = rounded_up(gap.needed);
+  found.gaps.push_back(std::move(gap));
+}
+
+/// All gaps of a row. @param scale of each gap [length], for round-off
 template <class Scale>
-void add_gaps(LeastGaps& found, const std::vector<LevelSeparation>& all, const Scale& scale) {
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(found.problem.buildings); ++gap) {
-    const std::vector<LevelSeparation> levels = of_gap(all, gap);
-    LeastGap least;
-    for (const LevelSeparation& one : levels) {
-      const double needed = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
-      least.needed = std::max(least.needed, needed);
-      least.given = &one == levels.data() ? one.level.width : std::min(least.given, one.level.width);
-      least.is_short = least.is_short || falls_short(one.level.width, needed, scale(gap));
-      found.both_ways = found.both_ways && one.gap_needed_reversed.has_value();
-    }
-    if (!falls_short(0, least.needed, scale(gap))) least.needed = 0;  // round-off
-    least.width = rounded_up(least.needed);
-    found.gaps.push_back(least);
-    found.is_facing.push_back(levels.empty() ? 0 : 1);
+void add_gaps(LeastGaps& found, const Problem& problem, const std::vector<LevelSeparation>& all, const Scale& scale) {
+  for (const Building& building : problem.buildings) found.buildings.push_back(building.name);
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+    add_gap(found, {gap_name(problem, gap), gap, gap + 1}, of_gap(all, gap), scale(gap));
   }
 }
 
@@ -49,12 +59,13 @@ std::string motions_of(const LeastGaps& found) {
 }
 
 Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
-  Statement statement{.kind = "no_level", .gap = gap, .buildings = {gap, gap + 1}};
-  if (found.is_facing[gap] == 0) return statement;
   const LeastGap& one = found.gaps[gap];
+  const auto [first, second] = std::minmax(one.left, one.right);
+  Statement statement{.kind = "no_level", .gap = gap, .buildings = {first, second}};
+  if (!one.is_facing) return statement;
   const std::string& length = found.units.length;
-  statement.values = {{"left", found.problem.buildings[gap].name},
-                      {"right", found.problem.buildings[gap + 1].name},
+  statement.values = {{"left", found.buildings[one.left]},
+                      {"right", found.buildings[one.right]},
                       {"motions", motions_of(found), {}, true}};
   if (found.basis == LeastGaps::Basis::records) statement.values.push_back({"records", found.records});
   if (found.collapses) {
@@ -82,38 +93,50 @@ double rounded_up(double x) {
 }
 
 LeastGaps least_gaps(const RunResults& run) {
-  LeastGaps found{.title = run.c.title, .units = run.c.units, .problem = run.problem, .both_ways = true};
+  LeastGaps found = begun(run.c.title, run.c.units);
   found.collapses = run.response.collapse_no_contact.has_value();
-  add_gaps(found, separations(run.problem, run.response),
+  add_gaps(found, run.problem, separations(run.problem, run.response),
            [&](Eigen::Index gap) { return displacement_scale(run.problem, run.response, gap); });
   return found;
 }
 
+LeastGaps least_gaps(const PlanRun& run) {
+  LeastGaps found = begun(run.c.title, run.c.units);
+  found.collapses = run.response.collapse_no_contact.has_value();
+  for (const PlanBuilding& building : run.problem.buildings) found.buildings.push_back(building.name);
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const PlanGap& gap = run.problem.gaps[g];
+    const RunResults pair = pair_of(run, g);
+    add_gap(found,
+            {gap_name(run.problem, gap), static_cast<Eigen::Index>(gap.left), static_cast<Eigen::Index>(gap.right)},
+            separations(pair.problem, pair.response), displacement_scale(pair.problem, pair.response, 0));
+  }
+  return found;
+}
+
 LeastGaps least_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  LeastGaps found{.title = c.title, .units = c.units, .problem = problem, .basis = LeastGaps::Basis::spectrum};
-  add_gaps(found, spectral.levels, [](Eigen::Index) { return 0.0; });
+  LeastGaps found = begun(c.title, c.units, LeastGaps::Basis::spectrum);
+  add_gaps(found, problem, spectral.levels, [](Eigen::Index) { return 0.0; });
   return found;
 }
 
 LeastGaps least_gaps(const Case& c, const GapStudy& study) {
   if (!study.is_whole()) throw InvalidParameter("study", "stopped", "must have all its records");
   const RecordNeeds& needs = study.needs.front();
-  LeastGaps found{.title = study.title,
-                  .units = study.units,
-                  .problem = study.problem,
-                  .basis = LeastGaps::Basis::records,
-                  .records = std::ssize(needs.records),
-                  .both_ways = c.analysis.both_ways};
+  LeastGaps found = begun(study.title, study.units, LeastGaps::Basis::records);
+  found.buildings = study.buildings;
+  found.records = std::ssize(needs.records);
+  found.both_ways = c.analysis.both_ways;
   for (const RecordNeed& one : needs.records) found.collapses = found.collapses || one.collapsed;
-  for (const GapOverRecords& one : needs.gaps) {
-    const GivenGap& given = one.given.front();
-    const double needed = one.largest.gap_needed;
-    const auto narrowest = std::min_element(given.widths.begin(), given.widths.end());
-    found.is_facing.push_back(given.widths.empty() ? 0 : 1);
-    found.gaps.push_back({.needed = needed,
-                          .width = rounded_up(needed),
-                          .given = given.widths.empty() ? 0 : *narrowest,
-                          .is_short = given.beyond > 0});
+  for (std::size_t g = 0; g < needs.gaps.size(); ++g) {
+    const GivenGap& given = needs.gaps[g].given.front();
+    const GapStudy::Between& between = study.gaps[g];
+    LeastGap one{between.name, between.left, between.right, !given.widths.empty()};
+    one.needed = needs.gaps[g].largest.gap_needed;
+    one.width = rounded_up(one.needed);
+    one.given = one.is_facing ? *std::min_element(given.widths.begin(), given.widths.end()) : 0;
+    one.is_short = given.beyond > 0;
+    found.gaps.push_back(std::move(one));
   }
   for (Statement& one : gap_study_story(study).statements) {
     if (one.gap && one.kind.starts_with("suite_")) found.of_codes.push_back(std::move(one));
@@ -133,14 +156,13 @@ Story least_gap_story(const LeastGaps& found) {
 std::string least_gap_json(const LeastGaps& found, std::string_view version) {
   static constexpr const char* bases[] = {"motion", "records", "spectrum"};
   Json gaps = Json::array();
-  for (std::size_t gap = 0; gap < found.gaps.size(); ++gap) {
-    const LeastGap& one = found.gaps[gap];
-    const bool is_known = found.is_facing[gap] != 0 && !found.collapses;
+  for (const LeastGap& one : found.gaps) {
+    const bool is_known = one.is_facing && !found.collapses;
     const auto number = [&](double value) { return is_known ? Json(value) : Json(nullptr); };
-    gaps.push_back({{"between", {found.problem.buildings[gap].name, found.problem.buildings[gap + 1].name}},
+    gaps.push_back({{"between", {found.buildings[one.left], found.buildings[one.right]}},
                     {"least_gap", number(one.width)},
                     {"gap_needed", number(one.needed)},
-                    {"given", found.is_facing[gap] != 0 ? Json(one.given) : Json(nullptr)},
+                    {"given", one.is_facing ? Json(one.given) : Json(nullptr)},
                     {"too_narrow", is_known ? Json(one.is_short) : Json(nullptr)}});
   }
   const Json json = {{"title", found.title},
@@ -149,7 +171,7 @@ std::string least_gap_json(const LeastGaps& found, std::string_view version) {
                      {"basis", bases[static_cast<int>(found.basis)]},
                      {"records", found.basis == LeastGaps::Basis::records ? Json(found.records) : Json(nullptr)},
                      {"both_ways", found.both_ways},
-                     {"statements", Json::parse(statements_json(found.problem, least_gap_story(found).statements))},
+                     {"statements", Json::parse(statements_json(found.buildings, least_gap_story(found).statements))},
                      {"gaps", gaps}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

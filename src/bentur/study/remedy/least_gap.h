@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 #include "bentur/model/story/story.h"
 #include "bentur/study/gap/gap_study.h"
@@ -13,10 +14,13 @@ namespace bentur {
 
 /// The least gap between two neighbours, one width at all levels [length].
 struct LeastGap {
-  double needed = 0;      ///< by the free response or the spectrum, the largest of all levels
-  double width = 0;       ///< the same rounded up to three figures: what is to be built
-  double given = 0;       ///< the narrowest that the case gives
-  bool is_short = false;  ///< at some level less is given than is needed there
+  std::string name;          ///< what people call the gap
+  Eigen::Index left, right;  ///< its buildings
+  bool is_facing = false;    ///< whether floors face one another there; else nothing below is known
+  double needed = 0;         ///< by the free response or the spectrum, the largest of all levels
+  double width = 0;          ///< the same rounded up to three figures: what is to be built
+  double given = 0;          ///< the narrowest that the case gives
+  bool is_short = false;     ///< at some level less is given than is needed there
 };
 
 /// What a case as it stands needs for its buildings to stay apart: the remedy that wants no search.
@@ -25,18 +29,18 @@ struct LeastGaps {
 
   std::string title;
   Units units;
-  Problem problem;  ///< names the buildings
+  std::vector<std::string> buildings;  ///< their names
   Basis basis = Basis::motion;
   long records = 0;                      ///< of a suite
   bool both_ways = false;                ///< of a motion or of records: reversed they need no more
   bool collapses = false;                ///< a building does without contact: then no gap is known
   std::vector<LeastGap> gaps = {};       ///< one per gap
-  std::vector<char> is_facing = {};      ///< per gap: whether floors face one another there
   std::vector<Statement> of_codes = {};  ///< of a suite: what its code takes of the records
 };
 
 /// @param run of the case, with what its levels need
 [[nodiscard]] LeastGaps least_gaps(const RunResults& run);
+[[nodiscard]] LeastGaps least_gaps(const PlanRun& run);
 [[nodiscard]] LeastGaps least_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral);
 /// Over all records of the suite of a case. @throws InvalidParameter where some were left out
 [[nodiscard]] LeastGaps least_gaps(const Case& c, const GapStudy& study);

@@ -212,7 +212,8 @@ class Trials {
       const double done = static_cast<double>(search_.trials.size()) / static_cast<double>(search_.spec().evaluations);
       return !options_.goes_on || options_.goes_on(done);
     };
-    const std::vector<RunResult> results = runs.solve(missing, goes_on);
+    const std::vector<RunResult> results =
+        options_.solve ? options_.solve(runs, missing, goes_on) : runs.solve(missing, goes_on);
     for (const RunResult& result : results) {
       measures[result.run] = measure_(result);
       if (!journal_) continue;
@@ -343,14 +344,13 @@ std::optional<RemedySearch> seek_remedy(const std::filesystem::path& file, const
   const auto memo = std::make_shared<CaseMemo>();
   std::optional<StudyFacts> facts = check_study(*study, *memo, diagnostics);
   if (!facts || !diagnostics.ok()) return std::nullopt;
-  if (refuse_plan(*facts, study->remedy->position, "[remedy]", diagnostics)) return std::nullopt;
-  const std::vector<RowPart> quantities = row_parts(facts->problem, facts->units, facts->energy_audit);
+  const std::vector<RowPart> quantities = quantities_of(*facts);
   if (refuse_objective(quantities, *study->remedy, diagnostics)) return std::nullopt;
 
   RemedySearch search;
   search.study = std::move(*study);
   search.title = facts->title;
-  search.problem = facts->problem;
+  search.buildings = building_names(*facts);
   search.unit = parts_named(quantities, search.spec().objective).front().units;
   const std::vector<std::size_t> axes = chosen_axes(search.study);
   search.axes = axes.size();

@@ -4,13 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/pounding/problem.h"
 #include "bentur/study/plan/study.h"
+#include "bentur/study/study_runs.h"
 
 namespace bentur {
 
@@ -35,8 +36,8 @@ struct RemedyTrial {
 struct RemedySearch {
   Study study;
   std::string title;
-  Problem problem;   ///< of the first choices
-  std::string unit;  ///< of the objective, as UDUNITS reads it
+  std::vector<std::string> buildings;  ///< their names
+  std::string unit;                    ///< of the objective, as UDUNITS reads it
   std::vector<RemedyParameter> parameters;
   std::size_t axes = 0;             ///< that are chosen
   std::size_t runs_each = 1;        ///< of a trial: one per record
@@ -52,13 +53,18 @@ struct RemedySearch {
   [[nodiscard]] std::vector<std::size_t> at_bounds(const RemedyTrial& trial) const;
 };
 
+/// Solves some runs of a study, in the order of their numbers, and asks meanwhile whether to go on.
+using RunSolver = std::function<std::vector<RunResult>(const StudyRuns&, std::span<const std::size_t> runs,
+                                                       const std::function<bool()>& goes_on)>;
+
 struct RemedyOptions {
   std::filesystem::path journal;  ///< what has been tried is kept here; empty: nowhere
   bool resume = false;            ///< goes on with a journal that is left
   std::string version;            ///< of the program
   const char* resumed_by = "--resume";
   /// Asked often, by what part of the evaluations is done [-]; false: end as soon as possible.
-  std::function<bool(double)> goes_on;
+  std::function<bool(double)> goes_on = {};
+  RunSolver solve = {};  ///< the runs of a choice; empty: one after the other
 };
 
 /// Seeks the choice within the ranges of a study with [remedy] for which its objective is least, and with a limit the

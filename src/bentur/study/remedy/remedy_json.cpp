@@ -50,7 +50,7 @@ std::string remedy_json(const RemedySearch& search, std::string_view version) {
                      {"parameters", parameters},
                      {"runs_each", search.runs_each},
                      {"stopped", search.stopped},
-                     {"statements", Json::parse(statements_json(search.problem, remedy_story(search).statements))},
+                     {"statements", Json::parse(statements_json(search.buildings, remedy_story(search).statements))},
                      {"best", found_json(search, search.best())},
                      {"smallest", found_json(search, search.smallest())},
                      {"evaluations", trials}};
