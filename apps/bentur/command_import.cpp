@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/exchange/e2k.h"
 #include "bentur/io/input_file.h"
 #include "commands.h"
@@ -18,14 +21,34 @@ namespace {
 struct ImportArguments {
   std::string file, output = "-", along = "x";
   std::optional<double> at;
+  std::vector<std::string> sections;  ///< NAME=AREA,I33
   bool force = false;
 };
 
+std::map<std::string, E2kProperties> sections_of(const std::vector<std::string>& given) {
+  std::map<std::string, E2kProperties> sections;
+  for (const std::string& one : given) {
+    const std::size_t equals = one.rfind('='), comma = one.rfind(',');
+    std::optional<double> area, inertia;
+    if (equals != std::string::npos && comma != std::string::npos && 0 < equals && equals < comma) {
+      area = parse_number(one.substr(equals + 1, comma - equals - 1));
+      inertia = parse_number(one.substr(comma + 1));
+    }
+    if (!(area > 0.0) || !(inertia > 0.0)) {
+      throw Failure(exit_bad_input, "bentur import: --section " + one +
+                                        ", must be NAME=AREA,I33 with two numbers > 0 in the model's length");
+    }
+    sections[one.substr(0, equals)] = {*area, *inertia};
+  }
+  return sections;
+}
+
 void run(const ImportArguments& arguments) {
+  const std::map<std::string, E2kProperties> sections = sections_of(arguments.sections);
   Diagnostics diagnostics;
   const auto text = read_input(arguments.file, {"model", std::uintmax_t{256} << 20}, diagnostics);
   if (!text) throw Failure(diagnostics);
-  const auto made = read_e2k(*text, arguments.file, {arguments.along == "x", arguments.at}, diagnostics);
+  const auto made = read_e2k(*text, arguments.file, {arguments.along == "x", arguments.at, sections}, diagnostics);
   if (!made) throw Failure(diagnostics);
   OutputFile output(arguments.output, ResultKind::imported, {.inputs = {arguments.file}, .force = arguments.force});
   output.write(made->text);
@@ -49,6 +72,11 @@ void add_import_command(CLI::App& app) {
       ->check(CLI::IsMember({"x", "y"}));
   command->add_option("--at", arguments->at, "where across that axis the frame stands, in the model's length")
       ->check(finite());
+  command
+      ->add_option("--section", arguments->sections,
+                   "area and moment of inertia of a section of a library, as often as needed")
+      ->type_name("NAME=AREA,I33")
+      ->allow_extra_args(false);
   command->add_option("-o,--output", arguments->output, "case file to write; default - for standard output")
       ->check(not_empty());
   add_force(*command, arguments->force);

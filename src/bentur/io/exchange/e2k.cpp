@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -218,19 +219,51 @@ class E2kReader {
     }
     E2kSection section{.material = line.after("MATERIAL").value_or(""), .line = line.number};
     const std::string shape = *line.after("SHAPE");
-    if (shape == "Concrete Rectangular" || shape == "Rectangular") {
-      const double depth = positive(line, "D"), width = positive(line, "B");
-      section.area = depth * width;
-      section.inertia = width * depth * depth * depth / 12;
-    } else if (line.after("AREA") && line.after("I33")) {
-      section.area = positive(line, "AREA");
-      section.inertia = positive(line, "I33");
+    std::optional<E2kProperties> properties;
+    if (const auto given = frame_.sections.find(name); given != frame_.sections.end()) {
+      properties = given->second;
     } else {
-      unread(line, fmt::format("section {} of shape {}", in_quotes(name), in_quotes(shape)));
-      return true;
+      properties = properties_of(shape, line);
+    }
+    if (properties) {
+      section.area = properties->area;
+      section.inertia = properties->inertia;
+    } else {
+      unread(line, "sections known by their names alone, none of this frame");
     }
     sections_[name] = section;
     return true;
+  }
+
+  /// By its sides, or as they are given; nothing where the line has a name alone.
+  std::optional<E2kProperties> properties_of(const std::string& shape, const E2kLine& line) {
+    const auto side = [&](const char* key) { return positive(line, key); };
+    const auto of_box = [](double depth, double width) {
+      return E2kProperties{depth * width, width * depth * depth * depth / 12};
+    };
+    const auto less = [](const E2kProperties& outer, const E2kProperties& hole) {
+      return E2kProperties{outer.area - hole.area, outer.inertia - hole.inertia};
+    };
+    const auto of_circle = [](double depth) {
+      const double radius = depth / 2;
+      return E2kProperties{std::numbers::pi * radius * radius, std::numbers::pi / 4 * std::pow(radius, 4)};
+    };
+    if (line.after("AREA") && line.after("I33")) return E2kProperties{side("AREA"), side("I33")};
+    if (shape == "Concrete Rectangular" || shape == "Rectangular") return of_box(side("D"), side("B"));
+    if (shape == "Concrete Circle" || shape == "Steel Rod") return of_circle(side("D"));
+    if (shape == "Steel I/Wide Flange" && line.after("TW")) {
+      const double depth = side("D"), width = side("B");
+      return less(of_box(depth, width), of_box(depth - 2 * side("TF"), width - side("TW")));
+    }
+    if (shape == "Steel Tube" && line.after("TW")) {
+      const double depth = side("D"), width = side("B");
+      return less(of_box(depth, width), of_box(depth - 2 * side("TF"), width - 2 * side("TW")));
+    }
+    if (shape == "Steel Pipe" && line.after("T")) {
+      const double depth = side("D");
+      return less(of_circle(depth), of_circle(depth - 2 * side("T")));
+    }
+    return std::nullopt;
   }
 
   /// Where a point stands along the frame, and across it.
@@ -265,6 +298,13 @@ class E2kReader {
     const auto section = sections_.find(name);
     if (section == sections_.end()) {
       return error(at, fmt::format("section {} of line {} was not read", in_quotes(name), in_quotes(line)));
+    }
+    if (!(section->second.area > 0)) {  // once for each of these
+      if (asked_.insert(name).second) {
+        error(section->second.line,
+              fmt::format("section {} is known by its name alone: give --section {}=AREA,I33", in_quotes(name), name));
+      }
+      return;
     }
     const auto material = materials_.find(section->second.material);
     if (material == materials_.end() || !(material->second.modulus > 0)) {
@@ -361,6 +401,7 @@ class E2kReader {
   std::map<std::string, E2kMember> columns_, beams_;
   std::map<std::pair<std::string, std::string>, std::pair<std::string, int>> assigned_;  // line, story: section, line
   double modulus_ = 0;
+  std::set<std::string> asked_;  // sections of which nothing is known
   E2kCase result_;
 };
 

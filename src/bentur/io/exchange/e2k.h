@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,10 +9,17 @@
 
 namespace bentur {
 
+/// Of a section about its strong axis.
+struct E2kProperties {
+  double area = 0, inertia = 0;  ///< [length²], [length⁴]
+};
+
 /// Which of a model's frames is read: the columns that stand on the line x = at, or y = at.
 struct E2kFrame {
   bool along_x = true;            ///< its bays run along X, so that it stands at a Y
   std::optional<double> at = {};  ///< [length]; nothing: the only one there is
+  /// By name: of sections of a library, of which the text has the names alone, and in place of what it says of others.
+  std::map<std::string, E2kProperties> sections = {};
 };
 
 /// Lines that say something that was not read.
@@ -27,10 +35,10 @@ struct E2kCase {
 };
 
 /// One plane frame of a model that ETABS has written as text (.e2k, "Export ETABS .e2k Text File"): units, storeys,
-/// materials (E, weight per volume), frame sections (rectangular, or of area and I33; modifiers AMOD and I3MOD),
-/// points, lines and the sections assigned to them. A frame here has one section for all columns of a storey and all
-/// beams of a floor, and one modulus: where they differ areas and E·I are the means, which is said in `taken`. Weights
-/// of slabs, loads, walls and all else are listed as unread.
+/// materials (E, weight per volume), frame sections (rectangles, circles, I, tubes and pipes by their sides, others by
+/// area and I33; modifiers AMOD and I3MOD), points, lines and the sections assigned to them. A frame here has one
+/// section for all columns of a storey and all beams of a floor, and one modulus: where they differ areas and E·I are
+/// the means, which is said in `taken`. Weights of slabs, loads, walls and all else are listed as unread.
 /// @param name of the file, for messages
 /// @return nothing when there is an error, all of which are in `diagnostics`
 [[nodiscard]] std::optional<E2kCase> read_e2k(const std::string& text, const std::string& name, const E2kFrame& frame,

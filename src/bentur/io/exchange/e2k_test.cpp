@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <numbers>
+
 #include "bentur/io/case/case_toml.h"
 
 namespace bentur {
@@ -128,8 +131,38 @@ TEST(E2k, WhatIsNotReadIsListedWithItsLines) {
   for (const E2kUnread& one : made->unread)
     all += std::to_string(one.first) + "-" + std::to_string(one.last) + " " + one.what + "\n";
   EXPECT_EQ(all,
-            "12-12 DIAPHRAGM NAMES\n16-16 MATERIAL PROPERTIES\n22-22 section \"PIPE\" of shape \"Pipe\"\n"
-            "37-38 AREA CONNECTIVITIES\n51-51 LOAD PATTERNS\n");
+            "12-12 DIAPHRAGM NAMES\n16-16 MATERIAL PROPERTIES\n22-22 sections known by their names alone, none of "
+            "this frame\n37-38 AREA CONNECTIVITIES\n51-51 LOAD PATTERNS\n");
+}
+
+TEST(E2k, SectionsAreThoseOfTheirSidesOrAsGiven) {
+  const auto first_column = [](const std::string& section, const E2kFrame& frame) {
+    std::string text = changed("SHAPE \"Pipe\"  D 0.3 T 0.01", section);
+    for (std::size_t at = text.find("\"C 40\""); at != std::string::npos; at = text.find("\"C 40\"", at + 1)) {
+      if (text.rfind("SECTION", at) > text.rfind('\n', at)) text.replace(at, 6, "\"PIPE\"");
+    }
+    Diagnostics diagnostics;
+    const auto made = read_e2k(text, "small.e2k", frame, diagnostics);
+    for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+    double area = 0, inertia = 0;
+    const std::size_t second = made->text.find("},", made->text.find("columns"));
+    EXPECT_EQ(std::sscanf(made->text.c_str() + second, "},\n  { area = %lf, inertia = %lf", &area, &inertia), 2);
+    return std::pair(area, inertia);
+  };
+  const auto expect = [&](const std::string& section, double area, double inertia, const E2kFrame& frame = {.at = 0}) {
+    const auto [found, about] = first_column(section, frame);
+    EXPECT_NEAR(found, area, 1e-12 * area) << section;
+    EXPECT_NEAR(about, inertia, 1e-12 * inertia) << section;
+  };
+  // By hand: flanges 300 by 20 and a web of 360 by 10 mm; with Steiner's theorem.
+  expect("SHAPE \"Steel I/Wide Flange\"  D 0.4 B 0.3 TF 0.02 TW 0.01", 2 * 0.006 + 0.0036,
+         2 * (0.3 * 8e-6 / 12 + 0.006 * 0.19 * 0.19) + 0.01 * 0.36 * 0.36 * 0.36 / 12);
+  expect("SHAPE \"Steel Tube\"  D 0.4 B 0.3 TF 0.02 TW 0.01", 2 * 0.006 + 2 * 0.0036,
+         2 * (0.3 * 8e-6 / 12 + 0.006 * 0.19 * 0.19) + 2 * 0.01 * 0.36 * 0.36 * 0.36 / 12);
+  constexpr double pi = std::numbers::pi;
+  expect("SHAPE \"Steel Pipe\"  D 0.4 T 0.1", pi * 0.03, pi / 4 * (0.0016 - 0.0001));
+  expect("SHAPE \"Concrete Circle\"  D 0.4", pi * 0.04, pi / 4 * 0.0016);
+  expect("SHAPE \"W14X74\"", 0.014, 3.3e-4, {.at = 0, .sections = {{"PIPE", {0.014, 3.3e-4}}}});
 }
 
 TEST(E2k, ErrorsNameLineAndWhatThereIs) {
@@ -140,7 +173,7 @@ TEST(E2k, ErrorsNameLineAndWhatThereIs) {
             "small.e2k:9:1: error: HEIGHT = \"x\", must be a number\n");
   EXPECT_EQ(import_errors(changed("D 0.5 B 0.5", "D -0.5 B 0.5")), "small.e2k:19:1: error: D = -0.5, must be > 0\n");
   EXPECT_EQ(import_errors(changed("\"FIRST\"  SECTION \"C50\"", "\"FIRST\"  SECTION \"PIPE\"")),
-            "small.e2k:46:1: error: section \"PIPE\" of line \"C2\" was not read\n");
+            "small.e2k:22:1: error: section \"PIPE\" is known by its name alone: give --section PIPE=AREA,I33\n");
   EXPECT_NE(import_errors(changed("  LINEASSIGN  \"B2\"  \"ROOF\"  SECTION \"B30\"\n", ""))
                 .find("has 1 beams in storey \"ROOF\""),
             std::string::npos);
