@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,17 +30,17 @@ struct ImportArguments {
 std::map<std::string, E2kProperties> sections_of(const std::vector<std::string>& given) {
   std::map<std::string, E2kProperties> sections;
   for (const std::string& one : given) {
-    const std::size_t equals = one.rfind('='), comma = one.rfind(',');
-    std::optional<double> area, inertia;
-    if (equals != std::string::npos && comma != std::string::npos && 0 < equals && equals < comma) {
-      area = parse_number(one.substr(equals + 1, comma - equals - 1));
-      inertia = parse_number(one.substr(comma + 1));
+    const std::size_t equals = one.rfind('=');
+    std::vector<double> numbers;
+    std::istringstream list(equals == std::string::npos ? "" : one.substr(equals + 1));
+    for (std::string number; std::getline(list, number, ',');) numbers.push_back(parse_number(number).value_or(0));
+    const bool positive = std::all_of(numbers.begin(), numbers.end(), [](double value) { return value > 0; });
+    if (equals == 0 || !positive || numbers.size() < 2 || numbers.size() > 3) {
+      throw Failure(exit_bad_input,
+                    "bentur import: --section " + one +
+                        ", must be NAME=AREA,I33 or NAME=AREA,I33,I22, numbers > 0 in the model's length");
     }
-    if (!(area > 0.0) || !(inertia > 0.0)) {
-      throw Failure(exit_bad_input, "bentur import: --section " + one +
-                                        ", must be NAME=AREA,I33 with two numbers > 0 in the model's length");
-    }
-    sections[one.substr(0, equals)] = {*area, *inertia};
+    sections[one.substr(0, equals)] = {numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 0};
   }
   return sections;
 }
@@ -74,8 +76,8 @@ void add_import_command(CLI::App& app) {
       ->check(finite());
   command
       ->add_option("--section", arguments->sections,
-                   "area and moment of inertia of a section of a library, as often as needed")
-      ->type_name("NAME=AREA,I33")
+                   "area and moments of inertia of a section of a library, as often as needed")
+      ->type_name("NAME=AREA,I33[,I22]")
       ->allow_extra_args(false);
   command->add_option("-o,--output", arguments->output, "case file to write; default - for standard output")
       ->check(not_empty());

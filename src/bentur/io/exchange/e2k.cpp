@@ -55,8 +55,17 @@ struct E2kMaterial {
 
 struct E2kSection {
   std::string material;
-  double area = 0, inertia = 0;
+  E2kProperties properties;
   int line = 0;
+};
+
+/// A section as it is assigned to a member.
+struct E2kAssignment {
+  std::string section;
+  int line = 0;
+  E2kProperties factors{1, 1, 1};
+  double angle = 0;  ///< [degrees] about the member's axis
+  bool released = false;
 };
 
 struct E2kStory {
@@ -152,9 +161,7 @@ class E2kReader {
       return true;
     }
     if (word == "LINEASSIGN" && line.words.size() > 2) {
-      const auto section = line.after("SECTION");
-      if (section) assigned_[{line.words[1], line.words[2]}] = {*section, line.number};
-      return section.has_value();
+      return take_assignment(line);
     }
     return word == "PROGRAM" || word.rfind("TITLE", 0) == 0 || word == "GRID" || word == "GRIDSYSTEM";
   }
@@ -205,19 +212,40 @@ class E2kReader {
     return read;
   }
 
+  bool take_assignment(const E2kLine& line) {
+    const auto section = line.after("SECTION");
+    if (!section) return false;
+    E2kAssignment made{.section = *section, .line = line.number};
+    const auto factor = [&](const char* key) { return line.after(key) ? positive(line, key) : 1; };
+    made.factors = {factor("PROPMODA"), factor("PROPMODI33"), factor("PROPMODI22")};
+    made.angle = number(line, "ANG").value_or(0);
+    const std::string releases = line.after("RELEASE").value_or("");
+    for (const char* const one : {"M3I", "M3J", "PINNED"}) {
+      made.released = made.released || releases.find(one) != std::string::npos;
+    }
+    assigned_[{line.words[1], line.words[2]}] = made;
+    std::string open;
+    for (const char* const key : {"CARDINALPT", "LENGTHOFFI", "LENGTHOFFJ", "RIGIDZONE"}) {
+      if (line.after(key)) open += (open.empty() ? "" : ", ") + std::string(key);
+    }
+    if (!open.empty()) unread(line, open + " of LINE ASSIGNS");
+    return true;
+  }
+
   bool take_section(const E2kLine& line) {
     const std::string& name = line.words[1];
     if (!line.after("SHAPE")) {  // modifiers stand on a line of their own
       bool read = false;
-      for (const auto& [key, of] : {std::pair("AMOD", &E2kSection::area), std::pair("I3MOD", &E2kSection::inertia)}) {
+      for (const auto& [key, of] : {std::pair("AMOD", &E2kProperties::area), std::pair("I3MOD", &E2kProperties::major),
+                                    std::pair("I2MOD", &E2kProperties::minor)}) {
         if (!line.after(key)) continue;
         const double factor = positive(line, key);
-        if (const auto found = sections_.find(name); found != sections_.end()) found->second.*of *= factor;
+        if (const auto found = sections_.find(name); found != sections_.end()) found->second.properties.*of *= factor;
         read = true;
       }
       return read;
     }
-    E2kSection section{.material = line.after("MATERIAL").value_or(""), .line = line.number};
+    E2kSection section{.material = line.after("MATERIAL").value_or(""), .properties = {}, .line = line.number};
     const std::string shape = *line.after("SHAPE");
     std::optional<E2kProperties> properties;
     if (const auto given = frame_.sections.find(name); given != frame_.sections.end()) {
@@ -225,12 +253,8 @@ class E2kReader {
     } else {
       properties = properties_of(shape, line);
     }
-    if (properties) {
-      section.area = properties->area;
-      section.inertia = properties->inertia;
-    } else {
-      unread(line, "sections known by their names alone, none of this frame");
-    }
+    if (!properties) unread(line, "sections known by their names alone, none of this frame");
+    section.properties = properties.value_or(E2kProperties{});
     sections_[name] = section;
     return true;
   }
@@ -239,21 +263,25 @@ class E2kReader {
   std::optional<E2kProperties> properties_of(const std::string& shape, const E2kLine& line) {
     const auto side = [&](const char* key) { return positive(line, key); };
     const auto of_box = [](double depth, double width) {
-      return E2kProperties{depth * width, width * depth * depth * depth / 12};
+      return E2kProperties{depth * width, width * std::pow(depth, 3) / 12, depth * std::pow(width, 3) / 12};
     };
     const auto less = [](const E2kProperties& outer, const E2kProperties& hole) {
-      return E2kProperties{outer.area - hole.area, outer.inertia - hole.inertia};
+      return E2kProperties{outer.area - hole.area, outer.major - hole.major, outer.minor - hole.minor};
     };
     const auto of_circle = [](double depth) {
-      const double radius = depth / 2;
-      return E2kProperties{std::numbers::pi * radius * radius, std::numbers::pi / 4 * std::pow(radius, 4)};
+      const double radius = depth / 2, inertia = std::numbers::pi / 4 * std::pow(radius, 4);
+      return E2kProperties{std::numbers::pi * radius * radius, inertia, inertia};
     };
-    if (line.after("AREA") && line.after("I33")) return E2kProperties{side("AREA"), side("I33")};
+    if (line.after("AREA") && line.after("I33")) {
+      return E2kProperties{side("AREA"), side("I33"), line.after("I22") ? side("I22") : 0};
+    }
     if (shape == "Concrete Rectangular" || shape == "Rectangular") return of_box(side("D"), side("B"));
     if (shape == "Concrete Circle" || shape == "Steel Rod") return of_circle(side("D"));
     if (shape == "Steel I/Wide Flange" && line.after("TW")) {
-      const double depth = side("D"), width = side("B");
-      return less(of_box(depth, width), of_box(depth - 2 * side("TF"), width - side("TW")));
+      const double depth = side("D"), width = side("B"), web = side("TW"), between = depth - 2 * side("TF");
+      E2kProperties found = less(of_box(depth, width), of_box(between, width - web));
+      found.minor = ((depth - between) * std::pow(width, 3) + between * std::pow(web, 3)) / 12;
+      return found;
     }
     if (shape == "Steel Tube" && line.after("TW")) {
       const double depth = side("D"), width = side("B");
@@ -291,29 +319,54 @@ class E2kReader {
     return found;
   }
 
-  void add(const std::string& line, const std::string& story, MemberSum& sum) {
+  /// What a section of a library is still needed for, once for each.
+  void ask(const E2kSection& section, const std::string& name, const char* what) {
+    if (!asked_.insert(name).second) return;
+    error(section.line,
+          fmt::format("section {} is known by its name alone: give --section {}={}", in_quotes(name), name, what));
+  }
+
+  /// Whether a column bends about axis 2 in this frame; an error where no axis lies across it.
+  std::optional<bool> bends_about_minor(const std::string& line, const E2kAssignment& as, bool is_column) {
+    const double quarters = as.angle / 90, nearest = std::round(quarters);
+    const bool is_turned = std::fmod(nearest, 2) != 0;
+    if (std::abs(quarters - nearest) > 1e-9 || (!is_column && is_turned)) {
+      error(as.line, fmt::format("ANG = {}, must leave axis 3 of line {} across the frame, or of a column axis 2",
+                                 as.angle, in_quotes(line)));
+      return std::nullopt;
+    }
+    return is_column && is_turned == frame_.along_x;
+  }
+
+  void add(const std::string& line, const std::string& story, bool is_column, MemberSum& sum) {
     const auto assigned = assigned_.find({line, story});
     if (assigned == assigned_.end()) return;
-    const auto& [name, at] = assigned->second;
+    const E2kAssignment& as = assigned->second;
+    const std::string& name = as.section;
     const auto section = sections_.find(name);
     if (section == sections_.end()) {
-      return error(at, fmt::format("section {} of line {} was not read", in_quotes(name), in_quotes(line)));
+      return error(as.line, fmt::format("section {} of line {} was not read", in_quotes(name), in_quotes(line)));
     }
-    if (!(section->second.area > 0)) {  // once for each of these
-      if (asked_.insert(name).second) {
-        error(section->second.line,
-              fmt::format("section {} is known by its name alone: give --section {}=AREA,I33", in_quotes(name), name));
-      }
-      return;
+    if (as.released) {
+      return error(as.line, fmt::format("line {} is released at its ends (RELEASE), a frame here is rigid at its nodes",
+                                        in_quotes(line)));
+    }
+    const std::optional<bool> about_minor = bends_about_minor(line, as, is_column);
+    if (!about_minor) return;
+    const E2kProperties& properties = section->second.properties;
+    if (!(properties.area > 0) || (*about_minor && !(properties.minor > 0))) {
+      return ask(section->second, name, *about_minor ? "AREA,I33,I22" : "AREA,I33");
     }
     const auto material = materials_.find(section->second.material);
     if (material == materials_.end() || !(material->second.modulus > 0)) {
       return error(section->second.line, fmt::format("material {} of section {} has no E",
                                                      in_quotes(section->second.material), in_quotes(name)));
     }
-    sum.area += section->second.area;
-    sum.stiffness += section->second.inertia * material->second.modulus;
-    sum.weight += section->second.area * material->second.weight;
+    const double area = properties.area * as.factors.area;
+    const double inertia = *about_minor ? properties.minor * as.factors.minor : properties.major * as.factors.major;
+    sum.area += area;
+    sum.stiffness += inertia * material->second.modulus;
+    sum.weight += area * material->second.weight;
     ++sum.count;
     sum.sections.insert(name);
     if (modulus_ == 0) modulus_ = material->second.modulus;
@@ -359,10 +412,10 @@ class E2kReader {
     std::vector<std::string> columns, beams, heights, bays;
     for (auto story = stories_.rbegin(); story != stories_.rend(); ++story) {
       MemberSum of_columns, of_beams;
-      for (const auto& one : lines) add(one.second, story->name, of_columns);
+      for (const auto& one : lines) add(one.second, story->name, true, of_columns);
       for (const auto& [name, beam] : beams_) {
         const auto from = place(beam.from), to = place(beam.to);
-        if (from && to && alike(from->second, *at) && alike(to->second, *at)) add(name, story->name, of_beams);
+        if (from && to && alike(from->second, *at) && alike(to->second, *at)) add(name, story->name, false, of_beams);
       }
       const auto expect = [&](const MemberSum& sum, std::size_t count, const char* what) {
         if (sum.count == static_cast<int>(count) || !diagnostics_.ok()) return;
@@ -399,7 +452,7 @@ class E2kReader {
   std::map<std::string, E2kSection> sections_;
   std::map<std::string, std::pair<double, double>> points_;
   std::map<std::string, E2kMember> columns_, beams_;
-  std::map<std::pair<std::string, std::string>, std::pair<std::string, int>> assigned_;  // line, story: section, line
+  std::map<std::pair<std::string, std::string>, E2kAssignment> assigned_;  // by line and story
   double modulus_ = 0;
   std::set<std::string> asked_;  // sections of which nothing is known
   E2kCase result_;

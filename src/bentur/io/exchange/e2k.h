@@ -9,9 +9,11 @@
 
 namespace bentur {
 
-/// Of a section about its strong axis.
+/// Of a section.
 struct E2kProperties {
-  double area = 0, inertia = 0;  ///< [length²], [length⁴]
+  double area = 0;   ///< [length²]
+  double major = 0;  ///< I33: of a beam that of bending in the vertical plane [length⁴]
+  double minor = 0;  ///< I22; 0: not known [length⁴]
 };
 
 /// Which of a model's frames is read: the columns that stand on the line x = at, or y = at.
@@ -36,9 +38,11 @@ struct E2kCase {
 
 /// One plane frame of a model that ETABS has written as text (.e2k, "Export ETABS .e2k Text File"): units, storeys,
 /// materials (E, weight per volume), frame sections (rectangles, circles, I, tubes and pipes by their sides, others by
-/// area and I33; modifiers AMOD and I3MOD), points, lines and the sections assigned to them. A frame here has one
-/// section for all columns of a storey and all beams of a floor, and one modulus: where they differ areas and E·I are
-/// the means, which is said in `taken`. Weights of slabs, loads, walls and all else are listed as unread.
+/// area, I33 and I22), points, lines and the sections assigned to them, all with their modifiers of area and I. Columns
+/// of frames along X bend about axis 3, of those along Y about 2, and the other way round where ANG is 90; beams about
+/// 3. A member whose ends are released is an error, for a frame here is rigid at its nodes. It has one section for all
+/// columns of a storey and all beams of a floor, and one modulus: where they differ areas and E·I are the means, which
+/// is said in `taken`. Weights of slabs, loads, walls and all else are listed as unread.
 /// @param name of the file, for messages
 /// @return nothing when there is an error, all of which are in `diagnostics`
 [[nodiscard]] std::optional<E2kCase> read_e2k(const std::string& text, const std::string& name, const E2kFrame& frame,

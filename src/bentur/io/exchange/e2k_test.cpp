@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
 #include "bentur/io/case/case_toml.h"
@@ -136,7 +137,8 @@ TEST(E2k, WhatIsNotReadIsListedWithItsLines) {
 }
 
 TEST(E2k, SectionsAreThoseOfTheirSidesOrAsGiven) {
-  const auto first_column = [](const std::string& section, const E2kFrame& frame) {
+  // The columns of the upper storey.
+  const auto upper_column = [](const std::string& section, const E2kFrame& frame) {
     std::string text = changed("SHAPE \"Pipe\"  D 0.3 T 0.01", section);
     for (std::size_t at = text.find("\"C 40\""); at != std::string::npos; at = text.find("\"C 40\"", at + 1)) {
       if (text.rfind("SECTION", at) > text.rfind('\n', at)) text.replace(at, 6, "\"PIPE\"");
@@ -150,7 +152,7 @@ TEST(E2k, SectionsAreThoseOfTheirSidesOrAsGiven) {
     return std::pair(area, inertia);
   };
   const auto expect = [&](const std::string& section, double area, double inertia, const E2kFrame& frame = {.at = 0}) {
-    const auto [found, about] = first_column(section, frame);
+    const auto [found, about] = upper_column(section, frame);
     EXPECT_NEAR(found, area, 1e-12 * area) << section;
     EXPECT_NEAR(about, inertia, 1e-12 * inertia) << section;
   };
@@ -163,6 +165,65 @@ TEST(E2k, SectionsAreThoseOfTheirSidesOrAsGiven) {
   expect("SHAPE \"Steel Pipe\"  D 0.4 T 0.1", pi * 0.03, pi / 4 * (0.0016 - 0.0001));
   expect("SHAPE \"Concrete Circle\"  D 0.4", pi * 0.04, pi / 4 * 0.0016);
   expect("SHAPE \"W14X74\"", 0.014, 3.3e-4, {.at = 0, .sections = {{"PIPE", {0.014, 3.3e-4}}}});
+}
+
+TEST(E2k, ColumnsBendAboutTheAxisThatLiesAcrossTheFrame) {
+  // 0.6 deep along X and 0.3 wide; the beam keeps its depth wherever it runs.
+  const auto inertias = [](bool along_x, const std::string& assigned) {
+    std::string text = small_model;
+    const auto put = [&text](const std::string& from, const std::string& to) {
+      for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+      }
+    };
+    put("SECTION \"C 40\"", "SECTION \"C50\"");
+    put("D 0.5 B 0.5", "D 0.6 B 0.3");
+    put("SECTION \"C50\"", "SECTION \"C50\" " + assigned);
+    if (!along_x) {
+      put("POINT \"2\"  6 0", "POINT \"2\"  0 6");
+      put("POINT \"3\"  11 0", "POINT \"3\"  0 11");
+      put("POINT \"4\"  0 5", "POINT \"4\"  5 0");
+    }
+    Diagnostics diagnostics;
+    const auto made = read_e2k(text, "small.e2k", {.along_x = along_x, .at = 0}, diagnostics);
+    for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+    std::vector<double> found;
+    for (std::size_t at = made->text.find("inertia = "); at != std::string::npos;
+         at = made->text.find("inertia = ", at + 1)) {
+      found.push_back(std::strtod(made->text.c_str() + at + 10, nullptr));
+    }
+    return found;
+  };
+  const double major = 0.3 * 0.216 / 12, minor = 0.6 * 0.027 / 12, beam = 0.35 * major;
+  const auto expect = [&](bool along_x, const std::string& assigned, double column) {
+    const std::vector<double> found = inertias(along_x, assigned);
+    ASSERT_EQ(found.size(), 4U);
+    for (const int storey : {0, 1}) {
+      EXPECT_NEAR(found[storey], column, 1e-12 * column) << along_x << assigned;
+      EXPECT_NEAR(found[2 + storey], beam, 1e-12 * beam) << along_x << assigned;
+    }
+  };
+  expect(true, "", major);
+  expect(true, "ANG 90", minor);
+  expect(false, "", minor);
+  expect(false, "ANG  -90", major);
+  expect(true, "PROPMODI22 0.5 PROPMODI33 0.7", 0.7 * major);
+  expect(false, "PROPMODI22 0.5 PROPMODI33 0.7", 0.5 * minor);
+}
+
+TEST(E2k, ReleasedAndTurnedMembersAreErrors) {
+  const std::string beam = "\"B1\"  \"ROOF\"  SECTION \"B30\"";
+  const std::string released = "line \"B1\" is released at its ends (RELEASE), a frame here is rigid at its nodes";
+  EXPECT_NE(import_errors(changed(beam, beam + "  RELEASE \"TJ M2I M2J M3I M3J\"CARDINALPT 8")).find(released),
+            std::string::npos);
+  EXPECT_NE(import_errors(changed(beam, beam + "  RELEASE \"PINNED\"")).find(released), std::string::npos);
+  EXPECT_NE(import_errors(changed(beam, beam + "  ANG 90")).find("ANG = 90, must leave axis 3 of line \"B1\""),
+            std::string::npos);
+  const std::string column = "\"C2\"  \"FIRST\"  SECTION \"C50\"";
+  EXPECT_NE(import_errors(changed(column, column + "  ANG 30")).find("ANG = 30"), std::string::npos);
+  const std::string turned = changed(column, "\"C2\"  \"FIRST\"  SECTION \"PIPE\" ANG 90");
+  EXPECT_NE(import_errors(turned, {.at = 0, .sections = {{"PIPE", {0.01, 1e-4}}}}).find("--section PIPE=AREA,I33,I22"),
+            std::string::npos);
 }
 
 TEST(E2k, ErrorsNameLineAndWhatThereIs) {
