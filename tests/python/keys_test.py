@@ -59,7 +59,7 @@ BEYOND = {
             spectrum-with-delays spectrum-with-initial spectrum-with-links suite-period-missing
             suite-scale-table wave-without-width""",
         "what must be computed": """
-            column-near-a-floor contact-floor-without-mass contact-restitution-beyond-relation
+            column-near-a-floor columns-stiffer-than-storey contact-floor-without-mass contact-restitution-beyond-relation
             damping-infinite damping-stiffness-negative elastic-modulus-huge frame-massless-floor
             frame-massless-rotations frequency-infinite frequency-too-high
             gap-elevation-without-floor gap-floors-named-twice gap-no-common-elevation

@@ -42,12 +42,11 @@ StructuralModel matrices_model(const MatricesSpec& spec, double base_elevation) 
 
 /// The node in the column of a building that faces the gap, at an elevation; nothing where there is none.
 std::optional<int> node_at(double elevation, const SpecAndModel& building, bool left_of_gap) {
-  const auto* frame = std::get_if<PlaneFrame>(&building.spec.structure);
-  if (frame == nullptr) return std::nullopt;
+  const std::vector<ColumnNode>* const nodes = column_nodes(building.spec);
   constexpr double round_off = 1e-9;
-  for (std::size_t n = 0; n < frame->nodes.size(); ++n) {
-    const double at = building.spec.base_elevation + frame->nodes[n].elevation;
-    const bool faces = frame->nodes[n].left != left_of_gap;
+  for (std::size_t n = 0; nodes != nullptr && n < nodes->size(); ++n) {
+    const double at = building.spec.base_elevation + (*nodes)[n].elevation;
+    const bool faces = (*nodes)[n].left != left_of_gap;
     if (faces && std::abs(at - elevation) <= round_off * (1 + std::abs(elevation))) {
       return static_cast<int>(building.model.floors()) + static_cast<int>(n);
     }
@@ -212,6 +211,16 @@ std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size
   return make_contact_law(gap.contact, input);
 }
 
+const std::vector<ColumnNode>* column_nodes(const BuildingSpec& spec) {
+  if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return &frame->nodes;
+  return spec.columns ? &spec.columns->nodes : nullptr;
+}
+
+std::vector<ColumnNode>* column_nodes(BuildingSpec& spec) {
+  if (auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return &frame->nodes;
+  return spec.columns ? &spec.columns->nodes : nullptr;
+}
+
 StructuralModel structural_model(const BuildingSpec& spec) {
   const double base = spec.base_elevation;
   struct Make {
@@ -228,6 +237,7 @@ StructuralModel structural_model(const BuildingSpec& spec) {
     }
   };
   StructuralModel model = std::visit(Make{base}, spec.structure);
+  if (spec.columns) add_columns(model, *spec.columns);
   if (spec.calibrate_period) {
     calibrate_period(model, *spec.calibrate_period);
   }

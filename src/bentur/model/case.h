@@ -28,6 +28,7 @@
 #include "bentur/pounding/problem.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/frame/plane_frame.h"
+#include "bentur/structure/frame/storey_columns.h"
 #include "bentur/structure/known/generic.h"
 #include "bentur/structure/known/modal.h"
 #include "bentur/structure/stick.h"
@@ -53,6 +54,7 @@ struct RigidSpec {
 struct BuildingSpec {
   std::string name;
   std::variant<PlaneFrame, Stick, MatricesSpec, RigidSpec, ModalBuilding, GenericBuilding> structure;
+  std::optional<StoreyColumns> columns = {};  ///< of a stick or a generic building
   Damping damping;
   /// The stiffness part of damping follows the stiffness of a storey that yields, Building::tangent_damping.
   bool tangent_damping = false;
@@ -66,6 +68,10 @@ struct BuildingSpec {
   std::optional<SoilSpec> soil = {};
   std::string shapes_path = {};  ///< where the shapes of a building known by its modes were read; no result holds that
 };
+
+/// Where columns of a building are struck; null: it has no columns that are known.
+[[nodiscard]] const std::vector<ColumnNode>* column_nodes(const BuildingSpec& spec);
+[[nodiscard]] std::vector<ColumnNode>* column_nodes(BuildingSpec& spec);
 
 struct GapSpec {
   std::vector<double> widths;      ///< [length], one per point; one alone where there are no points

@@ -125,6 +125,10 @@ StructuralModel::RigidBody rigid_body(const StructuralModel& model) {
     ones(f) = 1;
     heights(f) = model.elevations[f] - base;
   }
+  for (Eigen::Index node = 0; node < model.nodes(); ++node) {
+    ones(model.floors() + node) = 1;
+    heights(model.floors() + node) = model.node_elevations[node] - base;
+  }
   StructuralModel::RigidBody body;
   body.rocking = model.mass * heights;
   body.mass = ones.dot(model.mass * ones);

@@ -102,7 +102,7 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const Stick& stick
   if (!stick.backbone && stick.yield_forces.empty()) return {};
   const Eigen::Index n = model.floors();
   require_size("stiffnesses", stick.stiffnesses.size(), n);
-  const double scale = model.stiffness(n - 1, n - 1) / stick.stiffnesses.back();  // the top storey's stiffness alone
+  const double scale = model.stiffness_factor.value_or(1);
   std::vector<std::shared_ptr<const HystereticLaw>> laws;
   for (std::size_t j = 0; j < stick.stiffnesses.size(); ++j) {
     laws.push_back(storey_law(stick, j, scale * stick.stiffnesses[j]));

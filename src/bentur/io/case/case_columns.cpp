@@ -34,11 +34,10 @@ std::optional<Storey> storey_at(const FloorLevels& levels, double elevation) {
 
 /// Why no column of `struck` can be struck at an elevation [length]; nothing where one can.
 std::optional<std::string> refusal(const ReadBuilding& struck, double elevation) {
-  if (!std::holds_alternative<PlaneFrame>(struck.spec.structure)) {
+  if (column_nodes(struck.spec) == nullptr) {
     return fmt::format(
-        "is between floors of {}, whose columns only a frame has: give it as one, or leave this elevation out, where "
-        "the "
-        "gap that is needed is told all the same",
+        "is between floors of {}, whose columns are not known: give columns of its stick or generic, or it as a frame, "
+        "or leave this elevation out, where the gap that is needed is told all the same",
         struck.path);
   }
   const FloorLevels levels = floor_levels(struck);
@@ -85,8 +84,7 @@ void put_nodes(const TomlView& gap, ReadBuilding& left, ReadBuilding& right) {
     if (pair_at(elevation, pairs, a, b) != nullptr || (!of_left && !has_floor(b, elevation))) continue;
     ReadBuilding& struck = of_left ? right : left;
     if (refusal(struck, elevation)) continue;
-    std::get<PlaneFrame>(struck.spec.structure)
-        .nodes.push_back({.left = of_left, .elevation = elevation - struck.spec.base_elevation});
+    column_nodes(struck.spec)->push_back({.left = of_left, .elevation = elevation - struck.spec.base_elevation});
     struck.modes = 0;
     struck.made = nullptr;
   }
@@ -94,9 +92,20 @@ void put_nodes(const TomlView& gap, ReadBuilding& left, ReadBuilding& right) {
 
 }  // namespace
 
+void read_storey_columns(const TableView& view, std::size_t storeys, BuildingSpec& spec) {
+  const auto table = view.table("columns");
+  if (!table) return;
+  StoreyColumns columns;
+  columns.elastic_modulus = table->number("elastic_modulus").value_or(1);
+  columns.inertia = table->numbers_for_each("inertia", storeys);
+  columns.mass = table->numbers_for_each("mass", storeys);
+  columns.number = static_cast<int>(table->whole("number").value_or(1));
+  spec.columns = std::move(columns);
+}
+
 std::vector<double> columns_in_reach(const ReadBuilding& struck, const ReadBuilding& striking) {
   std::vector<double> elevations;
-  if (!std::holds_alternative<PlaneFrame>(struck.spec.structure) || struck.elevations.empty()) return elevations;
+  if (column_nodes(struck.spec) == nullptr || struck.elevations.empty()) return elevations;
   const FloorLevels levels = floor_levels(struck);
   for (const double elevation : striking.elevations) {
     const std::optional<Storey> storey = storey_at(levels, elevation);
@@ -109,8 +118,8 @@ std::vector<ReadBuilding> with_struck_columns(const TomlView& root, std::vector<
   const auto gaps = root.find("gap");
   if (!gaps || !gaps->is(TomlValue::Kind::list)) return buildings;
   const auto nodes = [](const ReadBuilding& building) {
-    const auto* frame = std::get_if<PlaneFrame>(&building.spec.structure);
-    return frame != nullptr && !frame->nodes.empty();
+    const std::vector<ColumnNode>* const found = column_nodes(building.spec);
+    return found != nullptr && !found->empty();
   };
   for (std::size_t i = 0; i < gaps->size() && i + 1 < buildings.size(); ++i) {
     put_nodes(gaps->item(i), buildings[i], buildings[i + 1]);

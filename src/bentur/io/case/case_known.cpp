@@ -141,6 +141,7 @@ void read_generic(const TomlView& given, const Units& units, ReadBuilding& build
   generic.hardening = view.number("hardening").value_or(0);
   if (!yields) view.refuse({"hardening"}, "goes with yield_base_shear or design_base_shear");
   if (storeys == 0) return;
+  read_storey_columns(view, storeys, building.spec);
   building.modes = storeys;
   building.elevations = floor_elevations(generic.storey_heights);
   building.spec.structure = std::move(generic);

@@ -75,6 +75,9 @@ void read_gravity(const TableView& table, ReadBuilding& building);
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TableView& table, double gravity, ReadBuilding& building);
 
+/// case_columns.cpp: `columns` of a stick or a generic building.
+void read_storey_columns(const TableView& view, std::size_t storeys, BuildingSpec& spec);
+
 /// case_columns.cpp: the buildings with nodes in the columns that gaps say are struck. No error is said of these.
 [[nodiscard]] std::vector<ReadBuilding> with_struck_columns(const TomlView& root, std::vector<ReadBuilding> buildings);
 

@@ -134,6 +134,7 @@ void read_stick(const TomlView& given, ReadBuilding& building) {
   stick.stiffnesses = view.numbers("stiffnesses", storeys);
   read_yielding(view, storeys, stick);
   read_backbone(view, storeys, stick);
+  read_storey_columns(view, storeys, building.spec);
   building.modes = stick.storey_heights.size();
   building.elevations = floor_elevations(stick.storey_heights);
   building.spec.structure = std::move(stick);

@@ -18,6 +18,7 @@ namespace bentur {
 [[nodiscard]] const KeyTable& section_keys();
 [[nodiscard]] const KeyTable& floor_load_keys();
 [[nodiscard]] const KeyTable& stick_keys();
+[[nodiscard]] const KeyTable& storey_columns_keys();
 [[nodiscard]] const KeyTable& backbone_keys();
 [[nodiscard]] const KeyTable& backbone_side_keys();
 [[nodiscard]] const KeyTable& matrices_keys();

@@ -13,6 +13,13 @@ Key elevations_of_floors() {
       .up_to(most_floors);
 }
 
+/// Of a building whose floors do not turn.
+Key columns_that_are_struck() {
+  return Key::sub_table("columns", storey_columns_keys(), {"Columns", "Kolom"},
+                        "that a neighbour's floor may strike, with `strikes_columns` of the gap")
+      .optional("none are struck");
+}
+
 Key hardening_of_storeys() {
   return Key::number("hardening", dimension::none, Range::ratio, {"Hardening", "Pengerasan"},
                      "stiffness after yielding over that before")
@@ -249,6 +256,24 @@ const KeyTable& floor_load_keys() {
   return table;
 }
 
+const KeyTable& storey_columns_keys() {
+  static const KeyTable table = {
+      "building.stick.columns",
+      "columns on the sides of a stick or a generic building, which a neighbour's floor may strike; their stiffness "
+      "and "
+      "mass are part of those of storeys and floors",
+      {Key::number("elastic_modulus", dimension::pressure, Range::positive, {"Elastic modulus", "Modulus elastisitas"}),
+       Key::number("inertia", dimension::second_moment, Range::positive, {"Second moment of area", "Momen inersia"},
+                   "of one column")
+           .for_each("one per storey"),
+       Key::number("mass", dimension::mass, Range::positive, {"Mass", "Massa"}, "of one column from floor to floor")
+           .for_each("one per storey"),
+       Key::whole("number", 1, 1000, {"Columns side by side", "Kolom berdampingan"},
+                  "how many a floor strikes at once; forces that are told are those of all of them")
+           .by_default(1)}};
+  return table;
+}
+
 const KeyTable& stick_keys() {
   static const KeyTable table = [] {
     KeyTable made = {
@@ -273,6 +298,7 @@ const KeyTable& stick_keys() {
                  .optional()
                  .goes_with("yield_forces"),
              made.keys);
+    made.keys.push_back(columns_that_are_struck());
     made.keys.push_back(Key::sub_table("backbone", backbone_keys(), {"Loss of strength", "Kehilangan kekuatan"},
                                        "storeys that yield and lose strength; in place of the keys of yielding above")
                             .optional("no strength is lost"));
@@ -357,7 +383,7 @@ const KeyTable& generic_keys() {
                    "[what codes have](case-file.md#how-strong-a-building-is)")
            .goes_with("design_base_shear")
            .optional("none"),
-       hardening_of_storeys()}};
+       hardening_of_storeys(), columns_that_are_struck()}};
   return table;
 }
 

@@ -28,7 +28,7 @@ const KeyTable& gap_keys() {
                       "its law, see below; may be left out with `elevations = []`")
            .optional("needed but for `elevations = []`"),
        Key::of("strikes_columns", Key::Kind::flag, {"Floors strike columns", "Lantai membentur kolom"},
-               "`elevations` may name a floor that faces a column of the other building, a frame")
+               "`elevations` may name a floor that faces a column of the other building, a frame or one with `columns`")
            .by_default(0),
        Key::sub_table("column_capacity", column_capacity_keys(), {"Capacity of struck columns", "Kapasitas kolom"},
                       "what the columns bear that are struck, for demand over capacity; with `strikes_columns`. Where "

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bentur/structure/building.h"
+#include "bentur/structure/frame/column_node.h"
 
 namespace bentur {
 
@@ -32,13 +33,6 @@ struct Section {
     if (shear_capacity.empty()) return std::numeric_limits<double>::infinity();
     return shear_capacity.size() == 1 ? shear_capacity.front() : shear_capacity.at(static_cast<std::size_t>(line));
   }
-};
-
-/// A node in an outer column between two floors, where a neighbour's floor may strike it: a sway and a rotation of that
-/// column alone.
-struct ColumnNode {
-  bool left = false;     ///< in the leftmost column line; else in the rightmost one
-  double elevation = 0;  ///< above the base [length]
 };
 
 enum class MassMatrix { consistent, lumped };

@@ -110,6 +110,11 @@ std::vector<std::shared_ptr<const HystereticLaw>> storey_laws(const GenericBuild
         "building as building.stick with yield_forces, which shears alone too, or as building.frame with "
         "moment_capacity, which bends");
   }
+  if (model.nodes() > 0) {  // laws are of storeys, whatever is struck in them
+    StructuralModel bare = generic_model(building);
+    bare.stiffness *= model.stiffness_factor.value_or(1);
+    return storey_laws(building, bare, gravity);
+  }
   const VectorXd shape = modes(model.mass, model.stiffness).shapes.col(0);
   const VectorXd shears = shear_rows(model).leftCols(model.floors()) * shape;
   const double base = *building.yield_base_shear * gravity * model.load.sum();
