@@ -35,20 +35,12 @@ struct ReportArguments {
   bool force = false;
 };
 
-[[noreturn]] void refuse_head(const std::string& language) {
-  throw Failure(exit_bad_input,
-                "bentur report: " + error_words("--template does not go with buildings in plan", language));
-}
-
 /// The report of a folder of results.
 std::string from_results(const std::filesystem::path& folder, const ReportOptions& options) {
   try {
     if (std::filesystem::exists(folder / "histories.nc") && std::filesystem::exists(folder / "summary.json")) {
       const NetcdfReader histories(folder / "histories.nc");
-      if (is_plan_run(histories)) {
-        if (!options.head.empty()) refuse_head(options.language);
-        return plan_report_html(read_plan_results(histories), options);
-      }
+      if (is_plan_run(histories)) return plan_report_html(read_plan_results(histories), options);
     }
     return report_html(read_results(folder), options);
   } catch (const Failure&) {
@@ -115,9 +107,8 @@ void run(const ReportArguments& arguments) {
                   error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
   }
   if (!from_files && is_plan_case(input)) {
-    if (!head.empty()) refuse_head(arguments.language);
-    const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION};
-    return report_plan(arguments.input, arguments.output, arguments.force, options);
+    const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION, .head = head};
+    return report_plan(arguments.input, arguments.head, arguments.output, arguments.force, options);
   }
   Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);

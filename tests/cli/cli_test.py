@@ -1095,10 +1095,13 @@ class PlanCases(CommandLine):
             self.assertIn("berbenturan 7 kali", pages[-1].replace("\u00a0", " "))
         self.assertEqual(pages[1], pages[2])
         head = self.folder / "head.html"
-        head.write_text("<h1>{title}</h1>")
+        head.write_text("<h1>{title}</h1><p>Office of towers</p>")
         for source in self.CASE, results:
-            refused = self.fails(2, "report", source, "-o", self.folder / "r.html", "--template", head)
-            self.assertIn("does not go with buildings in plan", refused.stderr)
+            self.done("report", source, "-o", self.folder / "r.html", "--template", head, "--force")
+            page = (self.folder / "r.html").read_text()
+            for said in "Office of towers", "What was not checked", "Assumptions", "Vertical motion":
+                self.assertIn(said, page)
+        self.fails(2, "report", self.CASE, "-o", head, "--template", head)
 
     def test_speaks_indonesian(self):
         words = " ".join(self.done("run", self.CASE, "--lang", "id").stdout.split())

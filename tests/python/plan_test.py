@@ -152,7 +152,5 @@ def test_ida(tmp_path):
 
 
 def test_what_does_not_go_with_them():
-    with pytest.raises(ValueError, match="template does not go with buildings in plan"):
-        bentur.run(CASE).report(template=__file__)
     with pytest.raises(bentur.CaseError, match="does not go with buildings in plan"):
         bentur.run(bentur.Case.from_file(CASE).replace({"screening": {"seismicity": "high"}}))

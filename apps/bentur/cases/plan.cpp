@@ -151,10 +151,12 @@ void print_plan_rules(const std::string& file, bool json, const std::string& lan
   print(fitted(text + codes_note(loaded.c.code, say)));
 }
 
-void report_plan(const std::string& file, const std::string& output, bool force, const ReportOptions& options) {
+void report_plan(const std::string& file, const std::string& head, const std::string& output, bool force,
+                 const ReportOptions& options) {
   LoadedPlan loaded = load_plan(file, options.language, false, true);
   std::vector<std::filesystem::path> inputs = files_read(loaded.c);
   inputs.emplace_back(file);
+  if (!head.empty()) inputs.emplace_back(head);
   OutputFile report(output, ResultKind::report, {inputs, force});
   PlanResponse response = solve_shown(loaded.options, true, options.language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);

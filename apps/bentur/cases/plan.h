@@ -29,7 +29,8 @@ struct PlanRunArguments {
 /// Prints the summary, as JSON or as tables, unless `quiet`.
 void run_plan(const PlanRunArguments& arguments, const std::string& language);
 
-/// Solves the case and writes its report.
-void report_plan(const std::string& file, const std::string& output, bool force, const ReportOptions& options);
+/// Solves the case and writes its report. @param head the file of an office's own head, which options hold; or empty
+void report_plan(const std::string& file, const std::string& head, const std::string& output, bool force,
+                 const ReportOptions& options);
 
 }  // namespace bentur::cli

@@ -287,7 +287,6 @@ void bind_run(py::module_& module) {
           "report_html",
           [](PyRun& run, const std::string& language, const std::optional<fs::path>& head) {
             ReportOptions options{.language = language, .version = BENTUR_VERSION};
-            if (head && run.plan) throw py::value_error("template does not go with buildings in plan");
             if (head) {
               Diagnostics found;
               options.head = read_markup(*head, MarkupKind::head, found).value_or("");

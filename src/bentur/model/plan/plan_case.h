@@ -58,6 +58,7 @@ struct PlanCase {
   double angle = 0;                          ///< of both, from x and y counter-clockwise [degrees] (P-3)
   InitialSpec initial;                       ///< u_x, u_y, θ of each floor
   AnalysisSpec analysis;
+  std::optional<ProjectSpec> project = {};
   CodeSpec code = {};  ///< lists over the gaps are in the order of `gaps`
   std::optional<CaseSource> source = {};
   std::shared_ptr<const TomlValue> given = {};  ///< as Case's

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/story/internal/story_parts.h"
 #include "bentur/model/suite/suite.h"
 
@@ -195,11 +196,11 @@ bool check_screening(const GapFacts& facts, Index gap, Checks& checks) {
 }
 
 /// What the program checks of its own solution.
-void check_solution(const RunResults& run, Checks& checks) {
+void check_solution(const std::vector<Discrepancy>& discrepancies, Checks& checks) {
   double most = 0;
-  for (const Discrepancy& found : run.response.discrepancies) most = std::max(most, found.size);
-  checks.add("check.solution", "check.by_program", "", run.response.discrepancies.empty() ? "–" : number(most), "–",
-             run.response.discrepancies.empty());
+  for (const Discrepancy& found : discrepancies) most = std::max(most, found.size);
+  checks.add("check.solution", "check.by_program", "", discrepancies.empty() ? "–" : number(most), "–",
+             discrepancies.empty());
 }
 
 std::string names_of(const Problem& problem, const std::vector<Index>& buildings) {
@@ -309,7 +310,7 @@ HandIn hand_in_with(const GapFacts& facts, Checks checks, const RunResults* run)
   for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings) && !facts.c.buildings.empty(); ++gap) {
     needs_seismicity = check_screening(facts, gap, checks) || needs_seismicity;
   }
-  if (run != nullptr) check_solution(*run, checks);
+  if (run != nullptr) check_solution(run->response.discrepancies, checks);
   return {assumptions_of(facts.c, facts.problem), checks.take(), unchecked_of(facts, needs_seismicity)};
 }
 
@@ -332,6 +333,81 @@ HandIn hand_in(const RunResults& run) {
   HandIn made = hand_in(story::facts_of(run), std::move(checks), &run);
   made.assumptions.insert(made.assumptions.begin(), story::model_statement(run));
   return made;
+}
+
+namespace {
+
+/// Storeys of planes against the drift that counts as collapse; of a building without planes nothing is known.
+void check_planes(const PlanRun& run, Checks& checks) {
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
+    const PlanBuilding& building = run.problem.buildings[b];
+    if (building.is_rigid()) continue;
+    const auto check = building.has_gravity_loads() ? "check.stability" : "check.drift";
+    const std::string limit = with_unit(of_hundred * run.problem.collapse_drift, "%");
+    double most = -1;
+    for (const PlanPeaks::Plane& plane : run.response.buildings[b].planes) {
+      if (plane.drift_ratio.size() > 0) most = std::fmax(most, plane.drift_ratio.maxCoeff());
+    }
+    const auto collapses = [&](const std::optional<Collapse>& one) {
+      return one && one->building == static_cast<Index>(b);
+    };
+    const bool falls = collapses(run.response.collapse) || collapses(run.response.collapse_no_contact);
+    if (most < 0 && !falls) {
+      checks.add(check, "collapse_drift", building.name, "–", limit, "story.silence.unknown", true);
+    } else {
+      checks.add(check, "collapse_drift", building.name, with_unit(of_hundred * most, "%"), limit,
+                 !falls && !(most > run.problem.collapse_drift));
+    }
+  }
+}
+
+std::vector<Statement> assumptions_of(const PlanRun& run) {
+  std::vector<Statement> statements = {story::model_statement(run)};
+  const std::vector<double>& delays = run.problem.delays;
+  const bool is_late = std::any_of(delays.begin(), delays.end(), [](double s) { return s != 0; });
+  tell(is_late ? "assumption.late_motion" : "assumption.one_motion", statements);
+  if (!run.c.links.empty()) tell("assumption.links", statements);
+  if (!run.c.code.rules.empty()) tell("assumption.codes", statements);
+  tell("assumption.defaults", statements);
+  return statements;
+}
+
+std::vector<Statement> unchecked_of(const PlanRun& run) {
+  std::vector<Statement> statements;
+  if (run.c.code.rules.empty()) {
+    const std::string basis = run.c.project ? run.c.project->code_basis : "";
+    tell(basis.empty() ? "unchecked.codes" : "unchecked.codes_of_basis", statements, {text_of("basis", basis)});
+  }
+  tell("unchecked.screening_of_plans", statements);
+  if (!run.c.analysis.both_ways) tell("unchecked.reversed", statements);
+  if (!run.response.energy) tell("unchecked.energy", statements);
+  tell("unchecked.members", statements);
+  tell("unchecked.drift", statements);
+  std::string moving, without_gravity;
+  for (const PlanBuilding& building : run.problem.buildings) {
+    if (building.is_rigid()) continue;
+    moving += (moving.empty() ? "" : ", ") + building.name;
+    if (!building.has_gravity_loads()) without_gravity += (without_gravity.empty() ? "" : ", ") + building.name;
+  }
+  if (!without_gravity.empty()) tell("unchecked.gravity", statements, {text_of("names", without_gravity)});
+  if (!moving.empty()) tell("unchecked.soil", statements, {text_of("names", moving)});
+  for (const char* const kind : {"unchecked.vertical", "unchecked.local", "unchecked.motions"}) tell(kind, statements);
+  return statements;
+}
+
+}  // namespace
+
+HandIn hand_in(const PlanRun& run) {
+  Checks checks;
+  check_planes(run, checks);
+  for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
+    const RunResults pair = pair_of(run, gap);
+    const GapFacts facts = story::facts_of(pair);
+    check_need(facts, 0, checks);
+    check_rules(facts, 0, checks);
+  }
+  check_solution(run.response.discrepancies, checks);
+  return {assumptions_of(run), checks.take(), unchecked_of(run)};
 }
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur {
@@ -30,6 +31,8 @@ struct CheckRow {
 
 /// Of a run.
 [[nodiscard]] HandIn hand_in(const RunResults& run);
+/// Of buildings in plan.
+[[nodiscard]] HandIn hand_in(const PlanRun& run);
 /// Of gaps by a spectrum.
 [[nodiscard]] HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral);
 /// Of a case with a suite of records. @param of_records the checks over them, in the order above

@@ -350,24 +350,6 @@ void tell_rotations(const PlanRun& run, std::vector<Statement>& statements) {
   }
 }
 
-Statement model_statement(const PlanRun& run) {
-  bool yields = false;
-  std::size_t counted = 0, loaded = 0;  // buildings that move, those with gravity loads
-  for (const PlanBuilding& building : run.problem.buildings) {
-    counted += building.is_rigid() ? 0 : 1;
-    loaded += building.has_gravity_loads() ? 1 : 0;
-  }
-  std::vector<std::vector<StoryValue>> left_out = story::gravity_left_out(loaded, counted);
-  left_out.push_back({word_of("what", "remarks.no_soil")});
-  for (const PlanPeaks& peaks : run.response.buildings) {
-    for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
-  }
-  return {.kind = "model_plan",
-          .severity = Severity::remark,
-          .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
-          .items = std::move(left_out)};
-}
-
 }  // namespace
 
 std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap, bool reversed) {
@@ -409,6 +391,24 @@ void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, In
   values.push_back(word_of("level", corner != nullptr ? "story.place_at_corner" : "story.place"));
 }
 
+Statement model_statement(const PlanRun& run) {
+  bool yields = false;
+  std::size_t counted = 0, loaded = 0;  // buildings that move, those with gravity loads
+  for (const PlanBuilding& building : run.problem.buildings) {
+    counted += building.is_rigid() ? 0 : 1;
+    loaded += building.has_gravity_loads() ? 1 : 0;
+  }
+  std::vector<std::vector<StoryValue>> left_out = gravity_left_out(loaded, counted);
+  left_out.push_back({word_of("what", "remarks.no_soil")});
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
+  }
+  return {.kind = "model_plan",
+          .severity = Severity::remark,
+          .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
+          .items = std::move(left_out)};
+}
+
 }  // namespace story
 
 Story plan_story(const PlanRun& run) {
@@ -430,7 +430,7 @@ Story plan_story(const PlanRun& run) {
   sort_by_severity(told.statements);
   story::tell_quotations(run.c.code, told.statements);
   tell_rotations(run, told.statements);
-  told.statements.push_back(model_statement(run));
+  told.statements.push_back(story::model_statement(run));
   return told;
 }
 
@@ -448,7 +448,7 @@ Story plan_gap_story(const PlanRun& run) {
   tell_motion(run, told.statements);
   sort_by_severity(told.statements);
   story::tell_quotations(run.c.code, told.statements);
-  told.statements.push_back(model_statement(run));
+  told.statements.push_back(story::model_statement(run));
   return told;
 }
 

@@ -108,48 +108,60 @@ std::string running_head(const std::optional<ProjectSpec>& project, const std::s
   return head;
 }
 
-PageSection assumptions_section(const Report& report, const HandIn& told) {
-  const Words& say = report.say;
+PageSection assumptions_section(const std::optional<ProjectSpec>& project, const Words& say, const HandIn& told) {
   Html content;
-  if (report.c.project && !report.c.project->assumptions.empty()) {
-    content += element("p", say("assumption.own")) + list_of(report.c.project->assumptions) +
+  if (project && !project->assumptions.empty()) {
+    content += element("p", say("assumption.own")) + list_of(project->assumptions) +
                element("p", say("assumption.of_program"));
   }
   return {"assumptions", say("heading.assumptions"), content + list_of(texts_of(told.assumptions, say))};
 }
 
-PageSection records_section(const Report& report) {
-  const Words& say = report.say;
-  const std::optional<RecordEcho>& record = report.c.excitation.record;
-  if (!record) return {"records", say("heading.records"), {}};
-  const MotionMeasures measures = motion_measures(report.c.excitation.motion);
-  const double gravity = report.c.units.gravity, pga = applied_pga(report.c);
-  const double read = record->pga_read * acceleration_factor(record->unit, report.c.units);
-  HtmlTable table;
-  table.add(say("records.file"), "", {record->file}, false);
-  table.add(say("records.way"), "", {say(record->reversed ? "records.reversed" : "records.as_given")}, false);
-  table.add(say("records.read"), "g", std::vector<double>{read / gravity});
-  table.add(say("records.factor"), "", std::vector<double>{read > 0 ? pga / read : std::nan("")});
-  table.add(say("records.applied"), "g", std::vector<double>{pga / gravity});
-  if (measures.pgv > 0) table.add("PGV", report.c.units.length + "/s", std::vector<double>{measures.pgv});
-  if (measures.significant_duration > 0) {
-    table.add("D5–95", "s", std::vector<double>{measures.significant_duration});
+PageSection records_section(const std::vector<AppliedRecord>& records, const Units& units, const Words& say) {
+  std::vector<std::string> files, ways, hashes;
+  std::vector<double> read, factors, applied, velocities, durations, steps, lengths;
+  for (const AppliedRecord& one : records) {
+    const std::optional<RecordEcho>& record = one.excitation.record;
+    if (!record) continue;
+    const MotionMeasures measures = motion_measures(one.excitation.motion);
+    const double peak = record->pga_read * acceleration_factor(record->unit, units);
+    const auto known = [](double value) { return value > 0 ? value : std::nan(""); };
+    files.push_back(record->file);
+    ways.push_back(say(record->reversed ? "records.reversed" : "records.as_given"));
+    read.push_back(peak / units.gravity);
+    factors.push_back(peak > 0 ? one.pga / peak : std::nan(""));
+    applied.push_back(one.pga / units.gravity);
+    velocities.push_back(known(measures.pgv));
+    durations.push_back(known(measures.significant_duration));
+    steps.push_back(record->time_step);
+    lengths.push_back(record->duration);
+    hashes.push_back(record->sha256.empty() ? "–" : record->sha256.substr(0, 16) + "…");
   }
-  table.add(say("records.step"), "s", std::vector<double>{record->time_step});
-  table.add(say("records.length"), "s", std::vector<double>{record->duration});
-  table.add("SHA-256", "", {record->sha256.empty() ? "–" : record->sha256.substr(0, 16) + "…"}, false);
+  if (files.empty()) return {"records", say("heading.records"), {}};
+  const auto any = [](const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+  };
+  HtmlTable table;
+  table.add(say("records.file"), "", files, false);
+  table.add(say("records.way"), "", ways, false);
+  table.add(say("records.read"), "g", read);
+  table.add(say("records.factor"), "", factors);
+  table.add(say("records.applied"), "g", applied);
+  if (any(velocities)) table.add("PGV", units.length + "/s", velocities);
+  if (any(durations)) table.add("D5–95", "s", durations);
+  table.add(say("records.step"), "s", steps);
+  table.add(say("records.length"), "s", lengths);
+  table.add("SHA-256", "", hashes, false);
   return {"records", say("heading.records"), table.markup()};
 }
 
-PageSection checks_section(const Report& report, const HandIn& told) {
-  const Words& say = report.say;
+PageSection checks_section(const Words& say, const HandIn& told) {
   if (told.checks.columns.empty()) return {"checks", say("heading.checks"), {}};
   return {"checks", say("heading.checks"),
           table_of(said(told.checks, say)) + element("p", say("check.note"), "class=\"note\"")};
 }
 
-PageSection unchecked_section(const Report& report, const HandIn& told) {
-  const Words& say = report.say;
+PageSection unchecked_section(const Words& say, const HandIn& told) {
   return {"unchecked", say("heading.unchecked"), list_of(texts_of(told.unchecked, say))};
 }
 

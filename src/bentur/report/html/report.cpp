@@ -37,12 +37,13 @@ std::string csv_of(const Report& report, std::vector<Eigen::Index> listed) {
 std::vector<html::PageSection> in_order_of_codes(const Report& report, const RunResults& results,
                                                  std::vector<html::PageSection> sections) {
   const HandIn told = hand_in(results);
-  std::vector<html::PageSection> ordered = {sections.front(),
-                                            html::assumptions_section(report, told),
-                                            std::move(sections.back()),
-                                            html::records_section(report),
-                                            html::checks_section(report, told),
-                                            html::unchecked_section(report, told)};
+  std::vector<html::PageSection> ordered = {
+      sections.front(),
+      html::assumptions_section(report.c.project, report.say, told),
+      std::move(sections.back()),
+      html::records_section({{report.c.excitation, applied_pga(report.c)}}, report.c.units, report.say),
+      html::checks_section(report.say, told),
+      html::unchecked_section(report.say, told)};
   sections.pop_back();
   for (std::size_t i = 1; i < sections.size(); ++i) ordered.push_back(std::move(sections[i]));
   return ordered;

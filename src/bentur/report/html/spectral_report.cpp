@@ -98,9 +98,10 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
                    html::input_section(report)}};
   if (report.to_hand_in) {
     const HandIn told = hand_in(c, problem, spectral);
-    body.sections.insert(body.sections.begin() + 1,
-                         {html::assumptions_section(report, told), std::move(body.sections.back()),
-                          html::checks_section(report, told), html::unchecked_section(report, told)});
+    body.sections.insert(
+        body.sections.begin() + 1,
+        {html::assumptions_section(report.c.project, report.say, told), std::move(body.sections.back()),
+         html::checks_section(report.say, told), html::unchecked_section(report.say, told)});
     body.sections.pop_back();
     body.running_head = html::running_head(c.project, title);
   }

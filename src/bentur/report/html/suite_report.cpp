@@ -67,9 +67,12 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
   if (report.to_hand_in) {
     const HandIn told = suite_hand_in(run, gaps);
     std::vector<html::PageSection>& all = body.sections;
-    std::vector<html::PageSection> ordered = {
-        std::move(all[0]), html::assumptions_section(report, told), std::move(all.back()),
-        std::move(all[1]), html::checks_section(report, told),      html::unchecked_section(report, told)};
+    std::vector<html::PageSection> ordered = {std::move(all[0]),
+                                              html::assumptions_section(report.c.project, report.say, told),
+                                              std::move(all.back()),
+                                              std::move(all[1]),
+                                              html::checks_section(report.say, told),
+                                              html::unchecked_section(report.say, told)};
     all.pop_back();
     for (std::size_t i = 2; i < all.size(); ++i) ordered.push_back(std::move(all[i]));
     all = std::move(ordered);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
@@ -36,7 +37,7 @@ const ExcitationSpec& longer_of(const std::array<ExcitationSpec, 2>& excitation)
 PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* problem) {
   PlanCase c;
   (void)TableView::of(root, case_keys());
-  root.refuse({"screening", "project"}, "does not go with buildings in plan");
+  root.refuse({"screening"}, "does not go with buildings in plan");
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
@@ -48,6 +49,7 @@ PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* p
   read_plan_excitation(root, buildings, files, c);
   bool moves = false;
   c.initial = read_plan_initial(root, buildings, moves);
+  c.project = read_project(root, files.folder, files.diagnostics);
   refuse_analysis(root);
   c.analysis = read_analysis(root, longer_of(c.excitation));
   check_values(root, case_keys());
@@ -132,6 +134,7 @@ std::optional<PlanCase> read_plan_case_without_records(const std::string& text, 
                                                        Diagnostics& diagnostics, PlanProblem* problem) {
   std::array<bool, 2> taken{};
   std::optional<PlanCase> c = read_text(text, file, diagnostics, problem, [&](TomlValue& root) {
+    leave_out_lost_logo(root, file.parent_path());
     TomlValue* const excitation = root.find("excitation");
     if (excitation == nullptr) return;
     taken[0] = take_record_out(*excitation, {"delays", "wave_velocity", "wave_angle", "kinematics", "angle", "y"});
@@ -159,6 +162,7 @@ std::vector<std::filesystem::path> files_read(const PlanCase& c) {
   for (const ExcitationSpec& one : c.excitation) {
     if (one.record && !one.record->path.empty()) files.emplace_back(one.record->path);
   }
+  if (c.project && !c.project->logo_path.empty()) files.emplace_back(c.project->logo_path);
   return files;
 }
 

@@ -77,6 +77,8 @@ void tell_collapse(const std::optional<Collapse>& with, const std::optional<Coll
 [[nodiscard]] Eigen::Index most_softened(const BuildingPeaks::Yielding& yielding);
 /// What it has lost, with {time} and {left}.
 [[nodiscard]] Statement lost_strength(const BuildingPeaks::Yielding& yielding, Eigen::Index storey);
+/// What the model of buildings in plan is and leaves out.
+[[nodiscard]] Statement model_statement(const PlanRun& run);
 /// What the model leaves out.
 [[nodiscard]] Statement model_statement(const RunResults& run);
 

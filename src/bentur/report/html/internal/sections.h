@@ -75,10 +75,17 @@ constexpr std::size_t rows_in_print = 30;
                             const Words& say);
 /// What runs along the top of every printed page.
 [[nodiscard]] std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title);
-[[nodiscard]] PageSection assumptions_section(const Report& report, const HandIn& told);
-[[nodiscard]] PageSection records_section(const Report& report);
-[[nodiscard]] PageSection checks_section(const Report& report, const HandIn& told);
-[[nodiscard]] PageSection unchecked_section(const Report& report, const HandIn& told);
+[[nodiscard]] PageSection assumptions_section(const std::optional<ProjectSpec>& project, const Words& say,
+                                              const HandIn& told);
+/// Records that a case applies, with what is made of each; those that are none are left out.
+struct AppliedRecord {
+  const ExcitationSpec& excitation;
+  double pga = 0;  ///< as applied [length/s²]
+};
+[[nodiscard]] PageSection records_section(const std::vector<AppliedRecord>& records, const Units& units,
+                                          const Words& say);
+[[nodiscard]] PageSection checks_section(const Words& say, const HandIn& told);
+[[nodiscard]] PageSection unchecked_section(const Words& say, const HandIn& told);
 
 /// Sections for a page that is no report; those without content are not among them.
 [[nodiscard]] std::vector<PagePart> parts(const std::vector<PageSection>& sections);

@@ -13,11 +13,13 @@
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/hand_in.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/report/html/internal/echo.h"
 #include "bentur/report/html/internal/motion_section.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
+#include "bentur/report/html/internal/sections.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/plan/plan_animation.h"
 #include "bentur/structure/modes.h"
@@ -308,6 +310,23 @@ class PlanPage {
   std::vector<std::string> gaps_;
 };
 
+/// With what a report has that is handed in. `sections`: the verdict first, the input last.
+std::vector<html::PageSection> in_order_of_codes(const PlanRun& run, const Words& say,
+                                                 std::vector<html::PageSection> sections) {
+  const HandIn told = hand_in(run);
+  std::vector<html::AppliedRecord> records;
+  for (const std::size_t i : {0U, 1U}) records.push_back({run.c.excitation[i], applied_pga(run, i)});
+  std::vector<html::PageSection> ordered = {sections.front(),
+                                            html::assumptions_section(run.c.project, say, told),
+                                            std::move(sections.back()),
+                                            html::records_section(records, run.c.units, say),
+                                            html::checks_section(say, told),
+                                            html::unchecked_section(say, told)};
+  sections.pop_back();
+  for (std::size_t i = 1; i < sections.size(); ++i) ordered.push_back(std::move(sections[i]));
+  return ordered;
+}
+
 /// impacts.csv of these.
 std::string csv_of(const PlanRun& run, std::vector<Index> listed) {
   std::sort(listed.begin(), listed.end());
@@ -358,14 +377,17 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
     motion = html::motion_section(say, run.c.units.length, html::numbered(names), html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
-  const html::PageBody body{
-      .header = html::title_block(std::nullopt, run.c.source ? run.c.source->file : "", title,
-                                  say("report.by", {{"version", options.version}}), options) +
-                html::identity(run.c.source, records, say),
-      .sections = {verdict, sections.remarks(), motion, sections.peaks(), sections.impacts(listed),
-                   html::figures_section(say, figures), sections.input()},
-      .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
-                html::csv_script(csv_of(run, listed))};
+  html::PageBody body{.header = html::title_block(run.c.project, run.c.source ? run.c.source->file : "", title,
+                                                  say("report.by", {{"version", options.version}}), options) +
+                                html::identity(run.c.source, records, say),
+                      .sections = {verdict, sections.remarks(), motion, sections.peaks(), sections.impacts(listed),
+                                   html::figures_section(say, figures), sections.input()},
+                      .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
+                                html::csv_script(csv_of(run, listed))};
+  if (run.c.project || !options.head.empty()) {
+    body.sections = in_order_of_codes(run, say, std::move(body.sections));
+    body.running_head = html::running_head(run.c.project, title);
+  }
   return html::page(say, title, body, true);
 }
 

@@ -7,9 +7,8 @@
 
 namespace bentur {
 
-/// The report of a run of buildings in plan, as report_html() of a row's, without what a page to hand in has: the same
-/// verdict, opening figure, remarks, moving picture (from above), tables, figures and input. The response must have
-/// histories.
+/// The report of a run of buildings in plan, as report_html() of a row's, one to hand in likewise: the same verdict,
+/// opening figure, remarks, moving picture (from above), tables, figures and input. The response must have histories.
 /// @throws InvalidParameter for an unknown language, or without histories.
 [[nodiscard]] std::string plan_report_html(const PlanRun& run, const ReportOptions& options);
 

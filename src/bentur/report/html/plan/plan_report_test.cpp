@@ -14,6 +14,7 @@
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/story/hand_in.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/report/story_text.h"
 #include "tests/support/plan_run.h"
@@ -46,6 +47,38 @@ TEST(PlanReport, HasThePartsOfARowsReport) {
   EXPECT_TRUE(has(page, "default-src 'none'"));
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)="(?!#))")));
   EXPECT_TRUE(has(page, "Case file twisting-pair.toml") || has(page, "Case file case.toml"));
+}
+
+/// With [project] it is one to hand in: numbered sections in the order of a row's, checks that follow from the run.
+TEST(PlanReport, IsOneToHandIn) {
+  const PlanRun run = test::plan_run(
+      test::twisting_pair() + "\n[project]\nname = \"Two towers\"\nnumber = \"26-7\"\nassumptions = [\"As built\"]\n");
+  for (const std::string language : {"en", "id"}) {
+    const std::string page = page_of(run, language);
+    std::size_t last = 0;
+    for (const char* const id :
+         {"verdict", "assumptions", "input", "checks", "unchecked", "motion", "peaks", "impacts"}) {
+      const std::size_t at = page.find("<section id=\"" + std::string(id) + "\"");
+      ASSERT_NE(at, std::string::npos) << id;
+      EXPECT_GT(at, last) << id;
+      last = at;
+    }
+    for (const char* const said : {"Two towers", "26-7", "As built"}) EXPECT_TRUE(has(page, said)) << said;
+    EXPECT_FALSE(has(page, "unchecked.") || has(page, "assumption.") || has(page, ">check."));
+  }
+  const std::string page = page_of(run);
+  // The gap that is needed is a check that is not met; drifts of planes are below what counts as collapse.
+  const HandIn told = hand_in(run);
+  const std::vector<std::string>& checks = told.checks.columns.at(0).texts;
+  const std::vector<std::string>& results = told.checks.columns.at(5).texts;
+  const auto result_of = [&](const std::string& check) {
+    const auto found = std::find(checks.begin(), checks.end(), check);
+    return found == checks.end() ? "none" : results[static_cast<std::size_t>(found - checks.begin())];
+  };
+  EXPECT_EQ(result_of("check.gap"), "check.not_met");
+  EXPECT_EQ(result_of("check.drift"), "check.met");
+  EXPECT_EQ(result_of("check.solution"), "check.met");
+  EXPECT_TRUE(has(page, "NOT met"));
 }
 
 /// In both languages every sentence of the story stands there, and no key of the catalogue or word without its value.
