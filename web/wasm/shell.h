@@ -62,7 +62,8 @@ class Studio {
   /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
   /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
   /// answers false the run ends. A case with a spectrum has its gaps computed instead, one with a suite the runs of all
-  /// records in short and then the gaps over them: these have no impacts, motion and histories. @return {ok, errors, seconds}
+  /// records in short and then the gaps over them: these have no impacts, motion and histories. @return {ok, errors,
+  /// seconds}
   [[nodiscard]] std::string solve(const emscripten::val& output_step, const emscripten::val& progress);
 
   // Of the run, the gaps by a spectrum, or all records of a suite. @throws nothing; empty before there is one.

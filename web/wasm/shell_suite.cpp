@@ -63,7 +63,8 @@ Json Studio::solve_suite(const emscripten::val& progress) {
   Diagnostics diagnostics;
   std::optional<GapStudy> gaps;
   try {
-    gaps = gap_study(*case_, file, [&](double done) { return told((1 + done) / 2); }, diagnostics);
+    gaps = gap_study(
+        *case_, file, [&](double done) { return told((1 + done) / 2); }, diagnostics);
   } catch (const std::runtime_error& error) {
     return failure(std::string("the numbers failed: ") + error.what());
   }
@@ -97,14 +98,12 @@ Json Studio::suite_overview(const Words& say) const {
   for (const SuiteRecord& one : suite_->records) {
     longest = std::max(longest, suite_->duration.value_or(one.echo.duration));
   }
-  Json all = overview_of(case_->title, case_->units, longest, gaps, names,
-                         suite_page_story(*suite_run_, *suite_gaps_), say);
+  Json all =
+      overview_of(case_->title, case_->units, longest, gaps, names, suite_page_story(*suite_run_, *suite_gaps_), say);
   all["spectral"] = false;
   all["suite"] = suite_choice(*suite_, 0);
-  all["figures"] = Json::array({{{"kind", "suite"},
-                                 {"caption", say(caption_key("suite", false))},
-                                 {"tells", true},
-                                 {"overTime", false}}});
+  all["figures"] = Json::array(
+      {{{"kind", "suite"}, {"caption", say(caption_key("suite", false))}, {"tells", true}, {"overTime", false}}});
   return all;
 }
 

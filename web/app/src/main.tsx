@@ -64,6 +64,7 @@ function App() {
   const dropping = useSignal(false);
   const formOpen = useSignal(false); // a closed form costs nothing
   const now = result.value, still = now && isStill(now.overview);
+  const remarks = (now?.overview.statements ?? []).filter((one) => one.severity === "remark");
   return (
     <div class={`page${dropping.value ? " dropping" : ""}`}
       onDragOver={(event) => { event.preventDefault(); dropping.value = true; }}
@@ -90,7 +91,7 @@ function App() {
           <div class="said">
             <Errors goTo={(line, column) => goTo(area.current, line, column)} />
             <Verdict />
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{" "}· {say("verdict.remark")}: <span data-remarks>{now.overview.statements.filter((one) => one.severity === "remark").map((one) => one.text).join(" ")}</span></p>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{remarks.length > 0 && <>{" "}· {say("verdict.remark")}:</>}{" "}<span data-remarks>{remarks.map((one) => one.text).join(" ")}</span></p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>

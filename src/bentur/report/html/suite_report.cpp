@@ -59,8 +59,8 @@ PageSection suite_gaps_section(const html::Report& report) {
 std::vector<PagePart> table_parts(const SuiteRun& run, const GapStudy& gaps, const std::string& language) {
   const Words say(language);
   const Response none;
-  const html::Report report{
-      {run.problem, none, run.c.units}, run.c, run.problem, none, say, suite_page_story(run, gaps), {}};
+  const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
+                            suite_page_story(run, gaps),      {}};
   return html::parts({suite_section(report), suite_runs_section(report), suite_gaps_section(report)});
 }
 
@@ -79,10 +79,8 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
       "figure.", options.language);
   html::PageBody body{
       .header = html::title_block(report, title, say("suite.by", {{"version", options.version}}), options),
-      .sections = {html::verdict_section(report),
-                   suite_section(report), html::figures_section(say, figures),
-                   suite_runs_section(report), suite_gaps_section(report),
-                   html::input_section(report)}};
+      .sections = {html::verdict_section(report), suite_section(report), html::figures_section(say, figures),
+                   suite_runs_section(report), suite_gaps_section(report), html::input_section(report)}};
   if (report.to_hand_in) {
     const HandIn told = suite_hand_in(run, gaps);
     std::vector<html::PageSection>& all = body.sections;
