@@ -66,12 +66,13 @@ export const width = computed(() => {
 const behind = new Solver(); // curves and files, so that nothing waits for them
 const give = (more: Placed) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
 const builtIn = records.flatMap(([name, bytes]): Files => [[name, bytes], [`../data/${name}`, bytes], [`../../data/${name}`, bytes]]);
+const coming = new Map<string, Uint8Array>(); // of which it is not known yet how a case is to name them
 let stand = new Map<string, Uint8Array>();
 
 /** Puts the files of the case that stands there where it may name them, and takes away those that are no longer its own. No
  *  pattern of a suite finds the page's records. */
 function place() {
-  const next = new Map([...builtIn.filter(([name]) => !isSuite(found.value) || named(found.value).includes(name)), ...files.value]);
+  const next = new Map([...builtIn.filter(([name]) => !isSuite(found.value) || named(found.value).includes(name)), ...files.value, ...coming]);
   const gone = [...stand.keys()].filter((name) => !next.has(name)).map((name): Placed[number] => [name, null]);
   const come = [...next].filter(([name, bytes]) => stand.get(name) !== bytes);
   if (gone.length + come.length > 0) give([...gone, ...come]);
@@ -226,9 +227,10 @@ export function addFiles(added: Files) {
 /** A file that cases may name from then on, as far as `then` makes it so when it is told which unit the file says it is in;
  *  "" where it says none. */
 export function addFile(name: string, bytes: Uint8Array, then: (unit: string) => void): Promise<void> {
-  give([[name, bytes]]);
-  stand.set(name, bytes);
+  coming.set(name, bytes);
+  place();
   return new Promise((done) => live.ask({ kind: "record", name }, (answer) => {
+    coming.delete(name);
     batch(() => {
       addFiles([[name, bytes]]);
       then(answer.kind === "text" ? answer.text : "");
