@@ -6,6 +6,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "n
 import { tmpdir } from "node:os";
 import { test } from "node:test";
 import { difference, isLoose, lineOf, spaced, studio, terminal, tolerance } from "./core.mjs";
+import { makeSuite } from "./suites.mjs";
 
 const source = process.env.BENTUR_SOURCE;
 const examples = readdirSync(`${source}/examples`).filter((name) => name.endsWith(".toml"));
@@ -324,10 +325,11 @@ test("every refused case of tests/bad_input is refused in the same words", () =>
   const folder = `${source}/tests/bad_input`;
   const keys = readFileSync(`${folder}/keys.txt`, "utf8").trim().split("\n");
   let compared = 0;
+  one.putFile("good.AT2", readFileSync(`${folder}/good.AT2`)); // of the suites among them
   for (const name of readdirSync(folder).filter((file) => file.endsWith(".toml"))) {
     const text = readFileSync(`${folder}/${name}`);
     // What depends on files beside the case is told of by the record tests.
-    if (/(files?|logo)\s*=|"suite"/.test(text.toString())) continue;
+    if (/(files?|logo)\s*=/.test(text.toString().replace('files = ["good.AT2"]', ""))) continue;
     // Below 2.2e-308 a number is no number for the stream that the TOML parser reads with where there is no from_chars:
     // refused as well, in other words.
     if (name === "harmonic-period-tiny.toml") continue;
@@ -417,6 +419,46 @@ test("gaps by a spectrum are those of bentur gap", () => {
     }
   }
   assert.deepEqual([one.summary(), one.impacts(), one.motion("en")], ["", "", ""]);
+});
+
+test("a suite of records is told of as by run, gap and report, and each record as by --record", () => {
+  const given = makeSuite();
+  for (const name of given.records) one.putFile(name, given.bytes(name));
+  const bentur = (...options) => execFileSync(process.env.BENTUR, options, { encoding: "utf8", maxBuffer: 2 ** 28 });
+  const unlike = (path) => /^\/case$|\/wall_time$|\/energy_residual$/.test(path);
+  const compare = (mine, most, ...options) => {
+    const found = difference(JSON.parse(mine), JSON.parse(bentur(...options, "--json")), "", unlike);
+    assert.ok(found.size < most, `${options.join(" ")} ${found.path} ${found.size}`);
+  };
+  // Storeys of the example yield.
+  for (const [file, most] of [[given.file, 1e-12], [`${source}/examples/two-real-buildings/record.toml`, 1e-11]]) {
+    compare(JSON.stringify(solved(readFileSync(file, "utf8"), file.slice(file.lastIndexOf("/") + 1))), most, "run", file);
+    compare(one.gaps(), most, "gap", file);
+    for (const language of ["en", "id"]) {
+      const page = bentur("report", file, "--lang", language, "-o", "-");
+      const { tables } = JSON.parse(one.tables(language));
+      assert.deepEqual(tables.map(({ id }) => id), ["records", "runs", "gaps"]);
+      for (const { id, markup } of tables) assert.equal(markup, sectionOf(page, id), `${file} ${id}`);
+    }
+    const { suite, gaps, statements } = JSON.parse(one.overview("en"));
+    assert.equal(suite.record, 0);
+    assert.ok(gaps[0].needed > 0 && statements.length > 3);
+    assert.equal(JSON.parse(one.atWidth(0, 0.1)).ok, false);
+    const last = suite.records.length;
+    assert.equal(JSON.parse(one.chooseRecord(last + 1)).record, 0);
+    assert.equal(JSON.parse(one.chooseRecord(last)).record, last);
+    assert.deepEqual(JSON.parse(one.solve(0, null)).errors, []);
+    compare(one.summary(), most, "run", file, "--record", `${last}`);
+    assert.equal(JSON.parse(one.overview("en")).suite.record, last);
+  }
+  // It can be stopped, and has no more records than there are files.
+  one.removeFile("records/b.AT2");
+  assert.deepEqual(JSON.parse(one.open(given.text, "case.toml")).errors, []);
+  for (const most of [0.2, 0.7]) assert.equal(JSON.parse(one.solve(0, (done) => done < most)).errors[0].message, "stopped");
+  assert.equal(JSON.parse(one.chooseRecord(0)).records, 2);
+  for (const name of given.records) one.removeFile(name);
+  assert.equal(JSON.parse(one.open(given.text, "case.toml")).errors.length, 2);
+  rmSync(given.folder, { recursive: true });
 });
 
 test("a gap's contact points are counted", () => {

@@ -1,21 +1,27 @@
 // Pictures of every view, to be looked at: look.mjs PAGE FOLDER
-import { mkdirSync } from "node:fs";
+import { mkdirSync, rmSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 import { curveDone, launch, open, solved } from "./browser.mjs";
+import { makeSuite } from "./suites.mjs";
 
 const [file, folder] = process.argv.slice(2);
 mkdirSync(folder, { recursive: true });
 const browser = await launch();
+const suite = makeSuite();
 const only = process.argv[4];
 for (const width of [1280, 390]) {
   for (const theme of ["light", "dark"]) {
-    for (const name of ["frames", "monograph", "columns", "row", "moat", "yielding", "plan"]) {
+    for (const name of ["frames", "monograph", "columns", "row", "moat", "yielding", "plan", "suite", "record"]) {
       if (only && !`${name}-${width}-${theme}`.includes(only)) continue;
       const { page, complaints, close } = await open(browser, pathToFileURL(file).href, { viewport: { width, height: 900 }, colorScheme: theme });
       await solved(page);
-      await page.click(`[data-case="${name}"]`);
+      if (name === "suite" || name === "record") {
+        await page.setInputFiles(".cases input[type=file]", [suite.file, ...suite.records.map((one) => `${suite.folder}/${one}`)]);
+        await page.waitForSelector("#record");
+        if (name === "record") await page.selectOption("#record", "2");
+      } else await page.click(`[data-case="${name}"]`);
       await solved(page);
-      if (name !== "plan") await curveDone(page);
+      if (name !== "plan" && name !== "suite") await curveDone(page);
       if (name === "monograph") {
         await page.click("#compare button");
         await page.evaluate(() => document.querySelectorAll("details")[1].setAttribute("open", ""));
@@ -29,3 +35,4 @@ for (const width of [1280, 390]) {
   }
 }
 await browser.close();
+rmSync(suite.folder, { recursive: true });

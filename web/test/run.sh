@@ -39,6 +39,6 @@ case $part in
     command -v chromium >/dev/null || { echo "skipped: chromium is not installed"; exit 77; }
     export BENTUR_PAGE=$root/build/web/bentur-studio.html
     built "$BENTUR_PAGE"
-    node --test "$here/page.test.mjs" "$here/plan.test.mjs" "$here/doors.test.mjs"
+    node --test "$here/page.test.mjs" "$here/plan.test.mjs" "$here/suite.test.mjs" "$here/doors.test.mjs"
     ;;
 esac

@@ -32,6 +32,7 @@
 #include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
+#include "bentur/report/html/suite_report.h"
 #include "bentur/report/kinds/kinds.h"
 #include "shell_answers.h"
 
@@ -40,11 +41,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = "/case";
+const fs::path folder = case_folder;
 
-// A page must not stand still: what a run may take here, where the case itself allows more.
-constexpr double most_steps = 5e6;     // some ten seconds of a case of some floors
-constexpr double most_memory = 300e6;  // [byte]
 constexpr std::size_t most_text = std::size_t{1} << 20;
 constexpr double most_modes = 400;    // of all buildings: their cubes take a second or two
 constexpr double most_joints = 1500;  // sways and rotations of a frame, before it is condensed
@@ -138,27 +136,17 @@ void Studio::put_file(const std::string& path, const std::string& bytes) {
   identities_.clear();
 }
 
-namespace {
-
-/// Says of a suite, whose files are not there or could be read, that the page does not run it.
-void refuse_suite(const TomlValue& root, const std::string& file, Diagnostics& diagnostics) {
-  const TomlValue* const kind = find_value(root, {"excitation", "kind"});
-  if (kind == nullptr || kind->text != "suite") return;
-  const std::vector<Diagnostic> errors = diagnostics.errors();
-  const bool lacks_files = std::any_of(errors.begin(), errors.end(),
-                                       [](const Diagnostic& one) { return one.key.starts_with("excitation.files"); });
-  if (!lacks_files && !errors.empty()) return;
-  TomlView(*kind, "excitation.kind", file, diagnostics)
-      .error_value(
-          "takes many record files, which this page does not hold: bentur run, gap and report take them, "
-          "and Python");
+void Studio::remove_file(const std::string& path) {
+  std::error_code ignored;
+  fs::remove((folder / "cases" / path).lexically_normal(), ignored);
+  memo_ = std::make_unique<CaseMemo>();
+  identities_.clear();
 }
-
-}  // namespace
 
 std::string Studio::open(const std::string& text, const std::string& file) {
   return guarded([&]() -> Json {
     case_.reset(), problem_.reset(), run_.reset(), spectral_.reset(), free_.reset(), plan_.reset(), plan_run_.reset();
+    suite_.reset(), suite_run_.reset(), suite_gaps_.reset(), record_ = 0;
     if (text.size() > most_text) return too_much("text");
     const fs::path path = folder / "cases" / file;
     Diagnostics diagnostics;
@@ -180,9 +168,9 @@ std::string Studio::open(const std::string& text, const std::string& file) {
       return {{"ok", true}, {"errors", Json::array()}};
     }
     ReadCase read = read_case_parts(view, path.parent_path(), diagnostics, memo_.get());
-    refuse_suite(*root, path.string(), diagnostics);
     if (!diagnostics.ok()) return refused();
-    Problem problem = read.c.excitation.spectrum ? make_still_problem(read.c, read.made_buildings()) : read.problem();
+    Problem problem = is_without_motion(read.c) ? make_still_problem(read.c, read.made_buildings()) : read.problem();
+    suite_ = read.c.excitation.suite;
     read.c.source = source;
     read.c.given = std::make_shared<const TomlValue>(*root);
     know(read.c.excitation);
@@ -244,10 +232,7 @@ std::optional<Json> run_within(SolveOptions& options, const emscripten::val& pro
   options.limits.steps = std::min(options.limits.steps, static_cast<long>(most_steps));
   if (!progress.isNull()) options.progress = [&](double done) { return progress(done).template as<bool>(); };
   if (const std::string why = refused(needed); !why.empty()) return failure(why);
-  if (needed.certain_steps > most_steps) {
-    return too_much("steps", {{"n", needed.certain_steps}, {"most", most_steps}});
-  }
-  if (needed.memory > most_memory) return too_much("memory.run", {{"n", std::ceil(needed.memory / 1e6)}});
+  if (const std::optional<Json> answer = beyond_page(needed)) return answer;
   const auto& response = run();
   if (response.status == Status::stopped) return failure("stopped");
   if (response.status == Status::failed) return failure("the numbers failed: " + response.message);
@@ -268,7 +253,7 @@ SolveOptions options_of(const Case& c, const Problem& problem, const emscripten:
 
 std::string Studio::solve(const emscripten::val& output_step, const emscripten::val& progress) {
   return guarded([&]() -> Json {
-    run_.reset(), spectral_.reset(), plan_run_.reset();
+    run_.reset(), spectral_.reset(), plan_run_.reset(), suite_run_.reset(), suite_gaps_.reset();
     const auto solved = [](double seconds) -> Json {
       return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
     };
@@ -293,6 +278,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       spectral_ = spectral_gaps(*problem_, *c.excitation.spectrum, c.code, c.units);
       return solved(0);
     }
+    if (c.excitation.suite) return solve_suite(progress);
     const bool fine = output_step.isNull();
     SolveOptions options = options_of(c, *problem_, output_step);
     options.course = fine;
@@ -315,6 +301,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
 
 std::string Studio::summary() const {
   if (plan_run_) return plan_summary_json(*plan_run_, BENTUR_VERSION);
+  if (suite_run_) return suite_run_json(*suite_run_, BENTUR_VERSION);
   return run_ ? summary_json(*run_, BENTUR_VERSION) : "";
 }
 
@@ -326,6 +313,7 @@ std::string Studio::impacts() const {
 std::string Studio::gaps() const {
   if (plan_run_) return plan_gap_json(*plan_run_, BENTUR_VERSION);
   if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, BENTUR_VERSION);
+  if (suite_gaps_) return gap_study_json(*suite_gaps_, BENTUR_VERSION);
   return run_ ? gap_json(*run_, BENTUR_VERSION) : "";
 }
 
@@ -343,6 +331,7 @@ std::string Studio::report(const std::string& language) const {
   const ReportOptions options{.language = language, .version = BENTUR_VERSION};
   if (plan_run_) return plan_report_html(*plan_run_, options);
   if (spectral_) return spectral_report_html(*case_, *problem_, *spectral_, options);
+  if (suite_run_) return suite_report_html(*suite_run_, *suite_gaps_, options);
   return run_ ? report_html(*run_, options) : "";
 }
 
@@ -350,6 +339,11 @@ std::string Studio::at_width(int gap, double width) {
   return guarded([&]() -> Json {
     if (!problem_) return failure("no case is open");
     Case c = *case_;
+    if (c.excitation.suite) {
+      return failure(
+          "a suite is many ground motions: bentur run, gap and report take them all, --record N (record=N of Python) "
+          "one of them");
+    }
     if (gap < 0 || gap >= static_cast<int>(c.gaps.size()))
       throw InvalidParameter("gap", std::to_string(gap), "is no gap");
     std::vector<double>& widths = c.gaps[static_cast<std::size_t>(gap)].widths;
@@ -377,7 +371,9 @@ EMSCRIPTEN_BINDINGS(bentur) {
   emscripten::class_<Studio>("Studio")
       .constructor<>()
       .function("putFile", &Studio::put_file)
+      .function("removeFile", &Studio::remove_file)
       .function("open", &Studio::open)
+      .function("chooseRecord", &Studio::choose_record)
       .function("inUnits", &Studio::in_units)
       .function("schema", &Studio::schema)
       .function("recordUnit", &Studio::record_unit)

@@ -11,6 +11,9 @@
 #include "bentur/io/file_identity.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/run_results.h"
+#include "bentur/study/gap/gap_study.h"
+#include "bentur/study/suite/suite_run.h"
+#include "shell_answers.h"
 
 namespace bentur {
 class CaseMemo;
@@ -29,10 +32,17 @@ class Studio {
 
   /// A file that cases may name, at a path relative to the case.
   void put_file(const std::string& path, const std::string& bytes);
+  /// From then on it is not there.
+  void remove_file(const std::string& path);
 
   /// Reads a case. One whose matrices are more than a page can take is refused before they are made.
   /// @return {ok, errors}
   [[nodiscard]] std::string open(const std::string& text, const std::string& file);
+
+  /// Of a case with a suite that has just been opened makes it that of one record, from 1: what follows is of it. Where
+  /// there is no such record it stays that of all of them.
+  /// @return {ok, errors, record: which it is, 0: all, records: how many there are}
+  [[nodiscard]] std::string choose_record(int number);
 
   /// How many contact points each gap of the case that is open has, by the building to its left; none of buildings in
   /// plan. @return {ok, errors, counts}
@@ -51,12 +61,13 @@ class Studio {
 
   /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
   /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
-  /// answers false the run ends. A case with a spectrum has its gaps computed instead: it has no impacts, motion and
-  /// histories. @return {ok, errors, seconds}
+  /// answers false the run ends. A case with a spectrum has its gaps computed instead, one with a suite the runs of all
+  /// records in short and then the gaps over them: these have no impacts, motion and histories. @return {ok, errors,
+  /// seconds}
   [[nodiscard]] std::string solve(const emscripten::val& output_step, const emscripten::val& progress);
 
-  // Of the run, or the gaps by a spectrum. @throws nothing; empty before there is one.
-  [[nodiscard]] std::string summary() const;                            ///< summary.json
+  // Of the run, the gaps by a spectrum, or all records of a suite. @throws nothing; empty before there is one.
+  [[nodiscard]] std::string summary() const;                            ///< summary.json, or as bentur run --json
   [[nodiscard]] std::string impacts() const;                            ///< impacts.csv
   [[nodiscard]] std::string gaps() const;                               ///< as bentur gap --json
   [[nodiscard]] std::string modes() const;                              ///< as bentur modes --json
@@ -86,6 +97,8 @@ class Studio {
  private:
   /// Says of a record what it is by its content.
   void know(ExcitationSpec& excitation);
+  [[nodiscard]] Json solve_suite(const emscripten::val& progress);
+  [[nodiscard]] Json suite_overview(const Words& say) const;
 
   std::unique_ptr<CaseMemo> memo_;  // buildings and records of the cases that were open: a gap that moves leaves them
   std::map<std::string, FileIdentity> identities_;  // of records, which are large
@@ -93,6 +106,10 @@ class Studio {
   std::optional<Problem> problem_;
   std::optional<RunResults> run_;
   std::optional<SpectralGaps> spectral_;
+  std::shared_ptr<const SuiteSpec> suite_;  // of the case that is open, also where one of its records is chosen
+  std::size_t record_ = 0;                  // from 1; 0: all
+  std::optional<SuiteRun> suite_run_;       // and its gaps
+  std::optional<GapStudy> suite_gaps_;
   std::optional<ReadPlan> plan_;  // in place of case and problem, and its run
   std::optional<PlanRun> plan_run_;
   GroundMotion motion_;  // of the figures that were made last, which another width of the gap leaves their spectrum

@@ -1,20 +1,34 @@
 #pragma once
 
+#include <cmath>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/core/errors.h"
+#include "bentur/core/units.h"
+#include "bentur/model/story/story.h"
+#include "bentur/model/suite/suite.h"
 #include "bentur/pounding/response.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/words.h"
+#include "bentur/solve/effort.h"
 
 namespace bentur::web {
 
 using Json = nlohmann::ordered_json;
+
+/// In it is the folder "cases", which case files are in.
+inline constexpr const char* case_folder = "/case";
+
+// A page must not stand still: what a run may take here, where the case itself allows more.
+inline constexpr double most_steps = 5e6;     // some ten seconds of a case of some floors
+inline constexpr double most_memory = 300e6;  // [byte]
 
 inline std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -43,6 +57,15 @@ inline Json too_much(const std::string& word, const Json& values = Json::object(
   return answer;
 }
 
+/// Where a run is more than a page takes, what is.
+inline std::optional<Json> beyond_page(const Effort& needed) {
+  if (needed.certain_steps > most_steps) {
+    return too_much("steps", {{"n", needed.certain_steps}, {"most", most_steps}});
+  }
+  if (needed.memory > most_memory) return too_much("memory.run", {{"n", std::ceil(needed.memory / 1e6)}});
+  return std::nullopt;
+}
+
 /// What may go wrong becomes an answer.
 template <typename Work>
 std::string guarded(const Work& work) {
@@ -56,6 +79,13 @@ std::string guarded(const Work& work) {
     return text_of(failure(error.what()));
   }
 }
+
+/// What there is of any case that is right. @param gaps by name
+[[nodiscard]] Json overview_of(const std::string& title, const Units& units, double duration, const Json& told,
+                               const std::vector<std::string>& gaps, const Story& story, const Words& say);
+[[nodiscard]] Json number_or_null(double value);
+/// The records that there are to choose from, and which one is chosen, from 1; 0: all of them.
+[[nodiscard]] Json suite_choice(const SuiteSpec& suite, std::size_t record);
 
 /// The largest displacement over that without contact, of floors that move; 0 where none does.
 [[nodiscard]] double largest_amplification(const Response& response);

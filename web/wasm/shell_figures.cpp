@@ -68,6 +68,12 @@ Figure figure_of(const RunResults& run, const std::string& kind, const FigureOpt
   return make_figure(run, kind, options);
 }
 
+/// Of all records of a suite there is one figure.
+Figure figure_of(const SuiteRun& run, const std::string& kind, const FigureOptions& options, const val&) {
+  if (kind != "suite") throw InvalidParameter("figure", kind, "must be \"suite\"");
+  return suite_figure(*run.c.excitation.suite, run.c.units, options);
+}
+
 /// Of buildings in plan no other widths are asked for.
 Figure figure_of(const PlanRun& run, const std::string& kind, const FigureOptions& options, const val&) {
   return make_figure(run, kind, options);
@@ -108,10 +114,11 @@ val panel_of(const Panel& panel, const PanelPlace& place) {
 val Studio::draw(const std::string& kind, const std::string& language, const val& wanted) const {
   val drawn = val::object();
   try {
-    if (!run_ && !plan_run_) return drawn;
+    if (!run_ && !plan_run_ && !suite_run_) return drawn;
     const FigureOptions options = options_of(language, wanted);
-    const Figure figure =
-        plan_run_ ? figure_of(*plan_run_, kind, options, wanted) : figure_of(*run_, kind, options, wanted);
+    const Figure figure = plan_run_    ? figure_of(*plan_run_, kind, options, wanted)
+                          : suite_run_ ? figure_of(*suite_run_, kind, options, wanted)
+                                       : figure_of(*run_, kind, options, wanted);
     const std::string caption = Words(language)(caption_key(kind, plan_run_.has_value()));
     const PlacedFigure placed = placed_figure(figure, caption);
     drawn.set("svg", placed.svg);
@@ -131,6 +138,7 @@ std::string Studio::figure_file(const std::string& kind, const std::string& lang
   try {
     const FigureOptions options = options_of(language, wanted);
     if (plan_run_) return figure_svg(figure_of(*plan_run_, kind, options, wanted));
+    if (suite_run_) return figure_svg(figure_of(*suite_run_, kind, options, wanted));
     return run_ ? figure_svg(figure_of(*run_, kind, options, wanted)) : "";
   } catch (const std::exception&) {
     return "";

@@ -9,6 +9,7 @@
 #include "bentur/model/story/story.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/spectral_report.h"
+#include "bentur/report/html/suite_report.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/scene/plan_scene.h"
 #include "bentur/report/story_text.h"
@@ -34,9 +35,9 @@ double largest_force(const Response& response) {
   return largest;
 }
 
-namespace {
-
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+namespace {
 
 Json list(const Eigen::VectorXd& values) {
   Json all = Json::array();
@@ -112,7 +113,8 @@ Json kinds_of(const Run& run, const Words& say) {
   return all;
 }
 
-/// What there is of any case that is right. @param gaps by name
+}  // namespace
+
 Json overview_of(const std::string& title, const Units& units, double duration, const Json& told,
                  const std::vector<std::string>& gaps, const Story& story, const Words& say) {
   return {{"ok", true},
@@ -123,6 +125,8 @@ Json overview_of(const std::string& title, const Units& units, double duration, 
           {"gaps", told},
           {"statements", statements_of(gaps, story, say)}};
 }
+
+namespace {
 
 std::vector<std::string> names_of(const Problem& problem) {
   std::vector<std::string> names;
@@ -192,6 +196,7 @@ std::string Studio::overview(const std::string& language) const {
   return guarded([&]() -> Json {
     const Words say(language);
     if (plan_run_) return plan_overview(*plan_run_, say);
+    if (suite_run_) return suite_overview(say);
     Json gaps = Json::array();
     if (spectral_) {
       for (const Gap& gap : gaps_of(*problem_))
@@ -222,6 +227,7 @@ std::string Studio::overview(const std::string& language) const {
     all["forceUnit"] = shown.units.force;
     all["amplification"] = largest_amplification(run.response);
     all["figures"] = kinds_of(run, say);
+    if (suite_) all["suite"] = suite_choice(*suite_, record_);
     return all;
   });
 }
@@ -233,6 +239,8 @@ std::string Studio::tables(const std::string& language) const {
       parts = table_parts(*plan_run_, language);
     else if (spectral_)
       parts = table_parts(*case_, *problem_, *spectral_, language);
+    else if (suite_run_)
+      parts = table_parts(*suite_run_, *suite_gaps_, language);
     else if (run_)
       parts = table_parts(*run_, language);
     Json all = Json::array();

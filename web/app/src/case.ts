@@ -15,6 +15,8 @@ export const inPlan = computed(() => (found.value?.leaves ?? []).some(({ path })
 
 export const result = signal<Result | null>(null);
 export const solvedText = signal("");
+/** Which record of a suite is shown in full, from 1; 0: all of them, in short. */
+export const chosen = signal(0);
 export const gap = signal(0); // the one that the slider is of
 export const curve = signal<CurvePoint[]>([]);
 

@@ -1,6 +1,6 @@
 // Which figures are to be drawn, and what came back: the solver draws them, each of the run that is shown.
 import { batch, effect, signal, untracked } from "@preact/signals";
-import { curve, gap, live, result, solvedText, text } from "./case";
+import { chosen, curve, gap, live, result, solvedText, text } from "./case";
 import { type Drawn, type Wanted } from "./solver";
 import { language } from "./texts";
 
@@ -53,7 +53,7 @@ export function take(made: Record<string, Drawn>) {
 
 function draw(kinds: [string, Wanted][]) {
   if (kinds.length === 0 || solvedText.value !== text.value) return; // a run that is under way brings its own
-  live.ask({ kind: "draw", text: text.value, language: language.value, draw: kinds }, (answer) => {
+  live.ask({ kind: "draw", text: text.value, record: chosen.value, language: language.value, draw: kinds }, (answer) => {
     if (answer.kind !== "drawn") return;
     for (const kind of Object.keys(answer.drawn)) fresh.add(kind);
     drawn.value = { ...drawn.value, ...answer.drawn };

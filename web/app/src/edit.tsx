@@ -3,10 +3,11 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { found, gap, inPlan, result, text } from "./case";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
-import { type CaseError, type Key, type Node, schema } from "./solver";
-import { addFile, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, travel, type, width } from "./state";
+import { type CaseError, type Files, type Key, type Node, schema } from "./solver";
+import { addFile, addFiles, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, travel, type, width } from "./state";
 import { canRedo, canUndo } from "./steps";
 import { count, type Part } from "./storeys";
+import { isSuite, placeOf, withFile } from "./suite";
 import { number, say } from "./texts";
 import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
 
@@ -223,32 +224,44 @@ export function Form() {
 
 const RECORD = 64, CASE = 1; // MiB
 
-/** A case is opened; anything else becomes the ground motion of the case. */
-export async function openFile(file: File) {
-  const isCase = /\.toml$/i.test(file.name);
-  const most = isCase ? CASE : RECORD;
-  if (file.size > most * 2 ** 20) {
-    complain("error.file", { name: file.name.slice(0, 60), size: most });
-    return;
-  }
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  problem.value = null;
-  if (isCase) {
-    load(new TextDecoder().decode(bytes));
-    return;
-  }
-  const name = file.name.replace(/[^\w.+ -]/g, "_").slice(0, 80);
+const isCaseFile = (file: File) => /\.toml$/i.test(file.name);
+
+async function bytesOf(file: File): Promise<Uint8Array | null> {
+  const most = isCaseFile(file) ? CASE : RECORD;
+  if (file.size <= most * 2 ** 20) return new Uint8Array(await file.arrayBuffer());
+  complain("error.file", { name: file.name.slice(0, 60), size: most });
+  return null;
+}
+
+/** A record that no case names yet: it becomes the ground motion of the case, of a suite one more. */
+async function addRecord(file: File, bytes: Uint8Array) {
+  const name = file.name.replace(/[^\w.+ -]/g, "_").slice(0, 80), quoted = JSON.stringify(name);
   // A file that says its unit refuses another one; a plain column does not say it.
-  addFile(name, bytes, (stated) => {
+  await addFile(name, bytes, (stated) => {
     const unit = leaf(found.value, ["excitation", "unit"])?.text ?? '"g"';
-    excite("record", { file: JSON.stringify(name), ...(stated === "" && { unit }) });
+    if (isSuite(found.value)) change(withFile(text.value, found.value, stated === "" ? `{ file = ${quoted}, unit = ${unit} }` : quoted));
+    else excite("record", { file: quoted, ...(stated === "" && { unit }) });
   });
 }
 
+/** A case is opened; anything else is a record: of those that a suite names each goes to its place. */
+export async function openFiles(given: File[]) {
+  problem.value = null;
+  const opened = given.find(isCaseFile), bytes = opened && await bytesOf(opened);
+  if (bytes) load(new TextDecoder().decode(bytes));
+  const placed: Files = [], others: [File, Uint8Array][] = [];
+  for (const file of given.filter((one) => !isCaseFile(one))) {
+    const record = await bytesOf(file), place = placeOf(found.value, file.name);
+    if (record && place) placed.push([place, record]);
+    else if (record) others.push([file, record]);
+  }
+  if (placed.length > 0) addFiles(placed);
+  for (const [file, record] of isSuite(found.value) ? others : others.slice(0, 1)) await addRecord(file, record);
+}
+
 export function FilePicker({ label: shown }: { label: string }) {
-  return <label class="file button">{shown}<input type="file" onChange={(event) => {
-    const file = event.currentTarget.files?.[0];
-    if (file) void openFile(file);
+  return <label class="file button">{shown}<input type="file" multiple onChange={(event) => {
+    void openFiles([...event.currentTarget.files ?? []]);
     event.currentTarget.value = "";
   }} /></label>;
 }

@@ -6,6 +6,7 @@ import { main } from "./animation";
 import { png, save } from "./save";
 import type { AxisPlace, Drawn, FigureOverview, PanelPlace, Result } from "./solver";
 import { curveDone, stale, takeFigure, time } from "./state";
+import { isStill } from "./still";
 import { number, say } from "./texts";
 
 const ofAxis = (axis: AxisPlace, value: number) => (axis.logarithmic
@@ -125,7 +126,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
 /** Every figure that the run gives, as its report has them, and what other widths of the gap would give. */
 export function Figures({ now }: { now: Result }) {
   const { points, gaps, units, figures, plan } = now.overview;
-  const hasCurve = curve.value.length > 1 && !plan; // of buildings in plan no other widths are simulated
+  const hasCurve = curve.value.length > 1 && !plan && !isStill(now.overview); // of buildings in plan no other widths are simulated
   const levels = points.map((one, i) => ({ ...one, i })) // in plan there are several points of one
     .filter((one) => points.findIndex(({ gap, elevation }) => gap === one.gap && elevation === one.elevation) === one.i);
   return (
@@ -137,16 +138,16 @@ export function Figures({ now }: { now: Result }) {
           {levels.map((one) => <option key={one.i} value={one.i} selected={one.i === point.value}>{gaps[one.gap].name}, {number(one.elevation)} {units.length}</option>)}
         </select></label>}
         {span.value && <button type="button" data-span onClick={() => { span.value = null; }}>{say("history.all")}</button>}
-        <span class="note">{say("history.hint")}</span>
+        {!isStill(now.overview) && <span class="note">{say("history.hint")}</span>}
       </p>
       <div class="sheets">
         {figures.filter((one) => one.tells).map((one) => <FigureView key={one.kind} {...one} />)}
         {hasCurve && <FigureView kind="gap-curve" overTime={false}
           caption={`${say("curve.note")}${curveDone.value < 1 ? ` ${say("curve.progress", { percent: Math.round(100 * curveDone.value) })}` : ""}`} />}
       </div>
-      <details><summary>{say("figures.more")}</summary>
+      {!isStill(now.overview) && <details><summary>{say("figures.more")}</summary>
         <ul class="note">{figures.filter((one) => !one.tells).map((one) => <li key={one.kind}>{one.caption} <Files {...one} /></li>)}</ul>
-      </details>
+      </details>}
     </section>
   );
 }

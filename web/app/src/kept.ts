@@ -1,5 +1,7 @@
 // The case over a reload, where the browser lets a page keep anything: a page from disk may be refused.
 import type { Files } from "./solver";
+import { uses } from "./suite";
+import { outline } from "./toml";
 
 /** What one works on: a text, and the files that were added to it. */
 export interface Work { text: string; files: Files }
@@ -15,7 +17,7 @@ const letters = (bytes: Uint8Array) => {
 
 export function keep({ text, files }: Work) {
   let left = MOST;
-  const all = files.filter(([name]) => text.includes(name)).map(([name, bytes]) => [name, (left -= bytes.length) >= 0 ? letters(bytes) : null]);
+  const all = files.filter(([name]) => text.includes(name) || uses(outline(text), name)).map(([name, bytes]) => [name, (left -= bytes.length) >= 0 ? letters(bytes) : null]);
   try {
     localStorage.setItem(KEY, JSON.stringify({ text, files: all }));
   } catch { /* it is not kept */ }

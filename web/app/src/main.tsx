@@ -1,14 +1,17 @@
 import { effect, useSignal } from "@preact/signals";
 import { render } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { result, text } from "./case";
+import { chosen, result, text } from "./case";
 import { cases } from "./cases";
 import { beginDrawing } from "./drawing";
-import { Editor, Errors, FilePicker, Form, GapSlider, goTo, listenToKeys, openFile, Units } from "./edit";
+import { Editor, Errors, FilePicker, Form, GapSlider, goTo, listenToKeys, openFiles, Units } from "./edit";
 import { Figures } from "./figures";
 import { fromFragment, linked } from "./link";
 import { MotionView } from "./animation";
+import type { Overview } from "./solver";
 import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
+import { nameOf } from "./schema";
+import { isStill } from "./still";
 import { begin, complain, isOwn, load, pinned, stale, standing, startAnew } from "./state";
 import "./style.css";
 import { Tables } from "./tables";
@@ -46,11 +49,22 @@ function Bar() {
   return <div class="bar" ref={bar}><GapSlider><Brief /></GapSlider><Stale /></div>;
 }
 
+/** All records of a suite in short, or one of them in full. */
+function RecordChoice({ suite }: Pick<Overview, "suite">) {
+  if (!suite) return null;
+  return (
+    <p class="controls"><label class="choice"><span>{nameOf("excitation", "file")} </span><select id="record" value={chosen.value} onChange={(event) => { chosen.value = Number(event.currentTarget.value); }}>
+      {[say("suite.all", { n: suite.records.length }), ...suite.records.map((one, i) => `${i + 1}: ${one.split("/").pop()}`)].map((one, i) => <option key={i} value={i} selected={i === chosen.value}>{one}</option>)}
+    </select></label></p>
+  );
+}
+
 function App() {
   const area = useRef<HTMLTextAreaElement>(null);
   const dropping = useSignal(false);
   const formOpen = useSignal(false); // a closed form costs nothing
-  const now = result.value, spectral = now?.overview.spectral;
+  const now = result.value, still = now && isStill(now.overview);
+  const remarks = (now?.overview.statements ?? []).filter((one) => one.severity === "remark");
   return (
     <div class={`page${dropping.value ? " dropping" : ""}`}
       onDragOver={(event) => { event.preventDefault(); dropping.value = true; }}
@@ -58,16 +72,16 @@ function App() {
       onDrop={(event) => {
         event.preventDefault();
         dropping.value = false;
-        const file = event.dataTransfer?.files[0];
-        if (file) void openFile(file);
+        void openFiles([...event.dataTransfer?.files ?? []]);
       }}>
       <Head />
       {dropping.value && <div class="drop">{say("drop")}</div>}
       <main id="results" class={stale.value ? "stale" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
         <Bar />
         <div class="lives">
-          {spectral && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><p class="still">{say("motion.none")}</p></section>}
-          {now && !spectral && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
+          {still && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><RecordChoice suite={now.overview.suite} /><p class="still">{say(now.overview.spectral ? "motion.none" : "suite.still")}</p></section>}
+          {now && !still && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
+            <RecordChoice suite={now.overview.suite} />
             <div class={pinned.value ? "motions" : ""}>
               <div>{pinned.value && <h3>{say("now")}: {caseOf(now.overview)}</h3>}
                 <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
@@ -77,7 +91,7 @@ function App() {
           <div class="said">
             <Errors goTo={(line, column) => goTo(area.current, line, column)} />
             <Verdict />
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{" "}· {say("verdict.remark")}: <span data-remarks>{now.overview.statements.filter((one) => one.severity === "remark").map((one) => one.text).join(" ")}</span></p>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{remarks.length > 0 && <>{" "}· {say("verdict.remark")}:</>}{" "}<span data-remarks>{remarks.map((one) => one.text).join(" ")}</span></p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>
@@ -86,8 +100,8 @@ function App() {
           </section>
         </div>
         {now && <div class="found">
-          {!spectral && <>
-          <Figures now={now} />
+          {!now.overview.spectral && <Figures now={now} />}
+          {!still && <>
           <Impacts now={now} />
           <Comparison now={now} />
           </>}

@@ -10,7 +10,9 @@ declare module "*.css";
 declare module "*/bentur_web.mjs" {
   export interface Studio {
     putFile(path: string, bytes: Uint8Array | string): void;
+    removeFile(path: string): void;
     open(text: string, file: string): string;
+    chooseRecord(number: number): string;
     schema(): string;
     recordUnit(path: string): string;
     inUnits(text: string, length: string, force: string): string;

@@ -41,6 +41,8 @@ export interface Overview {
   buildings: BuildingOverview[]; points: { gap: number; elevation: number; along?: string }[]; impacts: ImpactRow[];
   impactCount: number; force: number; amplification: number; statements: Said[];
   figures: FigureOverview[];
+  /** Of a case with a suite its records by their files, and which one this is of, from 1; 0: all. */
+  suite: { records: string[]; record: number } | null;
 }
 /** A section of the report. */
 export interface PagePart { id: string; heading: string; markup: string }
@@ -61,7 +63,9 @@ export interface Schema { case: Node; units: Record<"length" | "force", Record<s
 export interface CurvePoint { width: number; force: number; amplification: number }
 export type Take = "summary" | "impacts" | "gaps" | "modes" | "report" | "figure" | "histories";
 export type Files = [string, Uint8Array][];
-interface Common { id: number; text: string; language: string; files?: Files }
+/** Files that come to stand somewhere, or no longer do. */
+export type Placed = [string, Uint8Array | null][];
+interface Common { id: number; text: string; record?: number; language: string; files?: Placed }
 export type Request = Common & (
   | { kind: "run"; step: number | null; draw: Draw }
   | { kind: "draw"; draw: Draw }
@@ -74,7 +78,7 @@ export type Result = { overview: Overview; motion: string; drawn: Record<string,
 export type Answer = { id: number } & (
   | { kind: "schema"; schema: Schema }
   | { kind: "refused"; errors: CaseError[] }
-  | { kind: "progress"; done: number }
+  | { kind: "progress"; done: number; part: number }
   | ({ kind: "result" } & Result)
   | { kind: "drawn"; drawn: Record<string, Drawn> }
   | { kind: "histories"; histories: Histories; overview: Overview }
@@ -84,7 +88,7 @@ export type Answer = { id: number } & (
 
 type AnyRequest = Pick<Request, "kind"> & { [key: string]: unknown };
 interface Asked { request: AnyRequest; hear: (answer: Answer) => void }
-const LIMIT = 20000; // [ms] that anything may take
+const LIMIT = 20000; // [ms] that anything may take, of a suite each record
 const MOMENT = 700; // [ms] after which it is said that something is under way
 
 /** Nothing until a solver is there. */
@@ -97,9 +101,10 @@ export class Solver {
   private waiting: Asked[] = [];
   private sent = 0;
   private timer = 0;
+  private part = 0;
   private moment = 0;
-  /** Every file that cases may name. */
-  files: Files = [];
+  /** What has become of the files that cases may name, in this order. */
+  files: Placed = [];
 
   /** `slow` hears when something takes longer than a moment, and when it no longer runs. */
   constructor(private readonly slow: (yes: boolean) => void = () => undefined) {}
@@ -111,6 +116,7 @@ export class Solver {
       if (data.kind === "schema") schema.value = data.schema;
       if (!this.running || data.id !== this.running.id) return;
       const { hear } = this.running;
+      if (data.kind === "progress" && data.part !== this.part) this.limit(data.part);
       const over = data.kind !== "progress" && !(data.kind === "curve" && data.done < 1);
       if (over) this.rest();
       hear(data);
@@ -118,6 +124,13 @@ export class Solver {
     };
     this.worker.onerror = () => this.giveUp("worker");
     return this.worker;
+  }
+
+  /** From now on what is under way, or another part of it, has its time. */
+  private limit(part: number) {
+    clearTimeout(this.timer);
+    this.part = part;
+    this.timer = window.setTimeout(() => this.giveUp("limit"), LIMIT);
   }
 
   private rest() {
@@ -133,7 +146,7 @@ export class Solver {
     this.running = { ...asked, id: ++this.last };
     const files = this.sent < this.files.length ? this.files.slice(this.sent) : undefined;
     this.sent = this.files.length;
-    this.timer = window.setTimeout(() => this.giveUp("limit"), LIMIT);
+    this.limit(0);
     if (asked.request.kind !== "draw") this.moment = window.setTimeout(() => this.slow(true), MOMENT); // of what is there already
     this.awake.postMessage({ ...asked.request, id: this.last, files });
   }

@@ -1,12 +1,14 @@
 // What becomes of the case that stands there: it is changed, run, kept, and given away.
 import { batch, computed, effect, signal, untracked } from "@preact/signals";
-import { before, curve, files, found, gap, live, progress, result, slow, solvedText, text } from "./case";
+import { before, chosen, curve, files, found, gap, live, progress, result, slow, solvedText, text } from "./case";
 import { cases, records } from "./cases";
 import { take as takeDrawn, wanted, wantedNow } from "./drawing";
 import { forget, keep } from "./kept";
-import { type Answer, type CaseError, type Files, type Result, Solver, type Take } from "./solver";
+import { type Answer, type CaseError, type Files, type Placed, type Result, Solver, type Take } from "./solver";
 import { record, step } from "./steps";
+import { isStill } from "./still";
 import { grown, type Part, withoutPoints, withPoints } from "./storeys";
+import { isSuite, named, uses } from "./suite";
 import { hasWord, language, number, say, type Word } from "./texts";
 import { leaf, outline, widths, withWidth } from "./toml";
 
@@ -27,7 +29,7 @@ const solvedWith = signal<Files>([]);
 
 /** Whether the results that are shown are of another case than the one that stands there, which is wrong or takes its time. */
 export const stale = computed(() => result.value !== null && (errors.value.length > 0 || slow.value) &&
-  (text.value !== solvedText.value || files.value !== solvedWith.value));
+  (text.value !== solvedText.value || files.value !== solvedWith.value || (result.value.overview.suite?.record ?? 0) !== chosen.value));
 
 /** What is being typed in place of a text, and which run was asked for and answered last. */
 const typed = signal<{ base: string; next: string; timer: number } | null>(null);
@@ -52,7 +54,7 @@ export function told(one: CaseError): Told {
 /** The record that the case names and a link has no room for. */
 export const ownRecord = computed(() => {
   const name = leaf(found.value, ["excitation", "file"])?.value;
-  return files.value.some(([one]) => one === name);
+  return files.value.some(([one]) => one === name || uses(found.value, one));
 });
 /** Whether what stands there is not what the page begins with. */
 export const isOwn = computed(() => text.value !== cases[0].text || files.value.length > 0);
@@ -62,18 +64,31 @@ export const width = computed(() => {
 });
 
 const behind = new Solver(); // curves and files, so that nothing waits for them
-const give = (more: Files) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
-give([...records.flatMap(([name, bytes]): Files => [[name, bytes], [`../data/${name}`, bytes], [`../../data/${name}`, bytes]]), ...files.value]);
+const give = (more: Placed) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
+const builtIn = records.flatMap(([name, bytes]): Files => [[name, bytes], [`../data/${name}`, bytes], [`../../data/${name}`, bytes]]);
+const coming = new Map<string, Uint8Array>(); // of which it is not known yet how a case is to name them
+let stand = new Map<string, Uint8Array>();
+
+/** Puts the files of the case that stands there where it may name them, and takes away those that are no longer its own. No
+ *  pattern of a suite finds the page's records. */
+function place() {
+  const next = new Map([...builtIn.filter(([name]) => !isSuite(found.value) || named(found.value).includes(name)), ...files.value, ...coming]);
+  const gone = [...stand.keys()].filter((name) => !next.has(name)).map((name): Placed[number] => [name, null]);
+  const come = [...next].filter(([name, bytes]) => stand.get(name) !== bytes);
+  if (gone.length + come.length > 0) give([...gone, ...come]);
+  stand = next;
+}
 
 let settle = 0, curveText = "", curveFiles: Files = [];
 
 /** Runs the text: roughly sampled at once, finely when nothing has changed for a moment. */
 function run(fine: boolean) {
-  const wanted = text.value, used = files.value;
+  const wanted = text.value, used = files.value, record = chosen.value;
   clearTimeout(settle);
+  place();
   const duration = result.value?.overview.duration ?? 20;
   const number = asked.value += 1;
-  live.ask({ kind: "run", text: wanted, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002), draw: wantedNow() }, (answer) => {
+  live.ask({ kind: "run", text: wanted, record, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002), draw: wantedNow() }, (answer) => {
     if (answer.kind === "progress") progress.value = answer.done;
     if (answer.kind === "refused") batch(() => { errors.value = answer.errors; answered.value = number; });
     if (answer.kind === "result") {
@@ -85,8 +100,9 @@ function run(fine: boolean) {
         solvedText.value = wanted;
         solvedWith.value = used;
         if (gap.value >= answer.overview.gaps.length) gap.value = 0;
+        if (chosen.value === record) chosen.value = answer.overview.suite?.record ?? 0; // a suite may have fewer than before
       });
-      if (text.value === wanted && files.value === used) {
+      if (text.value === wanted && files.value === used && chosen.value === record) {
         if (!answer.fine) settle = window.setTimeout(() => run(true), 250);
         else drawCurve(wanted);
       }
@@ -97,15 +113,15 @@ function run(fine: boolean) {
 /** The curve belongs to the case without its gap's width: a drag of the slider does not make it anew. */
 function drawCurve(wanted: string) {
   const overview = result.value?.overview;
-  if (!overview || overview.spectral || overview.plan || widths(outline(wanted), gap.value).length === 0) return;
-  const key = `${gap.value}|${withWidth(wanted, gap.value, 0)}`;
+  if (!overview || isStill(overview) || overview.plan || widths(outline(wanted), gap.value).length === 0) return;
+  const key = `${chosen.value}|${gap.value}|${withWidth(wanted, gap.value, 0)}`;
   if (key === curveText && files.value === curveFiles) return;
   [curveText, curveFiles] = [key, files.value];
   const needed = overview.gaps[gap.value]?.needed ?? 0;
   const most = Math.max(1.25 * needed, 1e-9);
   const list = Array.from({ length: 41 }, (_, k) => (most * k) / 40);
   curve.value = [];
-  behind.ask({ kind: "curve", text: wanted, language: language.value, gap: gap.value, widths: list }, (answer) => {
+  behind.ask({ kind: "curve", text: wanted, record: chosen.value, language: language.value, gap: gap.value, widths: list }, (answer) => {
     if (answer.kind === "curve") batch(() => { curve.value = answer.curve; curveDone.value = answer.done; });
     else if (answer.kind === "refused") { curveDone.value = 1; curveText = ""; }
   });
@@ -143,7 +159,6 @@ export function travel(by: -1 | 1) {
   settleTyping();
   const then = step(by);
   if (!then) return;
-  give(then.files.filter((one) => !files.value.includes(one)));
   batch(() => {
     text.value = then.text;
     files.value = then.files;
@@ -181,6 +196,7 @@ export function load(given: string) {
     text.value = next;
     loads.value += 1;
     gap.value = 0;
+    chosen.value = 0;
     curve.value = [];
     problem.value = null;
   });
@@ -203,14 +219,23 @@ export function inUnits(length: string, force: string) {
   });
 }
 
+/** Files that the case names already. */
+export function addFiles(added: Files) {
+  files.value = [...files.value.filter(([one]) => !added.some(([name]) => name === one)), ...added];
+}
+
 /** A file that cases may name from then on, as far as `then` makes it so when it is told which unit the file says it is in;
  *  "" where it says none. */
-export function addFile(name: string, bytes: Uint8Array, then: (unit: string) => void) {
-  const added: Files[number] = [name, bytes];
-  give([added]);
-  live.ask({ kind: "record", name }, (answer) => batch(() => {
-    files.value = [...files.value.filter(([one]) => one !== name), added];
-    then(answer.kind === "text" ? answer.text : "");
+export function addFile(name: string, bytes: Uint8Array, then: (unit: string) => void): Promise<void> {
+  coming.set(name, bytes);
+  place();
+  return new Promise((done) => live.ask({ kind: "record", name }, (answer) => {
+    coming.delete(name);
+    batch(() => {
+      addFiles([[name, bytes]]);
+      then(answer.kind === "text" ? answer.text : "");
+    });
+    done();
   }));
 }
 
@@ -231,7 +256,7 @@ export function grow(building: number, part: Part, by: 1 | -1) {
 
 function answerTo<Kind extends Answer["kind"]>(kind: Kind, request: object): Promise<Extract<Answer, { kind: Kind }>> {
   return new Promise((resolve, reject) => {
-    behind.ask({ kind: "take", text: text.value, language: language.value, ...request }, (answer) => {
+    behind.ask({ kind: "take", text: text.value, record: chosen.value, language: language.value, ...request }, (answer) => {
       if (answer.kind === kind) resolve(answer as Extract<Answer, { kind: Kind }>);
       if (answer.kind === "refused") reject(told(answer.errors[0]));
     });
@@ -267,6 +292,7 @@ export function begin() {
   effect(() => {
     void text.value;
     void files.value;
+    void chosen.value;
     void language.value;
     untracked(() => run(false));
   });

@@ -1,5 +1,6 @@
 import { useSignal } from "@preact/signals";
 import type { PagePart, Result } from "./solver";
+import { isStill } from "./still";
 import { say } from "./texts";
 
 /** A section of the report, whose markup is the library's: no text of a case is markup in it. What is closed costs nothing. */
@@ -18,7 +19,7 @@ export function Tables({ now }: { now: Result }) {
   return (
     <section id="tables">
       <h2>{say("tables")}</h2>
-      {now.tables.map((one) => <Part key={`${one.id} ${now.overview.spectral}`} one={one} isOpen={now.overview.spectral} />)}
+      {now.tables.map((one) => <Part key={`${one.id} ${isStill(now.overview)}`} one={one} isOpen={isStill(now.overview)} />)}
     </section>
   );
 }

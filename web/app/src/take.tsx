@@ -5,6 +5,7 @@ import { linked, toFragment } from "./link";
 import { caseOf, Stale } from "./results";
 import { png, save } from "./save";
 import type { Histories, Overview, Result } from "./solver";
+import { isStill } from "./still";
 import { ownRecord, stale, take, takeHistories, type Told } from "./state";
 import { say } from "./texts";
 
@@ -87,8 +88,8 @@ export function Take() {
       <p class="controls">
         <button type="button" data-take="case" onClick={() => save("case.toml", text.value, "application/toml")}>{say("edit.text")}</button>
         <button type="button" data-take="link" onClick={link}>{say("take.link")}</button>
-        {now && !now.overview.spectral && <>
-          <button type="button" disabled={stale.value} data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>
+        {now && !now.overview.spectral && <button type="button" disabled={stale.value} data-take="summary" onClick={fetched("summary", "summary.json", "application/json")}>{say("take.summary")}</button>}
+        {now && !isStill(now.overview) && <>
           <button type="button" disabled={stale.value} data-take="impacts" onClick={fetched("impacts", "impacts.csv", "text/csv")}>{say("take.impacts")}</button>
           <button type="button" disabled={stale.value} data-take="histories" onClick={() => { takeHistories().then((all) => save("histories.csv", historiesCsv(all), "text/csv")).catch((error: Told) => tell(error)); }}>{say("take.histories")}</button>
           <button type="button" disabled={stale.value} data-take="svg" onClick={() => save("buildings.svg", stageSvg(now), "image/svg+xml")}>{say("take.svg")}</button>

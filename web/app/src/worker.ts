@@ -1,5 +1,6 @@
 // The solver, away from the page: one request at a time, each answered once, with progress on the way.
 import createBentur, { deflated, type Studio } from "@repo/build/web/bentur_web.mjs";
+import { isStill } from "./still";
 import type { Answer, CaseError, CurvePoint, Draw, Drawn, Overview, Request, Schema } from "./solver";
 
 const post = (answer: Answer, transfer: Transferable[] = []) => self.postMessage(answer, { transfer });
@@ -16,8 +17,9 @@ const ready: Promise<Studio> = inflated().then((wasmBinary) => createBentur({ wa
   return studio;
 });
 /** What a case has not that is not run. */
-const still = { plan: false, figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, forceUnit: "", amplification: 0 };
+const still = { plan: false, figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, forceUnit: "", amplification: 0, suite: null };
 let opened = "";
+const keyOf = (record: number | undefined, text: string) => `${record ?? 0}|${text}`;
 let stop = 0; // curves up to this number are no longer wanted
 
 function buffers(value: unknown, found: Transferable[] = []): Transferable[] {
@@ -30,7 +32,8 @@ async function answer(request: Request): Promise<void> {
   const studio = await ready;
   const { id } = request;
   for (const [path, bytes] of request.files ?? []) {
-    studio.putFile(path, bytes);
+    if (bytes) studio.putFile(path, bytes);
+    else studio.removeFile(path);
     opened = "";
   }
   const refused = ({ errors }: { errors: CaseError[] }) => post({ id, kind: "refused", errors });
@@ -41,27 +44,33 @@ async function answer(request: Request): Promise<void> {
   }
   const drawn = (draw: Draw): Record<string, Drawn> => Object.fromEntries(draw.map(([kind, wanted]) => [kind, studio.draw(kind, request.language, wanted)]));
   if (request.kind === "draw") {
-    const made = opened === request.text ? drawn(request.draw) : {};
+    const made = opened === keyOf(request.record, request.text) ? drawn(request.draw) : {};
     return post({ id, kind: "drawn", drawn: made }, buffers(made));
   }
   const started = performance.now();
-  if (request.kind !== "curve" || opened !== request.text) {
-    const result = JSON.parse(studio.open(request.text, "case.toml"));
-    opened = result.ok ? request.text : "";
+  let parts = 1; // of a suite the runs of its records, and then their gaps
+  if (request.kind !== "curve" || opened !== keyOf(request.record, request.text)) {
+    let result = JSON.parse(studio.open(request.text, "case.toml"));
+    if (result.ok) result = JSON.parse(studio.chooseRecord(request.record ?? 0));
+    opened = result.ok ? keyOf(result.record, request.text) : "";
     if (!result.ok) return refused(result);
+    if (result.record === 0) parts = Math.max(1, 2 * result.records);
   }
+  let heard = started, part = 0;
+  const progress = (done: number) => {
+    const now = performance.now(), reached = Math.floor(done * parts);
+    if (now - heard > 200 || reached !== part) {
+      post({ id, kind: "progress", done, part: reached });
+      [heard, part] = [now, reached];
+    }
+    return true;
+  };
   if (request.kind === "contacts") {
     const found = JSON.parse(studio.contacts());
     return found.ok ? post({ id, kind: "contacts", counts: found.counts }) : refused(found);
   }
   if (request.kind === "run") {
-    let heard = started;
-    const solved = JSON.parse(studio.solve(request.step, (done) => {
-      const now = performance.now();
-      if (now - heard > 200) post({ id, kind: "progress", done });
-      if (now - heard > 200) heard = now;
-      return true;
-    }));
+    const solved = JSON.parse(studio.solve(request.step, progress));
     if (!solved.ok) return refused(solved);
     const told = JSON.parse(studio.overview(request.language));
     if (!told.ok) return refused(told);
@@ -72,14 +81,15 @@ async function answer(request: Request): Promise<void> {
     const gaps = overview.gaps.map((one) => one.name);
     for (const one of overview.statements) one.gap = one.gap === null ? null : gaps.indexOf(String(one.gap));
     for (const one of [...overview.gaps, ...overview.buildings]) one.name = clip(one.name);
-    const made = overview.spectral ? {} : drawn(request.draw);
+    const has = (kind: string) => kind === "gap-curve" ? !isStill(overview) : overview.figures.some((one) => one.kind === kind);
+    const made = drawn(request.draw.filter(([kind]) => has(kind))); // what is in sight may be of another case
     const { tables } = JSON.parse(studio.tables(request.language));
     return post({ id, kind: "result", overview, motion: studio.motion(request.language), drawn: made, tables,
-      milliseconds: performance.now() - started, fine: overview.spectral || request.step === null }, buffers(made));
+      milliseconds: performance.now() - started, fine: isStill(overview) || request.step === null }, buffers(made));
   }
   if (request.kind === "take") {
     const isDrawn = request.what === "report" || request.what === "figure" || request.what === "histories";
-    const solved = JSON.parse(studio.solve(isDrawn ? null : 0, null));
+    const solved = JSON.parse(studio.solve(isDrawn ? null : 0, progress));
     if (!solved.ok) return refused(solved);
     if (request.what === "histories") {
       const histories = studio.histories();

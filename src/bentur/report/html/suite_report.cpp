@@ -11,12 +11,7 @@
 #include "bentur/study/suite/suite_hand_in.h"
 
 namespace bentur {
-namespace {
 
-using html::element;
-using html::Html;
-
-/// What is told of runs and gaps, each sentence once.
 Story suite_page_story(const SuiteRun& run, const GapStudy& gaps) {
   Story story = suite_run_story(run);
   Story of_gaps = gap_study_story(gaps);
@@ -28,6 +23,12 @@ Story suite_page_story(const SuiteRun& run, const GapStudy& gaps) {
   return story;
 }
 
+namespace {
+
+using html::element;
+using html::Html;
+using html::PageSection;
+
 Html suite_tables(const html::Report& report, const char* first, const char* second) {
   Html content;
   for (const StoryTable& table : report.story.tables) {
@@ -38,7 +39,30 @@ Html suite_tables(const html::Report& report, const char* first, const char* sec
   return content;
 }
 
+PageSection suite_section(const html::Report& report) {
+  return {"records", report.say("suite.records"), suite_tables(report, "suite", "suite_buildings")};
+}
+
+PageSection suite_runs_section(const html::Report& report) {
+  return {"runs", report.say("heading.peaks"), suite_tables(report, "suite_runs", "")};
+}
+
+PageSection suite_gaps_section(const html::Report& report) {
+  std::vector<StoryTable> of_gaps = report.story.tables;
+  std::erase_if(of_gaps, [](const StoryTable& one) { return !one.gap; });
+  return {"gaps", report.say("heading.gaps"),
+          html::gap_tables(report, of_gaps) + element("p", report.say("suite.note"), "class=\"note\"")};
+}
+
 }  // namespace
+
+std::vector<PagePart> table_parts(const SuiteRun& run, const GapStudy& gaps, const std::string& language) {
+  const Words say(language);
+  const Response none;
+  const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
+                            suite_page_story(run, gaps),      {}};
+  return html::parts({suite_section(report), suite_runs_section(report), suite_gaps_section(report)});
+}
 
 std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options) {
   const Words say(options.language);
@@ -46,8 +70,6 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
   const html::Report report{
       {run.problem, none, run.c.units},      run.c, run.problem, none, say, suite_page_story(run, gaps), {}, {},
       run.c.project || !options.head.empty()};
-  std::vector<StoryTable> of_gaps = report.story.tables;
-  std::erase_if(of_gaps, [](const StoryTable& one) { return !one.gap; });
   const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(
       {{"suite", "the spectra"}},
@@ -57,13 +79,8 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
       "figure.", options.language);
   html::PageBody body{
       .header = html::title_block(report, title, say("suite.by", {{"version", options.version}}), options),
-      .sections = {html::verdict_section(report),
-                   {"records", say("suite.records"), suite_tables(report, "suite", "suite_buildings")},
-                   html::figures_section(say, figures),
-                   {"runs", say("heading.peaks"), suite_tables(report, "suite_runs", "")},
-                   {"gaps", say("heading.gaps"),
-                    html::gap_tables(report, of_gaps) + element("p", say("suite.note"), "class=\"note\"")},
-                   html::input_section(report)}};
+      .sections = {html::verdict_section(report), suite_section(report), html::figures_section(say, figures),
+                   suite_runs_section(report), suite_gaps_section(report), html::input_section(report)}};
   if (report.to_hand_in) {
     const HandIn told = suite_hand_in(run, gaps);
     std::vector<html::PageSection>& all = body.sections;

@@ -1,0 +1,110 @@
+// Of a case with a suite: all of its records in short, or one of them.
+#include <emscripten/val.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/model/limits.h"
+#include "bentur/model/suite/suite.h"
+#include "bentur/pounding/pounding.h"
+#include "bentur/report/html/page_parts.h"
+#include "bentur/report/html/suite_report.h"
+#include "shell.h"
+#include "shell_answers.h"
+
+namespace bentur::web {
+namespace {
+
+/// Where one of the records alone is more than a page takes, what is. Their sum is the user's to wait for.
+std::optional<Json> too_large_record(const Case& c, const Problem& still) {
+  for (std::size_t i = 0; i < c.excitation.suite->records.size(); ++i) {
+    const Case one = case_of_record(c, i);
+    const Problem problem = make_problem(one, still.buildings);
+    SolveOptions options = solve_options(one);
+    options.levels = options.both_ways = options.energy_audit = false;  // as run_suite()
+    if (std::optional<Json> answer = beyond_page(effort(problem, one.analysis.solver, options))) return answer;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Json suite_choice(const SuiteSpec& suite, std::size_t record) {
+  Json names = Json::array();
+  for (const SuiteRecord& one : suite.records) names.push_back(one.echo.file);
+  return {{"records", std::move(names)}, {"record", record}};
+}
+
+std::string Studio::choose_record(int number) {
+  return guarded([&]() -> Json {
+    const std::size_t count = suite_ ? suite_->records.size() : 0;
+    if (case_ && case_->excitation.suite && number > 0 && static_cast<std::size_t>(number) <= count) {
+      Case one = case_of_record(*case_, static_cast<std::size_t>(number - 1));
+      problem_ = make_problem(one, std::move(problem_->buildings));
+      case_ = std::move(one);
+      record_ = static_cast<std::size_t>(number);
+    }
+    return {{"ok", true}, {"errors", Json::array()}, {"record", record_}, {"records", count}};
+  });
+}
+
+Json Studio::solve_suite(const emscripten::val& progress) {
+  if (std::optional<Json> answer = too_large_record(*case_, *problem_)) return *answer;
+  const auto told = [&](double done) { return progress.isNull() || progress(done).template as<bool>(); };
+  SuiteRun run = run_suite(*case_, [&](double done) { return told(done / 2); });
+  if (!run.is_whole()) return failure("stopped");
+  const std::filesystem::path file = std::filesystem::path(case_folder) / "cases" / case_->source->file;
+  Diagnostics diagnostics;
+  std::optional<GapStudy> gaps;
+  try {
+    gaps = gap_study(
+        *case_, file, [&](double done) { return told((1 + done) / 2); }, diagnostics);
+  } catch (const std::runtime_error& error) {
+    return failure(std::string("the numbers failed: ") + error.what());
+  }
+  if (!gaps) {
+    Json errors = Json::array();
+    for (const Diagnostic& one : diagnostics.errors()) errors.push_back(error_of(one));
+    return {{"ok", false}, {"errors", errors}};
+  }
+  if (!gaps->is_whole()) return failure("stopped");
+  suite_run_ = std::move(run);
+  suite_gaps_ = std::move(gaps);
+  return {{"ok", true}, {"errors", Json::array()}, {"seconds", 0}};
+}
+
+Json Studio::suite_overview(const Words& say) const {
+  const RecordNeeds& needs = suite_gaps_->needs.front();
+  const bool collapses =
+      std::any_of(needs.records.begin(), needs.records.end(), [](const RecordNeed& one) { return one.collapsed; });
+  Json gaps = Json::array();
+  std::vector<std::string> names;
+  for (std::size_t g = 0; g < suite_gaps_->gaps.size(); ++g) {
+    const GapOverRecords& over = needs.gaps[g];
+    const std::vector<double>& widths = over.given.front().widths;
+    const auto narrowest = std::min_element(widths.begin(), widths.end());
+    names.push_back(suite_gaps_->gaps[g].name);
+    gaps.push_back({{"name", names.back()},
+                    {"width", narrowest == widths.end() ? 0 : *narrowest},
+                    {"needed", collapses ? Json() : number_or_null(over.largest.gap_needed)}});
+  }
+  double longest = 0;
+  for (const SuiteRecord& one : suite_->records) {
+    longest = std::max(longest, suite_->duration.value_or(one.echo.duration));
+  }
+  Json all =
+      overview_of(case_->title, case_->units, longest, gaps, names, suite_page_story(*suite_run_, *suite_gaps_), say);
+  all["spectral"] = false;
+  all["suite"] = suite_choice(*suite_, 0);
+  all["figures"] = Json::array(
+      {{{"kind", "suite"}, {"caption", say(caption_key("suite", false))}, {"tells", true}, {"overTime", false}}});
+  return all;
+}
+
+}  // namespace bentur::web
