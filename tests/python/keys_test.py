@@ -19,11 +19,12 @@ BEYOND = {
             contact-restitution-length contact-stiffness-length damping-modal-length-rotations
             damping-modal-length delays-length gap-count gap-widths-length gap-widths-without-points
             generic-lists-length gravity-loads-length initial-length isolation-initial-length
-            length-of-list link-length matrices-not-square modal-damping-length modal-lengths
+            length-of-list link-length plan-polygon-pairs matrices-not-square modal-damping-length modal-lengths
             modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
             plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing plan-link-not-facing
-            plan-not-held-against-rotation""",
+            plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
+            plan-polygon-crosses plan-polygon-link plan-polygon-not-convex plan-polygon-overlap""",
         "order of numbers": """
             column-elevations-order gap-elevations-order matrices-elevations-order
             modal-elevations-order rayleigh-equal-periods rigid-elevations-order
@@ -52,7 +53,8 @@ BEYOND = {
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
-            plan-friction-of-law plan-gap-width plan-link-without-place matrices-damping-none
+            plan-friction-of-law plan-gap-width plan-link-without-place
+            plan-size-without-corner matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice
             spectrum-damping-of-code spectrum-long-period spectrum-with-bearings-that-yield

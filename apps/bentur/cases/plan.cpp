@@ -63,10 +63,13 @@ std::string building_line(const PlanBuilding& building) {
 std::string gap_line(const LoadedPlan& loaded, std::size_t g) {
   const PlanGap& gap = loaded.problem.gaps[g];
   const std::string& length = loaded.c.units.length;
+  const PlanPoint& n = gap.stretch.n;
+  const std::string across = gap.stretch.is_oblique()  ? fmt::format("({}, {})", number(n.x()), number(n.y()))
+                             : gap.stretch.across == 0 ? "x"
+                                                       : "y";
   return fmt::format("{}: {} {} apart along {}, {} {} of stretch, {}, {}\n", gap_name(loaded.problem, gap),
-                     number(gap.stretch.width), length, gap.stretch.across == 0 ? "x" : "y",
-                     number(gap.stretch.to - gap.stretch.from), length, counted(gap.contacts.size(), "contact point"),
-                     loaded.c.gaps[g].contact.law);
+                     number(gap.stretch.width), length, across, number(gap.stretch.to - gap.stretch.from), length,
+                     counted(gap.contacts.size(), "contact point"), loaded.c.gaps[g].contact.law);
 }
 
 /// How much of each mode is along x, along y, and rotation: parts of φᵀMφ = 1 [%].

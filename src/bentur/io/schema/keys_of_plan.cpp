@@ -6,15 +6,30 @@ namespace {
 
 constexpr int most_floors_in_plan = 1000;
 
+constexpr int most_corners = 100;
+
 Key corner_of_footprint() {
-  return Key::number("corner", dimension::length, Range::level, {"Corner", "Sudut"},
-                     "the lower left one of the footprint, in the common plan")
-      .list("x and y", 2);
+  return Key::number(
+             "corner", dimension::length, Range::level, {"Corner", "Sudut"},
+             "the lower left one of the footprint, in the common plan; of a polygon the place that all in it is "
+             "counted from")
+      .list("x and y", 2)
+      .optional("needed with `size`; of a polygon (0, 0)");
 }
 
 Key size_of_footprint() {
-  return Key::number("size", dimension::length, Range::size, {"Size", "Ukuran"}, "of the footprint, along x and y")
-      .list("along x and y", 2);
+  return Key::number("size", dimension::length, Range::size, {"Size", "Ukuran"},
+                     "of a rectangular footprint, along x and y; or")
+      .list("along x and y", 2)
+      .one_of("footprint");
+}
+
+Key polygon_of_footprint() {
+  return Key::number("polygon", dimension::length, Range::level, {"Polygon", "Poligon"},
+                     "x and y of the corners of a convex footprint, round it, from `corner`; exactly one of the two")
+      .matrix()
+      .up_to(most_corners)
+      .one_of("footprint");
 }
 
 }  // namespace
@@ -39,27 +54,27 @@ const KeyTable& building_plan_keys() {
   static const KeyTable table = {
       "building.plan",
       "a building in plan",
-      {corner_of_footprint(), size_of_footprint(),
+      {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(),
        Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
                    "bottom to top")
            .list("one per storey")
            .up_to(most_floors_in_plan),
        Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
            .list("one per storey"),
-       Key::number("centres_of_mass", dimension::length, Range::distance, {"Centres of mass", "Pusat massa"},
+       Key::number("centres_of_mass", dimension::length, Range::finite, {"Centres of mass", "Pusat massa"},
                    "from the corner: one pair for all floors, or a list of one per floor")
            .matrix("one per storey", true)
            .optional("the middle of the footprint"),
        Key::number("inertias", dimension::mass_inertia, Range::positive, {"Inertias", "Inersia"},
                    "of the floors about the vertical through their centre of mass")
            .list("one per storey")
-           .optional("m (a² + b²)/12 of a footprint a × b")}};
+           .optional("of an even floor: m (a² + b²)/12 of a footprint a × b")}};
   return table;
 }
 
 const KeyTable& wall_plan_keys() {
   static const KeyTable table = {
-      "building.plan", "the footprint of a wall", {corner_of_footprint(), size_of_footprint()}};
+      "building.plan", "the footprint of a wall", {corner_of_footprint(), size_of_footprint(), polygon_of_footprint()}};
   return table;
 }
 

@@ -101,7 +101,7 @@ std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap, const std::vecto
                     .floor = found.floor,
                     .facing_floor = found.facing,
                     .elevation = found.elevation};
-    for (const double end : {gap.stretch.from, gap.stretch.to}) {
+    for (const double end : gap.stretch.corners_along()) {
       one.along = end;
       watched.push_back(one);
     }

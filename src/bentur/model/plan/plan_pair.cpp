@@ -53,7 +53,7 @@ Problem pair_of(const PlanProblem& problem, std::size_t gap) {
     pair.points.push_back({.left_floor = contact.left_floor,
                            .right_floor = contact.right_floor,
                            .elevation = contact.elevation,
-                           .width = of.stretch.width,
+                           .width = of.stretch.width_at(contact.along),
                            .law = contact.law});
   }
   for (const PlanWatched& watched : of.watched) {
@@ -62,7 +62,7 @@ Problem pair_of(const PlanProblem& problem, std::size_t gap) {
     floor.floor = watched.floor;
     floor.facing_floor = watched.facing_floor;
     floor.elevation = watched.elevation;
-    floor.width = of.stretch.width;
+    floor.width = of.stretch.width_at(watched.along);
   }
   pair.motion = problem.motions[told_motion(problem)];
   pair.kinematics = problem.kinematics;
@@ -112,8 +112,9 @@ RunResults pair_of(const PlanRun& run, std::size_t gap) {
   for (const Index b : {of.left, of.right}) {
     const PlanPeaks& free = run.response.buildings_no_contact[b];
     BuildingPeaks& peaks = pair.response.buildings.emplace_back();
-    const bool along_x = of.stretch.across == 0;
-    peaks.displacement_no_contact = along_x ? free.south.cwiseMax(free.north) : free.west.cwiseMax(free.east);
+    const PlanPoint across = of.stretch.n.cwiseAbs();  // of an oblique one not less than they move
+    peaks.displacement_no_contact =
+        across.x() * free.south.cwiseMax(free.north) + across.y() * free.west.cwiseMax(free.east);
   }
   return pair;
 }

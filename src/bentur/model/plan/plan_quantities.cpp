@@ -129,7 +129,8 @@ Source of_row(const Quantity& quantity) {
   const auto& source = quantity.source;
   if (quantity.key == "point_width") {
     return {[](const PlanRun& run, const PlanPlace& at) {
-      return run.problem.gaps[contact_at(run.problem, at.item).gap].stretch.width;
+      const PlanContactPlace place = contact_at(run.problem, at.item);
+      return run.problem.gaps[place.gap].stretch.width_at(place.contact->along);
     }};
   }
   if (quantity.key == "point_gap_needed_reversed") {

@@ -8,6 +8,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/internal/small_movements.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
@@ -25,6 +26,7 @@ const char* corner_word(const Footprint& footprint, const PlanPoint& at) {
   const auto side = [&](int i) {
     return at[i] == footprint.corner[i] ? 0 : at[i] == footprint.far_corner()[i] ? 1 : -1;
   };
+  if (!footprint.polygon.empty()) return nullptr;
   constexpr const char* words[2][2] = {{"story.corner.lower_left", "story.corner.upper_left"},
                                        {"story.corner.lower_right", "story.corner.upper_right"}};
   return side(0) < 0 || side(1) < 0 ? nullptr : words[side(0)][side(1)];
@@ -81,12 +83,6 @@ void tell_impacts(const PlanRun& run, std::size_t g, bool is_modelled, std::vect
   statements.push_back(std::move(statement));
 }
 
-/// How far anything of a building moves without contact along an axis, 0 x or 1 y [length].
-double reach_of(const PlanPeaks& free, int axis) {
-  return axis == 0 ? std::max(free.south.maxCoeff(), free.north.maxCoeff())
-                   : std::max(free.west.maxCoeff(), free.east.maxCoeff());
-}
-
 /// What is told of the gaps of rows too, as of a gap in plan.
 class PairStory {
  public:
@@ -134,8 +130,8 @@ void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& stat
         return std::min(gap.left, gap.right) == a && std::max(gap.left, gap.right) == b;
       });
       if (!stretch || is_modelled) continue;
-      const double reach =
-          reach_of(run.response.buildings[a], stretch->across) + reach_of(run.response.buildings[b], stretch->across);
+      const double reach = story::reach_of(run.response.buildings[a], stretch->n) +
+                           story::reach_of(run.response.buildings[b], stretch->n);
       if (reach < stretch->width) continue;
       const std::string& length = run.c.units.length;
       statements.push_back({.kind = "pair_without_contact",
@@ -327,29 +323,6 @@ void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
   }
 }
 
-/// Small rotations: ½θ² times the arm is left out of every opening (docs/theory/plan.md).
-void tell_rotations(const PlanRun& run, std::vector<Statement>& statements) {
-  constexpr double share = 0.1;  // of the largest penetration
-  double penetration = 0;
-  for (const PointSummary& point : run.response.points) penetration = std::max(penetration, point.peak_penetration);
-  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    const PlanModel& model = run.problem.buildings[b].model;
-    double left_out = 0;
-    for (Index f = 0; f < model.floors(); ++f) {
-      const PlanPoint& centre = model.centres[f];
-      const PlanPoint arm = centre.cwiseMax(model.footprint.size - centre);
-      const double theta = run.response.buildings[b].rotation(f);
-      left_out = std::max(left_out, 0.5 * theta * theta * arm.norm());
-    }
-    if (penetration == 0 || left_out <= share * penetration) continue;
-    Statement statement{.kind = "remark.small_rotations", .severity = Severity::remark, .buildings = {b}};
-    statement.values = {value_in("value", left_out, run.c.units.length),
-                        value_in("penetration", penetration, run.c.units.length)};
-    statement.subject = run.problem.buildings[b].name;
-    statements.push_back(std::move(statement));
-  }
-}
-
 }  // namespace
 
 std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap, bool reversed) {
@@ -429,7 +402,8 @@ Story plan_story(const PlanRun& run) {
   tell_motion(run, told.statements);
   sort_by_severity(told.statements);
   story::tell_quotations(run.c.code, told.statements);
-  tell_rotations(run, told.statements);
+  story::tell_rotations(run, told.statements);
+  story::tell_ends_of_edges(run, told.statements);
   told.statements.push_back(story::model_statement(run));
   return told;
 }

@@ -1,6 +1,9 @@
 #include "bentur/pounding/plan/faces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace bentur {
 namespace {
@@ -11,52 +14,231 @@ double least_of(const Footprint& one, const Footprint& other) {
   return nothing_in_common * std::max(one.size.maxCoeff(), other.size.maxCoeff());
 }
 
-/// What they have in common of a coordinate; below zero their distance [length].
-double common(const Footprint& one, const Footprint& other, int coordinate) {
-  return std::min(one.far_corner()(coordinate), other.far_corner()(coordinate)) -
-         std::max(one.corner(coordinate), other.corner(coordinate));
+struct Edge {
+  PlanPoint from, to, normal;  ///< normal outwards
+};
+
+std::vector<Edge> edges_of(const Footprint& footprint) {
+  const std::vector<PlanPoint> corners = footprint.corners();
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const PlanPoint &from = corners[i], &to = corners[(i + 1) % corners.size()];
+    const PlanPoint way = to - from;
+    edges.push_back({from, to, PlanPoint(way.y(), -way.x()) / way.norm()});
+  }
+  return edges;
 }
 
-}  // namespace
-
-PlanPoint Stretch::on_edge(int side, double along) const {
-  PlanPoint at;
-  at(across) = side == 0 ? left_edge : right_edge;
-  at(1 - across) = along;
-  return at;
+double least_along(const Footprint& footprint, const PlanPoint& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlanPoint& at : footprint.corners()) least = std::min(least, direction.dot(at));
+  return least;
 }
 
-bool overlap(const Footprint& one, const Footprint& other) {
-  const double least = least_of(one, other);
-  return common(one, other, 0) > least && common(one, other, 1) > least;
+/// A direction and how far apart footprints are along it.
+struct Separation {
+  PlanPoint normal = PlanPoint::Zero();  ///< from the first to the second
+  double width = -std::numeric_limits<double>::infinity();
+};
+
+/// Along the normal of the edge that separates them the most; one has to be moved by −width where it is below zero.
+Separation separation_of(const Footprint& one, const Footprint& other) {
+  Separation most;
+  for (const Edge& edge : edges_of(one)) {
+    const double width = least_along(other, edge.normal) - edge.normal.dot(edge.from);
+    if (width > most.width) most = {edge.normal, width};
+  }
+  for (const Edge& edge : edges_of(other)) {
+    const double width = least_along(one, edge.normal) - edge.normal.dot(edge.from);
+    if (width > most.width) most = {-edge.normal, width};
+  }
+  return most;
 }
 
-std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {
-  const double least = least_of(one, other);
-  for (const int across : {0, 1}) {
-    const int along = 1 - across;
-    if (common(one, other, across) > least || !(common(one, other, along) > least)) continue;
-    const bool swapped = other.corner(across) < one.corner(across);
-    const Footprint& left = swapped ? other : one;
-    const Footprint& right = swapped ? one : other;
-    Stretch stretch{.swapped = swapped, .across = across};
-    stretch.from = std::max(one.corner(along), other.corner(along));
-    stretch.to = std::min(one.far_corner()(along), other.far_corner()(along));
-    stretch.left_edge = left.far_corner()(across);
-    stretch.right_edge = right.corner(across);
-    stretch.width = stretch.right_edge - stretch.left_edge;
-    if (stretch.width < least) stretch.width = 0;
-    return stretch;
+/// The part of a footprint that is seen from outside along a direction: edges that face it, and their ends, along an
+/// axis across.
+struct Contour {
+  std::vector<Edge> edges;
+  std::vector<PlanPoint> corners;
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+};
+
+Contour contour_of(const Footprint& footprint, const PlanPoint& outwards, const PlanPoint& axis, double least) {
+  Contour contour;
+  for (const Edge& edge : edges_of(footprint)) {
+    const bool is_seen = edge.normal.dot(outwards) > 0 && std::abs(axis.dot(edge.to - edge.from)) > least;
+    if (!is_seen) continue;
+    contour.edges.push_back(edge);
+    for (const PlanPoint& at : {edge.from, edge.to}) {
+      contour.corners.push_back(at);
+      contour.from = std::min(contour.from, axis.dot(at));
+      contour.to = std::max(contour.to, axis.dot(at));
+    }
+  }
+  return contour;
+}
+
+/// The edge of a contour that is before a place along the axis: of two the one that faces `outwards` more.
+const Edge* edge_at(const Contour& contour, double along, const PlanPoint& outwards, const PlanPoint& axis,
+                    double least) {
+  const Edge* found = nullptr;
+  for (const Edge& edge : contour.edges) {
+    const auto [low, high] = std::minmax({axis.dot(edge.from), axis.dot(edge.to)});
+    if (along < low - least || along > high + least) continue;
+    if (found == nullptr || edge.normal.dot(outwards) > found->normal.dot(outwards)) found = &edge;
+  }
+  return found;
+}
+
+std::optional<PlanPoint> corner_at(const Contour& contour, double along, const PlanPoint& axis, double least) {
+  for (const PlanPoint& at : contour.corners) {
+    if (std::abs(axis.dot(at) - along) <= least) return at;
   }
   return std::nullopt;
 }
 
+/// @param of_left whether the corner is of L; `beyond` is then the whole width
+StretchCorner before(const PlanPoint& corner, const Edge& edge, bool of_left, const PlanPoint& axis) {
+  const double width = edge.normal.dot(corner - edge.from);
+  const PlanPoint foot = corner - width * edge.normal;
+  const double room = std::min((foot - edge.from).norm(), (foot - edge.to).norm());
+  StretchCorner made{.along = axis.dot(corner), .beyond = width, .room = room};
+  made.left = of_left ? corner : foot;
+  made.right = of_left ? foot : corner;
+  made.normal = of_left ? PlanPoint(-edge.normal) : edge.normal;
+  return made;
+}
+
+/// Of the corners at a place of the axis the one before the edge that faces n the most.
+std::optional<StretchCorner> corner_before_edge(const Contour& left, const Contour& right, double along,
+                                                const PlanPoint& n, const PlanPoint& axis, double least) {
+  const auto of_left = corner_at(left, along, axis, least), of_right = corner_at(right, along, axis, least);
+  const Edge* const before_left = of_left ? edge_at(right, along, -n, axis, least) : nullptr;
+  const Edge* const before_right = of_right ? edge_at(left, along, n, axis, least) : nullptr;
+  if (before_left == nullptr && before_right == nullptr) return std::nullopt;
+  const bool is_left =
+      before_right == nullptr || (before_left != nullptr && -before_left->normal.dot(n) >= before_right->normal.dot(n));
+  return is_left ? before(*of_left, *before_left, true, axis) : before(*of_right, *before_right, false, axis);
+}
+
+}  // namespace
+
+PlanPoint Stretch::tangent(double along) const {
+  const PlanPoint n = normal(along);
+  return {-n.y(), n.x()};
+}
+
+StretchCorner Stretch::at(double along) const {
+  if (corners.empty()) throw std::out_of_range("a stretch without corners");
+  auto after =
+      std::find_if(corners.begin(), corners.end(), [&](const StretchCorner& one) { return one.along >= along; });
+  if (after == corners.end()) return corners.back();
+  if (after == corners.begin() || after->along == along) return *after;
+  const StretchCorner &low = *(after - 1), &high = *after;
+  const double part = (along - low.along) / (high.along - low.along);
+  const auto between = [&](const auto& one, const auto& other) { return (1 - part) * one + part * other; };
+  StretchCorner made{.along = along, .beyond = between(low.beyond, high.beyond), .room = std::min(low.room, high.room)};
+  made.left = between(low.left, high.left);
+  made.right = between(low.right, high.right);
+  made.normal = low.normal == high.normal ? low.normal : PlanPoint(between(low.normal, high.normal).normalized());
+  return made;
+}
+
+PlanPoint Stretch::on_edge(int side, double along) const {
+  const StretchCorner found = at(along);
+  return side == 0 ? found.left : found.right;
+}
+
+std::vector<double> Stretch::corners_along() const {
+  std::vector<double> all;
+  for (const StretchCorner& one : corners) all.push_back(one.along);
+  return all;
+}
+
+bool Stretch::is_parallel() const { return corners.size() == 2 && corners[0].beyond == 0 && corners[1].beyond == 0; }
+
+bool Stretch::is_oblique() const { return !is_parallel() || n[across] != 1; }
+
+double overlap_depth(const Footprint& one, const Footprint& other) { return -separation_of(one, other).width; }
+
+bool overlap(const Footprint& one, const Footprint& other) { return overlap_depth(one, other) > least_of(one, other); }
+
+double common_area(const Footprint& one, const Footprint& other) {
+  std::vector<PlanPoint> part = one.corners();
+  for (const Edge& edge : edges_of(other)) {  // cut along each
+    std::vector<PlanPoint> left;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const PlanPoint &a = part[i], &b = part[(i + 1) % part.size()];
+      const double outside_a = edge.normal.dot(a - edge.from), outside_b = edge.normal.dot(b - edge.from);
+      if (outside_a <= 0) left.push_back(a);
+      if ((outside_a < 0) != (outside_b < 0) && outside_a != 0 && outside_b != 0) {
+        left.push_back(a + outside_a / (outside_a - outside_b) * (b - a));
+      }
+    }
+    part = std::move(left);
+  }
+  double twice = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const PlanPoint &a = part[i], &b = part[(i + 1) % part.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {
+  const double least = least_of(one, other);
+  const Separation apart = separation_of(one, other);
+  if (apart.width < -least) return std::nullopt;
+  PlanPoint n = apart.normal;
+  constexpr double none = 1e-12;
+  const bool swapped = n.x() < -none || (n.x() <= none && n.y() < 0);
+  if (swapped) n = -n;
+  n += PlanPoint::Zero();  // no −0
+  Stretch stretch{.swapped = swapped, .n = n, .across = std::abs(n.x()) >= std::abs(n.y()) ? 0 : 1};
+  PlanPoint axis(-n.y(), n.x());
+  if (axis[1 - stretch.across] < 0) axis = -axis;
+  const Contour left = contour_of(swapped ? other : one, n, axis, least);
+  const Contour right = contour_of(swapped ? one : other, -n, axis, least);
+  stretch.from = std::max(left.from, right.from);
+  stretch.to = std::min(left.to, right.to);
+  if (!(stretch.to - stretch.from > least)) return std::nullopt;
+  std::vector<double> places = {stretch.from, stretch.to};
+  for (const Contour* const contour : {&left, &right}) {
+    for (const PlanPoint& at : contour->corners) places.push_back(axis.dot(at));
+  }
+  std::sort(places.begin(), places.end());
+  for (const double along : places) {
+    if (along < stretch.from || along > stretch.to) continue;
+    const bool is_told = !stretch.corners.empty() && along - stretch.corners.back().along <= least;
+    if (is_told) continue;
+    if (auto corner = corner_before_edge(left, right, along, n, axis, least)) stretch.corners.push_back(*corner);
+  }
+  if (stretch.corners.size() < 2) return std::nullopt;
+  stretch.corners.front().along = stretch.from;
+  stretch.corners.back().along = stretch.to;
+  stretch.width = std::numeric_limits<double>::infinity();
+  for (const StretchCorner& corner : stretch.corners) stretch.width = std::min(stretch.width, corner.beyond);
+  if (stretch.width < least) stretch.width = 0;
+  for (StretchCorner& corner : stretch.corners) {
+    corner.beyond -= stretch.width;
+    if (corner.beyond < least) corner.beyond = 0;
+  }
+  return stretch;
+}
+
 std::vector<StretchPoint> points_of(const Stretch& stretch, int points) {
-  std::vector<StretchPoint> all;
+  std::vector<double> ends = stretch.corners_along();
+  if (ends.empty()) ends = {stretch.from, stretch.to};
+  const double whole = ends.back() - ends.front();
   const int last = points - 1;
-  for (int i = 0; i <= last; ++i) {
-    const double along = i == last ? stretch.to : stretch.from + i * (stretch.to - stretch.from) / last;
-    all.push_back({along, (i == 0 || i == last ? 0.5 : 1.0) / last});
+  std::vector<StretchPoint> all = {{ends.front(), 0}};
+  for (std::size_t piece = 1; piece < ends.size(); ++piece) {
+    const double from = ends[piece - 1], to = ends[piece];
+    const double share = (to - from) / whole / last;
+    for (int i = 1; i <= last; ++i) {
+      all.back().share += 0.5 * share;
+      all.push_back({i == last ? to : from + i * (to - from) / last, 0.5 * share});
+    }
   }
   return all;
 }

@@ -8,26 +8,51 @@
 // Who touches whom in plan (docs/theory/plan.md).
 namespace bentur {
 
-/// Where two footprints face one another: the part [from, to] that they have in common of the coordinate along the
-/// joint, and the edges on both sides of it. L is the one with the lower coordinate across, R the other.
-struct Stretch {
-  bool swapped = false;                  ///< L is the second of the two
-  int across = 0;                        ///< coordinate of the normal n, from L to R: 0 x, 1 y
-  double from = 0, to = 0;               ///< [length]
-  double left_edge = 0, right_edge = 0;  ///< their coordinates across [length]
-  double width = 0;                      ///< w between them ≥ 0 [length]
+/// A corner of one footprint before an edge of the other.
+struct StretchCorner {
+  double along = 0;                                               ///< on the stretch [length]
+  PlanPoint left = PlanPoint::Zero(), right = PlanPoint::Zero();  ///< corner and foot, of L and of R [length]
+  PlanPoint normal = PlanPoint::UnitX();                          ///< of the edge, from L to R
+  double beyond = 0;  ///< how much further they are apart than the nearest ones of the stretch ≥ 0 [length]
+  double room = 0;    ///< from the foot to the nearer end of the edge [length]
+};
 
-  [[nodiscard]] PlanPoint normal() const { return PlanPoint::Unit(across); }
-  /// t = e_z × n, along the joint.
-  [[nodiscard]] PlanPoint tangent() const { return {across == 0 ? 0.0 : -1.0, across == 0 ? 1.0 : 0.0}; }
+/// Where two footprints face one another: seen along n they have the part [from, to] in common, in which corners of
+/// either stand before edges of the other. Of parallel edges these are the ends.
+struct Stretch {
+  bool swapped = false;                     ///< L is the second of the two
+  PlanPoint n = PlanPoint::UnitX();         ///< from L to R: of the edge, of either, that separates them the most
+  int across = 0;                           ///< coordinate that n is nearest to: 0 x, 1 y
+  double from = 0, to = 0;                  ///< along the axis [length]: of edges parallel to x or y a coordinate
+  double width = 0;                         ///< w between them where they are nearest ≥ 0 [length]
+  std::vector<StretchCorner> corners = {};  ///< in the order of `along`: from, to and what is between
+
+  /// Of the edge that a corner there is before, and t = e_z × n.
+  [[nodiscard]] PlanPoint normal(double along) const { return at(along).normal; }
+  [[nodiscard]] PlanPoint tangent(double along) const;
+  /// w there ≥ 0 [length].
+  [[nodiscard]] double width_at(double along) const { return width + at(along).beyond; }
   /// On the left (0) or right (1) edge, at `along`.
   [[nodiscard]] PlanPoint on_edge(int side, double along) const;
   /// Between the two edges.
   [[nodiscard]] PlanPoint middle(double along) const { return 0.5 * (on_edge(0, along) + on_edge(1, along)); }
+  /// Between the corners on straight lines. @throws std::out_of_range where it has none
+  [[nodiscard]] StretchCorner at(double along) const;
+  [[nodiscard]] std::vector<double> corners_along() const;
+  /// Whether two edges that are parallel to one another face each other and nothing else does.
+  [[nodiscard]] bool is_parallel() const;
+  /// These are not parallel to x or y, or it is of others.
+  [[nodiscard]] bool is_oblique() const;
 };
+
+/// How deep two footprints are in one another: the least way that would part them [length]; below zero they are apart.
+[[nodiscard]] double overlap_depth(const Footprint& one, const Footprint& other);
 
 /// Whether two footprints have in common more than 10⁻⁹ of the largest side both ways.
 [[nodiscard]] bool overlap(const Footprint& one, const Footprint& other);
+
+/// What they have in common [length²].
+[[nodiscard]] double common_area(const Footprint& one, const Footprint& other);
 
 /// The stretch along which they face each other; nothing where they do not, as corner to corner, or where they overlap.
 [[nodiscard]] std::optional<Stretch> facing(const Footprint& one, const Footprint& other);
@@ -35,10 +60,10 @@ struct Stretch {
 /// A contact point of a stretch, and its share of what acts on all of it.
 struct StretchPoint {
   double along = 0;  ///< [length]
-  double share = 0;  ///< σ [-] (P-7)
+  double share = 0;  ///< σ [-] (P-7), (P-25)
 };
 
-/// Evenly spaced, both ends among them. @param points ≥ 2
+/// Evenly spaced between two corners each, these among them. @param points ≥ 2
 [[nodiscard]] std::vector<StretchPoint> points_of(const Stretch& stretch, int points);
 
 }  // namespace bentur

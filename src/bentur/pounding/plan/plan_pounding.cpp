@@ -247,7 +247,9 @@ void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveO
 
 std::vector<double> watched_widths(const PlanProblem& problem) {
   std::vector<double> widths;
-  for (const PlanGap& gap : problem.gaps) widths.insert(widths.end(), gap.watched.size(), gap.stretch.width);
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanWatched& watched : gap.watched) widths.push_back(gap.stretch.width_at(watched.along));
+  }
   return widths;
 }
 

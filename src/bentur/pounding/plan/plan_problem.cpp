@@ -88,10 +88,10 @@ Interface in_order(Interface at) {
 /// Points that collide without a force cannot be inside one another: no force would part them.
 void check_start(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
   if (!contact.law->restitution() || problem.initial_displacement.empty()) return;
-  const Interface at = interface_of(problem, gap, place_of(contact), gap.stretch.normal());
+  const Interface at = interface_of(problem, gap, place_of(contact), gap.stretch.normal(contact.along));
   const double left = at.left.row.dot(problem.initial_displacement[gap.left]);
   const double right = -at.right.row.dot(problem.initial_displacement[gap.right]);
-  require(!overlap(gap.stretch.width, left, right), "gaps", gap_name(problem, gap),
+  require(!overlap(gap.stretch.width_at(contact.along), left, right), "gaps", gap_name(problem, gap),
           "must not overlap at the start: its law has no force that would part the buildings");
 }
 
@@ -158,15 +158,14 @@ std::vector<Element> drift_limits(const PlanProblem& problem) {
     const PlanBuilding& building = problem.buildings[b];
     if (!building.has_gravity_loads()) continue;
     const PlanModel& model = building.model;
-    const PlanPoint &low = model.footprint.corner, high = model.footprint.far_corner();
+    const std::vector<PlanPoint> corners = model.footprint.corners();
     for (Index j = 0; j < model.floors(); ++j) {
       const auto law = std::make_shared<DeformationLimit>(problem.collapse_drift * model.storey_heights[j]);
-      for (const PlanPoint& corner : {low, high}) {
-        for (const PlanPoint& along : {PlanPoint(PlanPoint::UnitX()), PlanPoint(PlanPoint::UnitY())}) {
-          Element& limit = limits.emplace_back();
-          limit.at.left = {.body = b, .row = model.drift(j, corner, along)};
-          limit.law = law;
-        }
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const PlanPoint edge = corners[(i + 1) % corners.size()] - corners[i];
+        Element& limit = limits.emplace_back();
+        limit.at.left = {.body = b, .row = model.drift(j, corners[i], edge.normalized())};
+        limit.law = law;
       }
     }
   }
@@ -177,13 +176,13 @@ std::vector<Element> drift_limits(const PlanProblem& problem) {
 
 std::optional<Collapse> collapse_of(const PlanProblem& problem, const Solution& solution) {
   if (!solution.passed) return std::nullopt;
-  constexpr Index edges = 4;
-  Index storey = solution.passed->limit / edges;
+  Index limit = solution.passed->limit;
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const PlanBuilding& building = problem.buildings[b];
     if (!building.has_gravity_loads()) continue;
-    if (storey < building.model.floors()) return Collapse{b, storey, solution.passed->time};
-    storey -= building.model.floors();
+    const Index edges = std::ssize(building.model.footprint.corners()), limits = edges * building.model.floors();
+    if (limit < limits) return Collapse{b, limit / edges, solution.passed->time};
+    limit -= limits;
   }
   return std::nullopt;
 }
@@ -220,19 +219,20 @@ System system_of(const PlanProblem& problem, bool levels) {
   std::vector<Interface> faces;
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      faces.push_back(interface_of(problem, gap, place_of(contact), gap.stretch.normal()));
+      faces.push_back(interface_of(problem, gap, place_of(contact), gap.stretch.normal(contact.along)));
       const Interface at = in_order(faces.back());
       if (contact.rubbing) {
-        const Interface along = in_order(interface_of(problem, gap, place_of(contact), gap.stretch.tangent()));
-        system.rubbing.push_back({at, along, contact.rubbing, gap.stretch.width});
+        const Interface along =
+            in_order(interface_of(problem, gap, place_of(contact), gap.stretch.tangent(contact.along)));
+        system.rubbing.push_back({at, along, contact.rubbing, gap.stretch.width_at(contact.along)});
       } else {
-        system.contacts.push_back({at, contact.law, gap.stretch.width});
+        system.contacts.push_back({at, contact.law, gap.stretch.width_at(contact.along)});
       }
     }
   }
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanWatched& watched : gap.watched) {
-      faces.push_back(interface_of(problem, gap, place_of(gap, watched), gap.stretch.normal()));
+      faces.push_back(interface_of(problem, gap, place_of(gap, watched), gap.stretch.normal(watched.along)));
       system.watched.push_back(in_order(faces.back()));
     }
   }

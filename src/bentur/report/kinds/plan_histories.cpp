@@ -208,15 +208,20 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
 
 Figure opening_figure(const PlanRun& run, const FigureOptions& options) {
   const Index point = chosen_point(run, options);
-  const double width = gap_at(run, point).stretch.width;
+  const double width = gap_at(run, point).stretch.width_at(contact_at(run.problem, point).contact->along);
   std::vector<Curve> curves;
   const std::vector<Index> beside = points_beside(run, point);
-  for (const Index i : {beside.front(), beside.back()}) {  // in between it is a straight line
+  std::vector<Index> told = {beside.front(), beside.back()};  // in between it is a straight line
+  const bool is_straight = gap_at(run, point).stretch.is_parallel();
+  if (!is_straight && point != told.front() && point != told.back()) told.insert(told.begin() + 1, point);
+  for (const Index i : told) {
     curves.push_back({.label = along_text(run, i),
                       .x = run.response.histories.time,
                       .y = row_of(run.response.histories.opening, i),
-                      .tone = i == beside.front() ? Tone::black : Tone::teal,
-                      .line = i == beside.front() ? Line::solid : Line::dashed});
+                      .tone = i == told.front()  ? Tone::black
+                              : i == told.back() ? Tone::teal
+                                                 : Tone::red,
+                      .line = i == told.back() ? Line::dashed : Line::solid});
   }
   HistoryPlace place = place_of(run, point, options);
   place.title = gap_name(run.problem, gap_at(run, point)) + ", " + level_text(run, point, options);
@@ -327,11 +332,13 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
                                 .mark_size = 1.5});
       }
     }
-    panel.rules.push_back({.at = side == 0 ? gap.stretch.width : -gap.stretch.width,
-                           .vertical = gap.stretch.across == 0,
-                           .label = word(options, "neighbour at rest"),
-                           .tone = Tone::black,
-                           .line = Line::dotted});
+    if (!gap.stretch.is_oblique()) {
+      panel.rules.push_back({.at = side == 0 ? gap.stretch.width : -gap.stretch.width,
+                             .vertical = gap.stretch.across == 0,
+                             .label = word(options, "neighbour at rest"),
+                             .tone = Tone::black,
+                             .line = Line::dotted});
+    }
     figure.panels.push_back(std::move(panel));
   }
   if (figure.panels.size() == 1) {

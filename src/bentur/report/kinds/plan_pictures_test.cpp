@@ -194,6 +194,31 @@ TEST(PlanScene, GapsOfBothAxesAreMagnified) {
   EXPECT_EQ(outline.front(), outline.back());
 }
 
+/// A polygon is drawn with its own edges, and floors that touch in the picture touch: across the gap, which is oblique,
+/// places are apart by the magnified gap.
+TEST(PlanScene, PolygonsAreDrawnAsTheyAre) {
+  const PlanRun run =
+      test::plan_run(test::twisting_pair("size = [15.0, 18.0]", "polygon = [[0, 0], [15, 0], [15, 18], [2, 18]]"));
+  const Footprint& footprint = run.problem.buildings[1].model.footprint;
+  ASSERT_EQ(footprint.polygon.size(), 4U);
+  const PlanScene scene(run);
+  const Stretch& stretch = run.problem.gaps[0].stretch;
+  ASSERT_TRUE(stretch.is_oblique());
+  const double m = scene.magnification(), along = stretch.from;
+  const PlanPoint apart = scene.place(stretch.on_edge(1, along)) - scene.place(stretch.on_edge(0, along));
+  EXPECT_GT(m, 1);
+  EXPECT_NEAR(stretch.normal(along).dot(apart), m * stretch.width, 1e-12);
+  const std::vector<PlanPoint> outline = scene.outline(footprint);
+  for (const PlanPoint& corner : footprint.corners()) {
+    EXPECT_NE(std::find(outline.begin(), outline.end(), corner), outline.end()) << corner.transpose();
+  }
+  EXPECT_EQ(outline.front(), outline.back());
+  const Figure figure = make_figure(run, "scene");
+  for (const Curve& curve : figure.panels[0].curves) {
+    for (std::size_t i = 0; i < curve.top.size(); ++i) EXPECT_GE(curve.top[i], curve.y[i]);
+  }
+}
+
 /// Between two samples in a straight line, and by (P-1).
 TEST(PlanScene, FloorsMoveAsTheHistoriesSay) {
   const PlanRun& run = twisting();

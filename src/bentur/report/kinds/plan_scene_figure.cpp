@@ -117,16 +117,42 @@ class PlanPicture {
     }
   }
 
+  /// The area of a convex polygon.
+  static void fill(Curve& curve, const std::vector<PlanPoint>& corners) {
+    for (const PlanPoint& at : corners) curve.x.push_back(at.x());
+    std::sort(curve.x.begin(), curve.x.end());
+    const double round_off = 1e-9 * (curve.x.back() - curve.x.front());
+    curve.x.erase(
+        std::unique(curve.x.begin(), curve.x.end(), [&](double a, double b) { return std::abs(a - b) <= round_off; }),
+        curve.x.end());
+    for (const double x : curve.x) {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const PlanPoint &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        if (x < std::min(a.x(), b.x()) - round_off || x > std::max(a.x(), b.x()) + round_off) continue;
+        const bool is_upright = std::abs(b.x() - a.x()) <= round_off;
+        const double part = is_upright ? 0 : std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0);
+        for (const double y : {a.y() + part * (b.y() - a.y()), is_upright ? b.y() : a.y() + part * (b.y() - a.y())}) {
+          low = std::min(low, y);
+          high = std::max(high, y);
+        }
+      }
+      curve.y.push_back(low);
+      curve.top.push_back(high);
+    }
+  }
+
   void add_strip(const Stretch& stretch, double from, double to, Tone tone, double most) {
     Curve strip{.tone = tone, .complete = true};
     if (tone != Tone::pale) strip.label = label_of(tone, most);
-    const PlanPoint a = scene_.place(stretch.on_edge(0, from)), c = scene_.place(stretch.on_edge(1, to));
     const double least = 0.004 * (scene_.upper() - scene_.lower()).maxCoeff();  // so that none is too thin to see
-    PlanPoint middle = (a + c) / 2, half = (c - a) / 2;
-    half[stretch.across] = std::max(half[stretch.across], least);
-    strip.x = {middle.x() - half.x(), middle.x() + half.x()};
-    strip.y = {middle.y() - half.y(), middle.y() - half.y()};
-    strip.top = {middle.y() + half.y(), middle.y() + half.y()};
+    std::vector<PlanPoint> corners = {stretch.on_edge(0, from), stretch.on_edge(0, to), stretch.on_edge(1, to),
+                                      stretch.on_edge(1, from)};
+    for (PlanPoint& at : corners) at = scene_.place(at);
+    const double thin = std::min(stretch.n.dot(corners[3] - corners[0]), stretch.n.dot(corners[2] - corners[1]));
+    const PlanPoint wider = 0.5 * std::max(0.0, 2 * least - thin) * stretch.n;
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] += i < 2 ? PlanPoint(-wider) : wider;
+    fill(strip, corners);
     panel_.curves.push_back(std::move(strip));
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
@@ -61,30 +62,41 @@ PlanScene::PlanScene(const PlanRun& run) {
   lower_ = PlanPoint::Constant(infinite);
   upper_ = -lower_;
   for (const PlanBuilding& building : run.problem.buildings) {
-    lower_ = lower_.cwiseMin(building.model.footprint.corner);
+    lower_ = lower_.cwiseMin(building.model.footprint.lower());
     upper_ = upper_.cwiseMax(building.model.footprint.far_corner());
   }
+  std::vector<Line> lines;
   for (const PlanGap& gap : run.problem.gaps) {
-    lines_[gap.stretch.across].emplace_back(gap.stretch.left_edge, gap.stretch.right_edge);
+    Line line{.n = gap.stretch.n, .from = -infinite, .to = infinite};
+    for (const StretchCorner& corner : gap.stretch.corners) {
+      line.from = std::max(line.from, line.n.dot(corner.left));
+      line.to = std::min(line.to, line.n.dot(corner.right));
+    }
+    if (line.to >= line.from) lines.push_back(line);
   }
   const PlanPoint size = upper_ - lower_;
   double fits = infinite;
-  for (const int axis : {0, 1}) {
-    auto& lines = lines_[axis];
-    std::sort(lines.begin(), lines.end());
-    std::vector<std::pair<double, double>> merged;
-    for (const auto& line : lines) {
-      if (!merged.empty() && line.first <= merged.back().second) {
-        merged.back().second = std::max(merged.back().second, line.second);
+  while (!lines.empty()) {
+    const PlanPoint n = lines.front().n;
+    const auto others = std::stable_partition(lines.begin(), lines.end(), [&](const Line& line) {
+      constexpr double one_direction = 1e-9;
+      return (line.n - n).norm() <= one_direction;
+    });
+    std::sort(lines.begin(), others,
+              [](const Line& a, const Line& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
+    const std::size_t first = lines_.size();
+    for (auto line = lines.begin(); line != others; ++line) {
+      if (lines_.size() > first && line->from <= lines_.back().to) {
+        lines_.back().to = std::max(lines_.back().to, line->to);
       } else {
-        merged.push_back(line);
+        lines_.push_back(*line);
       }
     }
-    lines = std::move(merged);
+    lines.erase(lines.begin(), others);
     double wide = 0;
-    for (const auto& [from, to] : lines) wide += to - from;
+    for (std::size_t i = first; i < lines_.size(); ++i) wide += lines_[i].to - lines_[i].from;
     constexpr double spread = 0.3;  // of the picture
-    if (wide > 0) fits = std::min(fits, spread * size[axis] / wide);
+    if (wide > 0) fits = std::min(fits, spread * n.cwiseAbs().dot(size) / wide);
   }
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanHistories& histories = run.response.histories;
@@ -97,15 +109,19 @@ PlanScene::PlanScene(const PlanRun& run) {
   constexpr double sway = 0.07;  // of the picture
   if (largest_ > 0) fits = std::min(fits, sway * size.maxCoeff() / largest_);
   magnification_ = std::isfinite(fits) ? std::max(1.0, round_125(fits)) : 1;
-  lower_ = place(lower_);
-  upper_ = place(upper_);
+  lower_ = PlanPoint::Constant(infinite);
+  upper_ = -lower_;
+  for (const PlanBuilding& building : run.problem.buildings) {
+    for (const PlanPoint& at : outline(building.model.footprint)) {
+      lower_ = lower_.cwiseMin(place(at));
+      upper_ = upper_.cwiseMax(place(at));
+    }
+  }
 }
 
 PlanPoint PlanScene::spread(const PlanPoint& at) const {
   PlanPoint wider = PlanPoint::Zero();
-  for (const int axis : {0, 1}) {
-    for (const auto& [from, to] : lines_[axis]) wider[axis] += std::clamp(at[axis], from, to) - from;
-  }
+  for (const Line& line : lines_) wider += (std::clamp(line.n.dot(at), line.from, line.to) - line.from) * line.n;
   return wider;
 }
 
@@ -116,23 +132,23 @@ PlanPoint PlanScene::place(const PlanPoint& at, const PlanPoint& moved) const {
 }
 
 std::vector<PlanPoint> PlanScene::outline(const Footprint& footprint) const {
-  const PlanPoint &low = footprint.corner, high = footprint.far_corner();
-  const auto inside = [&](int axis) {
-    std::vector<double> places = {low[axis], high[axis]};
-    for (const auto& [from, to] : lines_[axis]) {
-      for (const double at : {from, to}) {
-        if (at > low[axis] && at < high[axis]) places.push_back(at);
+  const std::vector<PlanPoint> corners = footprint.corners();
+  std::vector<PlanPoint> points;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const PlanPoint &from = corners[i], &to = corners[(i + 1) % corners.size()];
+    points.push_back(from);
+    std::vector<double> parts;  // of the edge, where a line begins or ends
+    for (const Line& line : lines_) {
+      const double start = line.n.dot(from), way = line.n.dot(to) - start;
+      for (const double at : {line.from, line.to}) {
+        const double part = (at - start) / way;
+        if (part > 0 && part < 1) parts.push_back(part);
       }
     }
-    std::sort(places.begin(), places.end());
-    return places;
-  };
-  const std::vector<double> x = inside(0), y = inside(1);
-  std::vector<PlanPoint> points;
-  for (const double one : x) points.emplace_back(one, low.y());
-  for (std::size_t i = 1; i < y.size(); ++i) points.emplace_back(high.x(), y[i]);
-  for (std::size_t i = x.size() - 1; i-- > 0;) points.emplace_back(x[i], high.y());
-  for (std::size_t i = y.size() - 1; i-- > 0;) points.emplace_back(low.x(), y[i]);
+    std::sort(parts.begin(), parts.end());
+    for (const double part : parts) points.emplace_back(from + part * (to - from));
+  }
+  points.push_back(points.front());
   return points;
 }
 
@@ -158,8 +174,11 @@ PlanPoint movement_of(const PlanModel& model, Index floor, const PlanPoint& at, 
 
 std::string along_text(const PlanRun& run, Index contact) {
   const PlanContactPlace place = contact_at(run.problem, contact);
-  const char* const axis = run.problem.gaps[place.gap].stretch.across == 0 ? "y" : "x";
-  return fmt::format("{} = {} {}", axis, number(place.contact->along), run.c.units.length);
+  const Stretch& stretch = run.problem.gaps[place.gap].stretch;
+  if (stretch.is_oblique()) {
+    return fmt::format("x = {}, y = {} {}", number(place.at.x()), number(place.at.y()), run.c.units.length);
+  }
+  return fmt::format("{} = {} {}", stretch.across == 0 ? "y" : "x", number(place.contact->along), run.c.units.length);
 }
 
 Index nearest_floor(const PlanModel& model, double elevation) {

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bentur/model/plan/plan_case.h"
@@ -30,7 +28,8 @@ struct PlanCentre {
 [[nodiscard]] std::vector<PlanCentre> centres_of(const PlanRun& run);
 
 /// Where the parts of a plan are drawn: gaps and displacements are magnified alike, so that floors that touch in the
-/// picture touch. Whatever stands across the line of a gap is drawn that much wider.
+/// picture touch: of a gap whose edges are not parallel where they are nearest. Whatever stands across the line of a
+/// gap is drawn that much wider.
 class PlanScene {
  public:
   /// The response must have histories.
@@ -40,8 +39,6 @@ class PlanScene {
   [[nodiscard]] double magnification() const { return magnification_; }
   /// The largest displacement of all, of a rotation half that of the longer side [length].
   [[nodiscard]] double largest() const { return largest_; }
-  /// Where the line of a gap across x (0) or y (1) runs, from and to, ascending [length].
-  [[nodiscard]] const std::vector<std::pair<double, double>>& lines(int axis) const { return lines_[axis]; }
   /// How much further a place at rest is drawn for every 1 of magnification beyond 1 [length].
   [[nodiscard]] PlanPoint spread(const PlanPoint& at) const;
   /// Of a place of the plan at rest [length].
@@ -56,7 +53,12 @@ class PlanScene {
   [[nodiscard]] std::vector<PlanPoint> outline(const Footprint& footprint) const;
 
  private:
-  std::array<std::vector<std::pair<double, double>>, 2> lines_;
+  /// What lies between two buildings that face each other: all of the plan with from < n · at < to [length].
+  struct Line {
+    PlanPoint n;
+    double from = 0, to = 0;
+  };
+  std::vector<Line> lines_;  ///< those of one direction together, ascending, and none on another
   double magnification_ = 1, largest_ = 0;
   PlanPoint lower_, upper_;
 };

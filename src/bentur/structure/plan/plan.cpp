@@ -38,7 +38,7 @@ const Value& of_list(const std::vector<Value>& list, Index i) {
 }
 
 PlanPoint centre_of(const Plan& plan, Index floor) {
-  return plan.centres_of_mass.empty() ? PlanPoint(0.5 * plan.footprint.size) : of_list(plan.centres_of_mass, floor);
+  return plan.centres_of_mass.empty() ? plan.footprint.middle() : of_list(plan.centres_of_mass, floor);
 }
 
 /// A spring of a storey: of the floor above it and, times −1, of the floor below.
@@ -96,6 +96,8 @@ void check_footprint(const Footprint& footprint) {
   check_point("corner", footprint.corner);
   require_positive("size", footprint.size.x());
   require_positive("size", footprint.size.y());
+  if (footprint.polygon.empty()) return;
+  if (const auto fault = fault_of_polygon(footprint.polygon)) throw InvalidParameter("polygon", "", *fault);
 }
 
 /// One value for all or one per storey.
@@ -114,8 +116,7 @@ void check_floors(const Plan& plan) {
     require_positive(indexed("storey_heights", i), plan.storey_heights[i]);
     require_positive(indexed("masses", i), plan.masses[i]);
     if (!plan.inertias.empty()) require_positive(indexed("inertias", i), plan.inertias[i]);
-    const PlanPoint centre = centre_of(plan, i);
-    if (!((centre.array() >= 0).all() && (centre.array() <= plan.footprint.size.array()).all())) {
+    if (!plan.footprint.contains(centre_of(plan, i))) {
       throw InvalidParameter(indexed("centres_of_mass", i), "", "must be inside the footprint");
     }
   }
@@ -329,8 +330,7 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
   for (Index f = 0; f < model.floors(); ++f) {
     const double m = plan.masses[f];
     const Index at = 3 * f;
-    const double of_rectangle = m * plan.footprint.size.squaredNorm() / 12;
-    mass.segment<3>(at) << m, m, plan.inertias.empty() ? of_rectangle : plan.inertias[f];
+    mass.segment<3>(at) << m, m, plan.inertias.empty() ? m * plan.footprint.radius2() : plan.inertias[f];
     model.load.block<2, 2>(at, 0) = m * Eigen::Matrix2d::Identity();
     model.centres.push_back(centre_of(plan, f));
   }
@@ -392,7 +392,7 @@ PlanBuilding rigid_plan_building(std::string name, const Footprint& footprint, c
     model.storey_heights.push_back(i > 0 ? elevations[i] - elevations[i - 1] : 0.0);
   }
   model.floor_masses.assign(elevations.size(), std::numeric_limits<double>::infinity());
-  model.centres.assign(elevations.size(), 0.5 * footprint.size);
+  model.centres.assign(elevations.size(), footprint.middle());
   model.mass = model.stiffness = model.storey_forces = MatrixXd::Zero(model.dofs(), model.dofs());
   model.load = MatrixXd::Zero(model.dofs(), 2);
   building.modes.shapes = MatrixXd::Zero(model.dofs(), 0);

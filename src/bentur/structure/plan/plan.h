@@ -10,22 +10,12 @@
 #include "bentur/structure/building.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/frame/plane_frame.h"
+#include "bentur/structure/plan/footprint.h"
 #include "bentur/structure/stick.h"
 
 // A building in plan (docs/theory/plan.md): floors that are rigid in their plane, with three degrees of freedom each,
 // u_x, u_y [length] and θ [rad, counter-clockwise] of the centre of mass, floor after floor from the lowest up.
 namespace bentur {
-
-/// A place or a vector in plan: x to the right, y up the page.
-using PlanPoint = Eigen::Vector2d;
-
-/// A rectangle parallel to the axes.
-struct Footprint {
-  PlanPoint corner = PlanPoint::Zero();  ///< the lower left one, in the common plan [length]
-  PlanPoint size = PlanPoint::Zero();    ///< along x, along y [length] > 0
-
-  [[nodiscard]] PlanPoint far_corner() const { return corner + size; }
-};
 
 /// A frame or a wall on a line in plan: one spring per storey along it (P-4).
 struct PlanPlane {

@@ -68,7 +68,7 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
   const PlanModel& model = building.model;
   const Index floors = model.floors(), dofs = model.dofs();
   const PlanPoint x = PlanPoint::UnitX(), y = PlanPoint::UnitY();
-  const PlanPoint &low = model.footprint.corner, high = model.footprint.far_corner();
+  const PlanPoint low = model.footprint.lower(), high = model.footprint.far_corner();
   const MatrixXd u_x = of_floors(model, 0), u_y = of_floors(model, 1), theta = of_floors(model, 2);
   const PlaneRows planes = rows_of_planes(model);
   Body body{.name = building.name,

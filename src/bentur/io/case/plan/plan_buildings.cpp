@@ -42,8 +42,32 @@ std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::
   return pairs.size() == given->size() ? pairs : std::vector<PlanPoint>{};
 }
 
+/// The corners of a polygon, at the list or the corner that is wrong.
+bool read_polygon(const TableView& table, Footprint& footprint) {
+  const TomlView given = *table.find("polygon");
+  const Key& key = table.key("polygon");
+  if (!given.is_list_of("pairs") || given.has_more_than(key.most)) return false;
+  std::vector<PlanPoint> corners;
+  for (const TomlView& item : given.items()) {
+    if (const auto corner = read_pair(item, key.range)) corners.push_back(*corner);
+  }
+  const auto origin = table.has("corner") ? read_pair(table, "corner") : std::optional(PlanPoint(0, 0));
+  if (corners.size() != given.size() || !origin) return false;
+  if (const auto fault = fault_of_polygon(corners)) {
+    given.error(*fault);
+    return false;
+  }
+  footprint = polygon_footprint(*origin, std::move(corners));
+  return true;
+}
+
 bool read_footprint(const TableView& table, Footprint& footprint) {
-  const auto corner = read_pair(table, "corner"), size = read_pair(table, "size");
+  const auto shape = table.exactly_one("footprint");
+  if (shape == "polygon") return read_polygon(table, footprint);
+  if (shape && !table.has("corner")) table.error_missing("corner", "where a rectangle stands");
+  const auto corner = read_pair(table, "corner");
+  if (!shape) return false;
+  const auto size = read_pair(table, "size");
   if (!corner || !size) return false;
   footprint = {.corner = *corner, .size = *size};
   return (size->array() > 0).all();
@@ -54,10 +78,14 @@ void check_centres(const TableView& table, const Plan& plan) {
   const auto given = table.find("centres_of_mass");
   for (std::size_t i = 0; given && i < plan.centres_of_mass.size(); ++i) {
     const PlanPoint& centre = plan.centres_of_mass[i];
-    if ((centre.array() <= plan.footprint.size.array()).all()) continue;
+    if (plan.footprint.contains(centre)) continue;
     const bool nested = given->item(0).is(TomlValue::Kind::list);
-    (nested ? given->item(i) : *given)
-        .error(fmt::format("is outside the footprint of {} by {}", plan.footprint.size.x(), plan.footprint.size.y()));
+    const TomlView at = nested ? given->item(i) : *given;
+    if (!plan.footprint.polygon.empty()) {
+      at.error("is outside the polygon");
+      continue;
+    }
+    at.error(fmt::format("is outside the footprint of {} by {}", plan.footprint.size.x(), plan.footprint.size.y()));
   }
 }
 

@@ -21,7 +21,7 @@ std::vector<double> wave_delays_in_plan(const TableView& view, const std::vector
   double first = std::numeric_limits<double>::infinity();
   for (const ReadPlanBuilding& building : buildings) {
     const Footprint& footprint = building.spec.footprint();
-    delays.push_back(along.dot(footprint.corner + 0.5 * footprint.size));
+    delays.push_back(along.dot(footprint.corner + footprint.middle()));
     first = std::min(first, delays.back());
   }
   for (double& delay : delays) delay = (delay - first) / velocity;

@@ -55,12 +55,18 @@ bool overlaps_are_said(const std::vector<ReadPlanBuilding>& buildings) {
       if (!buildings[a].is_whole || !buildings[b].is_whole) continue;
       const Footprint &one = buildings[a].spec.footprint(), &other = buildings[b].spec.footprint();
       if (!overlap(one, other)) continue;
+      any = true;
+      if (!one.polygon.empty() || !other.polygon.empty()) {
+        buildings[b].view.error(fmt::format("overlaps {}: their footprints have {:.6g} of area in common, {:.6g} deep",
+                                            in_quotes(buildings[a].spec.name), common_area(one, other),
+                                            overlap_depth(one, other)));
+        continue;
+      }
       const PlanPoint low = one.corner.cwiseMax(other.corner);
       const PlanPoint common = one.far_corner().cwiseMin(other.far_corner()) - low;
       buildings[b].view.error(
           fmt::format("overlaps {}: their footprints have {:.6g} by {:.6g} at ({:.6g}, {:.6g}) in common",
                       in_quotes(buildings[a].spec.name), common.x(), common.y(), low.x(), low.y()));
-      any = true;
     }
   }
   return any;

@@ -43,7 +43,11 @@ std::vector<PlanLinkSpec> read_plan_links(const TomlView& root, const std::vecto
     if (known) {
       const auto [one, other] = *sides;
       const auto joint = facing(buildings[one].spec.footprint(), buildings[other].spec.footprint());
-      if (joint) {
+      if (joint && joint->is_oblique()) {
+        link->find("between")->error(fmt::format("is across edges that are not parallel to x or y, of {} and {}",
+                                                 in_quotes(buildings[one].spec.name),
+                                                 in_quotes(buildings[other].spec.name)));
+      } else if (joint) {
         spec.stretch = *joint;
         if (joint->swapped) sides = {other, one};
         read_place(*link, spec);

@@ -153,6 +153,23 @@ TEST(PlanToml, ReadsAll) {
   EXPECT_NE(plan_summary_json({c, problem, response}, "test").find("\"peak_storey_torque\""), std::string::npos);
 }
 
+/// A polygon whose corner stands before a wall, and the same in the common plan's coordinates.
+TEST(PlanToml, ReadsPolygons) {
+  std::string text = plan_text;
+  const auto put = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  put("size = [12.0, 18.0]", "polygon = [[0, 4], [0, 18], [12, 18], [12, 0], [6, 0]]");  // clockwise
+  const Read read = read_text(text);
+  ASSERT_TRUE(read.c) << ::testing::PrintToString(read.errors);
+  const Footprint& footprint = read.c->buildings[0].footprint();
+  EXPECT_EQ(footprint.polygon.size(), 5U);
+  EXPECT_EQ(footprint.size, PlanPoint(12, 18));
+  EXPECT_EQ(footprint.polygon.front(), PlanPoint(6, 0));
+}
+
 TEST(PlanToml, SaysEveryErrorOfBuildings) {
   EXPECT_EQ(errors_with("plan = { corner = [12.02, 4.0]", "plan = { corner = [11.0, 4.0]"),
             (Errors{"building[\"B\"] overlaps \"A\": their footprints have 1 by 14 at (11, 4) in common"}));

@@ -76,6 +76,12 @@ Json plan_point_json(const PlanRun& run, Index index) {
   return json;
 }
 
+/// "x" or "y", or of edges that are not parallel to them its components.
+Json normal_json(const Stretch& stretch) {
+  if (stretch.is_oblique()) return {stretch.n.x(), stretch.n.y()};
+  return stretch.across == 0 ? "x" : "y";
+}
+
 Json plan_gap_json(const PlanRun& run, std::size_t g) {
   const PlanGap& gap = run.problem.gaps[g];
   const RunResults pair = pair_of(run, g);
@@ -83,7 +89,7 @@ Json plan_gap_json(const PlanRun& run, std::size_t g) {
   Json points = Json::array();
   for (Index i = first; i < first + std::ssize(gap.contacts); ++i) points.push_back(plan_point_json(run, i));
   Json json = {{"between", between_json(pair.problem, 0)},
-               {"normal", gap.stretch.across == 0 ? "x" : "y"},
+               {"normal", normal_json(gap.stretch)},
                {"width", gap.stretch.width},
                {"stretch", {gap.stretch.from, gap.stretch.to}}};
   put_quantities(json, PlanOwner::gap, run, {{static_cast<Index>(g)}});

@@ -132,9 +132,19 @@ class PlanVariables : private VariablePass<File> {
     const PlanModel& model = building.model;
     const std::string of = " of the floors of " + owner;
     pass({floors.name, {floors}, length_, "elevation" + of, {{"axis", "Z"}, {"positive", "up"}}}, model.elevations);
-    std::vector<double> footprint = {model.footprint.corner.x(), model.footprint.corner.y(),
+    std::vector<double> footprint = {model.footprint.lower().x(), model.footprint.lower().y(),
                                      model.footprint.far_corner().x(), model.footprint.far_corner().y()};
     made({"footprint" + number, {{"side", 4}}, length_, "left, lower, right and upper edge of " + owner}, footprint);
+    if (!model.footprint.polygon.empty()) {
+      const std::vector<PlanPoint> corners = model.footprint.corners();
+      std::vector<double> places;
+      for (const PlanPoint& at : corners) places.insert(places.end(), {at.x(), at.y()});
+      made({"corners" + number,
+            {{"corner" + number, corners.size()}, {"coordinate", 2}},
+            length_,
+            "x and y of the corners of " + owner},
+           places);
+    }
     if (building.is_rigid()) return;
     std::vector<double> x, y;
     for (const PlanPoint& centre : model.centres) {

@@ -252,13 +252,13 @@ function benturMotion(parts, data) {
 
   const factor = () => number(Number(magnification.toPrecision(2)));
 
-  /** What the two floors push one another with, as long as the impact's peak force is beside the largest of all: along x
-   * (across 0) or y (1) of the page. */
-  function arrows({ x, y, across }, current, i) {
+  /** What the two floors push one another with, as long as the impact's peak force is beside the largest of all, along
+   * the normal of the contact. */
+  function arrows({ x, y, normal: [across, up] }, current, i) {
     const force = Math.max(0, ...current.filter((impact) => impact.point === i).map((impact) => impact.force));
     if (!(force > 0)) return "";
     const length = (14 + 34 * force / strongest.force) * drawn.pixel, tip = 5 * drawn.pixel;
-    const by = (along, beside) => (across === 0 ? [along, beside] : [beside, along]).map((one) => one.toFixed(2)).join(" ");
+    const by = (along, beside) => [along * across + beside * up, beside * across - along * up].map((one) => one.toFixed(2)).join(" ");
     return [-1, 1].map((side) => `M${x.toFixed(2)} ${y.toFixed(2)}l${by(side * length, 0)}` +
       `m${by(-side * tip, -tip)}l${by(side * tip, tip)}l${by(-side * tip, tip)}`).join("");
   }

@@ -105,12 +105,15 @@ function benturPlan(data, buildings, svg, number) {
 
   function contact(point) {
     const [[x, y], [otherX, otherY]] = faces(points[point]);
-    return { x: (x + otherX) / 2, y: (y + otherY) / 2, across: points[point].across };
+    return { x: (x + otherX) / 2, y: (y + otherY) / 2, normal: points[point].normal };
   }
 
   function opening(point, motion) {
-    const { left, right, leftFloor, rightFloor, faces, across, width } = points[point];
-    const moved = (b, floor, [x, y]) => benturPlanMovement(scene, motion, b, floor, x, y)[across];
+    const { left, right, leftFloor, rightFloor, faces, normal, width } = points[point];
+    const moved = (b, floor, [x, y]) => {
+      const [moveX, moveY] = benturPlanMovement(scene, motion, b, floor, x, y);
+      return normal[0] * moveX + normal[1] * moveY;
+    };
     return width + moved(right, rightFloor, faces[1]) - moved(left, leftFloor, faces[0]);
   }
 

@@ -27,7 +27,7 @@ function benturPlaces(scene, magnification, motion) {
  *   {tone, mark, text} that say what marks mean, levels: names of those that can be chosen, none where all are
  *   seen at once (else level, choose(level)), build(stage),
  *   frame(magnification): {left, right, top, bottom} of all that moves, name(pixel), show(motion, time, pixel),
- *   contact(point): {x, y, across}, opening(point, motion), where(point), live(numbered): {head, rows}}
+ *   contact(point): {x, y, normal}, opening(point, motion), where(point), live(numbered): {head, rows}}
  */
 function benturRow(data, buildings, svg, number) {
   "use strict";
@@ -110,7 +110,7 @@ function benturRow(data, buildings, svg, number) {
     });
   }
 
-  const contact = (point) => ({ x: unit * place(scene.contacts[point]), y: y(data.points[point].elevation), across: 0 });
+  const contact = (point) => ({ x: unit * place(scene.contacts[point]), y: y(data.points[point].elevation), normal: [1, 0] });
 
   function opening(point, motion) {
     const { left, leftFloor, rightFloor, width } = data.points[point];

@@ -122,8 +122,8 @@ Json points_json(const PlanRun& run, const PlanScene& scene, const std::vector<d
          {"rightFloor", place.contact->right_floor},
          {"elevation", place.contact->elevation},
          {"level", number_of(levels, place.contact->elevation)},
-         {"across", stretch.across},
-         {"width", stretch.width},
+         {"normal", {stretch.normal(along).x(), stretch.normal(along).y()}},
+         {"width", stretch.width_at(along)},
          {"along", along_text(run, i)},
          {"faces", {point_json(scene, stretch.on_edge(0, along)), point_json(scene, stretch.on_edge(1, along))}},
          {"struck", run.response.points[i].impacts > 0}});

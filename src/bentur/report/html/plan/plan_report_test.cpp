@@ -103,6 +103,21 @@ TEST(PlanReport, TellsTheStory) {
 }
 
 /// Every number is that of the quantities; the list of impacts can be saved as impacts.csv.
+/// A corner near the end of the edge before it is told of where both buildings may move further than that along it.
+TEST(PlanReport, TellsOfCornersThatMayLeaveTheirEdge) {
+  const auto tells = [](const std::string& polygon) {
+    const PlanRun run = test::plan_run(test::twisting_pair("size = [15.0, 18.0]", "polygon = " + polygon));
+    EXPECT_GT(run.response.impacts.size(), 0U);
+    for (const Statement& one : plan_story(run).statements) {
+      if (one.kind == "remark.end_of_edge") return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(tells("[[0, 0], [15, 0], [15, 18], [0, 18]]"));
+  EXPECT_FALSE(tells("[[0, 9], [9, 0], [18, 9], [9, 18]]"));      // a corner before the middle of an edge
+  EXPECT_TRUE(tells("[[0, 17.99], [9, 9], [18, 17], [9, 25]]"));  // before the end of one
+}
+
 TEST(PlanReport, HoldsTheNumbers) {
   const PlanRun& run = twisting();
   const std::string page = page_of(run);

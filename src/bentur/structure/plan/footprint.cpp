@@ -1,0 +1,145 @@
+#include "bentur/structure/plan/footprint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bentur {
+namespace {
+
+constexpr double straight = 1e-9;  // sine of the angle between two edges that are one
+
+double cross(const PlanPoint& a, const PlanPoint& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The corner behind or before another one, round and back.
+const PlanPoint& corner_at(const std::vector<PlanPoint>& corners, std::size_t i) { return corners[i % corners.size()]; }
+
+PlanPoint extent_of(const std::vector<PlanPoint>& corners) {
+  PlanPoint low = corners.front(), high = low;
+  for (const PlanPoint& at : corners) {
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  }
+  return high - low;
+}
+
+PlanPoint low_of(const std::vector<PlanPoint>& corners) {
+  PlanPoint low = corners.front();
+  for (const PlanPoint& at : corners) low = low.cwiseMin(at);
+  return low;
+}
+
+double area_of(const std::vector<PlanPoint>& corners) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    twice += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  }
+  return twice / 2;
+}
+
+/// Area times the sum that `moment` makes of the three corners of each triangle, over the area: integrals over it.
+template <class Value, class Moment>
+Value mean_of(const std::vector<PlanPoint>& corners, Value sum, const Moment& moment) {
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const double part = cross(corners[i] - corners[0], corners[i + 1] - corners[0]) / 2;
+    sum += part * moment(corners[0], corners[i], corners[i + 1]);
+  }
+  return sum / area_of(corners);
+}
+
+bool edges_cross(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, const PlanPoint& d) {
+  const auto apart = [](const PlanPoint& from, const PlanPoint& to, const PlanPoint& one, const PlanPoint& other) {
+    return cross(to - from, one - from) * cross(to - from, other - from) < 0;
+  };
+  return apart(a, b, c, d) && apart(c, d, a, b);
+}
+
+/// The sine of the turn at a corner; counter-clockwise above zero.
+double turn_at(const std::vector<PlanPoint>& corners, std::size_t i) {
+  const PlanPoint before = corner_at(corners, i + 1) - corner_at(corners, i);
+  const PlanPoint after = corner_at(corners, i + 2) - corner_at(corners, i + 1);
+  return cross(before, after) / (before.norm() * after.norm());
+}
+
+}  // namespace
+
+PlanPoint Footprint::lower() const { return polygon.empty() ? corner : PlanPoint(corner + low_of(polygon)); }
+
+std::vector<PlanPoint> Footprint::corners() const {
+  if (polygon.empty()) return {corner, corner + PlanPoint(size.x(), 0), corner + size, corner + PlanPoint(0, size.y())};
+  std::vector<PlanPoint> all = polygon;
+  for (PlanPoint& at : all) at += corner;
+  return all;
+}
+
+PlanPoint Footprint::middle() const {
+  if (polygon.empty()) return 0.5 * size;
+  return mean_of(polygon, PlanPoint(0, 0),
+                 [](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) { return PlanPoint((a + b + c) / 3); });
+}
+
+double Footprint::radius2() const {
+  if (polygon.empty()) return size.squaredNorm() / 12;
+  const PlanPoint about = middle();
+  // Of a triangle ∫r² is its area times (Σ r_i² + |Σ r_i|²)/12, r_i from where it is taken about.
+  return mean_of(polygon, 0.0, [&](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+    const PlanPoint r = a - about, s = b - about, t = c - about;
+    return (r.squaredNorm() + s.squaredNorm() + t.squaredNorm() + (r + s + t).squaredNorm()) / 12;
+  });
+}
+
+bool Footprint::contains(const PlanPoint& at) const {
+  if (polygon.empty()) return (at.array() >= 0).all() && (at.array() <= size.array()).all();
+  const double round_off = 1e-12 * size.maxCoeff();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const PlanPoint edge = corner_at(polygon, i + 1) - polygon[i];
+    if (!(cross(edge, at - polygon[i]) >= -round_off * edge.norm())) return false;
+  }
+  return true;
+}
+
+std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corners) {
+  const std::size_t count = corners.size();
+  if (count < 3) return fmt::format("must have three corners or more, not {}", count);
+  const double extent = extent_of(corners).maxCoeff();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((corner_at(corners, i + 1) - corners[i]).norm() > straight * extent) continue;
+    return fmt::format("must have different corners: {} and {} are one", i + 1, (i + 1) % count + 1);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 2; j < count; ++j) {
+      if (i == 0 && j + 1 == count) continue;
+      if (!edges_cross(corners[i], corners[i + 1], corners[j], corner_at(corners, j + 1))) continue;
+      return fmt::format("must go round once: its edges behind corners {} and {} cross", i + 1, j + 1);
+    }
+  }
+  const double area = area_of(corners);
+  if (!(std::abs(area) > straight * extent * extent)) return "must have an area";
+  double angle = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const PlanPoint before = corner_at(corners, i + 1) - corners[i];
+    const PlanPoint after = corner_at(corners, i + 2) - corner_at(corners, i + 1);
+    const double turn = turn_at(corners, i) * (area > 0 ? 1 : -1);
+    angle += std::atan2(std::max(turn, 0.0), before.dot(after) / (before.norm() * after.norm()));
+    if (turn > -straight) continue;
+    const PlanPoint& at = corner_at(corners, i + 1);
+    return fmt::format("must be convex: it turns inwards at corner {}, ({:.6g}, {:.6g})", (i + 1) % count + 1, at.x(),
+                       at.y());
+  }
+  constexpr double once_and_a_half = 9.4;  // [rad]; once round is 2π
+  if (angle > once_and_a_half) return "must go round once: its edges cross";
+  return std::nullopt;
+}
+
+Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corners) {
+  if (area_of(corners) < 0) std::reverse(corners.begin(), corners.end());
+  std::vector<PlanPoint> kept;
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (turn_at(corners, i + count - 1) > straight) kept.push_back(corners[i]);
+  }
+  return {.corner = corner, .size = extent_of(kept), .polygon = kept};
+}
+
+}  // namespace bentur

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What a building covers in plan (docs/theory/plan.md).
+namespace bentur {
+
+/// A place or a vector in plan: x to the right, y up the page.
+using PlanPoint = Eigen::Vector2d;
+
+/// A rectangle parallel to the axes, or a convex polygon.
+struct Footprint {
+  /// The lower left one of a rectangle, in the common plan; of a polygon the place that its corners are counted from
+  /// [length].
+  PlanPoint corner = PlanPoint::Zero();
+  PlanPoint size = PlanPoint::Zero();   ///< along x, along y [length] > 0; of a polygon what it takes up
+  std::vector<PlanPoint> polygon = {};  ///< its corners, counter-clockwise, from `corner` [length]; empty: a rectangle
+
+  /// Lower left and upper right corner of the rectangle around it, in the common plan [length].
+  [[nodiscard]] PlanPoint lower() const;
+  [[nodiscard]] PlanPoint far_corner() const { return lower() + size; }
+  /// Counter-clockwise, from the lower left one of a rectangle, in the common plan [length].
+  [[nodiscard]] std::vector<PlanPoint> corners() const;
+  /// Centre of its area, from `corner` [length].
+  [[nodiscard]] PlanPoint middle() const;
+  /// Square of the radius of gyration of its area about its middle [length²]: of a rectangle (a² + b²)/12 (P-2).
+  [[nodiscard]] double radius2() const;
+  /// Whether a place, from `corner`, is in it or on its edges, to within 1e-12 of the longer side where it is a
+  /// polygon.
+  [[nodiscard]] bool contains(const PlanPoint& at) const;
+};
+
+/// The rule that the corners of a polygon break, in words; nothing where it is convex, in either order. Corners on a
+/// straight edge are none.
+[[nodiscard]] std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corners);
+
+/// Of corners that break no rule, from `corner`: counter-clockwise, without those on a straight edge.
+[[nodiscard]] Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corners);
+
+}  // namespace bentur

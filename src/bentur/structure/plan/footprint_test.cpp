@@ -1,0 +1,57 @@
+#include "bentur/structure/plan/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bentur/structure/plan/plan.h"
+
+namespace bentur {
+namespace {
+
+TEST(Footprint, APolygonHasTheCentreAndRadiusOfItsArea) {
+  // A right triangle with legs 6 and 9: centre at a third, polar inertia about it area (a² + b²)/18.
+  const Footprint triangle = polygon_footprint({10, 20}, {{0, 0}, {0, 9}, {6, 0}});  // clockwise
+  EXPECT_TRUE(triangle.middle().isApprox(PlanPoint(2, 3), 1e-15));
+  EXPECT_NEAR(triangle.radius2(), (36 + 81) / 18.0, 1e-14);
+  EXPECT_EQ(triangle.corners()[0], PlanPoint(16, 20));  // the other way round
+  EXPECT_EQ(triangle.size, PlanPoint(6, 9));
+  EXPECT_TRUE(triangle.contains({3, 4.5}));
+  EXPECT_FALSE(triangle.contains({3.01, 4.5}));
+  // A rectangle far from the origin with a corner on a straight edge.
+  const Footprint polygon = polygon_footprint({0, 0}, {{100, 50}, {106, 50}, {112, 50}, {112, 68}, {100, 68}});
+  const Footprint rectangle{.corner = {100, 50}, .size = {12, 18}};
+  EXPECT_EQ(polygon.corners().size(), 4U);
+  EXPECT_EQ(polygon.lower(), rectangle.lower());
+  EXPECT_EQ(polygon.far_corner(), rectangle.far_corner());
+  EXPECT_NEAR(polygon.radius2() / rectangle.radius2(), 1, 1e-12);
+  EXPECT_TRUE((polygon.corner + polygon.middle()).isApprox(rectangle.corner + rectangle.middle(), 1e-14));
+}
+
+TEST(Footprint, WhatIsNoConvexPolygon) {
+  const auto fault = [](const std::vector<PlanPoint>& corners) { return fault_of_polygon(corners).value_or("none"); };
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {4, 3}}), "none");
+  EXPECT_EQ(fault({{0, 0}, {4, 3}, {4, 0}}), "none");
+  EXPECT_EQ(fault({{0, 0}, {2, 0}, {4, 0}, {4, 3}}), "none");
+  EXPECT_EQ(fault({{0, 0}, {4, 0}}), "must have three corners or more, not 2");
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {4, 3}, {0, 0}}), "must have different corners: 4 and 1 are one");
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {8, 0}}), "must have an area");
+  EXPECT_EQ(fault({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), "must go round once: its edges behind corners 1 and 3 cross");
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {1, 1}, {0, 4}}), "must be convex: it turns inwards at corner 3, (1, 1)");
+  std::vector<PlanPoint> star;
+  for (int i = 0; i < 5; ++i) star.emplace_back(std::cos(i * 2.513274), std::sin(i * 2.513274));
+  EXPECT_EQ(fault(star).substr(0, 18), "must go round once");
+}
+
+TEST(Footprint, AFloorHasItsCentreOfMassAndInertiaByDefault) {
+  Plan plan{.footprint = polygon_footprint({0, 0}, {{0, 0}, {6, 0}, {0, 9}}), .storey_heights = {3}, .masses = {40}};
+  plan.rigidity = PlanRigidity{.centres = {{2, 3}}, .x = {1e3}, .y = {1e3}, .torsion = {1e4}};
+  const PlanModel model = plan_model(plan);
+  EXPECT_TRUE(model.centres[0].isApprox(PlanPoint(2, 3), 1e-15));
+  EXPECT_NEAR(model.mass(2, 2), 40 * (36 + 81) / 18.0, 1e-12);
+  plan.centres_of_mass = {{5, 5}};
+  EXPECT_THROW(static_cast<void>(plan_model(plan)), std::exception);
+}
+
+}  // namespace
+}  // namespace bentur
