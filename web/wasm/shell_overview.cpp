@@ -153,7 +153,7 @@ Json plan_overview(const PlanRun& run, const Words& say) {
   const std::vector<std::string> names = gap_names(problem);
   Json gaps = Json::array(), buildings = Json::array(), points = Json::array(), impacts = Json::array();
   for (std::size_t g = 0; g < names.size(); ++g) {
-    const auto found = governing_level(run, g, false);
+    const auto found = governing_level(run, g);
     gaps.push_back({{"name", names[g]},
                     {"width", problem.gaps[g].stretch.width},
                     {"needed", found ? number_or_null(found->gap_needed) : Json()}});

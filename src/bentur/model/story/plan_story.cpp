@@ -325,14 +325,11 @@ void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
 
 }  // namespace
 
-std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap, bool reversed) {
+std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap) {
   const RunResults pair = pair_of(run, gap);
   if (pair.problem.points.empty() && pair.problem.watched.empty()) return std::nullopt;
   GoverningLevel level = governing_level(pair.problem, pair.response, 0);
-  if (!reversed) return level;
-  const auto needed = run.c.analysis.both_ways ? gap_needed_reversed(pair.problem, pair.response, 0) : std::nullopt;
-  if (!needed) return std::nullopt;
-  level.gap_needed = *needed;
+  if (!run.c.analysis.both_ways) level.gap_needed_reversed.reset();
   return level;
 }
 

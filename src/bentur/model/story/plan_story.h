@@ -21,9 +21,9 @@ namespace bentur {
 /// What rules of [code] ask of the gaps from heights alone, before anything is computed.
 [[nodiscard]] Story plan_height_rules_story(const PlanCase& c, const PlanProblem& problem);
 
-/// Where the motion without contact needs the most of a gap, or, `reversed`, how much that motion times −1 does, where
-/// that is known.
-[[nodiscard]] std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap, bool reversed);
+/// Where a gap falls short the most of what the motion without contact needs, and what that motion times −1 needs
+/// there, where the case asks for it and it is known.
+[[nodiscard]] std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap);
 
 /// The gaps of a problem by name, in their order.
 [[nodiscard]] std::vector<std::string> gap_names(const PlanProblem& problem);

@@ -138,12 +138,16 @@ class PlanPage {
 
  private:
   [[nodiscard]] Html gap_bars(std::size_t g) const {
-    const auto forth = governing_level(run_, g, false), back = governing_level(run_, g, true);
-    if (!forth) return {};
-    const auto style = [](const GoverningLevel& level) { return level.is_short() ? "short" : "needed"; };
-    std::vector<html::GapBar> bars = {{say_("column.given"), forth->width, "given"},
-                                      {say_("column.simulated"), forth->gap_needed, style(*forth)}};
-    if (back) bars.push_back({say_("column.reversed"), back->gap_needed, style(*back)});
+    const auto level = governing_level(run_, g);
+    if (!level) return {};
+    const auto style = [&](double needed) {
+      return falls_short(level->width, needed, level->scale) ? "short" : "needed";
+    };
+    std::vector<html::GapBar> bars = {{say_("column.given"), level->width, "given"},
+                                      {say_("column.simulated"), level->gap_needed, style(level->gap_needed)}};
+    if (const auto& reversed = level->gap_needed_reversed) {
+      bars.push_back({say_("column.reversed"), *reversed, style(*reversed)});
+    }
     return html::gap_bars(bars, length_);
   }
 

@@ -8,12 +8,15 @@
 #include <string>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/story/hand_in.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/report/story_text.h"
@@ -135,6 +138,23 @@ TEST(PlanReport, HoldsTheNumbers) {
   EXPECT_TRUE(has(page_of(test::plan_run(apart)), "class=\"gapbars\""));
   const std::string one_watched = test::with(apart, "[3.5, 3.2]\nmasses = [250", "[3.5, 2.0]\nmasses = [250");
   EXPECT_TRUE(has(page_of(test::plan_run(one_watched)), "class=\"gapbars\""));
+}
+
+/// Of a gap that is a wedge the bars are of one place, where it falls short the most, as the sentences are.
+TEST(PlanReport, BarsAreOfOnePlace) {
+  const std::string wedge = test::with(test::twisting_pair(), "corner = [12.04, 0.0]\nsize = [15.0, 18.0]",
+                                       "polygon = [[12.02, 0], [27, 0], [27.4, 18], [12.4, 18]]");
+  ASSERT_TRUE(has(wedge, "polygon"));
+  const PlanRun run = test::plan_run(wedge);
+  const auto level = governing_level(run, 0);
+  ASSERT_TRUE(level && level->gap_needed_reversed);
+  const std::string page = page_of(run);
+  const std::size_t begin = page.find("class=\"gapbars\"");
+  const std::string bars = page.substr(begin, page.find("</table>", begin) - begin);
+  for (const double value : {level->width, level->gap_needed, *level->gap_needed_reversed}) {
+    EXPECT_TRUE(has(bars, number(value))) << value << bars;
+  }
+  EXPECT_NE(*gap_needed_reversed(pair_of(run, 0).problem, pair_of(run, 0).response, 0), *level->gap_needed_reversed);
 }
 
 TEST(PlanReport, ShowsTextsOfTheCaseAsTheyAre) {
