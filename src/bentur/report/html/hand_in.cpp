@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/excitation/motion_measures.h"
@@ -52,6 +54,25 @@ std::vector<std::string> texts_of(const std::vector<Statement>& statements, cons
   std::vector<std::string> texts;
   for (const SaidStatement& one : said(statements, say)) texts.push_back(one.text);
   return texts;
+}
+
+PageSection assumptions_section(const std::optional<ProjectSpec>& project, const Words& say, const HandIn& told) {
+  Html content;
+  if (project && !project->assumptions.empty()) {
+    content += element("p", say("assumption.own")) + list_of(project->assumptions) +
+               element("p", say("assumption.of_program"));
+  }
+  return {"assumptions", say("heading.assumptions"), content + list_of(texts_of(told.assumptions, say))};
+}
+
+PageSection checks_section(const Words& say, const HandIn& told) {
+  if (told.checks.columns.empty()) return {"checks", say("heading.checks"), {}};
+  return {"checks", say("heading.checks"),
+          table_of(said(told.checks, say)) + element("p", say("check.note"), "class=\"note\"")};
+}
+
+PageSection unchecked_section(const Words& say, const HandIn& told) {
+  return {"unchecked", say("heading.unchecked"), list_of(texts_of(told.unchecked, say))};
 }
 
 }  // namespace
@@ -108,15 +129,6 @@ std::string running_head(const std::optional<ProjectSpec>& project, const std::s
   return head;
 }
 
-PageSection assumptions_section(const std::optional<ProjectSpec>& project, const Words& say, const HandIn& told) {
-  Html content;
-  if (project && !project->assumptions.empty()) {
-    content += element("p", say("assumption.own")) + list_of(project->assumptions) +
-               element("p", say("assumption.of_program"));
-  }
-  return {"assumptions", say("heading.assumptions"), content + list_of(texts_of(told.assumptions, say))};
-}
-
 PageSection records_section(const std::vector<AppliedRecord>& records, const Units& units, const Words& say) {
   std::vector<std::string> files, ways, hashes;
   std::vector<double> read, factors, applied, velocities, durations, steps, lengths;
@@ -155,14 +167,14 @@ PageSection records_section(const std::vector<AppliedRecord>& records, const Uni
   return {"records", say("heading.records"), table.markup()};
 }
 
-PageSection checks_section(const Words& say, const HandIn& told) {
-  if (told.checks.columns.empty()) return {"checks", say("heading.checks"), {}};
-  return {"checks", say("heading.checks"),
-          table_of(said(told.checks, say)) + element("p", say("check.note"), "class=\"note\"")};
-}
-
-PageSection unchecked_section(const Words& say, const HandIn& told) {
-  return {"unchecked", say("heading.unchecked"), list_of(texts_of(told.unchecked, say))};
+std::vector<PageSection> in_order_of_codes(std::vector<PageSection> sections, PageSection records,
+                                           const std::optional<ProjectSpec>& project, const Words& say,
+                                           const HandIn& told) {
+  std::vector<PageSection> ordered = {std::move(sections.front()), assumptions_section(project, say, told),
+                                      std::move(sections.back()),  std::move(records),
+                                      checks_section(say, told),   unchecked_section(say, told)};
+  ordered.insert(ordered.end(), std::move_iterator(sections.begin() + 1), std::move_iterator(sections.end() - 1));
+  return ordered;
 }
 
 }  // namespace bentur::html

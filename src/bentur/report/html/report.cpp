@@ -33,22 +33,6 @@ std::string csv_of(const Report& report, std::vector<Eigen::Index> listed) {
   return impacts_csv({report.problem, shown, report.c.units});
 }
 
-/// The sections of a page to hand in: what was assumed and given and what came out of the checks before all else.
-std::vector<html::PageSection> in_order_of_codes(const Report& report, const RunResults& results,
-                                                 std::vector<html::PageSection> sections) {
-  const HandIn told = hand_in(results);
-  std::vector<html::PageSection> ordered = {
-      sections.front(),
-      html::assumptions_section(report.c.project, report.say, told),
-      std::move(sections.back()),
-      html::records_section({{report.c.excitation, applied_pga(report.c)}}, report.c.units, report.say),
-      html::checks_section(report.say, told),
-      html::unchecked_section(report.say, told)};
-  sections.pop_back();
-  for (std::size_t i = 1; i < sections.size(); ++i) ordered.push_back(std::move(sections[i]));
-  return ordered;
-}
-
 }  // namespace
 
 double report_output_step(const Problem& problem) {
@@ -99,7 +83,9 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                    html::figures_section(say, figures),
                    html::input_section(report)};
   if (report.to_hand_in) {
-    body.sections = in_order_of_codes(report, results, std::move(body.sections));
+    body.sections = html::in_order_of_codes(std::move(body.sections),
+                                            html::records_section({{c.excitation, applied_pga(c)}}, c.units, say),
+                                            c.project, say, hand_in(results));
     body.running_head = html::running_head(c.project, title);
   }
   body.footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) +

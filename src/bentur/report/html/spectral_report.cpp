@@ -97,12 +97,8 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
                    html::figures_section(say, figures), spectral_peaks_section(report, spectral),
                    html::input_section(report)}};
   if (report.to_hand_in) {
-    const HandIn told = hand_in(c, problem, spectral);
-    body.sections.insert(
-        body.sections.begin() + 1,
-        {html::assumptions_section(report.c.project, report.say, told), std::move(body.sections.back()),
-         html::checks_section(report.say, told), html::unchecked_section(report.say, told)});
-    body.sections.pop_back();
+    body.sections =
+        html::in_order_of_codes(std::move(body.sections), {}, c.project, say, hand_in(c, problem, spectral));
     body.running_head = html::running_head(c.project, title);
   }
   return html::page(say, title, body, false);

@@ -82,17 +82,11 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
       .sections = {html::verdict_section(report), suite_section(report), html::figures_section(say, figures),
                    suite_runs_section(report), suite_gaps_section(report), html::input_section(report)}};
   if (report.to_hand_in) {
-    const HandIn told = suite_hand_in(run, gaps);
-    std::vector<html::PageSection>& all = body.sections;
-    std::vector<html::PageSection> ordered = {std::move(all[0]),
-                                              html::assumptions_section(report.c.project, report.say, told),
-                                              std::move(all.back()),
-                                              std::move(all[1]),
-                                              html::checks_section(report.say, told),
-                                              html::unchecked_section(report.say, told)};
-    all.pop_back();
-    for (std::size_t i = 2; i < all.size(); ++i) ordered.push_back(std::move(all[i]));
-    all = std::move(ordered);
+    const auto records = body.sections.begin() + 1;
+    html::PageSection of_suite = std::move(*records);
+    body.sections.erase(records);
+    body.sections = html::in_order_of_codes(std::move(body.sections), std::move(of_suite), run.c.project, say,
+                                            suite_hand_in(run, gaps));
     body.running_head = html::running_head(run.c.project, title);
   }
   return html::page(say, title, body, false);

@@ -75,8 +75,6 @@ constexpr std::size_t rows_in_print = 30;
                             const Words& say);
 /// What runs along the top of every printed page.
 [[nodiscard]] std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title);
-[[nodiscard]] PageSection assumptions_section(const std::optional<ProjectSpec>& project, const Words& say,
-                                              const HandIn& told);
 /// Records that a case applies, with what is made of each; those that are none are left out.
 struct AppliedRecord {
   const ExcitationSpec& excitation;
@@ -84,8 +82,11 @@ struct AppliedRecord {
 };
 [[nodiscard]] PageSection records_section(const std::vector<AppliedRecord>& records, const Units& units,
                                           const Words& say);
-[[nodiscard]] PageSection checks_section(const Words& say, const HandIn& told);
-[[nodiscard]] PageSection unchecked_section(const Words& say, const HandIn& told);
+/// A report's sections, the verdict first and the input last, with what one has that is handed in: assumptions, input,
+/// records, checks in the order of codes and what was not checked before the rest. @param records may be empty
+[[nodiscard]] std::vector<PageSection> in_order_of_codes(std::vector<PageSection> sections, PageSection records,
+                                                         const std::optional<ProjectSpec>& project, const Words& say,
+                                                         const HandIn& told);
 
 /// Sections for a page that is no report; those without content are not among them.
 [[nodiscard]] std::vector<PagePart> parts(const std::vector<PageSection>& sections);

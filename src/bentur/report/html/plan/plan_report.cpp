@@ -314,23 +314,6 @@ class PlanPage {
   std::vector<std::string> gaps_;
 };
 
-/// With what a report has that is handed in. `sections`: the verdict first, the input last.
-std::vector<html::PageSection> in_order_of_codes(const PlanRun& run, const Words& say,
-                                                 std::vector<html::PageSection> sections) {
-  const HandIn told = hand_in(run);
-  std::vector<html::AppliedRecord> records;
-  for (const std::size_t i : {0U, 1U}) records.push_back({run.c.excitation[i], applied_pga(run, i)});
-  std::vector<html::PageSection> ordered = {sections.front(),
-                                            html::assumptions_section(run.c.project, say, told),
-                                            std::move(sections.back()),
-                                            html::records_section(records, run.c.units, say),
-                                            html::checks_section(say, told),
-                                            html::unchecked_section(say, told)};
-  sections.pop_back();
-  for (std::size_t i = 1; i < sections.size(); ++i) ordered.push_back(std::move(sections[i]));
-  return ordered;
-}
-
 /// impacts.csv of these.
 std::string csv_of(const PlanRun& run, std::vector<Index> listed) {
   std::sort(listed.begin(), listed.end());
@@ -389,7 +372,10 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
                       .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
                                 html::csv_script(csv_of(run, listed))};
   if (run.c.project || !options.head.empty()) {
-    body.sections = in_order_of_codes(run, say, std::move(body.sections));
+    std::vector<html::AppliedRecord> applied;
+    for (const std::size_t i : {0U, 1U}) applied.push_back({run.c.excitation[i], applied_pga(run, i)});
+    body.sections = html::in_order_of_codes(std::move(body.sections), html::records_section(applied, run.c.units, say),
+                                            run.c.project, say, hand_in(run));
     body.running_head = html::running_head(run.c.project, title);
   }
   return html::page(say, title, body, true);
