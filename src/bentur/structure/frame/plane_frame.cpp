@@ -10,25 +10,13 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/frame/condensation.h"
+#include "bentur/structure/frame/element_stiffness.h"
 #include "bentur/structure/frame/frame_hinges.h"
 
 namespace bentur {
 namespace {
 
 constexpr Eigen::Index fixed = -1;  // a degree of freedom that does not move
-
-// Element stiffness (2-48) for the end displacements (y₁, θ₁, y₂, θ₂), θ = dy/dx.
-// A column is run from bottom to top with y to the right, a beam from left to right with y downwards: then every θ is
-// clockwise, as 4.1.2 has it.
-Eigen::Matrix4d element_stiffness(double rigidity, double length) {
-  const double l = length;
-  Eigen::Matrix4d k;
-  k << 6, 3 * l, -6, 3 * l,             //
-      3 * l, 2 * l * l, -3 * l, l * l,  //
-      -6, -3 * l, 6, -3 * l,            //
-      3 * l, l * l, -3 * l, 2 * l * l;
-  return 2 * rigidity / (l * l * l) * k;
-}
 
 // Element consistent mass (2-50) of a member of the given whole mass.
 Eigen::Matrix4d element_mass(double mass, double length) {

@@ -7,6 +7,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/structure/frame/element_stiffness.h"
 
 namespace bentur {
 namespace {
@@ -16,17 +17,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double least_part = 0.01;  // of the storey height, between nodes and floors
-
-/// Stiffness of a piece for sway and rotation of its lower and its upper end (2-48).
-Eigen::Matrix4d piece_stiffness(double rigidity, double length) {
-  const double l = length;
-  Eigen::Matrix4d k;
-  k << 12, 6 * l, -12, 6 * l,               //
-      6 * l, 4 * l * l, -6 * l, 2 * l * l,  //
-      -12, -6 * l, 12, -6 * l,              //
-      6 * l, 2 * l * l, -6 * l, 4 * l * l;
-  return rigidity / (l * l * l) * k;
-}
 
 double entry_of(const std::vector<double>& list, Index storey) {
   return list[list.size() == 1 ? 0 : static_cast<std::size_t>(storey)];
@@ -49,7 +39,7 @@ void condense(Pieces& pieces) {
   MatrixXd k = MatrixXd::Zero(sways + rotations, sways + rotations);
   MatrixXd ends = MatrixXd::Zero(4 * (sways - 1), sways + rotations);
   for (Index piece = 0; piece + 1 < sways; ++piece) {
-    const Eigen::Matrix4d of = piece_stiffness(pieces.rigidity, pieces.lengths[static_cast<std::size_t>(piece)]);
+    const Eigen::Matrix4d of = element_stiffness(pieces.rigidity, pieces.lengths[static_cast<std::size_t>(piece)]);
     const std::array<Index, 4> dofs = {piece, rotation(piece), piece + 1, rotation(piece + 1)};
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
