@@ -177,12 +177,7 @@ double common_area(const Footprint& one, const Footprint& other) {
     }
     part = std::move(left);
   }
-  double twice = 0;
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const PlanPoint &a = part[i], &b = part[(i + 1) % part.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
+  return area_of(part);
 }
 
 std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {

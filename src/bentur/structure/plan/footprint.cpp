@@ -15,27 +15,16 @@ double cross(const PlanPoint& a, const PlanPoint& b) { return a.x() * b.y() - a.
 /// The corner behind or before another one, round and back.
 const PlanPoint& corner_at(const std::vector<PlanPoint>& corners, std::size_t i) { return corners[i % corners.size()]; }
 
-PlanPoint extent_of(const std::vector<PlanPoint>& corners) {
-  PlanPoint low = corners.front(), high = low;
-  for (const PlanPoint& at : corners) {
-    low = low.cwiseMin(at);
-    high = high.cwiseMax(at);
-  }
-  return high - low;
-}
-
 PlanPoint low_of(const std::vector<PlanPoint>& corners) {
   PlanPoint low = corners.front();
   for (const PlanPoint& at : corners) low = low.cwiseMin(at);
   return low;
 }
 
-double area_of(const std::vector<PlanPoint>& corners) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    twice += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-  }
-  return twice / 2;
+PlanPoint extent_of(const std::vector<PlanPoint>& corners) {
+  PlanPoint high = corners.front();
+  for (const PlanPoint& at : corners) high = high.cwiseMax(at);
+  return high - low_of(corners);
 }
 
 /// Area times the sum that `moment` makes of the three corners of each triangle, over the area: integrals over it.
@@ -63,6 +52,14 @@ double turn_at(const std::vector<PlanPoint>& corners, std::size_t i) {
 }
 
 }  // namespace
+
+double area_of(const std::vector<PlanPoint>& corners) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    twice += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  }
+  return twice / 2;
+}
 
 PlanPoint Footprint::lower() const { return polygon.empty() ? corner : PlanPoint(corner + low_of(polygon)); }
 

@@ -33,6 +33,9 @@ struct Footprint {
   [[nodiscard]] bool contains(const PlanPoint& at) const;
 };
 
+/// Of corners in their order, none or more; below zero where they go round clockwise [length²].
+[[nodiscard]] double area_of(const std::vector<PlanPoint>& corners);
+
 /// The rule that the corners of a polygon break, in words; nothing where it is convex, in either order. Corners on a
 /// straight edge are none.
 [[nodiscard]] std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corners);
