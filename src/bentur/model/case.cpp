@@ -221,6 +221,11 @@ std::vector<ColumnNode>* column_nodes(BuildingSpec& spec) {
   return spec.columns ? &spec.columns->nodes : nullptr;
 }
 
+bool has_column_nodes(const BuildingSpec& spec) {
+  const std::vector<ColumnNode>* const nodes = column_nodes(spec);
+  return nodes != nullptr && !nodes->empty();
+}
+
 StructuralModel structural_model(const BuildingSpec& spec) {
   const double base = spec.base_elevation;
   struct Make {

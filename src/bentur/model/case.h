@@ -72,6 +72,7 @@ struct BuildingSpec {
 /// Where columns of a building are struck; null: it has no columns that are known.
 [[nodiscard]] const std::vector<ColumnNode>* column_nodes(const BuildingSpec& spec);
 [[nodiscard]] std::vector<ColumnNode>* column_nodes(BuildingSpec& spec);
+[[nodiscard]] bool has_column_nodes(const BuildingSpec& spec);
 
 struct GapSpec {
   std::vector<double> widths;      ///< [length], one per point; one alone where there are no points

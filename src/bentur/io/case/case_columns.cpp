@@ -117,15 +117,11 @@ std::vector<double> columns_in_reach(const ReadBuilding& struck, const ReadBuild
 std::vector<ReadBuilding> with_struck_columns(const TomlView& root, std::vector<ReadBuilding> buildings) {
   const auto gaps = root.find("gap");
   if (!gaps || !gaps->is(TomlValue::Kind::list)) return buildings;
-  const auto nodes = [](const ReadBuilding& building) {
-    const std::vector<ColumnNode>* const found = column_nodes(building.spec);
-    return found != nullptr && !found->empty();
-  };
   for (std::size_t i = 0; i < gaps->size() && i + 1 < buildings.size(); ++i) {
     put_nodes(gaps->item(i), buildings[i], buildings[i + 1]);
   }
   for (ReadBuilding& building : buildings) {
-    if (nodes(building)) make(building);
+    if (has_column_nodes(building.spec)) make(building);
   }
   return buildings;
 }

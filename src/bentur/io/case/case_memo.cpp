@@ -79,8 +79,7 @@ std::shared_ptr<const ReadBuilding> CaseMemo::building(const TomlValue& table, c
 void CaseMemo::keep(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings) {
   const TomlView list = *root.find("building");
   for (std::size_t b = 0; b < buildings.size(); ++b) {
-    const std::vector<ColumnNode>* const nodes = column_nodes(buildings[b].spec);
-    if (nodes != nullptr && !nodes->empty()) continue;  // what makes them stands in gaps, not in its table
+    if (has_column_nodes(buildings[b].spec)) continue;  // what makes them stands in gaps, not in its table
     std::string key = building_key(list.item(b).value(), units, std::span(buildings).first(b));
     const std::lock_guard lock(mutex_);
     if (buildings_.find(key) != buildings_.end()) continue;
