@@ -87,11 +87,9 @@ Json Studio::suite_overview(const Words& say) const {
   std::vector<std::string> names;
   for (std::size_t g = 0; g < suite_gaps_->gaps.size(); ++g) {
     const GapOverRecords& over = needs.gaps[g];
-    const std::vector<double>& widths = over.given.front().widths;
-    const auto narrowest = std::min_element(widths.begin(), widths.end());
     names.push_back(suite_gaps_->gaps[g].name);
     gaps.push_back({{"name", names.back()},
-                    {"width", narrowest == widths.end() ? 0 : *narrowest},
+                    {"width", over.given.front().narrowest().value_or(0)},
                     {"needed", collapses ? Json() : number_or_null(over.largest.gap_needed)}});
   }
   double longest = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -42,6 +43,11 @@ struct GivenGap {
   std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what varies the widths
   std::vector<double> widths;  ///< [length], of its contact points, or of its watched floors where it has none
   std::size_t beyond = 0;      ///< records that need more somewhere
+
+  /// The smallest width [length]; nothing where no floors face one another.
+  [[nodiscard]] std::optional<double> narrowest() const {
+    return widths.empty() ? std::nullopt : std::optional(*std::min_element(widths.begin(), widths.end()));
+  }
 };
 
 /// What a code takes of the records of a suite.

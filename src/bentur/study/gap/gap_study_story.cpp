@@ -31,10 +31,7 @@ std::string others_of(const RecordNeeds& needs) {
 }
 
 /// NaN where no floors face one another.
-double width_of(const GivenGap& given) {
-  const auto least = std::min_element(given.widths.begin(), given.widths.end());
-  return least == given.widths.end() ? not_known : *least;
-}
+double width_of(const GivenGap& given) { return given.narrowest().value_or(not_known); }
 
 /// Of the records that need more [%].
 double share_of(const Told& told, const GivenGap& given) {

@@ -134,7 +134,7 @@ LeastGaps least_gaps(const Case& c, const GapStudy& study) {
     LeastGap one{between.name, between.left, between.right, !given.widths.empty()};
     one.needed = needs.gaps[g].largest.gap_needed;
     one.width = rounded_up(one.needed);
-    one.given = one.is_facing ? *std::min_element(given.widths.begin(), given.widths.end()) : 0;
+    one.given = given.narrowest().value_or(0);
     one.is_short = given.beyond > 0;
     found.gaps.push_back(std::move(one));
   }

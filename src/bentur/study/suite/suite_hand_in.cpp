@@ -47,14 +47,14 @@ void check_gap(const GapStudy& study, Eigen::Index gap, std::vector<CheckRow>& r
   const GivenGap& given = over.given.front();
   const bool collapses =
       std::any_of(needs.records.begin(), needs.records.end(), [](const RecordNeed& one) { return one.collapsed; });
-  const auto narrowest = std::min_element(given.widths.begin(), given.widths.end());
-  const bool faces = narrowest != given.widths.end();
+  const std::optional<double> narrowest = given.narrowest();
+  const bool faces = narrowest.has_value();
   const auto row = [&](std::string check, std::string by, double demand, bool is_met) {
     CheckRow made{.check = std::move(check),
                   .by = std::move(by),
                   .where = study.gaps.at(gap).name,
                   .demand = known(demand),
-                  .limit = faces ? std::optional(*narrowest) : std::nullopt,
+                  .limit = narrowest,
                   .unit = study.units.length,
                   .is_met = is_met};
     if (!faces || std::isnan(demand)) made.result = faces ? not_known_word : "story.silence.no_level";
