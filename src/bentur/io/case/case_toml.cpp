@@ -254,9 +254,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   ReadCase read;
   Case& c = read.c;
   if (const auto plan = plan_of(root)) {
-    plan->error(
-        "is of buildings in plan, which bentur check, modes, run, gap, report and sweep take, Python and the studio: "
-        "nothing else does");
+    plan->error("is of buildings in plan, which is not taken here; bentur run, gap and report take it");
     return read;
   }
   (void)TableView::of(root, case_keys());

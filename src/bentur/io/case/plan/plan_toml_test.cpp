@@ -347,8 +347,7 @@ TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {
   EXPECT_FALSE(read_case_text(plan_text, "a.toml", diagnostics));
   ASSERT_EQ(diagnostics.errors().size(), 1U);
   EXPECT_EQ(diagnostics.errors()[0].message(),
-            "plan is of buildings in plan, which bentur check, modes, run, gap, report and sweep take, Python and the "
-            "studio: nothing else does");
+            "plan is of buildings in plan, which is not taken here; bentur run, gap and report take it");
   const auto errors_of_row = [](const std::string& more_of_gap, const std::string& more,
                                 const std::string& more_of_contact = "") {
     Diagnostics found;
