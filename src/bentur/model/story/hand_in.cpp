@@ -125,8 +125,27 @@ void check_hinges(const RunResults& run, Checks& checks) {
   }
 }
 
-/// Storeys against the drift that counts as collapse.
-void check_stability(const RunResults& run, Checks& checks) {
+/// The largest drift of a building against that which counts as collapse. @param most nothing: none is known
+void check_drift(const std::string& building, bool has_gravity_loads, const std::optional<double>& most, bool falls,
+                 double limit, Checks& checks) {
+  const char* const check = has_gravity_loads ? "check.stability" : "check.drift";
+  const std::string demand = most ? with_unit(of_hundred * *most, "%") : "–";
+  const std::string most_that_stands = with_unit(of_hundred * limit, "%");
+  if (most || falls) {
+    checks.add(check, "collapse_drift", building, demand, most_that_stands, !falls && !(*most > limit));
+  } else {
+    checks.add(check, "collapse_drift", building, demand, most_that_stands, "story.silence.unknown", true);
+  }
+}
+
+/// @param response of a row or of buildings in plan
+template <class Response>
+bool falls_in(const Response& response, Index building) {
+  const auto is_of_it = [&](const std::optional<Collapse>& one) { return one && one->building == building; };
+  return is_of_it(response.collapse) || is_of_it(response.collapse_no_contact);
+}
+
+void check_storeys(const RunResults& run, Checks& checks) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const Building& building = run.problem.buildings[b];
     if (building.is_rigid()) continue;
@@ -135,11 +154,8 @@ void check_stability(const RunResults& run, Checks& checks) {
     for (Index storey = building.model.first_storey(); storey < drifts.size(); ++storey) {
       most = std::fmax(most, drifts(storey));
     }
-    const auto collapses = [&](const std::optional<Collapse>& one) { return one && one->building == b; };
-    const bool falls = collapses(run.response.collapse) || collapses(run.response.collapse_no_contact);
-    checks.add(building.has_gravity_loads ? "check.stability" : "check.drift", "collapse_drift", building.name,
-               with_unit(of_hundred * most, "%"), with_unit(of_hundred * run.problem.collapse_drift, "%"),
-               !falls && !(most > run.problem.collapse_drift));
+    check_drift(building.name, building.has_gravity_loads, most, falls_in(run.response, b), run.problem.collapse_drift,
+                checks);
   }
 }
 
@@ -203,29 +219,19 @@ void check_solution(const std::vector<Discrepancy>& discrepancies, Checks& check
              discrepancies.empty());
 }
 
-std::string names_of(const Problem& problem, const std::vector<Index>& buildings) {
+/// One statement of the buildings that move and of which something holds; none where it holds of none.
+/// @param holds of a building by its place
+template <class Buildings, class Holds>
+void tell_of(const char* kind, const Buildings& buildings, const Holds& holds, std::vector<Statement>& statements) {
+  Statement statement{.kind = kind, .severity = Severity::remark};
   std::string names;
-  for (const Index b : buildings) names += (names.empty() ? "" : ", ") + problem.buildings[b].name;
-  return names;
-}
-
-template <class Holds>
-std::vector<Index> buildings_where(const Problem& problem, const Holds& holds) {
-  std::vector<Index> found;
-  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
-    if (!problem.buildings[b].is_rigid() && holds(b)) found.push_back(b);
+  for (Index b = 0; b < std::ssize(buildings); ++b) {
+    if (buildings[b].is_rigid() || !holds(b)) continue;
+    names += (names.empty() ? "" : ", ") + buildings[b].name;
+    statement.buildings.push_back(b);
   }
-  return found;
-}
-
-/// One statement of the buildings where something holds; none where it does nowhere.
-template <class Holds>
-void tell_of(const char* kind, const Problem& problem, const Holds& holds, std::vector<Statement>& statements) {
-  std::vector<Index> found = buildings_where(problem, holds);
-  if (found.empty()) return;
-  Statement statement{
-      .kind = kind, .severity = Severity::remark, .values = {text_of("names", names_of(problem, found))}};
-  statement.buildings = std::move(found);
+  if (names.empty()) return;
+  statement.values = {text_of("names", names)};
   statements.push_back(std::move(statement));
 }
 
@@ -239,33 +245,52 @@ bool is_given_as(const Case& c, Index b) {
   return place < c.buildings.size() && std::holds_alternative<Structure>(c.buildings[place].structure);
 }
 
-std::vector<Statement> assumptions_of(const Case& c, const Problem& problem) {
-  std::vector<Statement> statements;
-  tell_of(
-      "assumption.generic", problem, [&](Index b) { return is_given_as<GenericBuilding>(c, b); }, statements);
-  tell_of(
-      "assumption.modal", problem, [&](Index b) { return is_given_as<ModalBuilding>(c, b); }, statements);
-  const auto is_calibrated = [&](Index b) { return problem.buildings[b].model.stiffness_factor.has_value(); };
-  tell_of("assumption.calibrated", problem, is_calibrated, statements);
-  const bool is_late = std::any_of(problem.delays.begin(), problem.delays.end(), [](double s) { return s != 0; });
-  if (!c.excitation.spectrum) tell(is_late ? "assumption.late_motion" : "assumption.one_motion", statements);
-  if (c.excitation.suite) tell("assumption.suite", statements);
+/// @param delays of the motion at each building [s]
+void tell_motion(const std::vector<double>& delays, std::vector<Statement>& statements) {
+  const bool is_late = std::any_of(delays.begin(), delays.end(), [](double s) { return s != 0; });
+  tell(is_late ? "assumption.late_motion" : "assumption.one_motion", statements);
+}
+
+/// Links, rules and defaults. @param c of a row or of buildings in plan
+template <class AnyCase>
+void tell_given(const AnyCase& c, std::vector<Statement>& statements) {
   if (!c.links.empty()) tell("assumption.links", statements);
   if (!c.code.rules.empty()) tell("assumption.codes", statements);
   tell("assumption.defaults", statements);
+}
+
+std::vector<Statement> assumptions_of(const Case& c, const Problem& problem) {
+  std::vector<Statement> statements;
+  const std::vector<Building>& buildings = problem.buildings;
+  const auto is_calibrated = [&](Index b) { return buildings[b].model.stiffness_factor.has_value(); };
+  tell_of(
+      "assumption.generic", buildings, [&](Index b) { return is_given_as<GenericBuilding>(c, b); }, statements);
+  tell_of(
+      "assumption.modal", buildings, [&](Index b) { return is_given_as<ModalBuilding>(c, b); }, statements);
+  tell_of("assumption.calibrated", buildings, is_calibrated, statements);
+  if (!c.excitation.spectrum) tell_motion(problem.delays, statements);
+  if (c.excitation.suite) tell("assumption.suite", statements);
+  tell_given(c, statements);
   return statements;
 }
 
-/// What is open in every report.
+/// That no rule of a code is asked for, and of which code the project is. @param c of a row or of buildings in plan
+template <class AnyCase>
+void tell_codes(const AnyCase& c, std::vector<Statement>& statements) {
+  if (!c.code.rules.empty()) return;
+  const std::string basis = c.project ? c.project->code_basis : "";
+  tell(basis.empty() ? "unchecked.codes" : "unchecked.codes_of_basis", statements, {text_of("basis", basis)});
+}
+
+/// What is open in every report of a row.
 void tell_always(const Case& c, const Problem& problem, std::vector<Statement>& statements) {
-  const auto no_gravity = [&](Index b) { return !problem.buildings[b].has_gravity_loads; };
-  const auto no_soil = [&](Index b) {
-    return !problem.buildings[b].model.foundation && !problem.buildings[b].model.slab;
-  };
+  const std::vector<Building>& buildings = problem.buildings;
+  const auto no_gravity = [&](Index b) { return !buildings[b].has_gravity_loads; };
+  const auto no_soil = [&](Index b) { return !buildings[b].model.foundation && !buildings[b].model.slab; };
   tell("unchecked.members", statements);
   tell("unchecked.drift", statements);
-  tell_of("unchecked.gravity", problem, no_gravity, statements);
-  tell_of("unchecked.soil", problem, no_soil, statements);
+  tell_of("unchecked.gravity", buildings, no_gravity, statements);
+  tell_of("unchecked.soil", buildings, no_soil, statements);
   tell("unchecked.other_directions", statements);
   tell("unchecked.local", statements);
   if (const auto& suite = c.excitation.suite) {
@@ -280,10 +305,7 @@ void tell_always(const Case& c, const Problem& problem, std::vector<Statement>& 
 std::vector<Statement> unchecked_of(const GapFacts& facts, bool needs_seismicity) {
   const Case& c = facts.c;
   std::vector<Statement> statements;
-  if (c.code.rules.empty()) {
-    const std::string basis = c.project ? c.project->code_basis : "";
-    tell(basis.empty() ? "unchecked.codes" : "unchecked.codes_of_basis", statements, {text_of("basis", basis)});
-  }
+  tell_codes(c, statements);
   std::string bare;  // levels at which a column is struck of which is not said what it bears
   for (const Gap& gap : gaps_of(facts.problem)) {
     const auto place = static_cast<std::size_t>(gap.left);
@@ -329,7 +351,7 @@ HandIn hand_in(const RunResults& run) {
   check_columns(run, checks);
   check_shears(run, checks);
   check_hinges(run, checks);
-  check_stability(run, checks);
+  check_storeys(run, checks);
   HandIn made = hand_in(story::facts_of(run), std::move(checks), &run);
   made.assumptions.insert(made.assumptions.begin(), story::model_statement(run));
   return made;
@@ -337,60 +359,33 @@ HandIn hand_in(const RunResults& run) {
 
 namespace {
 
-/// Storeys of planes against the drift that counts as collapse; of a building without planes nothing is known.
+/// Storeys of planes; of a building without planes nothing is known.
 void check_planes(const PlanRun& run, Checks& checks) {
-  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
     if (building.is_rigid()) continue;
-    const auto check = building.has_gravity_loads() ? "check.stability" : "check.drift";
-    const std::string limit = with_unit(of_hundred * run.problem.collapse_drift, "%");
-    double most = -1;
+    std::optional<double> most;
     for (const PlanPeaks::Plane& plane : run.response.buildings[b].planes) {
-      if (plane.drift_ratio.size() > 0) most = std::fmax(most, plane.drift_ratio.maxCoeff());
+      if (plane.drift_ratio.size() > 0) most = std::fmax(most.value_or(0), plane.drift_ratio.maxCoeff());
     }
-    const auto collapses = [&](const std::optional<Collapse>& one) {
-      return one && one->building == static_cast<Index>(b);
-    };
-    const bool falls = collapses(run.response.collapse) || collapses(run.response.collapse_no_contact);
-    if (most < 0 && !falls) {
-      checks.add(check, "collapse_drift", building.name, "–", limit, "story.silence.unknown", true);
-    } else {
-      checks.add(check, "collapse_drift", building.name, with_unit(of_hundred * most, "%"), limit,
-                 !falls && !(most > run.problem.collapse_drift));
-    }
+    check_drift(building.name, building.has_gravity_loads(), most, falls_in(run.response, b),
+                run.problem.collapse_drift, checks);
   }
-}
-
-std::vector<Statement> assumptions_of(const PlanRun& run) {
-  std::vector<Statement> statements = {story::model_statement(run)};
-  const std::vector<double>& delays = run.problem.delays;
-  const bool is_late = std::any_of(delays.begin(), delays.end(), [](double s) { return s != 0; });
-  tell(is_late ? "assumption.late_motion" : "assumption.one_motion", statements);
-  if (!run.c.links.empty()) tell("assumption.links", statements);
-  if (!run.c.code.rules.empty()) tell("assumption.codes", statements);
-  tell("assumption.defaults", statements);
-  return statements;
 }
 
 std::vector<Statement> unchecked_of(const PlanRun& run) {
+  const std::vector<PlanBuilding>& buildings = run.problem.buildings;
+  const auto no_gravity = [&](Index b) { return !buildings[b].has_gravity_loads(); };
   std::vector<Statement> statements;
-  if (run.c.code.rules.empty()) {
-    const std::string basis = run.c.project ? run.c.project->code_basis : "";
-    tell(basis.empty() ? "unchecked.codes" : "unchecked.codes_of_basis", statements, {text_of("basis", basis)});
-  }
+  tell_codes(run.c, statements);
   tell("unchecked.screening_of_plans", statements);
   if (!run.c.analysis.both_ways) tell("unchecked.reversed", statements);
   if (!run.response.energy) tell("unchecked.energy", statements);
   tell("unchecked.members", statements);
   tell("unchecked.drift", statements);
-  std::string moving, without_gravity;
-  for (const PlanBuilding& building : run.problem.buildings) {
-    if (building.is_rigid()) continue;
-    moving += (moving.empty() ? "" : ", ") + building.name;
-    if (!building.has_gravity_loads()) without_gravity += (without_gravity.empty() ? "" : ", ") + building.name;
-  }
-  if (!without_gravity.empty()) tell("unchecked.gravity", statements, {text_of("names", without_gravity)});
-  if (!moving.empty()) tell("unchecked.soil", statements, {text_of("names", moving)});
+  tell_of("unchecked.gravity", buildings, no_gravity, statements);
+  tell_of(
+      "unchecked.soil", buildings, [](Index) { return true; }, statements);
   for (const char* const kind : {"unchecked.vertical", "unchecked.local", "unchecked.motions"}) tell(kind, statements);
   return statements;
 }
@@ -407,7 +402,10 @@ HandIn hand_in(const PlanRun& run) {
     check_rules(facts, 0, checks);
   }
   check_solution(run.response.discrepancies, checks);
-  return {assumptions_of(run), checks.take(), unchecked_of(run)};
+  std::vector<Statement> assumptions = {story::model_statement(run)};
+  tell_motion(run.problem.delays, assumptions);
+  tell_given(run.c, assumptions);
+  return {std::move(assumptions), checks.take(), unchecked_of(run)};
 }
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
+#include <utility>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
@@ -84,6 +85,22 @@ TEST(PlanReport, IsOneToHandIn) {
   EXPECT_TRUE(has(page, "NOT met"));
 }
 
+/// Of a building without planes no drift is known: no number is told, whether it collapses or not.
+TEST(PlanReport, TellsNoDriftOfABuildingWithoutPlanes) {
+  PlanRun run = twisting();
+  run.response.buildings[0].planes.clear();
+  const auto row_of_drift = [&] {
+    const StoryTable checks = hand_in(run).checks;
+    const std::vector<std::string>& names = checks.columns.at(0).texts;
+    const auto row = static_cast<std::size_t>(std::find(names.begin(), names.end(), "check.drift") - names.begin());
+    return std::pair(checks.columns.at(3).texts.at(row), checks.columns.at(5).texts.at(row));
+  };
+  EXPECT_EQ(row_of_drift(), std::pair(std::string("–"), std::string("story.silence.unknown")));
+  run.response.collapse = Collapse{};
+  run.response.collapse->building = 0;
+  EXPECT_EQ(row_of_drift(), std::pair(std::string("–"), std::string("check.not_met")));
+}
+
 /// In both languages every sentence of the story stands there, and no key of the catalogue or word without its value.
 TEST(PlanReport, TellsTheStory) {
   const PlanRun three = test::plan_run(test::twisting_pair() + test::wall_beside);
@@ -105,7 +122,6 @@ TEST(PlanReport, TellsTheStory) {
   EXPECT_TRUE(has(page_of(three), ">Walled | Frame<"));  // bars of several gaps have their names
 }
 
-/// Every number is that of the quantities; the list of impacts can be saved as impacts.csv.
 /// A corner near the end of the edge before it is told of where both buildings may move further than that along it.
 TEST(PlanReport, TellsOfCornersThatMayLeaveTheirEdge) {
   const auto tells = [](const std::string& polygon) {
@@ -121,6 +137,7 @@ TEST(PlanReport, TellsOfCornersThatMayLeaveTheirEdge) {
   EXPECT_TRUE(tells("[[0, 17.99], [9, 9], [18, 17], [9, 25]]"));  // before the end of one
 }
 
+/// Every number is that of the quantities; the list of impacts can be saved as impacts.csv.
 TEST(PlanReport, HoldsTheNumbers) {
   const PlanRun& run = twisting();
   const std::string page = page_of(run);
