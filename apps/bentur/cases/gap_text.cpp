@@ -12,12 +12,6 @@
 
 namespace bentur::cli {
 
-std::vector<std::string> gap_names(const Problem& problem) {
-  std::vector<std::string> names;
-  for (const Gap& gap : gaps_of(problem)) names.push_back(gap_name(problem, gap.left));
-  return names;
-}
-
 std::string tables_text(const std::vector<std::string>& gaps, const Story& story, const Words& say) {
   std::string text = story_text(gaps, {story.statements}, say, Told::outcome);
   std::optional<Eigen::Index> gap;

@@ -9,8 +9,6 @@
 // What is told of gaps on a terminal, of rows and of buildings in plan.
 namespace bentur::cli {
 
-[[nodiscard]] std::vector<std::string> gap_names(const Problem& problem);
-
 /// Statements, the tables of every gap, remarks. @param gaps their names
 [[nodiscard]] std::string tables_text(const std::vector<std::string>& gaps, const Story& story, const Words& say);
 

@@ -139,7 +139,7 @@ void print_plan_gaps(const std::string& file, bool json, const std::string& lang
   if (json) return print(plan_gap_json(run, BENTUR_VERSION));
   const Words say(language);
   print(fitted(plan_motion_text(run, say) + all_gaps_text(gap_names(run.problem), run.c.code, plan_gap_story(run),
-                                                          {say("cli.plan_gap_note")}, say)));
+                                                          {say("cli.plan_gap_note"), say("screening.note")}, say)));
 }
 
 void print_plan_rules(const std::string& file, bool json, const std::string& language) {

@@ -221,6 +221,12 @@ std::string gap_name(const Problem& problem, Eigen::Index gap) {
   return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
 }
 
+std::vector<std::string> gap_names(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const Gap& gap : gaps_of(problem)) names.push_back(gap_name(problem, gap.left));
+  return names;
+}
+
 std::vector<double> gap_widths(const Problem& problem) {
   std::vector<double> widths;
   widths.reserve(problem.points.size());

@@ -95,6 +95,8 @@ struct Gap {
 
 /// "Model 1 | Model 2" for the gap to the right of building `gap`.
 [[nodiscard]] std::string gap_name(const Problem& problem, Eigen::Index gap);
+/// Of every gap, left to right.
+[[nodiscard]] std::vector<std::string> gap_names(const Problem& problem);
 
 /// w of every point [length].
 [[nodiscard]] std::vector<double> gap_widths(const Problem& problem);

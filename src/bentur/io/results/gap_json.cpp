@@ -65,13 +65,13 @@ Json findings_json(const std::vector<RuleFinding>& findings, const std::vector<L
   return json;
 }
 
-Json screening_json(const Case& c, const Problem& problem, Eigen::Index gap) {
+Json screening_json(const std::vector<ScreeningFinding>& findings, const Units& units) {
   Json json = Json::array();
-  for (const ScreeningFinding& found : screening(problem, gap, c.screening, c.units)) {
+  for (const ScreeningFinding& found : findings) {
     json.push_back({{"rule", found.rule->name},
                     {"value", found.value},
                     {"limit", or_null(found.limit)},
-                    {"unit", found.rule->unit == "length" ? c.units.length : std::string(found.rule->unit)},
+                    {"unit", found.rule->unit == "length" ? units.length : std::string(found.rule->unit)},
                     {"verdict", verdict_text(found.verdict)},
                     {"source", found.rule->source},
                     {"wording", found.rule->wording}});
@@ -117,7 +117,8 @@ Json unmodelled_list(const Problem& problem, const Response& response, Eigen::In
 }
 
 Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels, double scale,
-                 bool collapsed, Eigen::Index gap, const PlanGap* in_plan) {
+                 bool collapsed, Eigen::Index gap, const std::vector<ScreeningFinding>& screened,
+                 const PlanGap* in_plan) {
   Json points = Json::array(), watched = Json::array();
   for (const LevelSeparation& one : levels) {
     if (one.level.is_point) {
@@ -135,7 +136,7 @@ Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelS
   json["rules"] = findings_json(rule_findings(problem, levels, c.code, scale, collapsed, is_pair), levels, in_plan);
   json["points"] = points;
   json["watched_floors"] = watched;
-  if (in_plan == nullptr) json["screening"] = screening_json(c, problem, gap);
+  json["screening"] = screening_json(screened, c.units);
   return json;
 }
 

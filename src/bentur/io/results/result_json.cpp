@@ -264,7 +264,8 @@ std::string gap_json(const RunResults& results, std::string_view version) {
   for (const Gap& gap : gaps_of(problem)) {
     gaps.push_back(gap_json_of(results.c, problem, of_gap(all, gap.left),
                                displacement_scale(problem, results.response, gap.left),
-                               results.response.collapse_no_contact.has_value(), gap.left));
+                               results.response.collapse_no_contact.has_value(), gap.left,
+                               screening(problem, gap.left, results.c.screening, results.c.units)));
   }
   return text_of({{"title", results.c.title},
                   {"units", units_json(results.c.units)},
@@ -290,7 +291,8 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
                          {"peak_displacement_cqc", list(spectral.peaks.at(b).cqc)}});
   }
   for (const Gap& gap : gaps_of(problem)) {
-    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left));
+    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left,
+                               screening(problem, gap.left, c.screening, c.units)));
   }
   return text_of(
       {{"title", c.title},

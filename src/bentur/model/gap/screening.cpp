@@ -21,21 +21,14 @@ constexpr std::array<double, 5> percent_of_height = {0.25, 0.5, 1.5, 1.5, 1.5}; 
 constexpr double most_apart = 24 * inch;                                         // (1) [m]
 constexpr double storeys_apart = 2;                                              // (2)
 constexpr double most_mass_ratio = 2;                                            // (7)
+constexpr double most_eccentricity = 20;                                         // (8) [%]
 
-/// A building as the rules look at it.
-struct Standing {
-  std::vector<double> floors;  ///< elevations [length], without a slab on bearings
-  double height = 0;           ///< [length]
-  double mass = 0;             ///< [mass]
-
-  [[nodiscard]] double storeys() const { return static_cast<double>(floors.size()); }
-};
-
-Standing standing(const StructuralModel& model) {
-  Standing result;
+StandingBuilding standing(const StructuralModel& model, bool is_backed) {
+  StandingBuilding result;
   result.floors.assign(model.elevations.begin() + model.first_storey(), model.elevations.end());
   result.height = std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0);
   result.mass = std::accumulate(model.floor_masses.begin(), model.floor_masses.end(), 0.0);
+  result.is_backed = is_backed;
   return result;
 }
 
@@ -46,7 +39,7 @@ double to_nearest(double elevation, const std::vector<double>& floors) {
 }
 
 /// The largest distance from a floor up to the lower roof to the nearest floor of the neighbour [length].
-double floors_apart(const Standing& a, const Standing& b) {
+double floors_apart(const StandingBuilding& a, const StandingBuilding& b) {
   const double roof = std::min(a.floors.back(), b.floors.back());
   double most = 0;
   for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
@@ -63,17 +56,6 @@ double narrowest(const Problem& problem, Eigen::Index gap) {
   for (const Eigen::Index i : between.points) width = std::min(width, problem.points[i].width);
   for (const Eigen::Index i : between.watched) width = std::min(width, problem.watched[i].width);
   return width;
-}
-
-/// How many buildings stand in a row with one of them, walls left out.
-Eigen::Index row_length(const Problem& problem, Eigen::Index building) {
-  const auto stands = [&](Eigen::Index b) {
-    return b >= 0 && b < std::ssize(problem.buildings) && !problem.buildings[b].is_rigid();
-  };
-  Eigen::Index first = building, last = building;
-  while (stands(first - 1)) --first;
-  while (stands(last + 1)) ++last;
-  return last - first + 1;
 }
 
 }  // namespace
@@ -94,6 +76,7 @@ const std::vector<ScreeningRule>& screening_rules() {
       {"pounding", "pounding to be scored", p154, memory, "", true},
       {"gap-per-height", "gap over height", "ASCE 41-17, Tier 1, adjacent buildings", memory, "%"},
       {"mass-ratio", "mass ratio", "no code's", "ours", ""},
+      {"eccentricity", "eccentricity over the side", "ASCE 41-17, Tier 1, torsion", memory, "%"},
   };
   return rules;
 }
@@ -112,16 +95,12 @@ std::string_view verdict_text(Verdict verdict) {
   return "does not apply";
 }
 
-std::vector<ScreeningFinding> screening(const Problem& problem, Eigen::Index gap, const ScreeningSpec& spec,
-                                        const Units& units) {
-  const Building& left = problem.buildings.at(static_cast<std::size_t>(gap));
-  const Building& right = problem.buildings.at(static_cast<std::size_t>(gap) + 1);
-  if (left.is_rigid() || right.is_rigid()) return {};
-  const Standing a = standing(left.model), b = standing(right.model);
+std::vector<ScreeningFinding> screening(const StandingBuilding& a, const StandingBuilding& b, double width,
+                                        const ScreeningSpec& spec, const Units& units) {
   if (a.floors.empty() || b.floors.empty()) return {};
   const double metre = 1 / metres(units.length);  // [length]
-  const Standing& shorter = a.height <= b.height ? a : b;
-  const double width = narrowest(problem, gap);
+  const auto storeys_of = [](const StandingBuilding& one) { return static_cast<double>(one.floors.size()); };
+  const StandingBuilding& shorter = a.height <= b.height ? a : b;
   std::vector<ScreeningFinding> findings;
   const auto add = [&](double value, std::optional<double> limit, Verdict verdict) {
     findings.push_back({&screening_rules()[findings.size()], value, limit, verdict});
@@ -132,13 +111,9 @@ std::vector<ScreeningFinding> screening(const Problem& problem, Eigen::Index gap
   bool stands_badly = false;
   const double apart = floors_apart(a, b);
   stands_badly |= add(apart, most_apart * metre, attention_if(apart > most_apart * metre));  // (1)
-  const double more = std::abs(a.storeys() - b.storeys());
+  const double more = std::abs(storeys_of(a) - storeys_of(b));
   stands_badly |= add(more, storeys_apart, attention_if(more >= storeys_apart));  // (2)
-  const bool row = row_length(problem, gap) > 2;
-  const auto free_side = [&](Eigen::Index beside) {  // nothing stands there, or a wall
-    return beside < 0 || beside >= std::ssize(problem.buildings) || problem.buildings[beside].is_rigid();
-  };
-  const bool end = row && (free_side(gap - 1) || free_side(gap + 2));
+  const bool row = a.is_backed || b.is_backed, end = row && !(a.is_backed && b.is_backed);
   stands_badly |= add(end ? 1 : 0, {}, row ? attention_if(end) : Verdict::not_applicable);  // (3)
 
   if (!std::isfinite(width)) {  // no floors face one another
@@ -149,7 +124,7 @@ std::vector<ScreeningFinding> screening(const Problem& problem, Eigen::Index gap
     add(100 * width / shorter.height, {}, Verdict::needs_seismicity);
   } else {
     const auto level = static_cast<std::size_t>(*spec.seismicity);
-    const double storeys = std::min(a.storeys(), b.storeys());
+    const double storeys = std::min(storeys_of(a), storeys_of(b));
     const double least = inches_per_storey[level] * inch * metre * storeys;
     const bool narrow = add(width, least, attention_if(width < least));             // (4)
     add(narrow && stands_badly ? 1 : 0, {}, attention_if(narrow && stands_badly));  // (5)
@@ -158,7 +133,23 @@ std::vector<ScreeningFinding> screening(const Problem& problem, Eigen::Index gap
   }
   const double ratio = std::max(a.mass, b.mass) / std::min(a.mass, b.mass);
   add(ratio, most_mass_ratio, attention_if(ratio >= most_mass_ratio));  // (7)
+  if (a.eccentricity && b.eccentricity) {
+    const double most = std::max(*a.eccentricity, *b.eccentricity);
+    add(most, most_eccentricity, attention_if(most >= most_eccentricity));  // (8)
+  }
   return findings;
+}
+
+std::vector<ScreeningFinding> screening(const Problem& problem, Eigen::Index gap, const ScreeningSpec& spec,
+                                        const Units& units) {
+  const Building& left = problem.buildings.at(static_cast<std::size_t>(gap));
+  const Building& right = problem.buildings.at(static_cast<std::size_t>(gap) + 1);
+  if (left.is_rigid() || right.is_rigid()) return {};
+  const auto moves = [&](Eigen::Index b) {
+    return b >= 0 && b < std::ssize(problem.buildings) && !problem.buildings[b].is_rigid();
+  };
+  return screening(standing(left.model, moves(gap - 1)), standing(right.model, moves(gap + 2)), narrowest(problem, gap),
+                   spec, units);
 }
 
 }  // namespace bentur

@@ -43,6 +43,9 @@ struct ScreeningRule {
 ///   pounding       (4) falls short and one of (1) to (3) holds                               FEMA P-154         (5)
 ///   gap-per-height w at least 1.5, 0.5, 0.25 % of H in high, moderate, low seismicity        ASCE 41-17, Tier 1 (6)
 ///   mass-ratio     mass of the heavier over that of the lighter building: below 2; no code has this limit       (7)
+///   eccentricity   of buildings in plan: the largest distance between a floor's centre of mass and the centre of
+///                  rigidity of the storey below, along x or y over the side there: below 20 %
+///                                                                                            ASCE 41-17, Tier 1 (8)
 [[nodiscard]] const std::vector<ScreeningRule>& screening_rules();
 
 struct ScreeningFinding {
@@ -55,6 +58,19 @@ struct ScreeningFinding {
 /// "no concern", "attention", "needs screening.seismicity", "does not apply".
 [[nodiscard]] std::string_view verdict_text(ScreeningFinding::Verdict verdict);
 
+/// A building as the rules look at it.
+struct StandingBuilding {
+  std::vector<double> floors;  ///< elevations [length], without a slab on bearings
+  double height = 0;           ///< [length]
+  double mass = 0;             ///< [mass]
+  bool is_backed = false;      ///< a building that moves stands on its other side, along the line of the gap
+  std::optional<double> eccentricity = {};  ///< of (8) [%]; nothing: of a row
+};
+
+/// Every rule for two buildings with a gap between them. @param width narrowest [length]; infinite where no floors face
+/// one another
+[[nodiscard]] std::vector<ScreeningFinding> screening(const StandingBuilding& left, const StandingBuilding& right,
+                                                      double width, const ScreeningSpec& spec, const Units& units);
 /// Every rule for the gap to the right of building `gap`; none where one of the two moves with the ground.
 [[nodiscard]] std::vector<ScreeningFinding> screening(const Problem& problem, Eigen::Index gap,
                                                       const ScreeningSpec& spec, const Units& units);

@@ -60,6 +60,7 @@ struct PlanCase {
   AnalysisSpec analysis;
   std::optional<ProjectSpec> project = {};
   CodeSpec code = {};  ///< lists over the gaps are in the order of `gaps`
+  ScreeningSpec screening = {};
   std::optional<CaseSource> source = {};
   std::shared_ptr<const TomlValue> given = {};  ///< as Case's
 };

@@ -169,7 +169,7 @@ StoryTable screening_table(const GapFacts& facts, Eigen::Index gap) {
   StoryColumn limit{"screening.limit"}, unit{.label = "screening.unit"};
   StoryColumn verdict{.label = "screening.verdict", .are_words = true}, source{.label = "screening.source"};
   StoryTable table{.kind = "screening", .gap = gap};
-  for (const ScreeningFinding& found : screening(facts.problem, gap, facts.c.screening, facts.c.units)) {
+  for (const ScreeningFinding& found : facts.screened.at(static_cast<std::size_t>(gap))) {
     const bool open = found.rule->yes_or_no && found.verdict == Verdict::needs_seismicity;
     if (found.verdict == Verdict::attention) table.marked.push_back(rule.texts.size());
     rule.texts.push_back("screening." + std::string(found.rule->name));
@@ -357,8 +357,7 @@ std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap) {
     tables.push_back(level_table(facts, gap, levels));
     tables.push_back(rule_table(facts, gap, levels));
   }
-  // Of results read back how the buildings stand is not known.
-  if (facts.c.buildings.empty()) return tables;
+  if (facts.screened.empty()) return tables;
   StoryTable standing = screening_table(facts, gap);
   if (!standing.columns.front().texts.empty()) tables.push_back(std::move(standing));
   return tables;
@@ -367,7 +366,8 @@ std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap) {
 }  // namespace story
 
 Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  const story::GapFacts facts{.c = c, .problem = problem, .levels = spectral.levels};
+  const story::GapFacts facts{
+      .c = c, .problem = problem, .levels = spectral.levels, .screened = story::screened(c, problem)};
   Story told;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
     story::tell_need(facts, gap, told.statements);

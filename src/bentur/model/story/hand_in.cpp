@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/internal/story_parts.h"
 #include "bentur/model/suite/suite.h"
 
@@ -197,7 +198,7 @@ void check_rules(const GapFacts& facts, Index gap, Checks& checks) {
 bool check_screening(const GapFacts& facts, Index gap, Checks& checks) {
   using Verdict = ScreeningFinding::Verdict;
   bool open = false;
-  for (const ScreeningFinding& found : screening(facts.problem, gap, facts.c.screening, facts.c.units)) {
+  for (const ScreeningFinding& found : facts.screened.at(static_cast<std::size_t>(gap))) {
     open = open || found.verdict == Verdict::needs_seismicity;
     if (found.verdict == Verdict::needs_seismicity || found.verdict == Verdict::not_applicable) continue;
     const std::string unit = found.rule->unit == "length" ? facts.c.units.length : std::string(found.rule->unit);
@@ -329,7 +330,7 @@ std::vector<Statement> unchecked_of(const GapFacts& facts, bool needs_seismicity
 /// Rules of thumb for every gap, and all that is told of what is checked. @param run null: there is none
 HandIn hand_in_with(const GapFacts& facts, Checks checks, const RunResults* run) {
   bool needs_seismicity = false;
-  for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings) && !facts.c.buildings.empty(); ++gap) {
+  for (Index gap = 0; gap < std::ssize(facts.screened); ++gap) {
     needs_seismicity = check_screening(facts, gap, checks) || needs_seismicity;
   }
   if (run != nullptr) check_solution(run->response.discrepancies, checks);
@@ -373,12 +374,12 @@ void check_planes(const PlanRun& run, Checks& checks) {
   }
 }
 
-std::vector<Statement> unchecked_of(const PlanRun& run) {
+std::vector<Statement> unchecked_of(const PlanRun& run, bool needs_seismicity) {
   const std::vector<PlanBuilding>& buildings = run.problem.buildings;
   const auto no_gravity = [&](Index b) { return !buildings[b].has_gravity_loads(); };
   std::vector<Statement> statements;
   tell_codes(run.c, statements);
-  tell("unchecked.screening_of_plans", statements);
+  if (needs_seismicity) tell("unchecked.screening", statements);
   if (!run.c.analysis.both_ways) tell("unchecked.reversed", statements);
   if (!run.response.energy) tell("unchecked.energy", statements);
   tell("unchecked.members", statements);
@@ -401,15 +402,24 @@ HandIn hand_in(const PlanRun& run) {
     check_need(facts, 0, checks);
     check_rules(facts, 0, checks);
   }
+  bool needs_seismicity = false;
+  for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
+    const RunResults pair = pair_of(run.c, run.problem, gap);
+    const GapFacts facts{
+        .c = pair.c, .problem = pair.problem, .levels = {}, .screened = {plan_screening(run.c, run.problem, gap)}};
+    needs_seismicity = check_screening(facts, 0, checks) || needs_seismicity;
+  }
   check_solution(run.response.discrepancies, checks);
   std::vector<Statement> assumptions = {story::model_statement(run)};
   tell_motion(run.problem.delays, assumptions);
   tell_given(run.c, assumptions);
-  return {std::move(assumptions), checks.take(), unchecked_of(run)};
+  return {std::move(assumptions), checks.take(), unchecked_of(run, needs_seismicity)};
 }
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  HandIn made = hand_in(GapFacts{.c = c, .problem = problem, .levels = spectral.levels}, {}, nullptr);
+  HandIn made =
+      hand_in(GapFacts{.c = c, .problem = problem, .levels = spectral.levels, .screened = story::screened(c, problem)},
+              {}, nullptr);
   made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
   return made;
 }
@@ -427,7 +437,9 @@ HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow
       checks.add(row.check, row.by, row.where, demand, limit, row.result, true);
     }
   }
-  HandIn made = hand_in_with(GapFacts{.c = c, .problem = problem, .levels = {}}, std::move(checks), nullptr);
+  HandIn made =
+      hand_in_with(GapFacts{.c = c, .problem = problem, .levels = {}, .screened = story::screened(c, problem)},
+                   std::move(checks), nullptr);
   const RunResults still{.c = c, .problem = problem, .response = {}, .remarks = {}};
   made.assumptions.insert(made.assumptions.begin(), story::model_statement(still));
   return made;

@@ -8,6 +8,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/internal/small_movements.h"
 #include "bentur/model/story/internal/story_parts.h"
 
@@ -90,6 +91,7 @@ class PairStory {
       : run_(run), g_(g), pair_(pair_of(run, g)), facts_(story::facts_of(pair_)) {
     facts_.in_plan = &run.problem.gaps[g];
     facts_.plan = &run.problem;
+    facts_.screened = {plan_screening(run.c, run.problem, g)};
   }
 
   [[nodiscard]] bool meets_unmodelled() const { return !unmodelled_contacts(pair_.problem, pair_.response, 0).empty(); }

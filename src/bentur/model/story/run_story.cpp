@@ -94,12 +94,21 @@ void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnit
   }
 }
 
+std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem& problem) {
+  std::vector<std::vector<ScreeningFinding>> all;
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings) && !c.buildings.empty(); ++gap) {
+    all.push_back(screening(problem, gap, c.screening, c.units));
+  }
+  return all;
+}
+
 GapFacts facts_of(const RunResults& run) {
   return {.c = run.c,
           .problem = run.problem,
           .response = &run.response,
           .levels = separations(run.problem, run.response, run.c.code, run.c.units),
-          .collapsed = run.response.collapse_no_contact.has_value()};
+          .collapsed = run.response.collapse_no_contact.has_value(),
+          .screened = screened(run.c, run.problem)};
 }
 
 }  // namespace story

@@ -2,15 +2,15 @@
 
 namespace bentur::html {
 
-Html gap_tables(const Report& report, const std::vector<StoryTable>& tables) {
+Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables, const Words& say) {
   Html content;
   std::optional<Eigen::Index> gap;
   for (const StoryTable& table : tables) {
     if (table.gap != gap) {
       gap = table.gap;
-      content += element("h3", gap_name(report.problem, gap.value()));
+      content += element("h3", gaps.at(static_cast<std::size_t>(gap.value())));
     }
-    const SaidTable shown = said(table, report.say);
+    const SaidTable shown = said(table, say);
     content += element("h4", shown.heading) + table_of(shown);
   }
   return content;
@@ -18,7 +18,7 @@ Html gap_tables(const Report& report, const std::vector<StoryTable>& tables) {
 
 PageSection gap_section(const Report& report) {
   const Words& say = report.say;
-  Html content = gap_tables(report, report.gap_tables);
+  Html content = gap_tables(gap_names(report.problem), report.gap_tables, say);
   content += element("p", say("gap.note"), "class=\"note\"");
   if (report.from_case()) content += element("p", say("screening.note"), "class=\"note\"");
   content += element("p",

@@ -19,7 +19,7 @@ using html::Report;
 
 html::PageSection spectral_gap_section(const Report& report) {
   const Words& say = report.say;
-  Html content = html::gap_tables(report, report.story.tables);
+  Html content = html::gap_tables(gap_names(report.problem), report.story.tables, say);
   content += element("p", say("spectral.note"), "class=\"note\"");
   content += element("p", say("screening.note"), "class=\"note\"");
   content += element("p", say(report.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");

@@ -51,7 +51,8 @@ PageSection suite_gaps_section(const html::Report& report) {
   std::vector<StoryTable> of_gaps = report.story.tables;
   std::erase_if(of_gaps, [](const StoryTable& one) { return !one.gap; });
   return {"gaps", report.say("heading.gaps"),
-          html::gap_tables(report, of_gaps) + element("p", report.say("suite.note"), "class=\"note\"")};
+          html::gap_tables(gap_names(report.problem), of_gaps, report.say) +
+              element("p", report.say("suite.note"), "class=\"note\"")};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -136,11 +137,59 @@ TEST(PlanGaps, TellWhatIsNeededOfPointsAndOfWhatIsWatched) {
     EXPECT_EQ(of_gap["rules"][2]["rule"], "ddc");
     EXPECT_EQ(of_gap["rules"][2]["given_is"], "not_evaluated");
     EXPECT_EQ(of_gap["rules"][2]["reason"], "turning");
-    EXPECT_FALSE(of_gap.contains("screening"));
+    EXPECT_EQ(of_gap["screening"].size(), gap["between"][1] == "W" ? 0U : 8U);
   }
   EXPECT_EQ(summary["gaps"][0]["watched_floors"][0]["faces"], "edge");
   EXPECT_EQ(summary["gaps"][0]["watched_floors"][3]["at"], json({12.01, 18}));
   EXPECT_EQ(summary["gaps"][1]["watched_floors"], json::array());
+}
+
+/// Of the case above by hand: floors of A at 3.5 and 6.7 m, of B at 3.5, 5.5 and 7.7 m.
+TEST(PlanGaps, AreScreenedWithTheirEccentricities) {
+  const auto screened = [](const std::string& text) {
+    std::map<std::string, json> by_rule;
+    const json told = json::parse(plan_gap_json(plan_gap_run(text), "test"));
+    for (const json& gap : told["gaps"]) {
+      for (const json& one : gap["screening"]) by_rule.emplace(one["rule"], one);
+    }
+    return by_rule;
+  };
+  const auto without = screened(three_in_plan);
+  ASSERT_EQ(without.size(), 8U);
+  EXPECT_NEAR(without.at("floors-meet")["value"].get<double>(), 1.2, 1e-12);  // 6.7 against 5.5 m
+  EXPECT_EQ(without.at("storeys-apart")["value"], 1);
+  EXPECT_EQ(without.at("end-of-row")["verdict"], "does not apply");  // a wall makes no row
+  EXPECT_EQ(without.at("gap-per-storey")["verdict"], "needs screening.seismicity");
+  EXPECT_NEAR(without.at("mass-ratio")["value"].get<double>(), 380.0 / 270, 1e-12);
+  // A: held along x at 0.5 and 17 m by 9 to 2, its middle at 9 m of 18; B 1 and 18 m by 5 to 6 of 20, and at 4 of 9 m.
+  const double of_a = 100 * (9 - (9 * 0.5 + 2 * 17) / 11) / 18, of_b = 100 * (10 - (5.0 + 6 * 18) / 11) / 20;
+  EXPECT_GT(of_a, std::fmax(std::abs(of_b), 100 * 0.5 / 9));
+  EXPECT_NEAR(without.at("eccentricity")["value"].get<double>(), of_a, 1e-10);
+  EXPECT_EQ(without.at("eccentricity")["limit"], 20);
+  EXPECT_EQ(without.at("eccentricity")["verdict"], "attention");
+  const auto with =
+      screened(with_piece(three_in_plan, "[excitation]", "[screening]\nseismicity = \"high\"\n[excitation]"));
+  EXPECT_NEAR(with.at("gap-per-storey")["limit"].get<double>(), 2 * 1.5 * 0.0254, 1e-12);
+  EXPECT_NEAR(with.at("gap-per-height")["value"].get<double>(), 100 * 0.02 / 6.7, 1e-10);
+  EXPECT_EQ(with.at("pounding")["verdict"], "attention");  // too narrow, and floors do not meet
+}
+
+/// A third one behind A makes a row that B ends; one beside A, in the corner, does not.
+TEST(PlanGaps, ABuildingBehindAnotherMakesARow) {
+  const auto ends = [](const std::string& corner) {
+    const std::string third = "[[building]]\nname = \"C\"\ndamping = 0.05\nplan = { corner = " + corner +
+                              ", size = [12, 18], storey_heights = [3.5, 3.2], masses = [200, 180] }\n"
+                              "rigidity = { centre = [6, 9], x = 9e4, y = 9e4, torsion = 9e6 }\n";
+    const json told = json::parse(plan_gap_json(
+        plan_gap_run(with_piece(three_in_plan, "[[building]]\nname = \"W\"", third + "[[building]]\nname = \"W\"")),
+        "test"));
+    for (const json& gap : told["gaps"]) {
+      if (gap["between"] == json({"A", "B"})) return gap["screening"][2]["verdict"].get<std::string>();
+    }
+    return std::string("no gap");
+  };
+  EXPECT_EQ(ends("[-12.02, 0]"), "attention");
+  EXPECT_EQ(ends("[0, -18.02]"), "does not apply");
 }
 
 TEST(PlanGaps, RulesOfCodesTakeTheMovementOfEachPlaceAcrossTheGap) {

@@ -37,7 +37,6 @@ const ExcitationSpec& longer_of(const std::array<ExcitationSpec, 2>& excitation)
 PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* problem) {
   PlanCase c;
   (void)TableView::of(root, case_keys());
-  root.refuse({"screening"}, "does not go with buildings in plan");
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
@@ -49,6 +48,7 @@ PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* p
   read_plan_excitation(root, buildings, files, c);
   bool moves = false;
   c.initial = read_plan_initial(root, buildings, moves);
+  c.screening = read_screening(root);
   c.project = read_project(root, files.folder, files.diagnostics);
   refuse_analysis(root);
   c.analysis = read_analysis(root, longer_of(c.excitation));

@@ -329,8 +329,6 @@ TEST(PlanToml, CornerSlidesAlongAWall) {
 TEST(PlanToml, SaysWhatIsNotBuilt) {
   EXPECT_EQ(errors_with("[analysis]\nduration = 2", "[analysis]\nduration = 2\nsolver = \"runge-kutta\""),
             (Errors{"analysis.solver = \"runge-kutta\", does not go with buildings in plan"}));
-  EXPECT_EQ(errors_with("[analysis]", "[screening]\nseismicity = \"high\"\n[analysis]"),
-            (Errors{"screening does not go with buildings in plan"}));
   EXPECT_EQ(errors_with("A = [[0.1, 0.0, 0.002], [0.2, 0.0, 0.004]]",
                         "A = [[0.1, 0.0], [0.2, 0.0, 0.004]], W = [[0, 0, 0]], Q = []"),
             (Errors{"initial.velocities.A[0] has 2 entries, expected 3 (x, y and rotation)",

@@ -21,8 +21,9 @@ namespace bentur {
 [[nodiscard]] Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap,
                                    const std::string& length, const PlanGap* in_plan = nullptr);
 
-/// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings of a row stand.
+/// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings stand.
 [[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels,
-                               double scale, bool collapsed, Eigen::Index gap, const PlanGap* in_plan = nullptr);
+                               double scale, bool collapsed, Eigen::Index gap,
+                               const std::vector<ScreeningFinding>& screened, const PlanGap* in_plan = nullptr);
 
 }  // namespace bentur

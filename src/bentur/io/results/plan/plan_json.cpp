@@ -12,6 +12,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/structure/modes.h"
 
@@ -197,10 +198,10 @@ std::string plan_gap_json(const PlanRun& run, std::string_view version) {
   Json gaps = Json::array();
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
     const RunResults pair = pair_of(run, g);
-    gaps.push_back(gap_json_of(pair.c, pair.problem,
-                               separations(pair.problem, pair.response, pair.c.code, pair.c.units),
-                               displacement_scale(pair.problem, pair.response, 0),
-                               pair.response.collapse_no_contact.has_value(), 0, &run.problem.gaps[g]));
+    gaps.push_back(
+        gap_json_of(pair.c, pair.problem, separations(pair.problem, pair.response, pair.c.code, pair.c.units),
+                    displacement_scale(pair.problem, pair.response, 0), pair.response.collapse_no_contact.has_value(),
+                    0, plan_screening(run.c, run.problem, g), &run.problem.gaps[g]));
   }
   return text_of({{"title", run.c.title},
                   {"units", units_json(run.c.units)},

@@ -10,7 +10,7 @@ namespace bentur {
 /// The summary of a run of buildings in plan, as summary_json() of a row's; lists run bottom to top.
 [[nodiscard]] std::string plan_summary_json(const PlanRun& run, std::string_view version);
 
-/// What gaps need and rules ask, as gap_json() of a row's, without the screening; each level has its place `at`.
+/// What gaps need and rules ask, as gap_json() of a row's; each level has its place `at`.
 [[nodiscard]] std::string plan_gap_json(const PlanRun& run, std::string_view version);
 
 /// What rules ask from heights alone, as height_rules_json() of a row's.

@@ -20,12 +20,13 @@ inline constexpr double reached = 1e-9;  ///< of a capacity: what is so near it 
 struct GapFacts {
   const Case& c;
   const Problem& problem;
-  const Response* response = nullptr;                  ///< nothing: by a spectrum
-  std::vector<LevelSeparation> levels;                 ///< of all gaps
-  bool collapsed = false;                              ///< the free response
-  const PlanGap* in_plan = nullptr;                    ///< of the pair of a gap in plan: where its levels are
-  const PlanProblem* plan = nullptr;                   ///< likewise: whose gap it is
-  [[nodiscard]] double scale(Eigen::Index gap) const;  ///< displacement_scale() [length]; 0 by a spectrum
+  const Response* response = nullptr;                        ///< nothing: by a spectrum
+  std::vector<LevelSeparation> levels;                       ///< of all gaps
+  bool collapsed = false;                                    ///< the free response
+  std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
+  const PlanGap* in_plan = nullptr;                          ///< of the pair of a gap in plan: where its levels are
+  const PlanProblem* plan = nullptr;                         ///< likewise: whose gap it is
+  [[nodiscard]] double scale(Eigen::Index gap) const;        ///< displacement_scale() [length]; 0 by a spectrum
 };
 
 [[nodiscard]] inline StoryValue value_in(std::string name, double value, std::string unit = {}) {
@@ -64,6 +65,8 @@ void tell_hinges(const RunResults& run, Story& told);
 /// Of frames whose columns can break in shear: how many have and which first, with a table of them in order of time.
 void tell_breaking(const RunResults& run, Story& told);
 
+/// screening() of every gap of a row; nothing where its buildings are not known, as of results that are read back.
+[[nodiscard]] std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem& problem);
 /// Of a run, which must outlive them.
 [[nodiscard]] GapFacts facts_of(const RunResults& run);
 /// Collapses with contact and without: {building}, {storey}, {time} and {limit}. @param place name of the building and

@@ -122,8 +122,9 @@ struct GapBar {
 
 /// A table in words.
 [[nodiscard]] Html table_of(const SaidTable& table);
-/// Tables of gaps, each gap under its name and each table under its heading.
-[[nodiscard]] Html gap_tables(const Report& report, const std::vector<StoryTable>& tables);
+/// Tables of gaps, each gap under its name and each table under its heading. @param gaps names of all
+[[nodiscard]] Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables,
+                              const Words& say);
 
 /// The attribute of a verdict's box.
 [[nodiscard]] inline const char* verdict_class(bool pounds) {

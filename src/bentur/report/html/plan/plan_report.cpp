@@ -55,6 +55,19 @@ class PlanPage {
     return {"verdict", say_("heading.verdict"), element("div", block, html::verdict_class(grave))};
   }
 
+  /// What every level needs, what rules ask of it, how the buildings stand.
+  [[nodiscard]] html::PageSection gap_needs() const {
+    const std::vector<StoryTable> tables = plan_gap_story(run_).tables;
+    if (tables.empty()) return {};
+    const bool is_screened =
+        std::any_of(tables.begin(), tables.end(), [](const StoryTable& one) { return one.kind == "screening"; });
+    Html content = html::gap_tables(gaps_, tables, say_);
+    content += element("p", say_("cli.plan_gap_note"), "class=\"note\"");
+    if (is_screened) content += element("p", say_("screening.note"), "class=\"note\"");
+    content += element("p", say_(run_.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");
+    return {"gaps", say_("heading.gaps"), content};
+  }
+
   [[nodiscard]] html::PageSection remarks() const { return html::remarks_section(story_, say_, false); }
 
   /// Contact points gap by gap, floors and planes building by building.
@@ -367,8 +380,8 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   html::PageBody body{.header = html::title_block(run.c.project, run.c.source ? run.c.source->file : "", title,
                                                   say("report.by", {{"version", options.version}}), options) +
                                 html::identity(run.c.source, records, say),
-                      .sections = {verdict, sections.remarks(), motion, sections.peaks(), sections.impacts(listed),
-                                   html::figures_section(say, figures), sections.input()},
+                      .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
+                                   sections.impacts(listed), html::figures_section(say, figures), sections.input()},
                       .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
                                 html::csv_script(csv_of(run, listed))};
   if (run.c.project || !options.head.empty()) {

@@ -42,7 +42,7 @@ TEST(PlanReport, HasThePartsOfARowsReport) {
   const std::string page = page_of(twisting());
   EXPECT_EQ(page, page_of(twisting()));
   std::size_t last = 0;
-  for (const char* const id : {"verdict", "remarks", "motion", "peaks", "impacts", "figures", "input"}) {
+  for (const char* const id : {"verdict", "remarks", "motion", "gaps", "peaks", "impacts", "figures", "input"}) {
     const std::size_t at = page.find("<section id=\"" + std::string(id) + "\"");
     ASSERT_NE(at, std::string::npos) << id;
     EXPECT_GT(at, last) << id;
@@ -82,6 +82,7 @@ TEST(PlanReport, IsOneToHandIn) {
   EXPECT_EQ(result_of("check.gap"), "check.not_met");
   EXPECT_EQ(result_of("check.drift"), "check.met");
   EXPECT_EQ(result_of("check.solution"), "check.met");
+  EXPECT_EQ(result_of("screening.eccentricity"), "screening.attention");
   EXPECT_TRUE(has(page, "NOT met"));
 }
 

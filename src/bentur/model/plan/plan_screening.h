@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bentur/model/gap/screening.h"
+#include "bentur/model/plan/plan_case.h"
+
+namespace bentur {
+
+/// Every rule of screening() for a gap in plan, with that of eccentricity (8). A building is backed where another that
+/// moves stands behind it: across a gap that faces away from this one, to within 45 degrees. None where one of the two
+/// moves with the ground, or where what holds them is not known, as of results that are read back.
+[[nodiscard]] std::vector<ScreeningFinding> plan_screening(const PlanCase& c, const PlanProblem& problem,
+                                                           std::size_t gap);
+
+/// The largest distance between a floor's centre of mass and the centre of rigidity of the storey below, along x or y
+/// over what the footprint takes up there [%].
+[[nodiscard]] double largest_eccentricity(const Plan& plan);
+
+}  // namespace bentur
