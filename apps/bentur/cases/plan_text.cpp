@@ -71,23 +71,20 @@ std::string plane_table(const PlanRun& run, Index building, const Words& say) {
 /// The links of each [[link]] of the case, from the top down.
 std::string link_tables(const PlanRun& run, const Words& say) {
   std::string text;
-  Index next = 0;
-  for (const PlanLinkSpec& spec : run.c.links) {
-    const auto count = std::ssize(spec.link.elevations);
-    if (count == 0) continue;
+  const std::vector<std::vector<Index>> all = links_by_spec(run.c.links);
+  for (std::size_t spec = 0; spec < all.size(); ++spec) {
     std::vector<PlanPlace> places;
     std::vector<double> levels;
-    for (Index i = next + count; i-- > next;) {
-      places.push_back({i});
-      levels.push_back(run.problem.links[i].link.elevation);
+    for (auto link = all[spec].rbegin(); link != all[spec].rend(); ++link) {
+      places.push_back({*link});
+      levels.push_back(run.problem.links[*link].link.elevation);
     }
-    next += count;
-    const auto name = [&](std::size_t b) { return run.problem.buildings[b].name; };
+    if (places.empty()) continue;
+    const std::string name = link_name(run.problem, run.problem.links[places.front().item]);
     Table table;
     table.add(say("cli.level"), run.c.units.length, levels);
-    text += "\n" +
-            say("cli.links", {{"link", name(spec.link.left) + " – " + name(spec.link.right)}, {"law", spec.link.law}}) +
-            "\n\n" + with_columns(std::move(table), table_columns(PlanOwner::link, false, run, places, say.number()));
+    text += "\n" + say("cli.links", {{"link", name}, {"law", run.c.links[spec].link.law}}) + "\n\n" +
+            with_columns(std::move(table), table_columns(PlanOwner::link, false, run, places, say.number()));
   }
   return text;
 }

@@ -184,6 +184,36 @@ TEST_F(PlanRuns, SaysWhereItsValuesAre) {
   EXPECT_EQ(shapes.count("point_x"), 0) << "it differs between runs";
 }
 
+/// What links bear is kept for each run, as that of the case alone.
+TEST_F(PlanRuns, TellOfLinks) {
+  case_ +=
+      "\n[[link]]\nbetween = [\"Frame\", \"Walled\"]\nelevations = [3.5, 6.7]\nlaw = \"cable\"\nstiffness = 2e4\n"
+      "at = 3\nalong = \"x\"\n";
+  const auto runs = runs_of("[[vary]]\nparameter = 'link[0].stiffness'\nname = 'stiffness'\nvalues = [1e4, 4e4]\n");
+  ASSERT_TRUE(runs) << first_error();
+  double most = 0;
+  for (const RunResult& result : runs->solve(std::vector<std::size_t>{0, 1}, [] { return true; })) {
+    const auto level = runs->choices(result.run)[0].level;
+    const std::vector<double> row = alone(*runs, [&](std::string& text) {
+      put(text, "stiffness = 2e4", level == 0 ? "stiffness = 1e4" : "stiffness = 4e4");
+    });
+    expect_same(result.values, row, runs->quantities());
+    for (const RowPart& part : runs->quantities()) {
+      if (part.name == "link_peak_tension") most = std::max(most, row[part.first + 1]);
+    }
+  }
+  EXPECT_GT(most, 10);  // [kN]
+  std::map<std::string, std::vector<std::size_t>> shapes;
+  const StudyFile file = study_file(*runs, "0");
+  for (const StudyVariable& variable : file.variables) {
+    for (const ResultDimension& dimension : variable.dimensions) shapes[variable.name].push_back(dimension.size);
+  }
+  EXPECT_EQ(shapes["link_peak_tension"], (std::vector<std::size_t>{2, 2}));
+  for (const char* const name : {"link_left", "link_right", "link_along", "link_elevation", "link_x", "link_y"}) {
+    EXPECT_EQ(shapes[name], (std::vector<std::size_t>{2})) << name;
+  }
+}
+
 TEST_F(PlanRuns, WhatTheyDoNotTakeIsAnError) {
   EXPECT_FALSE(runs_of("[[vary]]\nparameter = 'plan.contact.friction'\nvalues = [0.1, 0.0]\n"));
   EXPECT_NE(first_error().find("with plan.contact.friction = 0: which buildings meet"), std::string::npos)

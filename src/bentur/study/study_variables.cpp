@@ -71,7 +71,7 @@ class StudyList {
     if (facts_.plan) {
       for (const PlanBuilding& building : facts_.plan->buildings) floors(building.name, building.model.elevations);
       for (std::size_t b = 0; b < facts_.plan->buildings.size(); ++b) planes(b);
-      places_ = plan_place_variables(*facts_.plan, point_length);
+      places_ = plan_place_variables(*facts_.plan, point_length, facts_.links_move ? "" : length);
     } else {
       for (const Building& building : facts_.problem.buildings) floors(building.name, building.model.elevations);
       places_ = place_variables(facts_.problem, point_length, facts_.links_move ? "" : length);
@@ -239,7 +239,8 @@ void check_names(const Study& study, Diagnostics& diagnostics) {
   std::set<std::string> taken = {"point",         "gap",        "intensity",      "record_intensity", "scale_factor",
                                  "normalisation", "sample",     "status",         "message",          "point_left",
                                  "point_right",   "gap_name",   "elevation",      "point_elevation",  "link",
-                                 "link_left",     "link_right", "link_elevation", "point_x",          "point_y"};
+                                 "link_left",     "link_right", "link_elevation", "point_x",          "point_y",
+                                 "link_along",    "link_x",     "link_y"};
   for (const Quantity& quantity : quantities()) {
     if (quantity.owner != Owner::impact) taken.insert(file_name(quantity));
   }

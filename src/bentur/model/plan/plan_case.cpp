@@ -120,6 +120,16 @@ std::vector<PlanLink> links_of(const std::vector<PlanLinkSpec>& specs, const std
   return links;
 }
 
+std::vector<std::vector<Eigen::Index>> links_by_spec(const std::vector<PlanLinkSpec>& specs) {
+  std::vector<LinkSpec> links;
+  for (const PlanLinkSpec& spec : specs) links.push_back(spec.link);
+  return links_by_spec(links);
+}
+
+std::string link_name(const PlanProblem& problem, const PlanLink& link) {
+  return problem.buildings.at(link.link.left).name + " – " + problem.buildings.at(link.link.right).name;
+}
+
 PlanProblem make_plan_problem(const PlanCase& c) {
   std::vector<PlanBuilding> buildings;
   for (const PlanBuildingSpec& spec : c.buildings) buildings.push_back(make_plan_building(spec));

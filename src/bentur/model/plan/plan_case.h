@@ -85,6 +85,11 @@ struct PlanCase {
 [[nodiscard]] std::vector<PlanLink> links_of(const std::vector<PlanLinkSpec>& specs,
                                              const std::vector<PlanBuilding>& buildings);
 
+/// links_by_spec() of a row's.
+[[nodiscard]] std::vector<std::vector<Eigen::Index>> links_by_spec(const std::vector<PlanLinkSpec>& specs);
+/// "A – B".
+[[nodiscard]] std::string link_name(const PlanProblem& problem, const PlanLink& link);
+
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
 [[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c);
 /// The same of buildings that make_plan_building() has made of the case's.

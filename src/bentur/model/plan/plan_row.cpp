@@ -58,6 +58,7 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
       add(one, contact_count(problem));
     }
     if (one.owner == PlanOwner::gap) add(one, std::ssize(problem.gaps));
+    if (one.owner == PlanOwner::link) add(one, std::ssize(problem.links));
   }
   return parts;
 }
@@ -70,9 +71,12 @@ bool same_places(const PlanProblem& a, const PlanProblem& b) {
   const auto same_gap = [](const PlanGap& x, const PlanGap& y) {
     return x.left == y.left && x.right == y.right && x.contacts.size() == y.contacts.size();
   };
+  const auto same_link = [](const PlanLink& x, const PlanLink& y) {
+    return x.link.left == y.link.left && x.link.right == y.link.right && x.direction == y.direction;
+  };
   return std::equal(a.buildings.begin(), a.buildings.end(), b.buildings.begin(), b.buildings.end(), alike) &&
          std::equal(a.gaps.begin(), a.gaps.end(), b.gaps.begin(), b.gaps.end(), same_gap) && rubs(a) == rubs(b) &&
-         a.links.size() == b.links.size();
+         std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), same_link);
 }
 
 void fill_row(const std::vector<RowPart>& parts, const PlanRun& run, std::span<double> row) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_quantities.h"
@@ -44,6 +45,7 @@ class PlanPicture {
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, true);
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, false);
     add_centres();
+    add_links();
     add_points();
     return std::move(panel_);
   }
@@ -174,6 +176,18 @@ class PlanPicture {
     if (masses.x.empty()) return;
     panel_.curves.push_back(std::move(rigidity));
     panel_.curves.push_back(std::move(masses));
+  }
+
+  /// Those of the level shown, from edge to edge.
+  void add_links() {
+    std::string label = word(options_, "link");
+    for (const PlanLink& link : run_.problem.links) {
+      if (!is_at(link, floors_, run_.problem)) continue;
+      Curve line{.label = std::exchange(label, ""), .width = 4, .complete = true};
+      add(line, moved(link.link.left, link.stretch.on_edge(0, link.along)));
+      add(line, moved(link.link.right, link.stretch.on_edge(1, link.along)));
+      panel_.curves.push_back(std::move(line));
+    }
   }
 
   /// Contacts at both edges, those of the level shown; corners that strike then, and those that did before or will.

@@ -181,6 +181,13 @@ std::string along_text(const PlanRun& run, Index contact) {
   return fmt::format("{} = {} {}", stretch.across == 0 ? "y" : "x", number(place.contact->along), run.c.units.length);
 }
 
+bool is_at(const PlanLink& link, const std::vector<Index>& floors, const PlanProblem& problem) {
+  const auto is_nearest = [&](Index b) {
+    return nearest_floor(problem.buildings[b].model, link.link.elevation) == floors.at(static_cast<std::size_t>(b));
+  };
+  return is_nearest(link.link.left) && is_nearest(link.link.right);
+}
+
 Index nearest_floor(const PlanModel& model, double elevation) {
   const auto near = std::min_element(model.elevations.begin(), model.elevations.end(), [&](double a, double b) {
     return std::abs(a - elevation) < std::abs(b - elevation);

@@ -71,6 +71,8 @@ class PlanScene {
                                     const Eigen::Vector3d& motion);
 /// Where a contact is along its stretch: "y = 18 m".
 [[nodiscard]] std::string along_text(const PlanRun& run, Eigen::Index contact);
+/// Whether floors of the buildings are those nearest to a link, which is drawn with them then.
+[[nodiscard]] bool is_at(const PlanLink& link, const std::vector<Eigen::Index>& floors, const PlanProblem& problem);
 /// The floor nearest to a level.
 [[nodiscard]] Eigen::Index nearest_floor(const PlanModel& model, double elevation);
 

@@ -242,6 +242,11 @@ class Trial {
       const PlanContactPlace a = contact_at(first, i), b = contact_at(problem, i);
       facts_.points_move |= a.at != b.at || a.contact->elevation != b.contact->elevation;
     }
+    for (std::size_t i = 0; i < first.links.size(); ++i) {
+      const PlanLink &a = first.links[i], &b = problem.links[i];
+      facts_.links_move |=
+          a.stretch.middle(a.along) != b.stretch.middle(b.along) || a.link.elevation != b.link.elevation;
+    }
   }
 
   void compare(const Problem& problem, std::size_t axis, const std::vector<Choice>& choices) {

@@ -18,6 +18,12 @@ ResultDimension point_dimension(std::size_t size, bool stand_still) {
   return {"point", size, std::string(stand_still ? "point_elevation point_x point_y " : "") + "point_left point_right"};
 }
 
+/// @param stand_still they have a place
+ResultDimension link_dimension(std::size_t size, bool stand_still) {
+  return {"link", size,
+          std::string(stand_still ? "link_elevation link_x link_y " : "") + "link_left link_right link_along"};
+}
+
 /// Goes through all variables of a run, one after the other: `File` is a Teller of a `Run` that is const, or a Giver to
 /// one that is not, whose problem is known: of it the response alone is read.
 template <class File, class Run>
@@ -198,7 +204,7 @@ class PlanVariables : private VariablePass<File> {
   }
 
   void point_places() {
-    PlaceVariables places = plan_place_variables(run_.problem, length_);
+    PlaceVariables places = plan_place_variables(run_.problem, length_, length_);
     for (ResultVariable& variable : places.variables) file_.tell(std::move(variable));
     quantities(PlanOwner::gap, {places.gaps}, places_of(places.gaps.size));
   }
@@ -206,7 +212,7 @@ class PlanVariables : private VariablePass<File> {
   void of_links() {
     const auto& links = run_.problem.links;
     if (links.empty()) return;
-    const ResultDimension link = file_.dimension({"link", links.size()});
+    const ResultDimension link = file_.dimension(link_dimension(links.size(), true));
     if constexpr (reads) {
       if (link.size != links.size()) file_.source.fail("is not of this case");
       run_.response.links.resize(links.size());
@@ -264,7 +270,34 @@ ResultVariable plane_names(const ResultDimension& planes, const PlanBuilding& bu
           std::move(names)};
 }
 
-PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length) {
+namespace {
+
+/// Which buildings the links join, along which coordinate, and where. @param length empty: they have no place
+void tell_links(const PlanProblem& problem, const ResultDimension& links, const std::string& length, Teller& teller) {
+  std::vector<std::string> left, right, along;
+  std::vector<double> elevation, x, y;
+  for (const PlanLink& link : problem.links) {
+    left.push_back(problem.buildings[link.link.left].name);
+    right.push_back(problem.buildings[link.link.right].name);
+    along.emplace_back(link.direction.x() == 1 ? "x" : "y");
+    elevation.push_back(link.link.elevation);
+    const PlanPoint at = link.stretch.middle(link.along);
+    x.push_back(at.x());
+    y.push_back(at.y());
+  }
+  teller.tell({"link_left", {links}, "", "building to the left of the links, or below", {}, left});
+  teller.tell({"link_right", {links}, "", "building to the right of the links, or above", {}, right});
+  teller.tell({"link_along", {links}, "", "coordinate along which the links act", {}, along});
+  if (length.empty()) return;
+  teller.tell({"link_elevation", {links}, length, "elevation of the links", {}, elevation});
+  teller.tell({"link_x", {links}, length, "x of the links, in the middle of the gap", {}, x});
+  teller.tell({"link_y", {links}, length, "y of the links, in the middle of the gap", {}, y});
+}
+
+}  // namespace
+
+PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length,
+                                    const std::string& link_length) {
   std::vector<std::string> names, left, right;
   std::vector<double> elevation, x, y;
   for (const PlanGap& gap : problem.gaps) names.push_back(gap_name(problem, gap));
@@ -293,6 +326,8 @@ PlaceVariables plan_place_variables(const PlanProblem& problem, const std::strin
     tell("point_x", places.points, "x of the contact points, in the middle of the gap", x, length);
     tell("point_y", places.points, "y of the contact points, in the middle of the gap", y, length);
   }
+  places.links = link_dimension(problem.links.size(), !link_length.empty());
+  if (!problem.links.empty()) tell_links(problem, places.links, link_length, teller);
   places.variables = std::move(teller.variables);
   return places;
 }

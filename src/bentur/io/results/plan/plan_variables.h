@@ -14,7 +14,8 @@ namespace bentur {
 [[nodiscard]] ResultFile plan_file(const PlanRun& run, std::string_view version);
 
 /// Where gaps and contact points of a problem are; their elevations and places where a unit of length is given.
-[[nodiscard]] PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length);
+[[nodiscard]] PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length,
+                                                  const std::string& link_length);
 /// The planes of a building, which is number `building` of the case, from 0; and what they are called.
 [[nodiscard]] ResultDimension plane_dimension(std::size_t building, std::size_t planes);
 [[nodiscard]] ResultVariable plane_names(const ResultDimension& planes, const PlanBuilding& building);

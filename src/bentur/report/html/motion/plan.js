@@ -47,6 +47,7 @@ function benturPlan(data, buildings, svg, number) {
     drawn.floors = buildings.map(({ tone }, b) => scene.centres[b].map(() => svg("path", { class: `floor stroke-${tone}` }, stage)));
     drawn.chosen = buildings.map(({ tone }) => svg("path", { class: `footprint stroke-${tone}` }, stage));
     drawn.marks = scene.marks.map(({ cross }) => svg("path", { class: `${cross ? "rigidity" : "mass"} stroke-ink` }, stage));
+    drawn.links = scene.links.map(() => svg("path", { class: "plan-link stroke-ink" }, stage));
     drawn.contacts = points.map(({ struck }) => [0, 1].map(() => svg("circle", { class: `contact stroke-${struck ? "red" : "grey"}` }, stage)));
     drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
   }
@@ -92,6 +93,10 @@ function benturPlan(data, buildings, svg, number) {
       const [x, y] = shown(building, floor, at), arm = (cross ? 5 : 0.01) * pixel;
       drawn.marks[k].setAttribute("d", `M${text([x - arm, y - arm])}l${text([2 * arm, 2 * arm])}` +
         (cross ? `m0 ${text([-2 * arm])}l${text([-2 * arm, 2 * arm])}` : ""));
+    });
+    scene.links.forEach((link, k) => {
+      drawn.links[k].setAttribute("opacity", link.leftFloor === floors[link.left] && link.rightFloor === floors[link.right] ? 1 : 0);
+      drawn.links[k].setAttribute("d", `M${faces(link).map(text).join("L")}`);
     });
     points.forEach((point, i) => faces(point).forEach(([x, y], side) => {
       const circle = drawn.contacts[i][side];

@@ -46,7 +46,7 @@ double arm_of(const PlanProblem& problem) {
 
 Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<double>& levels, Index shown) {
   Json outlines = Json::array(), centres = Json::array(), marks = Json::array(), told = Json::array();
-  Json gaps = Json::array();
+  Json gaps = Json::array(), links = Json::array();
   for (const PlanBuilding& building : run.problem.buildings) {
     const PlanModel& model = building.model;
     Json& outline = outlines.emplace_back(Json::array());
@@ -69,10 +69,22 @@ Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<do
     told.push_back({{"elevation", level}, {"floors", floors}});
   }
   for (const PlanGap& gap : run.problem.gaps) gaps.push_back(gap.stretch.width);
+  for (const PlanLink& link : run.problem.links) {
+    const Stretch& stretch = link.stretch;
+    const auto floor = [&](Index b) { return nearest_floor(run.problem.buildings[b].model, link.link.elevation); };
+    links.push_back(
+        {{"left", link.link.left},
+         {"right", link.link.right},
+         {"leftFloor", floor(link.link.left)},
+         {"rightFloor", floor(link.link.right)},
+         {"faces",
+          {point_json(scene, stretch.on_edge(0, link.along)), point_json(scene, stretch.on_edge(1, link.along))}}});
+  }
   return {{"outlines", outlines},
           {"centres", centres},
           {"arm", arm_of(run.problem)},
           {"marks", marks},
+          {"links", links},
           {"levels", told},
           {"level", shown},
           {"gaps", gaps},
@@ -89,6 +101,7 @@ Json key_of(const PlanRun& run, const Words& say) {
   if (!centres_of(run).empty()) {
     key.push_back({entry("ink", "●", "centre_of_mass"), entry("ink", "×", "centre_of_rigidity")});
   }
+  if (!run.problem.links.empty()) key.push_back({entry("ink", "━", "link")});
   key.push_back({entry("grey", "○", "contact_point"), entry("red", "○", "contact_point_struck")});
   return key;
 }

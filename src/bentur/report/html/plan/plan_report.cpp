@@ -76,6 +76,11 @@ class PlanPage {
     for (std::size_t g = 0; g < gaps_.size(); ++g) {
       content += element("h3", say_("heading.contact_of", {{"gap", gaps_[g]}})) + contacts(g);
     }
+    for (const std::vector<Index>& links : links_by_spec(run_.c.links)) {
+      if (links.empty()) continue;
+      const std::string name = link_name(run_.problem, run_.problem.links[links.front()]);
+      content += element("h3", say_("heading.links_of", {{"link", name}})) + links_table(links);
+    }
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       content += element("h3", say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}));
       content += floors(b, false) + floors(b, true) + planes(b);
@@ -190,6 +195,29 @@ class PlanPage {
     HtmlTable table;
     add_places(table, points);
     html::add_columns(table, table_columns(PlanOwner::point, false, run_, places, say_.number()));
+    return table.markup();
+  }
+
+  /// Of one [[link]] table, from the top down, with where in plan they are and along what they act.
+  [[nodiscard]] Html links_table(const std::vector<Index>& links) const {
+    std::vector<PlanPlace> places;
+    std::vector<double> elevation, x, y;
+    std::vector<std::string> along;
+    for (auto number = links.rbegin(); number != links.rend(); ++number) {
+      const PlanLink& link = run_.problem.links[*number];
+      const PlanPoint at = link.stretch.middle(link.along);
+      places.push_back({*number});
+      elevation.push_back(link.link.elevation);
+      x.push_back(at.x());
+      y.push_back(at.y());
+      along.emplace_back(link.direction.x() == 1 ? "x" : "y");
+    }
+    HtmlTable table;
+    table.add(say_("column.elevation"), length_, elevation);
+    table.add("x", length_, x);
+    table.add("y", length_, y);
+    table.add(say_("column.along"), "", along, false);
+    html::add_columns(table, table_columns(PlanOwner::link, false, run_, places, say_.number()));
     return table.markup();
   }
 

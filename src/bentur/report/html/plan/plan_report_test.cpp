@@ -123,6 +123,22 @@ TEST(PlanReport, TellsTheStory) {
   EXPECT_TRUE(has(page_of(three), ">Walled | Frame<"));  // bars of several gaps have their names
 }
 
+/// Links have a table in it with where they are, and a line in both pictures.
+TEST(PlanReport, TellsOfLinks) {
+  const PlanRun linked = test::plan_run(test::twisting_pair() +
+                                        "\n[[link]]\nbetween = [\"Frame\", \"Walled\"]\nelevations = [3.5, 6.7]\n"
+                                        "law = \"cable\"\nstiffness = 2e4\nat = 3\n");
+  ASSERT_GT(linked.response.links.at(1).peak_tension, 0);
+  for (const std::string language : {"en", "id"}) {
+    const std::string page = page_of(linked, language), table = page.substr(page.find("Walled – Frame</h3>"), 4000);
+    EXPECT_TRUE(has(table, "<td>12.02</td>")) << table;
+    EXPECT_TRUE(has(table, "<td>" + number(linked.response.links[1].peak_tension) + "</td>")) << table;
+    EXPECT_TRUE(has(page, language == "en" ? ">link<" : ">penghubung<"));  // the legend of the still
+    EXPECT_TRUE(has(page, R"("links":[{"faces":)"));
+  }
+  EXPECT_FALSE(has(page_of(twisting()), ">link<"));
+}
+
 /// A corner near the end of the edge before it is told of where both buildings may move further than that along it.
 TEST(PlanReport, TellsOfCornersThatMayLeaveTheirEdge) {
   const auto tells = [](const std::string& polygon) {
