@@ -1215,7 +1215,7 @@ class BlockOfHouses(CommandLine):
         for line in re.findall(r"^taken: (.*)", made.stderr, re.M):
             self.assertIn(line, " ".join(said.split()))
         self.done("check", case)
-        ran = self.done("run", case, "-o", self.folder / "out").stdout
+        ran = self.done("run", case, "-o", self.folder / "out").stderr
         self.assertIn("Hotel | Clinic: 0 m apart along x", ran)
         self.assertIn("Market hall: 1 floor, 3 degrees of freedom, 0 planes, first period 0.2161 s", ran)
         self.done("report", case, "-o", self.folder / "report.html")
@@ -1250,7 +1250,7 @@ class BlockOfHouses(CommandLine):
         self.assertIn("give --metres", self.fails(2, "import", block, "--hull").stderr)
         block.write_text(metres)
         text = self.done("import", block, "--hull", "--metres").stdout
-        self.assertIn("polygon = [[-19, -8.5], [-8, -8.5], [-8, 7.5], [-19, 7.5]]", text)
+        self.assertIn("polygon = [[-19, -17], [-8, -17], [-8, -1], [-19, -1]]", text)
         for text in "", "7", "{", "[" * 100000, '{"type": "FeatureCollection", "features": [null, 7]}':
             block.write_text(text)
             self.fails(2, "import", block, "-o", self.folder / "none.toml")

@@ -365,13 +365,12 @@ class BlockMaker {
     const std::string centre = fmt::format("[{:.3f}, {:.3f}]", one.centre.x(), one.centre.y());
     std::string text = fmt::format(
         "\n[[building]]\nname = {}\ndamping = 0.05\n\n[building.plan]\npolygon = [{}]\nstorey_heights = {}\n"
-        "masses = {}  # {:.1f} m² a floor\n",
+        "masses = {}  # {:.1f} m² a floor\ncentres_of_mass = {}\n",
         toml_text(one.house->name), fmt::join(corners, ", "), floors(fmt::format("{}", one.storey_height)),
-        floors(fmt::format("{:.6g}", mass)), one.area);
+        floors(fmt::format("{:.6g}", mass)), one.area, centre);
     if (!one.is_outline) {
-      text +=
-          fmt::format("centres_of_mass = {}  # this and inertias are of the outline less its holes\ninertias = {}\n",
-                      centre, floors(fmt::format("{:.6g}", mass * one.radius2)));
+      text += fmt::format("inertias = {}  # of the outline less its holes, as their centre is\n",
+                          floors(fmt::format("{:.6g}", mass * one.radius2)));
     }
     return text + fmt::format(
                       "\n[building.rigidity]  # T = {:.3f} s of H = {:.4g} m\ncentre = {}\nx = {:.6g}\n"
