@@ -1214,10 +1214,10 @@ class BlockOfHouses(CommandLine):
         said = re.sub(r"\n?#", "", case.read_text().split("title")[0])
         for line in re.findall(r"^taken: (.*)", made.stderr, re.M):
             self.assertIn(line, " ".join(said.split()))
-        self.done("check", case)
-        ran = self.done("run", case, "-o", self.folder / "out").stderr
-        self.assertIn("Hotel | Clinic: 0 m apart along x", ran)
-        self.assertIn("Market hall: 1 floor, 3 degrees of freedom, 0 planes, first period 0.2161 s", ran)
+        checked = self.done("check", case).stdout
+        self.assertIn("Hotel | Clinic: 0 m apart along x", checked)
+        self.assertIn("Market hall: 1 floor, 3 degrees of freedom, 0 planes, first period 0.2161 s", checked)
+        self.assertIn("POUNDING: Hotel and Clinic collide", self.done("run", case, "-o", self.folder / "out").stdout)
         self.done("report", case, "-o", self.folder / "report.html")
         case.write_text(case.read_text().replace("first", "second"))  # the user's own
         self.assertIn("not written", self.fails(2, "import", "block.geojson", "--hull", "-o", case,
