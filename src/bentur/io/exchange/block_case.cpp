@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/gap/levels.h"
 #include "bentur/pounding/plan/faces.h"
@@ -21,9 +22,11 @@
 namespace bentur {
 namespace {
 
-constexpr std::size_t most_hull_corners = 100;              // as plan.polygon takes
-constexpr double least_area = 1;                            // [m²]
-constexpr double lowest_storey = 1.5, highest_storey = 30;  // [m]
+constexpr std::size_t most_hull_corners = 100;                    // as plan.polygon takes
+constexpr double heaviest_floor = 1000;                           // [t/m²]
+constexpr double shortest_period = 0.001, longest_period = 1000;  // [s]
+constexpr double least_area = 1;                                  // [m²]
+constexpr double lowest_storey = 1.5, highest_storey = 30;        // [m]
 
 /// A house as a building in plan.
 struct BlockBuilding {
@@ -90,6 +93,10 @@ class BlockMaker {
       : houses_(houses), file_(file), rules_(rules), diagnostics_(diagnostics) {}
 
   std::optional<ImportedCase> make() {
+    if (!(rules_.floor_mass > 0 && rules_.floor_mass <= heaviest_floor)) {
+      diagnostics_.error({file_},
+                         fmt::format("--floor-mass {}, must be in (0, {}] t/m²", rules_.floor_mass, heaviest_floor));
+    }
     for (const House& house : houses_.all) add(house);
     check_overlaps();
     if (!diagnostics_.ok()) return std::nullopt;
@@ -99,6 +106,8 @@ class BlockMaker {
     say_rules();
     result_.unread = houses_.unread;
     write();
+    check_case();
+    if (!diagnostics_.ok()) return std::nullopt;
     return std::move(result_);
   }
 
@@ -201,11 +210,22 @@ class BlockMaker {
     }
     made.storeys = *storeys;
     made.storey_height = house.height ? std::round(1000 * *house.height / *storeys) / 1000 : rules_.storey_height;
+    const double period = period_of(made);
+    if (!(period >= shortest_period && period <= longest_period)) {
+      error(house, "",
+            fmt::format("has a first period of {:.4g} s by --period-formula, must be in [{}, {}] s", period,
+                        shortest_period, longest_period));
+      return false;
+    }
     if (made.storey_height >= lowest_storey && made.storey_height <= highest_storey) return true;
     error(house, "",
           fmt::format("has storeys of {}, must be in [{}, {}] m", metres(made.storey_height), lowest_storey,
                       highest_storey));
     return false;
+  }
+
+  [[nodiscard]] double period_of(const BlockBuilding& one) const {
+    return rules_.period_coefficient * std::pow(one.storeys * one.storey_height, rules_.period_exponent);
   }
 
   /// Calls it with both of every pair, the earlier one first.
@@ -346,11 +366,20 @@ class BlockMaker {
             "acceleration_amplitude = \"0.1 g\"\nangle = 45.0\n\n[analysis]\nduration = 5.0\n";
   }
 
+  /// What is written can be read, whatever the rules are.
+  void check_case() {
+    Diagnostics found;
+    if (read_plan_case_text(result_.text, "", found)) return;
+    for (const Diagnostic& one : found.errors()) {
+      diagnostics_.error({file_}, "would become a case with an error: " + one.message());
+    }
+  }
+
   [[nodiscard]] std::string building(const BlockBuilding& one) const {
     const std::vector<double> heights = one.heights();
     const double mass = rules_.floor_mass * one.area;
     const double height = one.storeys * one.storey_height;
-    const double period = rules_.period_coefficient * std::pow(height, rules_.period_exponent);
+    const double period = period_of(one);
     constexpr double pure_shear = 30;  // equal storeys then have one stiffness
     const GenericBuilding known{.storey_heights = heights,
                                 .floor_masses = std::vector<double>(heights.size(), mass),

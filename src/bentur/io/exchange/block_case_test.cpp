@@ -152,6 +152,19 @@ TEST(Block, SmallOverlapsAreTrimmedAndLargerOnesAreErrors) {
   EXPECT_FALSE(block_of(text(0.08), {.snap = 0.05}).made);
 }
 
+TEST(Block, RulesBeyondAllMeasureAreErrors) {
+  const std::string text = collection({house(R"("name": "A", "levels": 2)", box(0, 0, 10, 10)),
+                                       house(R"("name": "B", "levels": 2)", box(10, 0, 8, 10))});
+  EXPECT_EQ(block_of(text, {.floor_mass = 1e307}).errors(),
+            "block.geojson: error: --floor-mass 1e+307, must be in (0, 1000] t/m²\n");
+  EXPECT_NE(block_of(text, {.period_coefficient = 1e300}).errors().find("(\"A\") has a first period of"),
+            std::string::npos);
+  EXPECT_TRUE(block_of(text, {.floor_mass = 1000, .period_coefficient = 100}).c);
+  EXPECT_TRUE(block_of(text, {.clearance = 1e9, .floor_mass = 1e-3}).c);
+  EXPECT_NE(block_of(text, {.floor_mass = 1e-300}).errors().find("would become a case with an error"),
+            std::string::npos);
+}
+
 TEST(Block, FloorsThatMeetNowhereMeetWhereTheyAreNearest) {
   const Block block = block_of(collection({house(R"("name": "Hall", "levels": 1, "height": 7.4)", box(0, 0, 10, 10)),
                                            house(R"("name": "Flats", "levels": 4)", box(10.02, 0, 8, 10))}));
@@ -244,8 +257,8 @@ TEST(Block, PlacesAndNamesAreReadAsTheyStand) {
   EXPECT_EQ(block.c->gaps[0].stretch.width, 0);  // they have their corners in common
   ASSERT_EQ(block.made->unread.size(), 3U);
   EXPECT_EQ(block.made->unread[0].what, "property \"roof:shape\" of 1 feature");
-  EXPECT_EQ(block.made->unread[1].what, "features[3], a \"Point\"");
-  EXPECT_EQ(block.made->unread[2].what, "features[4], without a geometry");
+  EXPECT_EQ(block.made->unread[1].what, "geometry \"Point\" of 1 feature");
+  EXPECT_EQ(block.made->unread[2].what, "a missing geometry of 1 feature");
   EXPECT_EQ(block.made->unread[2].first, 6);
 }
 

@@ -24,7 +24,7 @@ constexpr std::size_t most_houses = 200;
 constexpr std::size_t most_ring_corners = 1000;
 constexpr std::size_t longest_name = 100;  // bytes
 constexpr double widest_block = 2000;      // [m]
-constexpr std::size_t most_unread = 30;    // properties that are listed by name
+constexpr std::size_t most_unread = 30;    // properties and geometries that are listed by name
 
 /// Where the entries of the list `features` begin, of a text that is JSON.
 std::vector<SourcePosition> places_of_features(const std::string& file, const std::string& text) {
@@ -109,7 +109,7 @@ class GeoReader {
     for (std::size_t i = 0; i < features.size(); ++i) {
       read_feature(features[i], i, i < places.size() ? places[i] : SourcePosition{file_});
     }
-    list_properties();
+    list_unread();
     if (houses_.all.size() < 2 && diagnostics_.ok()) {
       error(fmt::format("has {}, a block has two or more", counted(houses_.all.size(), "polygon")));
     }
@@ -158,9 +158,7 @@ class GeoReader {
     const GeoNode* const shape = member(feature, "geometry");
     const GeoNode* const kind = shape != nullptr ? member(*shape, "type") : nullptr;
     if (kind == nullptr || (*kind != "Polygon" && *kind != "MultiPolygon")) {
-      houses_.unread.push_back(
-          {position.line, position.line,
-           fmt::format("features[{}], {}", index, kind != nullptr ? "a " + shown_node(*kind) : "without a geometry")});
+      leave_unread(kind != nullptr ? "geometry " + shown_node(*kind) : "a missing geometry", house);
       return;
     }
     const GeoNode* const properties = member(feature, "properties");
@@ -232,9 +230,7 @@ class GeoReader {
         levels = key;
         read_storeys(key, value, house);
       } else {
-        UnreadProperty& unread = properties_.try_emplace(key, UnreadProperty{house.position.line}).first->second;
-        unread.last = house.position.line;
-        ++unread.count;
+        leave_unread("property " + in_quotes(key), house);
       }
     }
   }
@@ -305,16 +301,23 @@ class GeoReader {
     return corners;
   }
 
-  void list_properties() {
+  void leave_unread(const std::string& what, const House& house) {
+    UnreadKind& unread = unread_.try_emplace(what, UnreadKind{house.position.line}).first->second;
+    unread.last = house.position.line;
+    ++unread.count;
+  }
+
+  void list_unread() {
     std::size_t listed = 0;
-    for (const auto& [key, unread] : properties_) {
+    for (const auto& [what, unread] : unread_) {
       if (listed++ == most_unread) {
         houses_.unread.push_back(
-            {unread.first, unread.last, counted(properties_.size() - most_unread, "more property", "more properties")});
+            {unread.first, unread.last,
+             counted(unread_.size() - most_unread, "other property or geometry", "other properties and geometries")});
         break;
       }
-      houses_.unread.push_back({unread.first, unread.last,
-                                fmt::format("property {} of {}", in_quotes(key), counted(unread.count, "feature"))});
+      houses_.unread.push_back(
+          {unread.first, unread.last, fmt::format("{} of {}", what, counted(unread.count, "feature"))});
     }
     std::stable_sort(houses_.unread.begin(), houses_.unread.end(),
                      [](const UnreadLines& a, const UnreadLines& b) { return a.first < b.first; });
@@ -355,7 +358,7 @@ class GeoReader {
     }
   }
 
-  struct UnreadProperty {
+  struct UnreadKind {
     int first = 0, last = 0;
     std::size_t count = 0;
   };
@@ -365,7 +368,7 @@ class GeoReader {
   Diagnostics& diagnostics_;
   Houses houses_;
   std::set<std::string> names_;
-  std::map<std::string, UnreadProperty> properties_;
+  std::map<std::string, UnreadKind> unread_;  // by what messages call it
 };
 
 }  // namespace
