@@ -120,6 +120,7 @@ docs/studio
 docs/examples/two-real-buildings
 docs/examples/struck-columns
 docs/howto/etabs_sap2000
+docs/howto/block-of-houses
 docs/howto/add_contact_law
 docs/howto/add_element
 docs/howto/add_output

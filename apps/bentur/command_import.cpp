@@ -11,7 +11,9 @@
 
 #include "arguments.h"
 #include "bentur/core/number_text.h"
+#include "bentur/io/exchange/block_case.h"
 #include "bentur/io/exchange/e2k.h"
+#include "bentur/io/exchange/geojson.h"
 #include "bentur/io/input_file.h"
 #include "commands.h"
 #include "output/output.h"
@@ -24,7 +26,10 @@ struct ImportArguments {
   std::string file, output = "-", along = "x";
   std::optional<double> at;
   std::vector<std::string> sections;  ///< NAME=AREA,I33
-  bool force = false;
+  BlockRules rules;
+  std::vector<double> period_formula;
+  bool metres = false, force = false;
+  std::vector<std::string> of_frame, of_block;  ///< options that were given
 };
 
 std::map<std::string, E2kProperties> sections_of(const std::vector<std::string>& given) {
@@ -45,17 +50,44 @@ std::map<std::string, E2kProperties> sections_of(const std::vector<std::string>&
   return sections;
 }
 
+/// GeoJSON by its name, or by how it begins.
+bool is_geojson(const std::string& file, const std::string& text) {
+  if (file.ends_with(".geojson") || file.ends_with(".json")) return true;
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string::npos && text[begin] == '{';
+}
+
+std::optional<ImportedCase> read_block(const ImportArguments& arguments, const std::string& text,
+                                       Diagnostics& diagnostics) {
+  BlockRules rules = arguments.rules;
+  if (!arguments.period_formula.empty()) {
+    rules.period_coefficient = arguments.period_formula[0];
+    rules.period_exponent = arguments.period_formula[1];
+  }
+  const auto houses = read_geojson(text, arguments.file, arguments.metres, diagnostics);
+  if (!houses) return std::nullopt;
+  return make_block_case(*houses, arguments.file, rules, diagnostics);
+}
+
 void run(const ImportArguments& arguments) {
   const std::map<std::string, E2kProperties> sections = sections_of(arguments.sections);
   Diagnostics diagnostics;
   const auto text = read_input(arguments.file, {"model", std::uintmax_t{256} << 20}, diagnostics);
   if (!text) throw Failure(diagnostics);
-  const auto made = read_e2k(*text, arguments.file, {arguments.along == "x", arguments.at, sections}, diagnostics);
+  const bool is_block = is_geojson(arguments.file, *text);
+  const std::vector<std::string>& astray = is_block ? arguments.of_frame : arguments.of_block;
+  if (!astray.empty()) {
+    throw Failure(exit_bad_input, fmt::format("bentur import: {} is of {}, not of this file", astray.front(),
+                                              is_block ? "ETABS models" : "GeoJSON"));
+  }
+  const auto made =
+      is_block ? read_block(arguments, *text, diagnostics)
+               : read_e2k(*text, arguments.file, {arguments.along == "x", arguments.at, sections}, diagnostics);
   if (!made) throw Failure(diagnostics);
   OutputFile output(arguments.output, ResultKind::imported, {.inputs = {arguments.file}, .force = arguments.force});
   output.write(made->text);
   for (const std::string& one : made->taken) message("taken: " + one);
-  for (const E2kUnread& one : made->unread) {
+  for (const UnreadLines& one : made->unread) {
     const std::string lines =
         one.first == one.last ? fmt::format("{}", one.first) : fmt::format("{}-{}", one.first, one.last);
     message(fmt::format("{}:{}: not read: {}", arguments.file, lines, one.what));
@@ -66,24 +98,60 @@ void run(const ImportArguments& arguments) {
 
 void add_import_command(CLI::App& app) {
   auto arguments = std::make_shared<ImportArguments>();
-  CLI::App* command = app.add_subcommand("import", "A frame of an ETABS model (.e2k) as the beginning of a case");
-  command->add_option("FILE", arguments->file, "model.e2k, the text that ETABS exports")
+  CLI::App* command = app.add_subcommand(
+      "import", "A frame of an ETABS model (.e2k) as the beginning of a case, or a block of houses (.geojson) as one");
+  command->add_option("FILE", arguments->file, "model.e2k, the text that ETABS exports, or block.geojson")
       ->required()
       ->check(not_empty());
-  command->add_option("--along", arguments->along, "axis along which its bays run, x or y; default x")
-      ->check(CLI::IsMember({"x", "y"}));
-  command->add_option("--at", arguments->at, "where across that axis the frame stands, in the model's length")
-      ->check(finite());
-  command
-      ->add_option("--section", arguments->sections,
-                   "area and moments of inertia of a section of a library, as often as needed")
-      ->type_name("NAME=AREA,I33[,I22]")
-      ->allow_extra_args(false);
+  const std::vector<CLI::Option*> of_frame = {
+      command->add_option("--along", arguments->along, "axis along which its bays run, x or y; default x")
+          ->check(CLI::IsMember({"x", "y"})),
+      command->add_option("--at", arguments->at, "where across that axis the frame stands, in the model's length")
+          ->check(finite()),
+      command
+          ->add_option("--section", arguments->sections,
+                       "area and moments of inertia of a section of a library, as often as needed")
+          ->type_name("NAME=AREA,I33[,I22]")
+          ->allow_extra_args(false)};
+  BlockRules& rules = arguments->rules;
+  const std::vector<CLI::Option*> of_block = {
+      command->add_option("--snap", rules.snap, "overlaps up to this are trimmed, in metres; default 0.1")
+          ->check(positive()),
+      command->add_flag("--hull", rules.hull, "footprints that are not convex become their hulls"),
+      command->add_flag("--metres", arguments->metres, "coordinates are metres east and north, not degrees"),
+      command->add_option("--clearance", rules.clearance, "who stands so near may touch, in metres; default 0.5")
+          ->check(positive()),
+      command->add_option("--storeys", rules.storeys, "of buildings of which neither storeys nor a height are given")
+          ->check(CLI::Range(1, 200)),
+      command->add_option("--storey-height", rules.storey_height, "where none is given, in metres; default 3")
+          ->check(positive()),
+      command->add_option("--floor-mass", rules.floor_mass, "in tonnes per square metre; default 1")->check(positive()),
+      command
+          ->add_option("--period-formula", arguments->period_formula,
+                       "the first period is COEFFICIENT H^EXPONENT, H in metres; default 0.0466,0.9")
+          ->type_name("COEFFICIENT,EXPONENT")
+          ->delimiter(',')
+          ->expected(2)
+          ->check(positive())};
   command->add_option("-o,--output", arguments->output, "case file to write; default - for standard output")
       ->check(not_empty());
   add_force(*command, arguments->force);
-  command->footer("What is not read is listed with its lines.\nExample: bentur import model.e2k --at 6 -o frame.toml");
-  command->callback([arguments] { run(*arguments); });
+  command->footer(
+      "What is not read is listed with its lines, what is taken in place of what the file does not say as well.\n"
+      "Example: bentur import model.e2k --at 6 -o frame.toml\n"
+      "Example: bentur import block.geojson -o block.toml");
+  command->callback([arguments, of_frame, of_block] {
+    const auto given = [](const std::vector<CLI::Option*>& options) {
+      std::vector<std::string> names;
+      for (const CLI::Option* const one : options) {
+        if (one->count() > 0) names.push_back(one->get_name());
+      }
+      return names;
+    };
+    arguments->of_frame = given(of_frame);
+    arguments->of_block = given(of_block);
+    run(*arguments);
+  });
 }
 
 }  // namespace bentur::cli

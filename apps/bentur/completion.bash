@@ -4,7 +4,7 @@ _bentur() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      run | report | gap | sweep | ida | fragility | remedy | modes | check | spectrum | plot | example | schema) command=$word && break ;;
+      run | report | gap | sweep | ida | fragility | remedy | modes | check | spectrum | plot | example | import | schema) command=$word && break ;;
     esac
   done
   COMPREPLY=()
@@ -14,7 +14,7 @@ _bentur() {
     return
   fi
   if [[ $previous == -o || $previous == --output ]]; then
-    mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|remedy|spectrum|plot|report|schema) ]] && echo -f || echo -d)" -- "$current")
+    mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|remedy|spectrum|plot|report|import|schema) ]] && echo -f || echo -d)" -- "$current")
     compopt -o filenames 2>/dev/null
     return
   fi
@@ -31,7 +31,7 @@ _bentur() {
     return
   fi
   case $command in
-    '') options='run report gap sweep ida fragility remedy modes check spectrum plot example schema --help --version' ;;
+    '') options='run report gap sweep ida fragility remedy modes check spectrum plot example import schema --help --version' ;;
     run) options='--output --figures --lang --json --quiet --force --help' ;;
     report) options='--output --lang --template --force --help' ;;
     gap) options='--at --lang --json --help' ;;
@@ -43,11 +43,12 @@ _bentur() {
     spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --lang --force --json --help' ;;
     plot) options='--output --force --list --from --to --gap --elevation --at --against --event --width --lang --help' ;;
     example) options='--output --no-schema --force --help' ;;
+    import) options='--along --at --section --snap --hull --metres --clearance --storeys --storey-height --floor-mass --period-formula --output --force --help' ;;
     schema) options='--output --force --help' ;;
   esac
   if [[ -z $command || $current == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
-  elif [[ $command == spectrum || $command == fragility ]]; then
+  elif [[ $command == spectrum || $command == fragility || $command == import ]]; then
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
     compopt -o filenames 2>/dev/null
   elif [[ $command == plot && $previous == *.nc ]]; then

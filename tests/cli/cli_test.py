@@ -36,7 +36,8 @@ EXAMPLES = ["m12-el-centro", "breaking-column", "frame-and-wall", "free-impact",
             "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
             "yielding-pair"]
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
-COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "remedy", "modes", "check", "spectrum", "plot", "example", "schema"]
+COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "remedy", "modes", "check", "spectrum", "plot", "example",
+            "import", "schema"]
 
 
 def bentur(*arguments, cwd=None, env=None):
@@ -1192,6 +1193,68 @@ def documented(document, name):
     text = (SOURCE / "docs" / document).read_text()
     block = text.split(f"<!-- {name} -->")[1].split(f"<!-- /{name} -->")[0]
     return block.split("```")[1].split("\n", 1)[1].rstrip() + "\n"
+
+
+class BlockOfHouses(CommandLine):
+    """docs/howto/block-of-houses.md: GeoJSON becomes a case in plan that runs."""
+
+    def setUp(self):
+        super().setUp()
+        self.text = documented("howto/block-of-houses.md", "block")
+        (self.folder / "block.geojson").write_text(self.text)
+
+    def test_the_page_shows_what_is_printed_and_the_case_runs(self):
+        page, case = "howto/block-of-houses.md", self.folder / "block.toml"
+        refused = self.fails(2, "import", "block.geojson", "-o", case, cwd=self.folder)
+        self.assertEqual(refused.stderr, documented(page, "refused"))
+        self.assertFalse(case.exists())
+        made = self.done("import", "block.geojson", "--hull", "-o", case, cwd=self.folder)
+        self.assertEqual(made.stderr, documented(page, "taken"))
+        self.assertIn(documented(page, "hall"), case.read_text())
+        said = re.sub(r"\n?#", "", case.read_text().split("title")[0])
+        for line in re.findall(r"^taken: (.*)", made.stderr, re.M):
+            self.assertIn(line, " ".join(said.split()))
+        checked = self.done("check", case).stdout
+        self.assertIn("Hotel | Clinic: 0 m apart along x", checked)
+        self.assertIn("Market hall: 1 floor, 3 degrees of freedom, 0 planes, first period 0.2161 s", checked)
+        self.assertIn("POUNDING: Hotel and Clinic collide", self.done("run", case, "-o", self.folder / "out").stdout)
+        self.done("report", case, "-o", self.folder / "report.html")
+        case.write_text(case.read_text().replace("first", "second"))  # the user's own
+        self.assertIn("not written", self.fails(2, "import", "block.geojson", "--hull", "-o", case,
+                                                cwd=self.folder).stderr)
+
+    def test_options_change_what_is_taken_and_belong_to_one_kind_of_file(self):
+        block = self.folder / "block.geojson"
+        ordered = ["--hull", "--floor-mass", 0.5, "--storey-height", 4, "--period-formula", "0.0488,0.75"]
+        text = self.done("import", block, *ordered).stdout
+        self.assertIn("masses = [107.553, 107.553, 107.553]  # 215.1 m² a floor", text)
+        self.assertIn(f"T = {0.0488 * 12 ** 0.75:.3f} s of H = 12 m", text)
+        self.assertNotIn("ASCE", text)
+        self.assertIn("--snap 0.01 m", self.fails(2, "import", block, "--hull", "--snap", 0.01).stderr)
+        self.assertIn("--at is of ETABS models", self.fails(2, "import", block, "--at", 3).stderr)
+        model = self.folder / "model.e2k"
+        model.write_text("$ nothing\n")
+        self.assertIn("--hull is of GeoJSON", self.fails(2, "import", model, "--hull").stderr)
+        for wrong in ["--snap", -1], ["--clearance", "wide"], ["--storeys", 0], ["--period-formula", "0.05"]:
+            self.fails(2, "import", block, "--hull", *wrong)
+        block.write_text(self.text.replace('"height": 9.6', '"use": "none"'))
+        self.assertIn('features[2] ("Clinic") has neither storeys', self.fails(2, "import", block, "--hull").stderr)
+        self.assertIn('neither storeys nor a height are given: "Clinic"',
+                      self.done("import", block, "--hull", "--storeys", 2).stderr)
+
+    def test_metres_and_what_is_no_geojson(self):
+        block = self.folder / "block.geojson"
+        metres = re.sub(r"\[(107\.\d+), (-6\.\d+)\]", lambda place: "[{}, {}]".format(
+            round((float(place[1]) - 107.61) * 1e5, 2), round((float(place[2]) + 6.92) * 1e5, 2)), self.text)
+        block.write_text(metres.replace("[0.0, 0.0]", "[500.0, 0.0]"))
+        self.assertIn("give --metres", self.fails(2, "import", block, "--hull").stderr)
+        block.write_text(metres)
+        text = self.done("import", block, "--hull", "--metres").stdout
+        self.assertIn("polygon = [[-19, -17], [-8, -17], [-8, -1], [-19, -1]]", text)
+        for text in "", "7", "{", "[" * 100000, '{"type": "FeatureCollection", "features": [null, 7]}':
+            block.write_text(text)
+            self.fails(2, "import", block, "-o", self.folder / "none.toml")
+            self.assertFalse((self.folder / "none.toml").exists())
 
 
 class DesignSpectrum(CommandLine):

@@ -89,7 +89,7 @@ class E2kReader {
   E2kReader(const std::string& name, const E2kFrame& frame, Diagnostics& diagnostics)
       : name_(name), frame_(frame), diagnostics_(diagnostics) {}
 
-  std::optional<E2kCase> read(const std::string& text) {
+  std::optional<ImportedCase> read(const std::string& text) {
     std::istringstream stream(text);
     int number = 0;
     for (std::string line; std::getline(stream, line);) {
@@ -383,7 +383,7 @@ class E2kReader {
                        sum.stiffness / count / modulus_, sum.weight / sum.area);
   }
 
-  std::optional<E2kCase> made() {
+  std::optional<ImportedCase> made() {
     if (force_.empty()) error(1, "has no UNITS");
     if (stories_.empty()) error(1, "has no STORY with a HEIGHT");
     const std::vector<double> all = frames();
@@ -455,13 +455,13 @@ class E2kReader {
   std::map<std::pair<std::string, std::string>, E2kAssignment> assigned_;  // by line and story
   double modulus_ = 0;
   std::set<std::string> asked_;  // sections of which nothing is known
-  E2kCase result_;
+  ImportedCase result_;
 };
 
 }  // namespace
 
-std::optional<E2kCase> read_e2k(const std::string& text, const std::string& name, const E2kFrame& frame,
-                                Diagnostics& diagnostics) {
+std::optional<ImportedCase> read_e2k(const std::string& text, const std::string& name, const E2kFrame& frame,
+                                     Diagnostics& diagnostics) {
   return E2kReader(name, frame, diagnostics).read(text);
 }
 

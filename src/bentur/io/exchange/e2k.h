@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/io/exchange/imported_case.h"
 
 namespace bentur {
 
@@ -24,18 +25,6 @@ struct E2kFrame {
   std::map<std::string, E2kProperties> sections = {};
 };
 
-/// Lines that say something that was not read.
-struct E2kUnread {
-  int first = 0, last = 0;  ///< of the file, from 1
-  std::string what;
-};
-
-struct E2kCase {
-  std::string text;                ///< a case with one building.frame, to be completed by its user
-  std::vector<E2kUnread> unread;   ///< in the order of the file
-  std::vector<std::string> taken;  ///< what was made of numbers that a frame here does not have, sentence by sentence
-};
-
 /// One plane frame of a model that ETABS has written as text (.e2k, "Export ETABS .e2k Text File"): units, storeys,
 /// materials (E, weight per volume), frame sections (rectangles, circles, I, tubes and pipes by their sides, others by
 /// area, I33 and I22), points, lines and the sections assigned to them, all with their modifiers of area and I. Columns
@@ -44,8 +33,9 @@ struct E2kCase {
 /// columns of a storey and all beams of a floor, and one modulus: where they differ areas and E·I are the means, which
 /// is said in `taken`. Weights of slabs, loads, walls and all else are listed as unread.
 /// @param name of the file, for messages
-/// @return nothing when there is an error, all of which are in `diagnostics`
-[[nodiscard]] std::optional<E2kCase> read_e2k(const std::string& text, const std::string& name, const E2kFrame& frame,
-                                              Diagnostics& diagnostics);
+/// @return a case with one building.frame, to be completed by its user; nothing when there is an error, all of which
+/// are in `diagnostics`
+[[nodiscard]] std::optional<ImportedCase> read_e2k(const std::string& text, const std::string& name,
+                                                   const E2kFrame& frame, Diagnostics& diagnostics);
 
 }  // namespace bentur

@@ -129,7 +129,7 @@ TEST(E2k, WhatIsNotReadIsListedWithItsLines) {
   const auto made = read_e2k(small_model, "small.e2k", {.at = 0}, diagnostics);
   ASSERT_TRUE(made);
   std::string all;
-  for (const E2kUnread& one : made->unread)
+  for (const UnreadLines& one : made->unread)
     all += std::to_string(one.first) + "-" + std::to_string(one.last) + " " + one.what + "\n";
   EXPECT_EQ(all,
             "12-12 DIAPHRAGM NAMES\n16-16 MATERIAL PROPERTIES\n22-22 sections known by their names alone, none of "

@@ -62,6 +62,13 @@ std::string in_quotes(const std::string& text) {
   return shown + "\"";
 }
 
+bool is_one_line(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (unseen(std::string_view(text).substr(i)) > 0) return false;
+  }
+  return true;
+}
+
 std::string likely(const std::string& word, const std::vector<std::string>& known) {
   const auto same_letters = [&](const std::string& other) {
     return std::equal(word.begin(), word.end(), other.begin(), other.end(),
@@ -274,10 +281,8 @@ std::optional<std::string> TomlView::as_text() const {
 
 std::optional<std::string> TomlView::as_line() const {
   auto text = as_text();
-  for (std::size_t i = 0; text && i < text->size(); ++i) {
-    if (unseen(std::string_view(*text).substr(i)) > 0) {
-      return error_value("must be one line without control characters and marks of direction");
-    }
+  if (text && !is_one_line(*text)) {
+    return error_value("must be one line without control characters and marks of direction");
   }
   return text;
 }

@@ -107,6 +107,9 @@ inline constexpr std::string_view bare_key_characters =
 /// "text" in quotes as a message shows it: control characters escaped, long ones cut.
 [[nodiscard]] std::string in_quotes(const std::string& text);
 
+/// Whether a text has no control characters, ends of lines and marks of direction.
+[[nodiscard]] bool is_one_line(const std::string& text);
+
 /// The one of `known` that may have been meant; empty where none is near.
 [[nodiscard]] std::string likely(const std::string& word, const std::vector<std::string>& known);
 

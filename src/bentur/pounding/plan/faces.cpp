@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace bentur {
 namespace {
@@ -40,6 +41,20 @@ struct Separation {
   PlanPoint normal = PlanPoint::Zero();  ///< from the first to the second
   double width = -std::numeric_limits<double>::infinity();
 };
+
+/// The part of a convex polygon of which the normal's coordinate is at most `bound`.
+std::vector<PlanPoint> part_behind(const std::vector<PlanPoint>& polygon, const PlanPoint& normal, double bound) {
+  std::vector<PlanPoint> part;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const PlanPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double outside_a = normal.dot(a) - bound, outside_b = normal.dot(b) - bound;
+    if (outside_a <= 0) part.push_back(a);
+    if ((outside_a < 0) != (outside_b < 0) && outside_a != 0 && outside_b != 0) {
+      part.push_back(a + outside_a / (outside_a - outside_b) * (b - a));
+    }
+  }
+  return part;
+}
 
 /// Along the normal of the edge that separates them the most; one has to be moved by −width where it is below zero.
 Separation separation_of(const Footprint& one, const Footprint& other) {
@@ -165,19 +180,22 @@ bool overlap(const Footprint& one, const Footprint& other) { return overlap_dept
 
 double common_area(const Footprint& one, const Footprint& other) {
   std::vector<PlanPoint> part = one.corners();
-  for (const Edge& edge : edges_of(other)) {  // cut along each
-    std::vector<PlanPoint> left;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const PlanPoint &a = part[i], &b = part[(i + 1) % part.size()];
-      const double outside_a = edge.normal.dot(a - edge.from), outside_b = edge.normal.dot(b - edge.from);
-      if (outside_a <= 0) left.push_back(a);
-      if ((outside_a < 0) != (outside_b < 0) && outside_a != 0 && outside_b != 0) {
-        left.push_back(a + outside_a / (outside_a - outside_b) * (b - a));
-      }
-    }
-    part = std::move(left);
-  }
+  for (const Edge& edge : edges_of(other)) part = part_behind(part, edge.normal, edge.normal.dot(edge.from));
   return area_of(part);
+}
+
+std::optional<Footprint> cut_back(const Footprint& cut, const Footprint& kept) {
+  if (!overlap(cut, kept)) return cut;
+  const PlanPoint out = separation_of(cut, kept).normal;  // from what is cut
+  std::vector<PlanPoint> left;
+  const double near = least_of(cut, kept);
+  for (const PlanPoint& at : part_behind(cut.corners(), out, least_along(kept, out))) {
+    if (left.empty() || (at - left.back()).norm() > near) left.push_back(at);
+  }
+  while (left.size() > 1 && (left.back() - left.front()).norm() <= near) left.pop_back();
+  if (fault_of_polygon(left)) return std::nullopt;
+  for (PlanPoint& at : left) at -= cut.corner;
+  return polygon_footprint(cut.corner, std::move(left));
 }
 
 std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {

@@ -54,6 +54,10 @@ struct Stretch {
 /// What they have in common [length²].
 [[nodiscard]] double common_area(const Footprint& one, const Footprint& other);
 
+/// `cut` without what it has in common with `kept`: by the line across the way out that overlap_depth() tells, where
+/// `kept` ends. Nothing where no area is left. As it is where they do not overlap.
+[[nodiscard]] std::optional<Footprint> cut_back(const Footprint& cut, const Footprint& kept);
+
 /// The stretch along which they face each other; nothing where they do not, as corner to corner, or where they overlap.
 [[nodiscard]] std::optional<Stretch> facing(const Footprint& one, const Footprint& other);
 

@@ -31,6 +31,29 @@ Eigen::Matrix2d turn_by(double angle) {
 
 std::vector<PlanPoint> rectangle(double a, double b) { return {{0, 0}, {a, 0}, {a, b}, {0, b}}; }
 
+TEST(PolygonFaces, WhatOverlapsIsCutBackToTheOther) {
+  const Footprint kept = polygon_footprint({0, 0}, {{0, 0}, {10, 0}, {10.06, 4}, {10, 8}, {0, 8}});
+  // Its own edge is the way out: it goes to where the corner of the other ends.
+  const auto cut = cut_back(polygon_footprint({10, 1}, {{0, 0}, {8, 0}, {8, 6}, {0, 6}}), kept);
+  ASSERT_TRUE(cut);
+  const std::vector<PlanPoint> expected = {{0.06, 6}, {0.06, 0}, {8, 0}, {8, 6}};
+  ASSERT_EQ(cut->polygon.size(), 4U);
+  for (const PlanPoint& at : expected) {
+    EXPECT_TRUE(std::any_of(cut->polygon.begin(), cut->polygon.end(),
+                            [&](const PlanPoint& one) { return (one - at).norm() < 1e-12; }));
+  }
+  EXPECT_FALSE(overlap(*cut, kept));
+  EXPECT_NEAR(facing(kept, *cut)->width, 0, 1e-12);
+  // A corner that is in the other's edge goes; what is apart stays, and of what is in the other nothing is left.
+  const auto blunt =
+      cut_back(polygon_footprint({0, 0}, {{9.9, -1}, {12, -4}, {14, 1}}), {.corner = {0, -9}, .size = {10, 9}});
+  ASSERT_TRUE(blunt);
+  EXPECT_EQ(blunt->polygon.size(), 4U);
+  EXPECT_NEAR(blunt->lower().x(), 10, 1e-12);
+  EXPECT_EQ(cut_back(*cut, kept)->polygon, cut->polygon);
+  EXPECT_FALSE(cut_back({.corner = {2, 2}, .size = {1, 1}}, kept));
+}
+
 TEST(PolygonFaces, ACornerStandsBeforeTheEdgeOfAWall) {
   // A square on its corner, 0.05 from a wall on its right.
   const double half = 5 * std::sqrt(2.0);

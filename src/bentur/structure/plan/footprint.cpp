@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bentur {
 namespace {
@@ -42,6 +43,49 @@ bool edges_cross(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, con
     return cross(to - from, one - from) * cross(to - from, other - from) < 0;
   };
   return apart(a, b, c, d) && apart(c, d, a, b);
+}
+
+/// Whether two edges have a place in common.
+bool edges_meet(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, const PlanPoint& d) {
+  const auto is_on = [](const PlanPoint& from, const PlanPoint& to, const PlanPoint& at) {
+    const PlanPoint edge = to - from, way = at - from;
+    if (std::abs(cross(edge, way)) > straight * edge.squaredNorm()) return false;
+    const double along = edge.dot(way);
+    return along >= 0 && along <= edge.squaredNorm();
+  };
+  return edges_cross(a, b, c, d) || is_on(a, b, c) || is_on(a, b, d) || is_on(c, d, a) || is_on(c, d, b);
+}
+
+/// The rule that lists of corners break of whatever shape: too few, or one after the other the same.
+std::optional<std::string> fault_of_corners(const std::vector<PlanPoint>& corners) {
+  const std::size_t count = corners.size();
+  if (count < 3) return fmt::format("must have three corners or more, not {}", count);
+  const double extent = extent_of(corners).maxCoeff();
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((corner_at(corners, i + 1) - corners[i]).norm() > straight * extent) continue;
+    return fmt::format("must have different corners: {} and {} are one", i + 1, (i + 1) % count + 1);
+  }
+  return std::nullopt;
+}
+
+/// Two edges that are not beside one another and of which `share` says that they have something in common.
+template <class Share>
+std::optional<std::string> fault_of_edges(const std::vector<PlanPoint>& corners, const Share& share, const char* what) {
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 2; j < count; ++j) {
+      if (i == 0 && j + 1 == count) continue;
+      if (!share(corners[i], corners[i + 1], corners[j], corner_at(corners, j + 1))) continue;
+      return fmt::format("must go round once: its edges behind corners {} and {} {}", i + 1, j + 1, what);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_area(const std::vector<PlanPoint>& corners) {
+  const double extent = extent_of(corners).maxCoeff();
+  if (!(std::abs(area_of(corners)) > straight * extent * extent)) return "must have an area";
+  return std::nullopt;
 }
 
 /// The sine of the turn at a corner; counter-clockwise above zero.
@@ -96,23 +140,36 @@ bool Footprint::contains(const PlanPoint& at) const {
   return true;
 }
 
-std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corners) {
-  const std::size_t count = corners.size();
-  if (count < 3) return fmt::format("must have three corners or more, not {}", count);
-  const double extent = extent_of(corners).maxCoeff();
-  for (std::size_t i = 0; i < count; ++i) {
-    if ((corner_at(corners, i + 1) - corners[i]).norm() > straight * extent) continue;
-    return fmt::format("must have different corners: {} and {} are one", i + 1, (i + 1) % count + 1);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = i + 2; j < count; ++j) {
-      if (i == 0 && j + 1 == count) continue;
-      if (!edges_cross(corners[i], corners[i + 1], corners[j], corner_at(corners, j + 1))) continue;
-      return fmt::format("must go round once: its edges behind corners {} and {} cross", i + 1, j + 1);
+std::optional<std::string> fault_of_outline(const std::vector<PlanPoint>& corners) {
+  if (auto fault = fault_of_corners(corners)) return fault;
+  if (auto fault = fault_of_area(corners)) return fault;
+  return fault_of_edges(corners, edges_meet, "meet");
+}
+
+std::vector<PlanPoint> convex_hull(std::vector<PlanPoint> corners) {
+  std::sort(corners.begin(), corners.end(),
+            [](const PlanPoint& a, const PlanPoint& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); });
+  std::vector<PlanPoint> hull;
+  for (int half = 0; half < 2; ++half) {  // below from left to right, then above and back
+    const std::size_t begin = hull.size();
+    for (const PlanPoint& at : corners) {
+      while (hull.size() >= begin + 2 && !(cross(hull.back() - hull[hull.size() - 2], at - hull.back()) > 0)) {
+        hull.pop_back();
+      }
+      hull.push_back(at);
     }
+    hull.pop_back();
+    std::reverse(corners.begin(), corners.end());
   }
+  return hull;
+}
+
+std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corners) {
+  if (auto fault = fault_of_corners(corners)) return fault;
+  if (auto fault = fault_of_edges(corners, edges_cross, "cross")) return fault;
+  if (auto fault = fault_of_area(corners)) return fault;
+  const std::size_t count = corners.size();
   const double area = area_of(corners);
-  if (!(std::abs(area) > straight * extent * extent)) return "must have an area";
   double angle = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const PlanPoint before = corner_at(corners, i + 1) - corners[i];

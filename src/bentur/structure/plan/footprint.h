@@ -36,6 +36,13 @@ struct Footprint {
 /// Of corners in their order, none or more; below zero where they go round clockwise [length²].
 [[nodiscard]] double area_of(const std::vector<PlanPoint>& corners);
 
+/// The rule that the corners of an outline break, in words; nothing where it goes round an area once, in either order,
+/// convex or not.
+[[nodiscard]] std::optional<std::string> fault_of_outline(const std::vector<PlanPoint>& corners);
+
+/// The least convex polygon around corners that are not on one line: some of them, counter-clockwise.
+[[nodiscard]] std::vector<PlanPoint> convex_hull(std::vector<PlanPoint> corners);
+
 /// The rule that the corners of a polygon break, in words; nothing where it is convex, in either order. Corners on a
 /// straight edge are none.
 [[nodiscard]] std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corners);

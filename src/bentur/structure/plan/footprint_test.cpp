@@ -43,6 +43,28 @@ TEST(Footprint, WhatIsNoConvexPolygon) {
   EXPECT_EQ(fault(star).substr(0, 18), "must go round once");
 }
 
+TEST(Footprint, OutlinesNeedNotBeConvex) {
+  const auto fault = [](const std::vector<PlanPoint>& corners) { return fault_of_outline(corners).value_or("none"); };
+  const std::vector<PlanPoint> l_shape = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
+  EXPECT_EQ(fault(l_shape), "none");
+  EXPECT_EQ(fault({l_shape.rbegin(), l_shape.rend()}), "none");
+  EXPECT_EQ(fault({{0, 0}, {4, 4}, {4, 0}, {0, 3}}), "must go round once: its edges behind corners 1 and 3 meet");
+  EXPECT_EQ(fault({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), "must have an area");
+  // Two triangles that have a corner in common, the second time in the middle of an edge.
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}),
+            "must go round once: its edges behind corners 2 and 5 meet");
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}),
+            "must go round once: its edges behind corners 1 and 3 meet");
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {4, 0}, {0, 4}}), "must have different corners: 2 and 3 are one");
+}
+
+TEST(Footprint, AHullIsTheLeastConvexPolygonAround) {
+  const std::vector<PlanPoint> expected = {{0, 0}, {4, 0}, {4, 1}, {1, 3}, {0, 3}};
+  EXPECT_EQ(convex_hull({{1, 1}, {4, 1}, {4, 0}, {2, 0}, {0, 0}, {0, 3}, {1, 3}}), expected);
+  EXPECT_EQ(convex_hull(expected), expected);
+  EXPECT_EQ(convex_hull({{0, 0}, {0, 3}, {1, 3}, {0, 0}, {4, 1}, {4, 0}}), expected);
+}
+
 TEST(Footprint, AFloorHasItsCentreOfMassAndInertiaByDefault) {
   Plan plan{.footprint = polygon_footprint({0, 0}, {{0, 0}, {6, 0}, {0, 9}}), .storey_heights = {3}, .masses = {40}};
   plan.rigidity = PlanRigidity{.centres = {{2, 3}}, .x = {1e3}, .y = {1e3}, .torsion = {1e4}};
