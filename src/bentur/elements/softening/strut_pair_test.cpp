@@ -10,7 +10,7 @@
 #include "bentur/core/errors.h"
 #include "tests/support/led_element.h"
 
-namespace bentur {
+namespace bentur::strut_pair {
 namespace {
 
 using test::LedElement;
@@ -95,4 +95,4 @@ TEST(StrutPair, RefusesWhatIsNoBackbone) {
 }
 
 }  // namespace
-}  // namespace bentur
+}  // namespace bentur::strut_pair

@@ -159,33 +159,6 @@ StoryTable hinge_table(const RunResults& run, const Building& building, const Bu
 
 }  // namespace
 
-void tell_infill(const RunResults& run, std::vector<Statement>& statements) {
-  const ShownUnits shown = shown_units(run.c.units, run.response);
-  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    const Building& building = run.problem.buildings[b];
-    const BuildingPeaks::Infill& infill = run.response.buildings[b].infill;
-    Index worst = -1, first = -1;
-    for (Index j = 0; j < infill.force.size(); ++j) {
-      if (infill.force(j) > (worst < 0 ? 0.0 : infill.force(worst))) worst = j;
-      const bool failed = j < infill.failed_time.size() && !std::isnan(infill.failed_time(j));
-      if (failed && (first < 0 || infill.failed_time(j) < infill.failed_time(first))) first = j;
-    }
-    if (worst < 0) continue;
-    Statement pushes{.kind = "infill", .buildings = {b}};
-    pushes.values = {text_of("building", building.name),
-                     count_of("storey", static_cast<long>(building.model.storey_number(worst))),
-                     value_in("force", shown.factor("F") * infill.force(worst), unit_text("F", shown.units)),
-                     value_in("shear", shown.factor("F") * infill.shear(worst), unit_text("F", shown.units))};
-    statements.push_back(std::move(pushes));
-    if (first < 0) continue;
-    Statement fails{.kind = "infill_fails", .severity = Severity::warning, .buildings = {b}};
-    fails.values = {text_of("building", building.name),
-                    count_of("storey", static_cast<long>(building.model.storey_number(first))),
-                    value_in("time", infill.failed_time(first), "s")};
-    statements.push_back(std::move(fails));
-  }
-}
-
 void tell_breaking(const RunResults& run, Story& told) {
   const ShownUnits shown = shown_units(run.c.units, run.response);
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
