@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/structure/frame/infill.h"
 
 namespace bentur {
 namespace {
@@ -212,6 +215,34 @@ std::vector<std::optional<Infill>> read_infills(const TableView& frame, std::siz
   return infills;
 }
 
+/// Whether members can be computed with.
+bool has_right_members(const PlaneFrame& frame) {
+  const auto right = [](const Section& section) { return section.area > 0 && section.inertia > 0; };
+  return !frame.storey_heights.empty() && !frame.bay_widths.empty() && !frame.columns.empty() && !frame.beams.empty() &&
+         frame.elastic_modulus > 0 && std::all_of(frame.columns.begin(), frame.columns.end(), right) &&
+         std::all_of(frame.beams.begin(), frame.beams.end(), right);
+}
+
+/// What follows from columns, beams and infill together; what is wrong of a value alone has been said.
+void check_infills(const TableView& view, const PlaneFrame& frame) {
+  const std::vector<TomlView> given = view.get("infill")->items();
+  for (std::size_t j = 0; j < frame.infills.size(); ++j) {
+    PlaneFrame one = frame;
+    for (std::size_t i = 0; i < one.infills.size(); ++i) {
+      if (i != j) one.infills[i].reset();
+    }
+    try {
+      static_cast<void>(infill_panels(one));
+    } catch (const InvalidParameter& error) {
+      const TomlView& entry = given[std::min(j, given.size() - 1)];
+      const bool of_ultimate = error.parameter().ends_with(".ultimate");
+      if (of_ultimate) entry.find("ultimate_drift")->error(error.rule());
+      if (error.parameter() == indexed("infills", j)) entry.error(error.rule());
+      if (given.size() == 1) return;
+    }
+  }
+}
+
 /// What makes a frame's stiffness; its heights are known.
 void read_members(const TableView& view, double gravity, PlaneFrame& frame) {
   const std::size_t storeys = frame.storey_heights.size();
@@ -227,12 +258,7 @@ bool read_frame_of_plane(const TableView& view, const std::vector<double>& store
   PlaneFrame frame;
   frame.storey_heights = storey_heights;
   read_members(view, 1, frame);
-  const auto right = [](const Section& section) { return section.area > 0 && section.inertia > 0; };
-  if (storey_heights.empty() || frame.bay_widths.empty() || frame.columns.empty() || frame.beams.empty() ||
-      !(frame.elastic_modulus > 0) || !std::all_of(frame.columns.begin(), frame.columns.end(), right) ||
-      !std::all_of(frame.beams.begin(), frame.beams.end(), right)) {
-    return false;
-  }
+  if (!has_right_members(frame)) return false;
   try {
     stand_frame(frame, plane);
   } catch (const std::exception& error) {
@@ -256,6 +282,7 @@ void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   frame.floor_masses = read_floor_masses(view, gravity, storeys, length);
 
   frame.infills = read_infills(view, storeys);
+  if (!frame.infills.empty() && has_right_members(frame)) check_infills(view, frame);
 
   const auto mass_matrix = view.word("mass_matrix");
   if (mass_matrix == "lumped") frame.mass_matrix = MassMatrix::lumped;

@@ -63,11 +63,11 @@ const KeyTable& infill_keys() {
              .optional("—"),
          Key::number("strength", dimension::pressure, Range::positive_or_infinite,
                      {"Compressive strength", "Kuat tekan"},
-                     "f'_me90 of the masonry, along its bed joints; `inf`: it is not crushed")
+                     "f'_m of the masonry, along its bed joints; `inf`: it is not crushed")
              .goes_with("thickness")
              .optional("—"),
          Key::number("sliding_strength", dimension::pressure, Range::positive,
-                     {"Strength against sliding", "Kuat geser siar"}, "f_vie of the bed joints")
+                     {"Strength against sliding", "Kuat geser siar"}, "f_v of the bed joints")
              .goes_with("thickness")
              .optional("it does not slide"),
          Key::number("stiffness", dimension::stiffness, Range::positive, {"Stiffness of a panel", "Kekakuan panel"},

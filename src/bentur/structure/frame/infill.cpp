@@ -51,13 +51,12 @@ InfillPanel panel_of(const PlaneFrame& frame, const Infill& infill, const std::s
     panel.stiffness = infill.modulus * width * t * panel.cosine * panel.cosine / diagonal;
     panel.backbone.yield = std::min(width * t * infill.strength * panel.cosine, infill.sliding_strength * t * length);
   }
-  if (std::isfinite(panel.backbone.yield)) {
-    try {
-      static_cast<void>(StrutPair(panel.stiffness, panel.backbone));
-    } catch (const InvalidParameter& error) {
-      throw InvalidParameter(name, fmt::format("storey {}, bay {}", storey + 1, bay + 1), error.what());
-    }
+  const double at_yield = panel.backbone.yield / panel.stiffness;
+  if (std::isfinite(at_yield) && !(panel.backbone.ultimate > at_yield)) {
+    throw InvalidParameter(name + ".backbone.ultimate", fmt::format("{}", panel.backbone.ultimate),
+                           fmt::format("must be beyond yielding: storey {} yields at {:.4g}", storey + 1, at_yield));
   }
+  if (std::isfinite(panel.backbone.yield)) static_cast<void>(StrutPair(panel.stiffness, panel.backbone));
   return panel;
 }
 

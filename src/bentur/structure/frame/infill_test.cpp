@@ -80,6 +80,21 @@ TEST(Infill, LeavesOpenStoreysAsTheyAre) {
   EXPECT_LT((hinged.hinges.frame_stiffness - bare).cwiseAbs().maxCoeff(), 1e-11 * bare.maxCoeff());
 }
 
+TEST(Infill, IsInTheFirstModeThatDynamicCondensationKeeps) {
+  PlaneFrame frame = portal();
+  frame.columns[0].mass = frame.beams[0].mass = 3;
+  frame.mass_matrix = MassMatrix::consistent;
+  frame.infills = {masonry()};
+  const auto first_omega = [&](Condensation condensation) {
+    frame.condensation = condensation;
+    const StructuralModel model = plane_frame_model(frame);
+    return modes(model.mass, model.stiffness).omega(0);
+  };
+  const double whole = first_omega(Condensation::none);
+  EXPECT_NEAR(first_omega(Condensation::dynamic), whole, 1e-10 * whole);
+  EXPECT_GT(std::abs(first_omega(Condensation::static_) / whole - 1), 1e-6);
+}
+
 TEST(Infill, NeedsRoomAndABackbone) {
   PlaneFrame frame = portal();
   frame.infills = {masonry()};

@@ -39,8 +39,8 @@ struct Section {
 /// What fills every bay of one storey, as a strut across each diagonal: from the panel and what it is made of, or by
 /// its stiffness and strength across.
 struct Infill {
-  /// t [length] > 0, E_me [force/length²] > 0, f'_me90, compressive strength along the bed joints [force/length²], and
-  /// f_vie, strength against sliding along them, infinite where sliding is left out. `thickness` 0: by numbers.
+  /// t [length] > 0, E_me [force/length²] > 0, f'_m, compressive strength along the bed joints [force/length²], and
+  /// f_v, strength against sliding along them, infinite where sliding is left out. `thickness` 0: by numbers.
   double thickness = 0, modulus = 0, strength = 0;
   double sliding_strength = std::numeric_limits<double>::infinity();
   double stiffness = 0;  ///< of a panel, storey shear over drift [force/length] > 0
