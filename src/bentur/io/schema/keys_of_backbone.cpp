@@ -60,12 +60,12 @@ const KeyTable& infill_keys() {
          Key::number("modulus", dimension::pressure, Range::positive, {"Elastic modulus", "Modulus elastisitas"},
                      "E_me of the masonry")
              .goes_with("thickness")
-             .optional("—"),
+             .optional("needed with `thickness`"),
          Key::number("strength", dimension::pressure, Range::positive_or_infinite,
                      {"Compressive strength", "Kuat tekan"},
                      "f'_m of the masonry, along its bed joints; `inf`: it is not crushed")
              .goes_with("thickness")
-             .optional("—"),
+             .optional("needed with `thickness`"),
          Key::number("sliding_strength", dimension::pressure, Range::positive,
                      {"Strength against sliding", "Kuat geser siar"}, "f_v of the bed joints")
              .goes_with("thickness")
@@ -78,7 +78,7 @@ const KeyTable& infill_keys() {
              Key::number("yield", dimension::force, Range::positive_or_infinite, {"Yield force", "Gaya leleh"},
                          "storey shear at which a strut yields; `inf`: it stays elastic")
                  .goes_with("stiffness")
-                 .optional("—"),
+                 .optional("needed with `stiffness`"),
              false)) {
       made.keys.push_back(key);
     }
