@@ -67,7 +67,7 @@ struct BuildingPeaks {
   struct Infill {
     Eigen::VectorXd force;          ///< max N of a strut [force]
     Eigen::VectorXd shear;          ///< its part across, with which it pushes on a column [force]
-    Eigen::VectorXd ductility;      ///< max |Δ| over that at which a strut yields [-], 0: of one that cannot
+    Eigen::VectorXd ductility;      ///< max |Δ| over that at which a strut yields [-]; NaN also of what cannot
     Eigen::VectorXd strength_left;  ///< of a strut at the end, over its largest force at first [-]
     Eigen::VectorXd energy;         ///< dissipated [force·length]
     Eigen::VectorXd failed_time;    ///< when the first panel failed [s]; NaN: none has

@@ -62,8 +62,10 @@ BuildingPeaks::Infill infill_of(const Building& building, const std::vector<Elem
     const Eigen::Index f = model.first_storey() + panel.storey;
     infill.force(f) = std::fmax(infill.force(f), across(static_cast<Eigen::Index>(n)) / panel.cosine);
     infill.shear(f) = std::fmax(infill.shear(f), across(static_cast<Eigen::Index>(n)));
-    const double drift = drift_ratios(f) * model.storey_heights[f];
-    infill.ductility(f) = std::fmax(infill.ductility(f), drift * panel.stiffness / panel.backbone.yield);
+    if (std::isfinite(panel.backbone.yield)) {
+      const double drift = drift_ratios(f) * model.storey_heights[f];
+      infill.ductility(f) = std::fmax(infill.ductility(f), drift * panel.stiffness / panel.backbone.yield);
+    }
     infill.strength_left(f) = std::fmin(infill.strength_left(f), 1.0);
     infill.energy(f) = std::fmax(infill.energy(f), 0.0);
   }
