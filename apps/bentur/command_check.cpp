@@ -1,6 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "arguments.h"
 #include "bentur/io/case/plan/plan_toml.h"
@@ -26,7 +32,7 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
   int yielding = 0;
   const Eigen::Index first = building.model.first_storey();
   for (const BuildingElement& element : building.elements) {
-    if (element.storey < first) continue;
+    if (element.storey < first || element.infill) continue;
     ++yielding;
     law = element.law->name();
   }
@@ -37,6 +43,30 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
   return bearings + fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
                                 count(static_cast<std::size_t>(building.model.floors() - first), "storey", "storeys"),
                                 law, spec.tangent_damping ? ", damping of the tangent stiffness" : "");
+}
+
+/// "A: infill in 2 of 3 storeys, a panel has 1.2e+04 to 2e+04 kN/m and yields at 50 to 80 kN".
+std::string infill_text(const Building& building, const Units& units) {
+  const std::vector<InfillPanel>& panels = building.model.infills;
+  if (panels.empty()) return "";
+  std::set<Eigen::Index> storeys;
+  std::pair<double, double> stiffness = {HUGE_VAL, 0}, strength = stiffness;
+  const auto take = [](std::pair<double, double>& range, double value) {
+    range = {std::min(range.first, value), std::max(range.second, value)};
+  };
+  for (const InfillPanel& panel : panels) {
+    storeys.insert(panel.storey);
+    take(stiffness, panel.stiffness);
+    take(strength, panel.backbone.yield);
+  }
+  const auto told = [](const std::pair<double, double>& range) {
+    const std::string least = number(range.first), most = number(range.second);
+    return least == most ? least : least + " to " + most;
+  };
+  return fmt::format(
+      "{}: infill in {} of {}, a panel has {} {}/{} and yields at {} {}\n", building.name, storeys.size(),
+      count(static_cast<std::size_t>(building.model.floors() - building.model.first_storey()), "storey", "storeys"),
+      told(stiffness), units.force, units.length, told(strength), units.force);
 }
 
 void run(const std::string& file, const Words& say) {
@@ -59,6 +89,7 @@ void run(const std::string& file, const Words& say) {
                         count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
                         proportions_text(building, found, shown_units(loaded.c.units, found.weight), say));
     if (building.storeys_yield()) text += yielding_text(building, loaded.c.buildings[b]);
+    text += infill_text(building, loaded.c.units);
   }
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];

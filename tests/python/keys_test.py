@@ -19,7 +19,7 @@ BEYOND = {
             contact-restitution-length contact-stiffness-length damping-modal-length-rotations
             damping-modal-length delays-length gap-count gap-widths-length gap-widths-without-points
             generic-lists-length gravity-loads-length initial-length isolation-initial-length
-            length-of-list link-length plan-polygon-pairs matrices-not-square modal-damping-length modal-lengths
+            infill-count length-of-list link-length plan-polygon-pairs matrices-not-square modal-damping-length modal-lengths
             modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
             plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing plan-link-not-facing
@@ -66,6 +66,7 @@ BEYOND = {
             frame-massless-rotations frequency-infinite frequency-too-high
             gap-elevation-without-floor gap-floors-named-twice gap-no-common-elevation
             gap-of-buildings-apart generic-yielding-wall harmonic-peak-infinite harmonic-period-tiny
+            infill-no-room infill-ultimate
             initial-overlap-restitution link-level-tolerance matrices-damping-not-semidefinite
             matrices-mass-diagonal matrices-not-definite matrices-not-symmetric modal-not-orthogonal
             modal-shape-of-zeros output-step-tiny p-delta-critical rayleigh-negative-ratio

@@ -155,6 +155,13 @@ std::deque<Quantity>& list() {
       {"ductility_no_contact", floor, "1", "max |Δ⁰|/Δ_y", "largest storey drift over that at yield, with contact switched off", {"Ductility without contact", "Daktilitas tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::ductility), {}, {}, 1, 3},
       {"residual_drift_ratio_no_contact", floor, "1", "Δ_r⁰/h", "storey drift left after unloading at the end over storey height, with contact switched off", {"Residual drift without contact", "Simpangan sisa tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::residual_drift_ratio), {}, "%", 100, {}, false, true},
       {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {"Energy by yielding without contact", "Energi leleh tanpa kontak"}, yielding_no_contact(&BuildingPeaks::Yielding::hysteretic_energy)},
+      // Of frames with infill.
+      {"infill_force", floor, "F", "max N", "largest force of a strut of the infill", {"Strut of the infill", "Strut dinding pengisi"}, InfillSource{&BuildingPeaks::Infill::force}},
+      {"infill_shear", floor, "F", "max N cos θ", "largest horizontal force of a strut of the infill, with which it pushes on a column", {"On the column", "Pada kolom"}, InfillSource{&BuildingPeaks::Infill::shear}},
+      {"infill_ductility", floor, "1", "max |Δ|/Δ_y", "largest storey drift over that at which the infill yields", {"Ductility of the infill", "Daktilitas dinding pengisi"}, InfillSource{&BuildingPeaks::Infill::ductility}, {}, {}, 1, 3},
+      {"infill_strength_left", floor, "1", "N_c/N_c⁰", "largest force that a strut of the infill can still reach at the end over that at first, of the weakest", {"Infill left", "Sisa dinding pengisi"}, InfillSource{&BuildingPeaks::Infill::strength_left}, {}, "%", 100},
+      {"infill_energy", floor, "F L", "E_i", "energy that the infill has dissipated", {"Energy of the infill", "Energi dinding pengisi"}, InfillSource{&BuildingPeaks::Infill::energy}},
+      {"infill_failed_time", floor, "s", "t_u", "when a panel of the infill first failed", {"Infill fails at", "Dinding pengisi gagal saat"}, InfillSource{&BuildingPeaks::Infill::failed_time}},
       // Hinges, in the order of the frame's members.
       {"peak_moment", hinge, "F L", "max |M|", "largest moment at the hinge, that at rest included", {"Moment", "Momen"}, &BuildingPeaks::Hinge::peak_moment},
       {"peak_rotation", hinge, "rad", "max |θ|", "largest rotation of the hinge", {"Rotation", "Rotasi"}, &BuildingPeaks::Hinge::peak_rotation, {}, "mrad", 1e3},
@@ -277,32 +284,6 @@ const Quantity& quantity_named(std::string_view key, Owner owner) {
 
 void add_quantity(const Quantity& quantity) { list().push_back(quantity); }
 
-bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
-
-bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
-
-bool is_of_yielding(const Quantity& quantity, const Building& building) {
-  const auto* source = std::get_if<YieldingSource>(&quantity.source);
-  if (source == nullptr) return false;
-  const bool residual = source->list == &BuildingPeaks::Yielding::residual_drift_ratio;
-  for (const auto list : {&BuildingPeaks::Yielding::strength_left, &BuildingPeaks::Yielding::capped_time,
-                          &BuildingPeaks::Yielding::residual_time, &BuildingPeaks::Yielding::failed_time}) {
-    if (source->list == list) return building.can_lose_strength();
-  }
-  return building.storeys_yield() || (residual && building.model.hinges.size() > 0);
-}
-
-bool is_of_hinges(const Quantity& quantity) { return quantity.owner == Owner::hinge || quantity.key == "hinge_energy"; }
-
-bool is_of_breaking(const Quantity& quantity) { return quantity.owner == Owner::column; }
-
-bool is_of_forces(const Quantity& quantity) {
-  return quantity.owner == Owner::floor && (quantity.key.find("acceleration") != std::string_view::npos ||
-                                            quantity.key.find("storey_shear") != std::string_view::npos);
-}
-
-bool is_of_columns(const Quantity& quantity) { return std::holds_alternative<ColumnSource>(quantity.source); }
-
 bool column_has(const Quantity& quantity, const Problem& problem, const ContactPoint& at) {
   const auto* source = std::get_if<ColumnSource>(&quantity.source);
   if (source == nullptr || !struck_column(problem, at)) return false;
@@ -311,6 +292,9 @@ bool column_has(const Quantity& quantity, const Problem& problem, const ContactP
 
 bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
   if (is_of_columns(quantity)) return column_has(quantity, r.problem, r.problem.points[item]);
+  if (const auto* source = std::get_if<InfillSource>(&quantity.source)) {
+    return (r.response.buildings[item].infill.*source->list).size() > 0;
+  }
   if (is_of_foundation(quantity)) return r.response.buildings[item].foundation.size() > 0;
   if (is_of_breaking(quantity)) return !r.response.buildings[item].columns.empty();
   if (is_of_hinges(quantity)) return !r.response.buildings[item].hinges.empty();
@@ -328,6 +312,10 @@ double value_of(const Quantity& quantity, const RunView& r, const QuantityPlace&
           },
           [&](const YieldingSource& source) {
             const Eigen::VectorXd& values = response.buildings[at.item].*source.of.*source.list;
+            return at.floor < values.size() ? values(at.floor) : none;
+          },
+          [&](const InfillSource& source) {
+            const Eigen::VectorXd& values = response.buildings[at.item].infill.*source.list;
             return at.floor < values.size() ? values(at.floor) : none;
           },
           [&](const FoundationSource& source) {
@@ -403,6 +391,11 @@ void put_value(const Quantity& quantity, double value, const QuantityPlace& at, 
               },
               [&](const YieldingSource& source) {
                 Eigen::VectorXd& values = response.buildings.at(at.item).*source.of.*source.list;
+                if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
+                values(at.floor) = value;
+              },
+              [&](const InfillSource& source) {
+                Eigen::VectorXd& values = response.buildings.at(at.item).infill.*source.list;
                 if (values.size() <= at.floor) values.conservativeResize(at.floor + 1);
                 values(at.floor) = value;
               },

@@ -45,6 +45,11 @@ struct YieldingSource {
   Eigen::VectorXd BuildingPeaks::Yielding::*list;
 };
 
+/// A list of what the infill of a frame did.
+struct InfillSource {
+  Eigen::VectorXd BuildingPeaks::Infill::*list;
+};
+
 /// What the foundation of a building on soil did: its sway (0) or its rocking (1).
 struct FoundationSource {
   Eigen::Index entry = 0;
@@ -59,7 +64,7 @@ struct ColumnSource {
 
 /// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
 using QuantitySource =
-    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, FoundationSource, ColumnSource,
+    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, InfillSource, FoundationSource, ColumnSource,
                  double PointSummary::*, int PointSummary::*, std::optional<double> PointSummary::*, double Impact::*,
                  bool Impact::*, double LinkSummary::*, double BuildingPeaks::Hinge::*, int BuildingPeaks::Hinge::*,
                  std::optional<double> BuildingPeaks::Hinge::*, double BuildingPeaks::Breaking::*,
@@ -105,6 +110,8 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] bool is_of_foundation(const Quantity& quantity);
 /// Whether it tells what contact does to floor accelerations and storey shears, which have a table of their own.
 [[nodiscard]] bool is_of_forces(const Quantity& quantity);
+/// Whether it is told only of frames that have infill.
+[[nodiscard]] bool is_of_infill(const Quantity& quantity);
 /// Whether it is told only of buildings that have hinges, or of hinges.
 [[nodiscard]] bool is_of_hinges(const Quantity& quantity);
 /// Whether it is told only of columns that can break.

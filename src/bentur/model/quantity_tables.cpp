@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/internal/quantity_column.h"
@@ -44,14 +46,15 @@ TableColumn column_of(const Quantity& quantity, std::vector<double> values, cons
 std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
                                        std::size_t language) {
   const auto is_wanted = [](const Quantity& one) {
-    return !is_of_yielding(one) && !is_of_forces(one) && !is_of_columns(one);
+    return !is_of_yielding(one) && !is_of_infill(one) && !is_of_forces(one) && !is_of_columns(one);
   };
   return columns_of(owner, is_wanted, r, places, language);
 }
 
 std::vector<TableColumn> yielding_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
                                           std::size_t language) {
-  return columns_of(Owner::floor, is_of_yielding, r, floors, language);
+  const auto is_wanted = [](const Quantity& one) { return is_of_yielding(one) || is_of_infill(one); };
+  return columns_of(Owner::floor, is_wanted, r, floors, language);
 }
 
 std::vector<TableColumn> force_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
@@ -63,6 +66,34 @@ std::vector<TableColumn> struck_column_columns(const RunView& r, const std::vect
                                                std::size_t language) {
   return columns_of(Owner::point, is_of_columns, r, points, language);
 }
+
+bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
+
+bool is_of_infill(const Quantity& quantity) { return std::holds_alternative<InfillSource>(quantity.source); }
+
+bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
+
+bool is_of_yielding(const Quantity& quantity, const Building& building) {
+  const auto* source = std::get_if<YieldingSource>(&quantity.source);
+  if (source == nullptr) return false;
+  const bool residual = source->list == &BuildingPeaks::Yielding::residual_drift_ratio;
+  for (const auto list : {&BuildingPeaks::Yielding::strength_left, &BuildingPeaks::Yielding::capped_time,
+                          &BuildingPeaks::Yielding::residual_time, &BuildingPeaks::Yielding::failed_time}) {
+    if (source->list == list) return building.can_lose_strength();
+  }
+  return building.storeys_yield() || (residual && building.model.hinges.size() > 0);
+}
+
+bool is_of_hinges(const Quantity& quantity) { return quantity.owner == Owner::hinge || quantity.key == "hinge_energy"; }
+
+bool is_of_breaking(const Quantity& quantity) { return quantity.owner == Owner::column; }
+
+bool is_of_forces(const Quantity& quantity) {
+  return quantity.owner == Owner::floor && (quantity.key.find("acceleration") != std::string_view::npos ||
+                                            quantity.key.find("storey_shear") != std::string_view::npos);
+}
+
+bool is_of_columns(const Quantity& quantity) { return std::holds_alternative<ColumnSource>(quantity.source); }
 
 std::string file_name(const Quantity& quantity) {
   const std::string_view prefix = quantity.owner == Owner::link     ? "link_"

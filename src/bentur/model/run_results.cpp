@@ -40,8 +40,9 @@ Eigen::MatrixXd sway_shapes(const Building& building) {
 bool some_building_yields(const Problem& problem, const Response& response) {
   return std::any_of(problem.buildings.begin(), problem.buildings.end(),
                      [](const Building& building) { return building.can_yield(); }) ||
-         std::any_of(response.buildings.begin(), response.buildings.end(),
-                     [](const BuildingPeaks& peaks) { return peaks.yielding.ductility.size() > 0; });
+         std::any_of(response.buildings.begin(), response.buildings.end(), [](const BuildingPeaks& peaks) {
+           return peaks.yielding.ductility.size() > 0 || peaks.infill.force.size() > 0;
+         });
 }
 
 double applied_pga(const Case& c) {

@@ -29,6 +29,14 @@ void check_elements(const Building& building, const std::string& name) {
     const auto what = fmt::format("{}.elements[{}]", name, i);
     require(element.law != nullptr, what + ".law", "none", "must be given");
     const Eigen::Index f = element.storey, last = i > 0 ? building.elements[i - 1].storey : -1;
+    if (element.infill) {  // beside what else the storey has
+      require(*element.infill >= 0 && *element.infill < std::ssize(building.model.infills), what + ".infill",
+              *element.infill, "must be a panel of the model");
+      require(element.row.size() == building.model.dofs() && f >= 0 && f < building.model.floors() &&
+                  element.law->initial_stiffness() == building.model.infills[*element.infill].stiffness,
+              what, building.name, "must be in its storey, with the stiffness of its panel");
+      continue;
+    }
     require(f > last && f < building.model.floors(), what + ".storey", f,
             "must be a storey above that of the one before");
     constexpr double round_off = 1e-9;

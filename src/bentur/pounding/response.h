@@ -62,6 +62,17 @@ struct BuildingPeaks {
     std::vector<Eigen::Index> storeys;
   };
   std::optional<Mechanism> mechanism = {};
+  /// What infill did, of all storeys of a frame that has some, else empty; NaN of those that are open. Of several bays
+  /// the largest, of their strength the least, of energies the sum.
+  struct Infill {
+    Eigen::VectorXd force;          ///< max N of a strut [force]
+    Eigen::VectorXd shear;          ///< its part across, with which it pushes on a column [force]
+    Eigen::VectorXd ductility;      ///< max |Δ| over that at which a strut yields [-]; NaN also of what cannot
+    Eigen::VectorXd strength_left;  ///< of a strut at the end, over its largest force at first [-]
+    Eigen::VectorXd energy;         ///< dissipated [force·length]
+    Eigen::VectorXd failed_time;    ///< when the first panel failed [s]; NaN: none has
+  };
+  Infill infill = {};
   Yielding yielding = {};
   Yielding yielding_no_contact = {};  ///< the same with contact switched off
 };

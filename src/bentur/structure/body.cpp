@@ -54,6 +54,15 @@ Body body_of(const Building& building) {
     dashpots = rows(on_soil->under_sway.damping, on_soil->under_rocking.damping);
   }
 
+  const Index panels = std::ssize(model.infills);
+  MatrixXd infill = MatrixXd::Zero(panels, model.dofs()), of_infill = MatrixXd::Zero(panels, forces);
+  for (Index n = 0; n < panels; ++n) {
+    infill.row(n) = model.infills[n].stiffness * drift_rows(model).row(model.first_storey() + model.infills[n].storey);
+  }
+  for (Index e = 0; e < std::ssize(building.elements); ++e) {
+    if (building.elements[e].infill) of_infill(*building.elements[e].infill, e) = 1.0;
+  }
+
   Body body{.name = building.name,
             .modes = building.modes,
             .modal_damping = building.modal_damping,
@@ -109,6 +118,7 @@ Body body_of(const Building& building) {
        .forces = of_hinges(hinges.stiffness.bottomRows(breaking), forces),
        .at_rest = hinges.at_rest.tail(breaking),
        .has_peak = true},
+      {.kind = OutputKind::infill_force, .count = panels, .rows = infill, .forces = of_infill, .has_peak = true},
       {.kind = OutputKind::foundation_force,
        .count = foundation.rows(),
        .rows = springs,

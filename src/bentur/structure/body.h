@@ -21,6 +21,7 @@ enum class OutputKind {
   node,              ///< displacement of nodes in struck columns [length]
   hinge_rotation,    ///< [rad]
   breaking_shear,    ///< Q + Q₀ of columns that break [force]
+  infill_force,      ///< of panels of infill, across: k δ while they are whole [force]
   foundation_force,  ///< force [force] and moment [force·length] of the springs and dashpots below
 };
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <numeric>
 #include <utility>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/hinges.h"
+#include "bentur/elements/softening/strut_pair.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/modes.h"
 
@@ -24,6 +27,7 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   Modes free_modes = modes(model.mass, model.stiffness);
   Eigen::MatrixXd c = modal_damping(damping, free_modes);
   Building building{std::move(name), std::move(model), std::move(free_modes), std::move(c)};
+  add_infill(building.model, building.elements);
   building.coupled = hinge_elements(building.model);
   return building;
 }
@@ -44,12 +48,12 @@ HingePlace::End hinge_end(std::string_view word) {
 
 bool Building::can_lose_strength() const {
   return std::any_of(elements.begin(), elements.end(),
-                     [](const BuildingElement& element) { return element.law->loss({}, 0).has_value(); });
+                     [](const BuildingElement& element) { return !element.infill && element.law->loss({}, 0); });
 }
 
 const HystereticLaw* Building::storey_law(Eigen::Index storey) const {
   const auto found = std::find_if(elements.begin(), elements.end(),
-                                  [&](const BuildingElement& element) { return element.storey == storey; });
+                                  [&](const BuildingElement& one) { return !one.infill && one.storey == storey; });
   return found == elements.end() ? nullptr : found->law.get();
 }
 
@@ -63,6 +67,17 @@ std::vector<BuildingElement> storey_elements(const StructuralModel& model,
     if (laws[storey]) elements.push_back({drifts.row(storey), laws[storey], storey});
   }
   return elements;
+}
+
+void add_infill(const StructuralModel& model, std::vector<BuildingElement>& elements) {
+  const Eigen::MatrixXd drifts = drift_rows(model);
+  for (std::size_t n = 0; n < model.infills.size(); ++n) {
+    const InfillPanel& panel = model.infills[n];
+    if (std::isinf(panel.backbone.yield)) continue;
+    const Eigen::Index storey = model.first_storey() + panel.storey;
+    elements.push_back({drifts.row(storey), std::make_shared<StrutPair>(panel.stiffness, panel.backbone), storey,
+                        static_cast<Eigen::Index>(n)});
+  }
 }
 
 std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {

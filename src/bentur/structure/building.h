@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "bentur/elements/coupled_law.h"
 #include "bentur/elements/law.h"
+#include "bentur/elements/softening/backbone_law.h"
 
 namespace bentur {
 
@@ -71,6 +73,14 @@ struct Hinges {
   [[nodiscard]] Eigen::Index size() const { return rows.rows(); }
 };
 
+/// The masonry that fills a bay of a frame in one storey, told across: as storey drift and shear.
+struct InfillPanel {
+  Eigen::Index storey = 0, bay = 0;  ///< both from 0, the storey that of the frame
+  double stiffness = 0;              ///< k of the strut that works [force/length], part of K
+  Backbone backbone = {};            ///< of either strut; an infinite `yield`: it stays elastic
+  double cosine = 1;                 ///< of the strut's angle with the floor [-]: its force is that across over this
+};
+
 /// Mass, stiffness and effective earthquake load of a structure before damping and modes (theory:
 /// docs/theory/structure.md). Degrees of freedom: one sway per floor first (bottom to top), then any joint rotations
 /// that were kept. p(t) = −load · a_g(t); load = Tᵀ(M r + m_g) (docs/theory/structure.md, Load and Condensation).
@@ -108,6 +118,7 @@ struct StructuralModel {
   std::vector<double> node_elevations = {};  ///< [length]
   std::vector<double> node_masses = {};      ///< lumped, for m_e of contact laws [mass]
   Hinges hinges = {};                        ///< of a frame that yields
+  std::vector<InfillPanel> infills = {};     ///< of a frame, from the lowest storey up, bay by bay
 
   /// What calibrate_period() has multiplied all that is made of stiffness by [-]; nothing: it has not.
   std::optional<double> stiffness_factor = {};
@@ -138,12 +149,14 @@ struct Modes {
   Eigen::MatrixXd shapes;  ///< Φ [mass^-1/2], one mode a column
 };
 
-/// What of a building yields: a storey, or the bearings below a slab. F of δ takes the place of what K has along its
-/// row: the law's initial stiffness is part of K, and is the whole of the storey's.
+/// What of a building yields: a storey, the bearings below a slab, or a panel of infill. F of δ takes the place of what
+/// K has along its row: the law's initial stiffness is part of K, and is the whole of the storey's unless it is a
+/// panel.
 struct BuildingElement {
   Eigen::VectorXd row;  ///< δ = row · x over the dofs [length]
   std::shared_ptr<const HystereticLaw> law;
-  Eigen::Index storey = 0;  ///< where it is, 0 the lowest
+  Eigen::Index storey = 0;                  ///< where it is, 0 the lowest
+  std::optional<Eigen::Index> infill = {};  ///< of a panel its number among StructuralModel::infills
 };
 
 /// What of a building yields by several deformations at once: the hinges of a frame. Its forces act beside those of K.
@@ -165,13 +178,16 @@ struct Building {
   /// not.
   double tangent_damping = 0;
 
-  /// The law of storey `storey` (0 the lowest); none: it stays elastic.
+  /// The law of storey `storey` (0 the lowest); none: it stays elastic, but for infill.
   [[nodiscard]] const HystereticLaw* storey_law(Eigen::Index storey) const;
-  [[nodiscard]] bool storeys_yield() const { return !elements.empty(); }
+  /// Whole storeys do, or bearings.
+  [[nodiscard]] bool storeys_yield() const {
+    return std::any_of(elements.begin(), elements.end(), [](const BuildingElement& one) { return !one.infill; });
+  }
   /// A storey has a law by which its strength can be lost.
   [[nodiscard]] bool can_lose_strength() const;
-  /// Storeys, or hinges at the ends of members.
-  [[nodiscard]] bool can_yield() const { return storeys_yield() || !coupled.empty(); }
+  /// Storeys, infill, or hinges at the ends of members.
+  [[nodiscard]] bool can_yield() const { return !elements.empty() || !coupled.empty(); }
   /// Moves with the ground (a moat wall): it has no modes.
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
   /// ω₁ [rad/s]; 0 of a free body and of what has no modes.
@@ -186,6 +202,8 @@ struct Building {
 /// @throws InvalidParameter when they are neither.
 [[nodiscard]] std::vector<BuildingElement> storey_elements(
     const StructuralModel& model, const std::vector<std::shared_ptr<const HystereticLaw>>& laws);
+/// Adds the panels of infill that can yield, of the drifts of their storeys.
+void add_infill(const StructuralModel& model, std::vector<BuildingElement>& elements);
 /// The hinges of a model as one law; nothing where it has none.
 [[nodiscard]] std::vector<CoupledElement> hinge_elements(const StructuralModel& model);
 /// Whether each floor or node is above the floor below each storey, storeys × dofs: the sum of forces there is its

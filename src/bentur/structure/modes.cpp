@@ -144,6 +144,7 @@ void calibrate_period(StructuralModel& model, double first_period) {
   model.stiffness *= factor;
   model.shears *= factor;
   model.column_forces *= factor;
+  for (InfillPanel& panel : model.infills) panel.stiffness *= factor;
   model.hinges.rows *= factor;
   model.hinges.stiffness *= factor;
   model.hinges.hardening *= factor;

@@ -4,10 +4,16 @@
 #include <cmath>
 #include <exception>
 #include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "bentur/core/errors.h"
+#include "bentur/core/require.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/structure/frame/infill.h"
 
 namespace bentur {
 namespace {
@@ -149,6 +155,94 @@ void check_masses(const TomlView& view, const PlaneFrame& frame) {
   }
 }
 
+/// What fills the bays of one storey; nothing: it is open.
+std::optional<Infill> read_infill(const TomlView& given) {
+  const auto table = TableView::of(given, infill_keys());
+  if (!table) return std::nullopt;
+  const TableView& view = *table;
+  const bool masonry = view.has("thickness"), numbers = view.has("stiffness");
+  const std::vector<std::string> of_masonry = {"modulus", "strength", "sliding_strength"};
+  if (!masonry) view.refuse(of_masonry, "goes with thickness, which is not given");
+  if (!numbers) view.refuse({"yield"}, "goes with stiffness, which is not given");
+  if (masonry && numbers) {
+    view.get("stiffness")->error("does not go with thickness, from which it follows");
+    return std::nullopt;
+  }
+  if (!masonry && !numbers) {
+    view.refuse({"cap", "plastic_drift", "softening_drift", "residual", "ultimate_drift"},
+                "goes with thickness or stiffness: without them the storey is open");
+    return std::nullopt;
+  }
+  const std::vector<std::string> needed =
+      masonry ? std::vector<std::string>{"modulus", "strength"} : std::vector<std::string>{"yield"};
+  for (const std::string& key : needed) {
+    if (!view.has(key)) view.error_missing(key);
+  }
+  Infill infill;
+  infill.thickness = view.number("thickness").value_or(0);
+  infill.modulus = view.number("modulus").value_or(0);
+  infill.strength = view.number("strength").value_or(0);
+  infill.sliding_strength = view.number("sliding_strength").value_or(infill.sliding_strength);
+  infill.stiffness = view.number("stiffness").value_or(0);
+  Backbone& backbone = infill.backbone;
+  backbone.yield = view.number("yield").value_or(0);
+  backbone.cap = view.number("cap").value_or(1);
+  backbone.plastic = view.number("plastic_drift").value_or(backbone.plastic);
+  backbone.softening = view.number("softening_drift").value_or(backbone.softening);
+  backbone.residual = view.number("residual").value_or(0);
+  backbone.ultimate = view.number("ultimate_drift").value_or(backbone.ultimate);
+  if (view.has("cap") && backbone.cap < 1) view.get("cap")->error_value("must be >= 1");
+  if (!view.has("plastic_drift")) {
+    if (backbone.cap > 1) view.get("cap")->error("needs plastic_drift, the way from yielding to it");
+    view.refuse({"softening_drift"}, "goes with plastic_drift, which is not given");
+  }
+  return infill;
+}
+
+/// Of every storey; empty: none has any.
+std::vector<std::optional<Infill>> read_infills(const TableView& frame, std::size_t storeys) {
+  std::vector<std::optional<Infill>> infills;
+  if (!frame.has("infill")) return infills;
+  const auto list = frame.get("infill");
+  if (!list || !list->is_list_of("tables")) return infills;
+  if (storeys > 0 && list->size() != 1 && list->size() != storeys) {
+    list->error(fmt::format("has {} entries, expected 1 or {} (one per storey)", list->size(), storeys));
+  }
+  std::vector<std::optional<Infill>> given;
+  for (const TomlView& one : list->items()) given.push_back(read_infill(one));
+  if (given.empty()) return infills;
+  for (std::size_t j = 0; j < storeys; ++j) infills.push_back(given[std::min(j, given.size() - 1)]);
+  return infills;
+}
+
+/// Whether members can be computed with.
+bool has_right_members(const PlaneFrame& frame) {
+  const auto right = [](const Section& section) { return section.area > 0 && section.inertia > 0; };
+  return !frame.storey_heights.empty() && !frame.bay_widths.empty() && !frame.columns.empty() && !frame.beams.empty() &&
+         frame.elastic_modulus > 0 && std::all_of(frame.columns.begin(), frame.columns.end(), right) &&
+         std::all_of(frame.beams.begin(), frame.beams.end(), right);
+}
+
+/// What follows from columns, beams and infill together; what is wrong of a value alone has been said.
+void check_infills(const TableView& view, const PlaneFrame& frame) {
+  const std::vector<TomlView> given = view.get("infill")->items();
+  for (std::size_t j = 0; j < frame.infills.size(); ++j) {
+    PlaneFrame one = frame;
+    for (std::size_t i = 0; i < one.infills.size(); ++i) {
+      if (i != j) one.infills[i].reset();
+    }
+    try {
+      static_cast<void>(infill_panels(one));
+    } catch (const InvalidParameter& error) {
+      const TomlView& entry = given[std::min(j, given.size() - 1)];
+      const bool of_ultimate = error.parameter().ends_with(".ultimate");
+      if (of_ultimate) entry.find("ultimate_drift")->error(error.rule());
+      if (error.parameter() == indexed("infills", j)) entry.error(error.rule());
+      if (given.size() == 1) return;
+    }
+  }
+}
+
 /// What makes a frame's stiffness; its heights are known.
 void read_members(const TableView& view, double gravity, PlaneFrame& frame) {
   const std::size_t storeys = frame.storey_heights.size();
@@ -164,12 +258,7 @@ bool read_frame_of_plane(const TableView& view, const std::vector<double>& store
   PlaneFrame frame;
   frame.storey_heights = storey_heights;
   read_members(view, 1, frame);
-  const auto right = [](const Section& section) { return section.area > 0 && section.inertia > 0; };
-  if (storey_heights.empty() || frame.bay_widths.empty() || frame.columns.empty() || frame.beams.empty() ||
-      !(frame.elastic_modulus > 0) || !std::all_of(frame.columns.begin(), frame.columns.end(), right) ||
-      !std::all_of(frame.beams.begin(), frame.beams.end(), right)) {
-    return false;
-  }
+  if (!has_right_members(frame)) return false;
   try {
     stand_frame(frame, plane);
   } catch (const std::exception& error) {
@@ -191,6 +280,9 @@ void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   const std::size_t storeys = frame.storey_heights.size();
   const double length = std::accumulate(frame.bay_widths.begin(), frame.bay_widths.end(), 0.0);
   frame.floor_masses = read_floor_masses(view, gravity, storeys, length);
+
+  frame.infills = read_infills(view, storeys);
+  if (!frame.infills.empty() && has_right_members(frame)) check_infills(view, frame);
 
   const auto mass_matrix = view.word("mass_matrix");
   if (mass_matrix == "lumped") frame.mass_matrix = MassMatrix::lumped;

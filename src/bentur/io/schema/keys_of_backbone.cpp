@@ -3,34 +3,38 @@
 namespace bentur {
 namespace {
 
-/// The points of one side of a backbone.
-std::vector<Key> points_of_backbone() {
-  constexpr std::string_view each = "one per storey";
-  return {
-      Key::number("yield", dimension::force, Range::positive_or_infinite, {"Yield force", "Gaya leleh"},
-                  "V_y, where the stiffness ends; `inf`: the storey stays elastic")
-          .for_each(each),
+/// The points of one side of a backbone. @param yield where its stiffness ends. @param storeys of each storey a value
+/// of its own may be given
+std::vector<Key> points_of_backbone(const Key& yield, bool storeys) {
+  std::vector<Key> points = {
+      yield,
       Key::number("cap", dimension::none, Range::positive, {"Cap", "Puncak"},
-                  "largest force over V_y, ≥ 1; above 1 with `plastic_drift`")
-          .for_each(each)
+                  "largest force over that at yielding, ≥ 1; above 1 with `plastic_drift`")
           .by_default(1),
       Key::number("plastic_drift", dimension::length, Range::positive, {"Drift to the cap", "Simpangan ke puncak"},
                   "from yielding to the cap: a of ASCE 41")
-          .for_each(each)
-          .optional("it keeps V_y"),
+          .optional("it keeps its strength"),
       Key::number("softening_drift", dimension::length, Range::positive, {"Drift of softening", "Simpangan pelunakan"},
                   "from the cap to where the line that falls from it would come to zero")
-          .for_each(each)
           .goes_with("plastic_drift")
           .optional("it keeps the cap"),
       Key::number("residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
-                  "share of V_y that softening leaves: c of ASCE 41; 0: what has come down to it has failed")
-          .for_each(each)
+                  "share of the force at yielding that softening leaves: c of ASCE 41; 0: what has come down to it has "
+                  "failed")
           .by_default(0),
       Key::number("ultimate_drift", dimension::length, Range::positive, {"Ultimate drift", "Simpangan batas"},
                   "at which it fails and bears nothing any more")
-          .for_each(each)
           .optional("none")};
+  if (!storeys) return points;
+  for (Key& point : points) point.for_each("one per storey");
+  return points;
+}
+
+std::vector<Key> points_of_storeys() {
+  return points_of_backbone(
+      Key::number("yield", dimension::force, Range::positive_or_infinite, {"Yield force", "Gaya leleh"},
+                  "V_y, where the stiffness ends; `inf`: the storey stays elastic"),
+      true);
 }
 
 Key wear(std::string_view name, Label label, std::string_view doc) {
@@ -40,13 +44,52 @@ Key wear(std::string_view name, Label label, std::string_view doc) {
 }  // namespace
 
 const KeyTable& backbone_side_keys() {
-  static const KeyTable table = {"building.stick.backbone.negative", "where drifts are negative", points_of_backbone()};
+  static const KeyTable table = {"building.stick.backbone.negative", "where drifts are negative", points_of_storeys()};
+  return table;
+}
+
+const KeyTable& infill_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {
+        "building.frame.infill",
+        "masonry that fills every bay of a storey, as two diagonal struts; an empty table: the storey is open",
+        {Key::number("thickness", dimension::length, Range::positive, {"Thickness", "Tebal"},
+                     "t of the panel, with `modulus` and `strength`; or")
+             .one_of("panel", Need::optional)
+             .optional("no infill"),
+         Key::number("modulus", dimension::pressure, Range::positive, {"Elastic modulus", "Modulus elastisitas"},
+                     "E_me of the masonry")
+             .goes_with("thickness")
+             .optional("needed with `thickness`"),
+         Key::number("strength", dimension::pressure, Range::positive_or_infinite,
+                     {"Compressive strength", "Kuat tekan"},
+                     "f'_m of the masonry, along its bed joints; `inf`: it is not crushed")
+             .goes_with("thickness")
+             .optional("needed with `thickness`"),
+         Key::number("sliding_strength", dimension::pressure, Range::positive,
+                     {"Strength against sliding", "Kuat geser siar"}, "f_v of the bed joints")
+             .goes_with("thickness")
+             .optional("it does not slide"),
+         Key::number("stiffness", dimension::stiffness, Range::positive, {"Stiffness of a panel", "Kekakuan panel"},
+                     "storey shear over drift, with `yield`; at most one of `thickness` and this")
+             .one_of("panel", Need::optional)
+             .optional("no infill")}};
+    for (const Key& key : points_of_backbone(
+             Key::number("yield", dimension::force, Range::positive_or_infinite, {"Yield force", "Gaya leleh"},
+                         "storey shear at which a strut yields; `inf`: it stays elastic")
+                 .goes_with("stiffness")
+                 .optional("needed with `stiffness`"),
+             false)) {
+      made.keys.push_back(key);
+    }
+    return made;
+  }();
   return table;
 }
 
 const KeyTable& backbone_keys() {
   static const KeyTable table = [] {
-    KeyTable made = {"building.stick.backbone", "storeys that lose strength", points_of_backbone()};
+    KeyTable made = {"building.stick.backbone", "storeys that lose strength", points_of_storeys()};
     made.keys.push_back(Key::sub_table("negative", backbone_side_keys(), {"Negative drifts", "Simpangan negatif"},
                                        "the same keys where drifts are negative")
                             .optional("the same both ways"));

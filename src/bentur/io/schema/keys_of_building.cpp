@@ -166,6 +166,10 @@ const KeyTable& frame_keys() {
            .up_to(100),
        Key::sub_table("columns", section_keys(), {"Columns", "Kolom"}).list("one for all, or one per storey"),
        Key::sub_table("beams", section_keys(), {"Beams", "Balok"}).list("one for all, or one per floor"),
+       Key::sub_table("infill", infill_keys(), {"Infill", "Dinding pengisi"},
+                      "[masonry](#infill) in all bays of a storey")
+           .list("one for all, or one per storey")
+           .optional("none"),
        Key::number("floor_masses", dimension::mass, Range::not_negative, {"Floor masses", "Massa lantai"},
                    "added to the floor's sway (slab, live load)")
            .for_each("one per floor")

@@ -397,6 +397,7 @@ Story run_story(const RunResults& run) {
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
   story::tell_breaking(run, told);
+  story::tell_infill(run, told.statements);
   tell_row(run, all, told);
   for (const GapOutcome& found : all) {
     tell_impacts(run, found, told.statements);

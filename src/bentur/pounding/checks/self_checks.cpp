@@ -121,6 +121,12 @@ void Checks::numbers() {
       finite({one.peak_shear, one.break_time.value_or(0), one.released_energy, one.residual_slip},
              [&] { return "a column of " + building.name; });
     }
+    const auto open = [&](Eigen::Index i) {
+      return std::none_of(building.model.infills.begin(), building.model.infills.end(),
+                          [&](const InfillPanel& one) { return building.model.first_storey() + one.storey == i; });
+    };
+    finite(peaks.infill.force, "force of the infill", b, open);
+    finite(peaks.infill.energy, "energy of the infill", b, open);
     for (const auto* yielding : {&peaks.yielding, &peaks.yielding_no_contact}) {
       finite(yielding->ductility, "ductility", b, [&](Eigen::Index i) { return building.storey_law(i) == nullptr; });
       finite(yielding->residual_drift_ratio, "residual drift", b,

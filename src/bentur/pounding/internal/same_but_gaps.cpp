@@ -43,6 +43,11 @@ bool alike_elements(const Building& a, const Building& b) {
          a.tangent_damping == b.tangent_damping;
 }
 
+bool alike(const InfillPanel& a, const InfillPanel& b) {
+  return a.storey == b.storey && a.bay == b.bay && a.stiffness == b.stiffness && a.backbone == b.backbone &&
+         a.cosine == b.cosine;
+}
+
 bool alike(const Link& a, const Link& b) {
   return a.left == b.left && a.right == b.right && a.left_floor == b.left_floor && a.right_floor == b.right_floor &&
          alike_laws(a.law.get(), b.law.get());
@@ -53,7 +58,9 @@ bool alike(const Building& a, const Building& b) {
          alike(a.model.load, b.model.load) && a.model.storey_heights == b.model.storey_heights &&
          alike(a.modes.omega, b.modes.omega) && alike(a.modes.shapes, b.modes.shapes) &&
          alike(a.modal_damping, b.modal_damping) && alike(a.model.drifts, b.model.drifts) &&
-         alike(a.model.shears, b.model.shears) && a.has_gravity_loads == b.has_gravity_loads && alike_elements(a, b);
+         alike(a.model.shears, b.model.shears) && a.has_gravity_loads == b.has_gravity_loads && alike_elements(a, b) &&
+         std::equal(a.model.infills.begin(), a.model.infills.end(), b.model.infills.begin(), b.model.infills.end(),
+                    [](const InfillPanel& one, const InfillPanel& other) { return alike(one, other); });
 }
 
 bool alike(const ContactPoint& a, const ContactPoint& b) {

@@ -33,6 +33,7 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
   yielding.hysteretic_energy.setZero(floors);
   for (std::size_t i = 0; i < members.size(); ++i) {
     const BuildingElement& element = building.elements[i];
+    if (element.infill) continue;
     const Eigen::Index f = element.storey;
     const double of_storey = building.model.storey_heights[f];
     const double height = of_storey > 0.0 ? of_storey : 1.0;  // a slab's drift is told as a length
@@ -43,6 +44,40 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
     if (members[i].loss) take_loss(*members[i].loss, floors, f, yielding);
   }
   return yielding;
+}
+
+/// What infill did, of a building whose drifts are known; `across`: max |F| of each panel.
+BuildingPeaks::Infill infill_of(const Building& building, const std::vector<ElementFound>& members,
+                                const Eigen::VectorXd& across, const Eigen::VectorXd& drift_ratios) {
+  BuildingPeaks::Infill infill;
+  const StructuralModel& model = building.model;
+  if (model.infills.empty()) return infill;
+  constexpr double open = std::numeric_limits<double>::quiet_NaN();
+  for (auto* list :
+       {&infill.force, &infill.shear, &infill.ductility, &infill.strength_left, &infill.energy, &infill.failed_time}) {
+    list->setConstant(model.floors(), open);
+  }
+  for (std::size_t n = 0; n < model.infills.size(); ++n) {
+    const InfillPanel& panel = model.infills[n];
+    const Eigen::Index f = model.first_storey() + panel.storey;
+    infill.force(f) = std::fmax(infill.force(f), across(static_cast<Eigen::Index>(n)) / panel.cosine);
+    infill.shear(f) = std::fmax(infill.shear(f), across(static_cast<Eigen::Index>(n)));
+    if (std::isfinite(panel.backbone.yield)) {
+      const double drift = drift_ratios(f) * model.storey_heights[f];
+      infill.ductility(f) = std::fmax(infill.ductility(f), drift * panel.stiffness / panel.backbone.yield);
+    }
+    infill.strength_left(f) = std::fmin(infill.strength_left(f), 1.0);
+    infill.energy(f) = std::fmax(infill.energy(f), 0.0);
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (!building.elements[i].infill) continue;
+    const Eigen::Index f = building.elements[i].storey;
+    infill.energy(f) += members[i].energy_lost;
+    if (!members[i].loss) continue;
+    infill.strength_left(f) = std::fmin(infill.strength_left(f), members[i].loss->left);
+    if (members[i].loss->failed) infill.failed_time(f) = std::fmin(infill.failed_time(f), *members[i].loss->failed);
+  }
+  return infill;
 }
 
 constexpr double still = 1e-6;  // of the largest part of a shape that does not bend: a storey that has none in it
@@ -133,6 +168,7 @@ BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& 
     const double capacity = building.model.hinges.columns[peaks.columns.size()].capacity;
     peaks.columns.push_back({.peak_shear = shear, .shear_demand_capacity = shear / capacity});
   }
+  peaks.infill = infill_of(building, solution.members[b], peak(OutputKind::infill_force), peaks.drift_ratio);
   if (building.storeys_yield()) peaks.yielding = yielding_of(building, solution.members[b], peaks);
   return peaks;
 }

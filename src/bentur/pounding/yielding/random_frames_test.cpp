@@ -1,5 +1,6 @@
-// Frames by chance whose members yield, beside a wall or another such frame: `exact` against `adaptive`, which share no
-// way of stepping, and where the energy went; the same seen from behind, and in other units.
+// Frames by chance whose members yield, whose columns break or whose bays are filled, beside a wall or another such
+// frame: `exact` against `adaptive`, which share no way of stepping, and where the energy went; the same seen from
+// behind, and in other units.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -23,11 +25,13 @@ namespace {
 
 using namespace bentur::test;
 
+enum class Kind { yields, breaks, filled };  ///< hinges alone, columns that break too, infill with hinges or without
+
 /// How a case is told: seen from behind, and what a metre and a kilonewton are in its units.
 struct Telling {
   bool mirrored = false;
   double length = 1, force = 1;
-  bool breaks = false;  ///< some columns do, in shear
+  Kind kind = Kind::yields;
 };
 
 class Generator {
@@ -65,6 +69,7 @@ class Generator {
 
   Section member(double inertia, double capacity, std::size_t capacities, double hardening) {
     Section section{.area = 0.1, .inertia = inertia, .hardening = hardening};
+    if (told_.kind == Kind::filled && chance(0.5)) return section;
     if (chance(0.1)) return section;  // stays elastic
     const std::size_t given = chance(0.5) ? capacities : 1;
     for (std::size_t n = 0; n < given; ++n) section.moment_capacity.push_back(capacity * number(0.8, 1.25));
@@ -75,6 +80,29 @@ class Generator {
     const std::size_t given = chance(0.6) ? lines : 1;
     for (std::size_t n = 0; n < given; ++n) column.shear_capacity.push_back(number(40, 130));
     column.residual_shear = chance(0.5) ? 0 : number(0.05, 0.7);
+  }
+
+  /// Of masonry or by numbers; strength lost in every way there is, or none.
+  Infill panel() {
+    Infill infill;
+    if (chance(0.5)) {
+      infill.thickness = number(0.08, 0.2);
+      infill.modulus = number(1e6, 4e6);
+      infill.strength = number(500, 2000);
+      if (chance(0.3)) infill.sliding_strength = number(50, 400);
+    } else {
+      infill.stiffness = number(1e4, 6e4);
+      infill.backbone.yield = chance(0.1) ? std::numeric_limits<double>::infinity() : number(20, 120);
+    }
+    Backbone& backbone = infill.backbone;
+    if (chance(0.8)) {
+      backbone.plastic = number(0.002, 0.01);
+      if (chance(0.5)) backbone.cap = number(1, 1.4);
+      if (chance(0.8)) backbone.softening = number(0.01, 0.06);
+      if (chance(0.5)) backbone.residual = number(0.05, 0.5);
+    }
+    if (chance(0.3)) backbone.ultimate = number(0.03, 0.1);
+    return infill;
   }
 
   Building frame() {
@@ -96,7 +124,10 @@ class Generator {
     }
     if (chance(0.2)) frame.nodes = {{.left = chance(0.5), .elevation = 1.4}};
     for (Section& column : frame.columns) {
-      if (told_.breaks && chance(0.7)) make_brittle(column, bays + 1);
+      if (told_.kind == Kind::breaks && chance(0.7)) make_brittle(column, bays + 1);
+    }
+    for (std::size_t n = 0; told_.kind == Kind::filled && n < storeys; ++n) {
+      frame.infills.push_back(chance(0.8) ? std::optional(panel()) : std::nullopt);
     }
     Support support;
     if (chance(0.25)) {
@@ -135,6 +166,16 @@ class Generator {
         std::reverse(section.moment_capacity.begin(), section.moment_capacity.end());
         std::reverse(section.shear_capacity.begin(), section.shear_capacity.end());
       }
+    }
+    for (std::optional<Infill>& infill : frame.infills) {
+      if (!infill) continue;
+      infill->thickness *= l;
+      infill->stiffness *= f / l;
+      for (double* pressure : {&infill->modulus, &infill->strength, &infill->sliding_strength})
+        *pressure *= f / (l * l);
+      Backbone& backbone = infill->backbone;
+      backbone.yield *= f;
+      for (double* drift : {&backbone.plastic, &backbone.softening, &backbone.ultimate}) *drift *= l;
     }
     for (ColumnNode& node : frame.nodes) {
       node.elevation *= l;
@@ -189,11 +230,11 @@ double held_at_peak(const Problem& problem, const Response& response) {
 }
 
 /// BENTUR_RANDOM_FRAMES=FIRST:COUNT runs others than those that the tests always run.
-std::pair<unsigned, unsigned> seeds() {
+std::pair<unsigned, unsigned> seeds(Kind kind) {
 #ifdef BENTUR_SANITIZED
-  unsigned first = 1, count = 4;
+  unsigned first = 1, count = kind == Kind::filled ? 3 : 4;
 #else
-  unsigned first = 1, count = 20;
+  unsigned first = 1, count = kind == Kind::filled ? 12 : 20;
 #endif
   if (const char* text = std::getenv("BENTUR_RANDOM_FRAMES")) {
     EXPECT_EQ(std::sscanf(text, "%u:%u", &first, &count), 2) << text;  // NOLINT(cert-err34-c)
@@ -201,19 +242,41 @@ std::pair<unsigned, unsigned> seeds() {
   return {first, count};
 }
 
-class RandomFrames : public testing::TestWithParam<bool> {};
+class RandomFrames : public testing::TestWithParam<Kind> {
+ protected:
+  [[nodiscard]] static bool breaks() { return GetParam() == Kind::breaks; }
+  [[nodiscard]] static bool filled() { return GetParam() == Kind::filled; }
+};
 
-INSTANTIATE_TEST_SUITE_P(, RandomFrames, testing::Bool(),
-                         [](const auto& one) { return one.param ? "that_break" : "that_yield"; });
+const auto name_of_kind = [](const auto& one) {
+  return one.param == Kind::yields ? "that_yield" : one.param == Kind::breaks ? "that_break" : "that_are_filled";
+};
+INSTANTIATE_TEST_SUITE_P(, RandomFrames, testing::Values(Kind::yields, Kind::breaks, Kind::filled), name_of_kind);
+
+class RandomHingedFrames : public RandomFrames {};
+
+INSTANTIATE_TEST_SUITE_P(, RandomHingedFrames, testing::Values(Kind::yields, Kind::breaks), name_of_kind);
+
+/// How many storeys have infill that has lost strength, and how many have some that failed.
+std::pair<long, long> lost_infill(const Response& response) {
+  long weakened = 0, failed = 0;
+  for (const BuildingPeaks& peaks : response.buildings) {
+    for (Eigen::Index j = 0; j < peaks.infill.force.size(); ++j) {
+      weakened += peaks.infill.strength_left(j) < 1 ? 1 : 0;
+      failed += std::isnan(peaks.infill.failed_time(j)) ? 0 : 1;
+    }
+  }
+  return {weakened, failed};
+}
 
 /// Seen from behind, left is right and all moves the other way; in centimetres and newtons it is the same frame.
 TEST_P(RandomFrames, AreAlikeFromBehindAndInOtherUnits) {
-  const auto [first, count] = seeds();
+  const auto [first, count] = seeds(GetParam());
   long yielded = 0, broken = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
-    const Response plain = run(Generator(seed, {.breaks = GetParam()}).make(), ExactSolver{});
+    const Response plain = run(Generator(seed, {.kind = GetParam()}).make(), ExactSolver{});
     for (Telling told : {Telling{.mirrored = true}, Telling{.length = 100, .force = 1e3}}) {
-      told.breaks = GetParam();
+      told.kind = GetParam();
       SCOPED_TRACE(fmt::format("seed {}, {}", seed, told.mirrored ? "mirrored" : "cm and N"));
       const Response other = run(Generator(seed, told).make(), ExactSolver{});
       ASSERT_EQ(other.status, plain.status) << other.message;
@@ -223,6 +286,9 @@ TEST_P(RandomFrames, AreAlikeFromBehindAndInOtherUnits) {
         const BuildingPeaks& same = other.buildings[told.mirrored ? 1 - b : b];
         EXPECT_LE(apart(one.displacement, same.displacement / told.length), 1e-8) << b;
         EXPECT_LE(apart(one.storey_shear, same.storey_shear / told.force), 1e-7) << b;
+        EXPECT_LE(apart(one.infill.force, same.infill.force / told.force), 1e-7) << b;
+        EXPECT_LE(apart(one.infill.energy, same.infill.energy / (told.force * told.length)), 1e-7) << b;
+        EXPECT_LE(apart(one.infill.failed_time, same.infill.failed_time), 1e-7) << b;
         const auto same_energy = [&](const auto& mine, const auto& others, auto energy) {
           const auto all = [&](const auto& list) {
             double sum = 0;
@@ -239,18 +305,18 @@ TEST_P(RandomFrames, AreAlikeFromBehindAndInOtherUnits) {
     }
   }
   EXPECT_GT(yielded, count);
-  EXPECT_GE(broken, GetParam() ? count : 0);
+  EXPECT_GE(broken, breaks() ? count : 0);
 }
 
 TEST_P(RandomFrames, AreAlikeByBothSolvers) {
-  const auto [first, count] = seeds();
-  long yielded = 0, pounded = 0, broken = 0;
+  const auto [first, count] = seeds(GetParam());
+  long yielded = 0, pounded = 0, broken = 0, weakened = 0, failed = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
-    const Problem problem = Generator(seed, {.breaks = GetParam()}).make();
+    const Problem problem = Generator(seed, {.kind = GetParam()}).make();
     const Response exact = run(problem, ExactSolver{});
     ASSERT_TRUE(exact.status == Status::done || exact.status == Status::collapsed) << exact.message;
-    const double differs = GetParam() ? std::max(1.0, held_at_peak(problem, exact)) : 1.0;
+    const double differs = breaks() ? std::max(1.0, held_at_peak(problem, exact)) : 1.0;
     EXPECT_LE(exact.energy->relative_residual(), 1e-12 * differs);
     const Response adaptive = run(problem, AdaptiveSolver{1e-12});
     ASSERT_EQ(adaptive.status, exact.status) << adaptive.message;
@@ -260,6 +326,10 @@ TEST_P(RandomFrames, AreAlikeByBothSolvers) {
       const BuildingPeaks& other = adaptive.buildings[b];
       EXPECT_LE(apart(one.displacement, other.displacement), 1e-8) << b;
       EXPECT_LE(apart(one.storey_shear, other.storey_shear), 1e-7) << b;
+      for (const auto list : {&BuildingPeaks::Infill::force, &BuildingPeaks::Infill::strength_left,
+                              &BuildingPeaks::Infill::energy, &BuildingPeaks::Infill::failed_time}) {
+        EXPECT_LE(apart(one.infill.*list, other.infill.*list), 1e-7) << b;
+      }
       for (const BuildingPeaks::Hinge& hinge : one.hinges) yielded += hinge.first_yield ? 1 : 0;
       for (std::size_t c = 0; c < one.columns.size(); ++c) {
         const BuildingPeaks::Breaking& column = one.columns[c];
@@ -269,17 +339,21 @@ TEST_P(RandomFrames, AreAlikeByBothSolvers) {
       }
     }
     pounded += std::ssize(exact.impacts);
+    weakened += lost_infill(exact).first;
+    failed += lost_infill(exact).second;
   }
   EXPECT_GT(yielded, count);
-  EXPECT_GT(pounded, GetParam() ? 0 : count);
-  EXPECT_GE(broken, GetParam() ? count : 0);
+  EXPECT_GT(pounded, breaks() ? 0 : count);
+  EXPECT_GE(broken, breaks() ? count : 0);
+  EXPECT_GE(weakened, filled() ? count / 2 : 0);
+  EXPECT_GE(failed, filled() ? count / 4 : 0);
 }
 
-TEST_P(RandomFrames, AreTheSameToTheBitWhateverIsKeptOfTheSetsThatFlow) {
-  const auto [first, count] = seeds();
+TEST_P(RandomHingedFrames, AreTheSameToTheBitWhateverIsKeptOfTheSetsThatFlow) {
+  const auto [first, count] = seeds(GetParam());
   for (unsigned seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
-    Problem problem = Generator(seed, {.breaks = GetParam()}).make();
+    Problem problem = Generator(seed, {.kind = GetParam()}).make();
     const Response kept = run(problem, ExactSolver{});
     for (const Eigen::Index numbers : {0, 1000}) {
       for (Building& building : problem.buildings) {

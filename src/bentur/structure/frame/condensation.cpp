@@ -44,6 +44,7 @@ StructuralModel with_mass_and_load(const StructuralModel& model, const Eigen::Ma
   reduced.node_elevations = model.node_elevations;
   reduced.node_masses = model.node_masses;
   if (model.column_forces.size() > 0) reduced.column_forces = model.column_forces * t;
+  reduced.infills = model.infills;
   reduced.hinges = model.hinges;
   if (model.hinges.size() > 0) reduced.hinges.rows = model.hinges.rows * t;
   reduced.rigid_body = model.rigid_body;

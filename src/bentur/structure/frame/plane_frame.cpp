@@ -12,6 +12,7 @@
 #include "bentur/structure/frame/condensation.h"
 #include "bentur/structure/frame/element_stiffness.h"
 #include "bentur/structure/frame/frame_hinges.h"
+#include "bentur/structure/frame/infill.h"
 
 namespace bentur {
 namespace {
@@ -291,6 +292,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   }
 
   model.hinges = hinges.hinges(model.stiffness);
+  model.infills = infill_panels(frame);
+  model.stiffness.topLeftCorner(floors, floors) += infill_stiffness(model.infills, floors);
   model.left_joints = model.right_joints = Eigen::MatrixXd::Zero(floors, dofs);
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
     model.left_joints(floor, rotation(floor, 0)) = 1;
@@ -341,6 +344,8 @@ StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation
   StructuralModel model = reduced(frame, assemble_plane_frame(frame, base_elevation));
   if (model.hinges.size() > 0) {
     model.hinges.frame_stiffness = model.stiffness;
+    const Eigen::Index floors = model.floors();
+    model.hinges.frame_stiffness.topLeftCorner(floors, floors) -= infill_stiffness(model.infills, floors);
     model.hinges.frame_rows = model.hinges.rows;
     model.hinges.frame_drifts = drift_rows(model);
   }

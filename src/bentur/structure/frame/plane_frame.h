@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "bentur/structure/building.h"
@@ -35,6 +36,18 @@ struct Section {
   }
 };
 
+/// What fills every bay of one storey, as a strut across each diagonal: from the panel and what it is made of, or by
+/// its stiffness and strength across.
+struct Infill {
+  /// t [length] > 0, E_me [force/length²] > 0, f'_m, compressive strength along the bed joints [force/length²], and
+  /// f_v, strength against sliding along them, infinite where sliding is left out. `thickness` 0: by numbers.
+  double thickness = 0, modulus = 0, strength = 0;
+  double sliding_strength = std::numeric_limits<double>::infinity();
+  double stiffness = 0;  ///< of a panel, storey shear over drift [force/length] > 0
+  /// Of a strut, as storey shear and drift; `yield` follows from the strength of a panel of masonry.
+  Backbone backbone = {};
+};
+
 enum class MassMatrix { consistent, lumped };
 enum class Condensation { static_, dynamic, none };
 
@@ -50,6 +63,7 @@ struct PlaneFrame {
   MassMatrix mass_matrix = MassMatrix::consistent;
   Condensation condensation = Condensation::static_;
   bool base_coupling = true;  ///< m_g (docs/theory/structure.md, Load); false: without, as the monograph's (2-1)
+  std::vector<std::optional<Infill>> infills = {};  ///< one per storey, nothing: it is open; empty: all are
   std::vector<ColumnNode> nodes = {};  ///< any order; their sways are dofs after the floors', in this order
 };
 

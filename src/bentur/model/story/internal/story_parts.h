@@ -62,6 +62,9 @@ void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
 
+/// Of frames with infill: where a strut pushes hardest on a column, and where infill failed first or lost most.
+void tell_infill(const RunResults& run, std::vector<Statement>& statements);
+
 /// Of frames whose columns can break in shear: how many have and which first, with a table of them in order of time.
 void tell_breaking(const RunResults& run, Story& told);
 
