@@ -102,8 +102,8 @@ try_package() {
       apt-get update -q
       apt-get install -y -q --no-install-recommends ./bentur_*.deb
       bentur --version
-      bentur example m12-el-centro -o own.toml
-      bentur run own.toml -o results
+      bentur example m12-el-centro -o own
+      bentur run own/m12-el-centro.toml -o results
       ls results/summary.json
       apt-get install -y -q --no-install-recommends ./libbentur-dev_*.deb
       ls /usr/include/bentur/pounding/pounding.h' >"$folder/$suite-installed.log" 2>&1 || {
