@@ -134,7 +134,7 @@ TEST(PlanReport, TellsOfLinks) {
     EXPECT_TRUE(has(table, "<td>12.02</td>")) << table;
     EXPECT_TRUE(has(table, "<td>" + number(linked.response.links[1].peak_tension) + "</td>")) << table;
     EXPECT_TRUE(has(page, language == "en" ? ">link<" : ">penghubung<"));  // the legend of the still
-    EXPECT_TRUE(has(page, R"("links":[{"faces":)"));
+    EXPECT_TRUE(has(page, R"("links":[{"left":)"));
   }
   EXPECT_FALSE(has(page_of(twisting()), ">link<"));
 }
