@@ -1,5 +1,6 @@
 """Every function of bentur.plot draws what it is given, with units on its axes; types hold."""
 
+import ast
 import importlib.util
 import shutil
 import subprocess
@@ -115,14 +116,19 @@ def test_lines_of_a_study_say_what_they_are_of():
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["damping = 0.02", "damping = 0.05"]
 
 
-def test_types():
+def test_stubs_are_python():
+    for stub in sorted((ROOT / "bindings/python/bentur").glob("*.pyi")):
+        ast.parse(stub.read_text(), stub.name)
+
+
+def test_types(tmp_path):
     """mypy, strict, over the package and the examples, where it is installed."""
     if importlib.util.find_spec("mypy") is None:
         pytest.skip("mypy is not installed")
     files = [ROOT / "bindings/python/bentur", *(ROOT / "examples/python").glob("*.py")]
     mypy = [shutil.which("mypy")] if shutil.which("mypy") else [sys.executable, "-m", "mypy"]
     run = subprocess.run(
-        [*mypy, "--config-file", ROOT / "pyproject.toml", "--cache-dir", "/dev/null", *files],
+        [*mypy, "--config-file", ROOT / "pyproject.toml", "--cache-dir", tmp_path, *files],
         capture_output=True, text=True, cwd=ROOT, env={"MYPYPATH": str(ROOT / "bindings/python"), "PATH": "/usr/bin:/bin"},
     )
     assert run.returncode == 0, run.stdout

@@ -167,11 +167,16 @@ def read_record(
 
     :raises CaseError: with what is wrong, where.
     """
-    options = {"column": column, "channel": channel, "skip_lines": skip_lines}
-    chosen = {name: None if one is None else _arguments.whole(name, one, 0, 2**31 - 1) for name, one in options.items()}
+
+    def whole(name: str, one: int) -> int:
+        return _arguments.whole(name, one, 0, 2**31 - 1)
+
+    options = {"column": column, "channel": channel}
+    chosen = {name: None if one is None else whole(name, one) for name, one in options.items()}
+    skipped = whole("skip_lines", skip_lines)
     step = None if time_step is None else _arguments.number("time_step", time_step)
     name = _arguments.path("file", file)
-    return Record(**_core.read_record(name, _arguments.text("format", format), step, **chosen))
+    return Record(**_core.read_record(name, _arguments.text("format", format), step, **chosen, skip_lines=skipped))
 
 
 def logarithmic_periods(first: float = 0.05, last: float = 5.0, count: int = 41) -> NDArray[np.float64]:

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from . import _arguments, _core
-from ._case import Case
+from ._case import Case, as_case
 from ._dataset import attributes_of_study, dataset, netcdf
 from ._errors import CaseError, Finding, imported
-from ._functions import Progress, as_case, shown
+from ._functions import Progress, shown
 from ._own_laws import OwnLaw, table_of
 
 if TYPE_CHECKING:
