@@ -222,7 +222,8 @@ class GeoReader {
   void read_properties(const GeoNode& properties, House& house) {
     std::string levels;
     for (const auto& [key, value] : properties.items()) {
-      if (value.is_null() || value == "" || key == "name") continue;
+      const bool is_blank = value.is_string() && value.get_ref<const std::string&>().empty();
+      if (value.is_null() || is_blank || key == "name") continue;
       if (key == "height") {
         read_height(value, house);
       } else if (key == "building:levels" || key == "levels" || key == "storeys") {
