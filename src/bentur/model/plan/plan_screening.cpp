@@ -27,12 +27,23 @@ bool is_backed(const PlanProblem& problem, std::size_t gap, Index building) {
   });
 }
 
+/// The largest distance between a floor's centre of mass and the centre of rigidity of the storey below, along x or y
+/// over what the footprint takes up there [%].
+double largest_eccentricity(const PlanModel& model, const Plan& plan) {
+  double most = 0;
+  for (Index floor = 0; floor < model.floors(); ++floor) {
+    const PlanPoint apart = model.centres[static_cast<std::size_t>(floor)] - centre_of_rigidity(plan, floor);
+    most = std::max(most, in_percent * apart.cwiseAbs().cwiseQuotient(plan.footprint.size).maxCoeff());
+  }
+  return most;
+}
+
 StandingBuilding standing(const PlanModel& model, const Plan& plan, bool is_backed) {
   return {.floors = model.elevations,
           .height = std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0),
           .mass = std::accumulate(model.floor_masses.begin(), model.floor_masses.end(), 0.0),
           .is_backed = is_backed,
-          .eccentricity = largest_eccentricity(plan)};
+          .eccentricity = largest_eccentricity(model, plan)};
 }
 
 double narrowest(const PlanGap& gap) {
@@ -43,16 +54,6 @@ double narrowest(const PlanGap& gap) {
 }
 
 }  // namespace
-
-double largest_eccentricity(const Plan& plan) {
-  const PlanModel model = plan_model(plan);
-  double most = 0;
-  for (Index floor = 0; floor < model.floors(); ++floor) {
-    const PlanPoint apart = model.centres[static_cast<std::size_t>(floor)] - centre_of_rigidity(plan, floor);
-    most = std::max(most, in_percent * apart.cwiseAbs().cwiseQuotient(plan.footprint.size).maxCoeff());
-  }
-  return most;
-}
 
 std::vector<ScreeningFinding> plan_screening(const PlanCase& c, const PlanProblem& problem, std::size_t gap) {
   const PlanGap& of = problem.gaps.at(gap);

@@ -14,8 +14,4 @@ namespace bentur {
 [[nodiscard]] std::vector<ScreeningFinding> plan_screening(const PlanCase& c, const PlanProblem& problem,
                                                            std::size_t gap);
 
-/// The largest distance between a floor's centre of mass and the centre of rigidity of the storey below, along x or y
-/// over what the footprint takes up there [%].
-[[nodiscard]] double largest_eccentricity(const Plan& plan);
-
 }  // namespace bentur
