@@ -57,6 +57,12 @@ export async function open(browser, address, { slow = false, ...options } = {}) 
 /** Until the case that stands there, what is being typed included, is solved, finely, or has errors. */
 export const solved = (page, state = "fine") => page.waitForSelector(`main[data-solved="${state}"]`);
 
+/** What is folded is only made once it is open. */
+export async function openForm(page) {
+  await page.click("text=Form");
+  await page.waitForSelector(".form fieldset");
+}
+
 /** Until the curve over gaps is whole, so that no worker has anything to do. */
 export const curveDone = (page) => page.waitForFunction(() => document.querySelector("#figures")?.dataset.curve === "1");
 

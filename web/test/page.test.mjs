@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 import { getStaticTOMLValue, parseTOML } from "toml-eslint-parser";
-import { curveDone, launch, open, solved, taken } from "./browser.mjs";
+import { curveDone, launch, open, openForm, solved, taken } from "./browser.mjs";
 import { difference, examples, isLoose, studio } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;
@@ -236,7 +236,7 @@ test("a case file is opened, and its form and its text are one", async () => {
     await page.waitForFunction((at) => document.querySelector(at).value.includes("period_formula"), editor);
     // The example's record lies in ../data there, and here too.
     await solved(page);
-    await page.click("text=Form");
+    await openForm(page);
     const gap = page.getByRole("spinbutton", { name: "Gap m", exact: true });
     await gap.fill("0.5");
     await gap.press("Tab");
@@ -274,7 +274,7 @@ test("the form says of every number what the schema says, and slides no further"
     value < least || value > most || (above && value === least) || (below && value === most) || (not && value === 0);
   await on(async (page) => {
     await solved(page);
-    await page.click("text=Form");
+    await openForm(page);
     let parts = 0;
     for (const text of texts) {
       const value = getStaticTOMLValue(parseTOML(text));
@@ -425,7 +425,7 @@ test("other units are the same buildings, and back again the same text", async (
     await solved(page);
     await page.click('[data-case="monograph"]');
     await solved(page);
-    await page.click("text=Form");
+    await openForm(page);
     const text = await page.inputValue(editor);
     const before = JSON.parse(await download(page, "summary"));
     const choose = async (name, unit) => {
@@ -779,7 +779,7 @@ test("another record is made as strong as the one before, and stands the same wa
     assert.equal((await applied()).time_step, 0.02);
     assert.equal(await page.inputValue(editor), text);
     // What is no record has no peak to be scaled to.
-    await page.click("text=Form");
+    await openForm(page);
     await page.click("text=Harmonic ground motion");
     await solved(page);
     assert.doesNotMatch(await page.inputValue(editor), /pga|polarity/);
@@ -965,7 +965,7 @@ test("every change is undone and made again, a drag as one", async () => {
     await changed();
     await page.getByRole("combobox", { name: "Length" }).selectOption("mm");
     await changed();
-    await page.click("text=Form");
+    await openForm(page);
     await page.getByRole("spinbutton", { name: "Gap mm", exact: true }).fill("3");
     await page.keyboard.press("Tab");
     await changed();
@@ -1121,7 +1121,7 @@ test("a storey or a bay more and then fewer is the same case, of every example",
   const names = examples(source, 1, ["hinged-frame.toml"]);
   await on(async (page) => {
     await solved(page);
-    await page.click("text=Form");
+    await openForm(page);
     const grown = { storey: 0, bay: 0 };
     for (const name of names) {
       const text = readFileSync(`${source}/examples/${name}`, "utf8");
@@ -1151,7 +1151,7 @@ test("where a storey fewer is no case it is said why, and the case stays", async
     await solved(page);
     const text = readFileSync(`${source}/examples/linked-pair.toml`, "utf8");
     await write(page, text);
-    await page.click("text=Form");
+    await openForm(page);
     await page.getByRole("button", { name: "Storeys: one fewer, Low" }).click();
     await page.waitForFunction(() => document.querySelector(".errors .error"));
     assert.match(await page.textContent(".errors"), /9\.6/); // the level of a link
@@ -1164,7 +1164,7 @@ test("lists of contact points follow storeys", async () => {
     await solved(page);
     const text = (await page.inputValue(editor)).replace("width = 0.05", "width = [0.05, 0.05, 0.05, 0.05, 0.05, 0.06]");
     await write(page, text);
-    await page.click("text=Form");
+    await openForm(page);
     await page.getByRole("button", { name: "Storeys: one more, Annex" }).click(); // the lower one
     await page.waitForFunction((at) => document.querySelector(at).value.includes("0.05, 0.06, 0.06]"), editor);
     await solved(page);
@@ -1240,7 +1240,7 @@ test("what is pressed is large enough for a finger", async () => {
 test("no label says a word twice", async () => {
   await on(async (page) => {
     await solved(page);
-    await page.click("text=Form");
+    await openForm(page);
     for (const language of ["en", "id"]) {
       await page.selectOption("#language", language);
       for (const text of [null, readFileSync(`${source}/web/test/every-unit.toml`, "utf8")]) {

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { curveDone, launch, open, solved, taken } from "./browser.mjs";
+import { curveDone, launch, open, openForm, solved, taken } from "./browser.mjs";
 import { difference, lineOf, spaced, terminal } from "./core.mjs";
 
 const file = `${process.env.BENTUR_SOURCE}/examples/plan/twisting-pair.toml`;
@@ -74,6 +74,7 @@ test("figures, tables and impacts are those of buildings in plan, without what o
     await page.waitForFunction(() => document.querySelector('[data-figure="opening"]').textContent.includes("level 3.5 m"));
     assert.equal(await page.locator("#gap").count(), 0); // no width of its own to be slid
     await page.click('[data-table="peaks"] summary');
+    await page.waitForSelector('[data-table="peaks"] table'); // which is only made once it is open
     assert.match(await page.textContent('[data-table="peaks"]'), /north frame/);
     const rows = await page.$$eval("#impacts tbody tr", (all) => all.map((row) => row.cells[1].textContent));
     assert.equal(rows.length, 7);
@@ -137,8 +138,7 @@ test("the still that is given away looks as the picture does", async () => {
 
 test("the form changes the text, and has nothing that plans cannot have", async () => {
   await inPlan(async (page) => {
-    await page.click("text=Form");
-    await page.waitForSelector(".form fieldset");
+    await openForm(page);
     assert.equal(await page.locator(".form .count").count(), 0);
     assert.equal(await page.locator("text=Add a neighbour known by little").count(), 0);
     const stiffness = page.locator(".form fieldset").first().locator(".field", { hasText: "Stiffnesses 1" }).first().locator("input[type=number]");
