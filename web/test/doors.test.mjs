@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, copyFileSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
-import { launch, open, solved, taken } from "./browser.mjs";
+import { launch, open, solved, taken, test } from "./browser.mjs";
 import { difference, examples, isLoose, lineOf, spaced, terminal, tolerance } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;

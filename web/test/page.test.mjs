@@ -4,11 +4,11 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 import { getStaticTOMLValue, parseTOML } from "toml-eslint-parser";
-import { curveDone, launch, open, openForm, solved, taken } from "./browser.mjs";
+import { curveDone, launch, open, openForm, solved, taken, test } from "./browser.mjs";
 import { difference, examples, isLoose, studio } from "./core.mjs";
 
 const source = process.env.BENTUR_SOURCE;

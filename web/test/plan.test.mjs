@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
-import { curveDone, launch, open, openForm, solved, taken } from "./browser.mjs";
+import { curveDone, launch, open, openForm, solved, taken, test } from "./browser.mjs";
 import { difference, lineOf, spaced, terminal } from "./core.mjs";
 
 const file = `${process.env.BENTUR_SOURCE}/examples/plan/twisting-pair.toml`;

@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, test } from "node:test";
+import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
-import { launch, open, solved, taken } from "./browser.mjs";
+import { launch, open, solved, taken, test } from "./browser.mjs";
 import { difference, spaced } from "./core.mjs";
 import { makeSuite } from "./suites.mjs";
 
