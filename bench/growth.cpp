@@ -1,7 +1,7 @@
 // bentur_growth FOLDER CASES: how the time of `exact` grows with duration, storeys, impacts and buildings, beside a
-// count of its arithmetic, and the rate at which this machine does arithmetic; and how it grows with hinges. Writes
-// growth.csv, rates.csv and hinges.csv into FOLDER; CASES is the folder of cases. What the counts mean:
-// bench/README.md.
+// count of its arithmetic, and the rate at which this machine does arithmetic; how it grows with hinges; and what
+// buildings in plan take. Writes growth.csv, rates.csv, hinges.csv, plan_pair.csv and blocks.csv into FOLDER; CASES is
+// the folder of cases. What the counts mean: bench/README.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bench/arithmetic.h"
+#include "bench/plans.h"
 #include "bench/timing.h"
 #include "bentur/elements/hinges.h"
 #include "bentur/io/case/case_toml.h"
@@ -180,6 +181,55 @@ void hinges(const std::filesystem::path& folder, const std::filesystem::path& ca
   }
 }
 
+/// Two of three storeys in plan beside a row's pair of nine storeys each, as many degrees of freedom, both with about a
+/// hundred impacts; and blocks of more and more houses, in a row and in rows of five, near one another and far apart.
+void plans(const std::filesystem::path& folder, const std::filesystem::path& cases) {
+  const std::filesystem::path record = cases / "../../data/el-centro-1940-ns.csv";
+  struct Found {
+    double width = 0, time = 0;
+    std::size_t impacts = 0;
+  };
+  const auto nearest_to_hundred = [](const auto& run) {
+    Found best;
+    const auto off = [](std::size_t impacts) { return impacts > 100 ? impacts - 100 : 100 - impacts; };
+    for (const double width : {0.0, 0.001, 0.002, 0.005, 0.01, 0.02, 0.04}) {
+      if (const std::size_t impacts = run(width).second; off(impacts) < off(best.impacts)) best = {width, 0, impacts};
+    }
+    best.time = run(best.width).first;
+    return best;
+  };
+  const Case frames = with_storeys(read(cases / "storeys-12-8.toml"), 9);
+  const Found row = nearest_to_hundred([&](double width) {
+    Case c = frames;
+    c.analysis.duration = 10;
+    for (double& w : c.gaps.front().widths) w = width;
+    const Problem problem = make_problem(c);
+    Response response;
+    const Timing timing = time_of([&] { response = solve(problem); }, 0.3);
+    return std::pair(timing.minimum, response.impacts.size());
+  });
+  const Found plan = nearest_to_hundred([&](double width) {
+    const PlanTime of = time_of_plan(houses(2, 2, width, 3, record));
+    return std::pair(of.minimum, of.impacts);
+  });
+  const File pair = open_for_writing(folder / "plan_pair.csv");
+  fmt::print(pair.get(), "what,width,impacts,time\n");
+  for (const auto& [what, found] : {std::pair("in plan, 3 storeys", plan), std::pair("in a row, 9 storeys", row)}) {
+    fmt::print(pair.get(), "\"{}\",{},{},{:.6e}\n", what, found.width, found.impacts, found.time);
+  }
+  const File blocks = open_for_writing(folder / "blocks.csv");
+  fmt::print(blocks.get(), "block,houses,gaps,impacts,near,far\n");
+  for (const bool one_row : {true, false}) {
+    for (const int count : {5, 10, 20, 30}) {
+      const PlanProblem near = houses(count, one_row ? count : 5, 0.01, 2, record);
+      const PlanTime touching = time_of_plan(near),
+                     apart = time_of_plan(houses(count, one_row ? count : 5, 0.3, 2, record));
+      fmt::print(blocks.get(), "{},{},{},{},{:.6e},{:.6e}\n", one_row ? "one row" : "rows of five", count,
+                 near.gaps.size(), touching.impacts, touching.minimum, apart.minimum);
+    }
+  }
+}
+
 void rates(const std::filesystem::path& folder) {
   const File file = open_for_writing(folder / "rates.csv");
   fmt::print(file.get(), "instructions,flops_per_second\n");
@@ -194,6 +244,7 @@ int main(int argc, char** argv) try {
   rates(argv[1]);
   growth(argv[1], argv[2]);
   hinges(argv[1], argv[2]);
+  plans(argv[1], argv[2]);
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "bentur_growth: {}\n", error.what());

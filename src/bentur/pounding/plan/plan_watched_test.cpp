@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 
 #include "bentur/contact/laws/linear.h"
 #include "bentur/pounding/plan/plan_pounding.h"
@@ -198,6 +199,76 @@ TEST(PlanWatched, BothWaysRoundOfWhatDoesNotStartFromRest) {
     EXPECT_NEAR(*found.watched[0].gap_needed_reversed, wanted.watched[0].gap_needed, 1e-12);
     EXPECT_FALSE(wanted.points[0].gap_needed_reversed);
   }
+}
+
+/// Two rows of three houses that twist, far from one another, under noise in two components, with 1200 samples.
+PlanProblem block_of_houses() {
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<double> part(0, 1);
+  PlanProblem problem;
+  for (int house = 0; house < 6; ++house) {
+    const int column = house % 3, row = house / 3;
+    Plan plan{.footprint = {.corner = {10.5 * column, 12.5 * row}, .size = {10, 12}},
+              .storey_heights = {3.0, 2.8},
+              .masses = {100 + 60 * part(engine), 90.0}};
+    for (const double side : {0.0, 1.0}) {
+      const double x = 3e4 * (1 + 3 * part(engine)), y = 3e4 * (1 + 2 * part(engine));
+      plan.planes.push_back({.name = "",
+                             .through = {0, 12 * side},
+                             .direction = PlanPoint::UnitX(),
+                             .storeys = {.storey_heights = {}, .masses = {}, .stiffnesses = {x, x}}});
+      plan.planes.push_back({.name = "",
+                             .through = {10 * side, 0},
+                             .direction = PlanPoint::UnitY(),
+                             .storeys = {.storey_heights = {}, .masses = {}, .stiffnesses = {y, 0.8 * y}}});
+    }
+    problem.buildings.push_back(make_plan_building("H", plan_model(plan), ModalDamping{{0.04}}));
+  }
+  for (Index one = 0; one < 6; ++one) {
+    for (const Index other : {one % 3 < 2 ? one + 1 : -1, one < 3 ? one + 3 : -1}) {
+      if (other < 0) continue;
+      PlanGap gap = between(problem, one, other);
+      for (const StretchPoint& point : points_of(gap.stretch, 2)) {
+        gap.contacts.push_back({.left_floor = 1,
+                                .right_floor = 1,
+                                .elevation = problem.buildings[0].model.elevations[1],
+                                .along = point.along,
+                                .law = std::make_shared<Linear>(1e5)});
+      }
+      problem.gaps.push_back(gap);
+    }
+  }
+  for (GroundMotion& motion : problem.motions) {
+    SampledMotion noise{.time_step = 0.02, .acceleration = {}};
+    for (int n = 0; n < 1200; ++n) noise.acceleration.push_back(6 * (part(engine) - 0.5) * std::sin(n / 380.0));
+    motion = noise;
+  }
+  problem.duration = 24;
+  return problem;
+}
+
+// What was left unsettled on the way is looked into with the two buildings of a gap alone: the others have no part in
+// it.
+TEST(PlanWatched, AGapOfABlockNeedsWhatItNeedsWhereItsTwoBuildingsStandAlone) {
+  const PlanProblem block = block_of_houses();
+  const PlanResponse all = solve(block);
+  ASSERT_EQ(all.status, Status::done) << all.message;
+  ASSERT_EQ(block.gaps.size(), 7U);
+  ASSERT_TRUE(all.impacts.empty());
+  std::size_t point = 0;
+  for (const PlanGap& gap : block.gaps) {
+    PlanProblem pair = block;
+    pair.buildings = {block.buildings[gap.left], block.buildings[gap.right]};
+    pair.gaps = {gap};
+    pair.gaps[0].left = 0;
+    pair.gaps[0].right = 1;
+    for (const PointSummary& alone : solve(pair).points) {
+      EXPECT_GT(alone.gap_needed, 1e-3);
+      EXPECT_NEAR(all.points[point].gap_needed, alone.gap_needed, 1e-13 * alone.gap_needed) << point;
+      ++point;
+    }
+  }
+  EXPECT_EQ(point, all.points.size());
 }
 
 }  // namespace

@@ -194,9 +194,10 @@ void Series::expand_term_by_term(Index first, Index count, const double* load, c
   }
 }
 
-void Series::expand_block(std::size_t b, const State& state, const GroundInput* input, double h, Expansion& motion) {
+void Series::expand_block(std::size_t b, const State& state, const GroundInput* input, double h, double rate,
+                          Expansion& motion) {
   const auto& block = system_->blocks[b];
-  begin(block.begin, block.padded_size, state, h, std::max(block.rate(), system_->fastest_input()), motion);
+  begin(block.begin, block.padded_size, state, h, rate, motion);
   note_grounds(b, b + 1, input, h);
   const double* load = scaled(system_->load_of(b, state.q.data(), force_), block.begin, block.padded_size);
   if (block.damping) {

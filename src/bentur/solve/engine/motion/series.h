@@ -29,8 +29,10 @@ class Series {
   void expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
               Expansion& motion);
 
-  /// Expands one body alone, under its constant forces; the coefficients of the others are left as they were.
-  void expand_block(std::size_t block, const State& state, const GroundInput* input, double h, Expansion& motion);
+  /// Expands one body alone, under its constant forces, to the degree that a growth bound `rate` [1/s] of its own or a
+  /// larger one needs; the coefficients of the others are left as they were.
+  void expand_block(std::size_t block, const State& state, const GroundInput* input, double h, double rate,
+                    Expansion& motion);
 
  private:
   void note_grounds(std::size_t first, std::size_t end, const GroundInput* input, double h);

@@ -452,15 +452,7 @@ void Run::settle_peaks() {
 }
 
 void Run::settle(SpanWatch& watch) {
-  for (const SpanWatch::Unsettled& flight : watch.take_unsettled()) {
-    if (watch.settled(flight)) continue;
-    replay(
-        {flight.flights, flight.halvings, flight.time, flight.length, flight.start, flight.inputs},
-        [&](const Part& part) { return watch.may_go_further(part.from, part.to, part.rise); },
-        [&](double time, const State& from, const std::vector<GroundInput>&, const State& to) {
-          watch.take(motion_, 1.0, from, to, time);
-        });
-  }
+  watch.settle(stepper_.series(), motion_, [this](long steps) { return go_on(steps); });
 }
 
 /// Of a long run.

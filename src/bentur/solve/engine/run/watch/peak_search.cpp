@@ -182,7 +182,8 @@ Curves PeakSearch::curves(const UnsettledFlight& flight, Series& series, Expansi
   const double* kept = kept_.data() + flight.at + watch_.quantities(flight.block);
   std::copy_n(kept, block.padded_size, state_.q.data() + block.begin);
   std::copy_n(kept + block.padded_size, block.padded_size, state_.v.data() + block.begin);
-  series.expand_block(flight.block, state_, flight.inputs.data(), (*flight.flights)[flight.halvings].length(), motion);
+  series.expand_block(flight.block, state_, flight.inputs.data(), (*flight.flights)[flight.halvings].length(),
+                      std::max(block.rate(), system_->fastest_input()), motion);
   return motion.curves(block);
 }
 

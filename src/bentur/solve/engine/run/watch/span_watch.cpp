@@ -10,7 +10,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::size_t most_unsettled_flights = 4096;  // flights kept at a time
+constexpr std::size_t most_numbers_kept = 1U << 18U;  // of flights that are unsettled, at a time
+
+State zero_state(Index size) { return {Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)}; }
 
 }  // namespace
 
@@ -20,8 +22,15 @@ SpanWatch::SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::R
       grid_(&grid),
       relations_(relations),
       groups_(relation_groups(relations_)),
-      nearest_(relations.size()) {
+      nearest_(relations.size()),
+      rate_(system.rate({})),
+      start_(zero_state(system.size)),
+      acceleration_(start_.q),
+      rise_(start_.q),
+      acceleration_rise_(start_.q) {
   for (RelationGroup& group : groups_) {
+    const auto& [left, right] = std::pair{relations_[group.first].left, relations_[group.first].right};
+    bodies_.push_back(left == right ? std::vector{left} : std::vector{left, right});
     for (Index n = 0; n < group.count; ++n) {
       nearest_[group.first + n].reach = std::max(0.0, relations_[group.first + n].along(system.initial_q));
       group.rows.peak(n) = nearest_[group.first + n].reach;
@@ -78,31 +87,42 @@ void SpanWatch::take(const StepBuffer& buffer) {
         search(group, buffer.curves(blocks[first.left], step), buffer.curves(blocks[first.right], step), start(step));
         continue;
       }
-      const auto all = [this](const double* x) { return Eigen::Map<const Eigen::VectorXd>(x, system_->size); };
-      unsettled_.push_back({at.flights,
-                            at.halvings,
-                            start(step),
-                            at.length,
-                            {all(buffer.q(step)), all(buffer.v(step))},
-                            buffer.all_inputs(step),
-                            g,
-                            group.reach});
+      keep(buffer, step, g, start(step));
     }
   }
 }
 
-void SpanWatch::take(const Expansion& motion, double end, const State& from, const State& to, double time) {
-  for (RelationGroup& group : groups_) {
-    const bool settled = group.look(from.q.data(), to.q.data(), motion.rise().data());
-    note_ends(group, from.q.data(), to.q.data(), time, time + end * motion.h());
-    if (settled) continue;
-    const ModalSystem::Relation& first = relations_[group.first];
-    const auto curves = [&](Index begin) {
-      return Curves{motion.coefficients().data() + begin, motion.coefficients().rows(), motion.degree(), motion.h(),
-                    end};
-    };
-    search(group, curves(first.left_begin), curves(first.right_begin), time);
+/// A flight, which has just been looked at for a group.
+void SpanWatch::keep(const StepBuffer& buffer, Index step, std::size_t g, double time) {
+  const StepBuffer::Step& at = buffer.step(step);
+  Unsettled flight{{g, at.flights, at.halvings, time, {}}, kept_.size()};
+  const Eigen::VectorXd& reach = groups_[g].reach;
+  kept_.insert(kept_.end(), reach.begin(), reach.end());
+  for (std::size_t n = 0; n < bodies_[g].size(); ++n) {
+    const ModalSystem::Block& block = system_->blocks[bodies_[g][n]];
+    std::copy_n(buffer.inputs(step) + bodies_[g][n] * system_->components(), system_->components(),
+                flight.stretch.inputs[n].begin());
+    for (const double* x : {buffer.q(step), buffer.v(step)}) {
+      kept_.insert(kept_.end(), x + block.begin, x + block.begin + block.padded_size);
+    }
   }
+  unsettled_.push_back(flight);
+}
+
+void SpanWatch::take(const Expansion& motion, double end, const State& from, const State& to, double time) {
+  for (RelationGroup& group : groups_) take(group, motion, end, from, to, time);
+}
+
+void SpanWatch::take(RelationGroup& group, const Expansion& motion, double end, const State& from, const State& to,
+                     double time) {
+  const bool settled = group.look(from.q.data(), to.q.data(), motion.rise().data());
+  note_ends(group, from.q.data(), to.q.data(), time, time + end * motion.h());
+  if (settled) return;
+  const ModalSystem::Relation& first = relations_[group.first];
+  const auto curves = [&](Index begin) {
+    return Curves{motion.coefficients().data() + begin, motion.coefficients().rows(), motion.degree(), motion.h(), end};
+  };
+  search(group, curves(first.left_begin), curves(first.right_begin), time);
 }
 
 /// The interval last looked at, which began at `time`, for the relations whose reach it leaves unsettled.
@@ -120,22 +140,70 @@ void SpanWatch::search(RelationGroup& group, const Curves& left, const Curves& r
   }
 }
 
-bool SpanWatch::much_is_unsettled() const { return unsettled_.size() >= most_unsettled_flights; }
+bool SpanWatch::much_is_unsettled() const { return kept_.size() >= most_numbers_kept; }
 
-std::vector<SpanWatch::Unsettled> SpanWatch::take_unsettled() { return std::exchange(unsettled_, {}); }
-
-bool SpanWatch::may_go_further(const State& from, const State& to, const Eigen::VectorXd& rise) {
-  bool unsettled = false;
-  for (RelationGroup& group : groups_) unsettled = !group.look(from.q.data(), to.q.data(), rise.data()) || unsettled;
-  return unsettled;
-}
-
+/// Whether by now it is known that no δ has gone further.
 bool SpanWatch::settled(const Unsettled& flight) const {
-  const RelationGroup& group = groups_[flight.group];
+  const RelationGroup& group = groups_[flight.stretch.group];
   for (Index n = 0; n < group.count; ++n) {
-    if (!(flight.reach(n) <= group.rows.peak(n))) return false;
+    if (!(kept_[flight.at + n] <= group.rows.peak(n))) return false;
   }
   return true;
+}
+
+void SpanWatch::settle(Series& series, Expansion& motion, const GoOn& go_on) {
+  for (const Unsettled& flight : unsettled_) {
+    if (settled(flight)) continue;
+    Tools tools{series, motion, go_on, {}};
+    const double* kept = kept_.data() + flight.at + groups_[flight.stretch.group].reach.size();
+    for (std::size_t n = 0; n < bodies_[flight.stretch.group].size(); ++n) {
+      const Index b = bodies_[flight.stretch.group][n];
+      const ModalSystem::Block& block = system_->blocks[b];
+      for (Eigen::VectorXd* x : {&start_.q, &start_.v}) {
+        std::copy_n(kept, block.padded_size, x->data() + block.begin);
+        kept += block.padded_size;
+      }
+      tools.loads[n] = system_->load_of(b, start_.q.data(), loads_[n]);
+    }
+    replay(flight.stretch, start_, tools);
+  }
+  unsettled_.clear();
+  kept_.clear();
+}
+
+/// Goes over a stretch again: it is halved until one power series spans a part, and what lets no δ go further is left
+/// out on the way, so that a fast mode costs no more than the logarithm of its frequency.
+void SpanWatch::replay(const Stretch& stretch, const State& from, Tools& tools) {
+  if (!tools.go_on(1)) return;
+  while (halvings_.size() < stretch.flights->size()) {
+    halvings_.push_back({zero_state(system_->size), zero_state(system_->size)});
+  }
+  RelationGroup& group = groups_[stretch.group];
+  const std::vector<Index>& bodies = bodies_[stretch.group];
+  Halving& at = halvings_[stretch.halvings];
+  if (stretch.halvings + 1 >= stretch.flights->size()) {
+    const double length = (*stretch.flights)[stretch.halvings].length();
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      tools.series.expand_block(bodies[n], from, stretch.inputs[n].data(), length, rate_, tools.motion);
+      (void)tools.motion.find_end(at.end, acceleration_);
+    }
+    take(group, tools.motion, 1.0, from, at.end, stretch.time);
+    return;
+  }
+  const Flight& half = (*stretch.flights)[stretch.halvings + 1];
+  Stretch part{stretch.group, stretch.flights, stretch.halvings + 1, stretch.time, stretch.inputs};
+  const State* start = &from;
+  for (State* end : {&at.middle, &at.end}) {
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+      half.advance(bodies[n], part.inputs[n].data(),
+                   {start->q.data(), start->v.data(), end->q.data(), end->v.data(), acceleration_.data(), rise_.data(),
+                    acceleration_rise_.data(), tools.loads[n]});
+    }
+    if (!group.look(start->q.data(), end->q.data(), rise_.data())) replay(part, *start, tools);
+    start = end;
+    part.time += half.length();
+    for (std::size_t n = 0; n < bodies.size(); ++n) system_->advance(part.inputs[n].data(), half.length());
+  }
 }
 
 }  // namespace bentur::engine

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <vector>
 
+#include "bentur/solve/engine/motion/series.h"
 #include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/run/watch/relation_group.h"
 #include "bentur/solve/solution.h"
@@ -29,26 +32,46 @@ class SpanWatch {
   /// Takes in [0, end] of an expanded step from one state to another, which began at `time` [s].
   void take(const Expansion& motion, double end, const State& from, const State& to, double time);
 
-  /// A flight in which a δ may have gone further.
-  struct Unsettled {
-    const Flights* flights = nullptr;
-    std::size_t halvings = 0;
-    double time = 0, length = 0;  ///< [s]
-    State start;
-    std::vector<GroundInput> inputs;
-    std::size_t group = 0;
-    Eigen::VectorXd reach;  ///< of each relation of the group
-  };
-  /// Whether it is time to look into what is unsettled: it bounds the memory of a long run.
+  /// Whether it is time for settle(): it bounds the memory of a long run.
   [[nodiscard]] bool much_is_unsettled() const;
-  /// All that is unsettled, to be expanded again and taken in step by step.
-  [[nodiscard]] std::vector<Unsettled> take_unsettled();
-  /// Whether one may go further between two states, from whose chord coordinates stray by `rise` at most.
-  [[nodiscard]] bool may_go_further(const State& from, const State& to, const Eigen::VectorXd& rise);
-  /// Whether by now it is known that none has.
-  [[nodiscard]] bool settled(const Unsettled& flight) const;
+  /// Is told how many steps the search takes next; false: it ends there.
+  using GoOn = std::function<bool(long)>;
+  /// Looks into all flights that are unsettled, each of the bodies alone whose δ may have gone further.
+  void settle(Series& series, Expansion& motion, const GoOn& go_on);
 
  private:
+  /// Of one or two bodies, one per component.
+  using Inputs = std::array<std::array<GroundInput, most_components>, 2>;
+  /// A flight of the bodies of a group, or a part of it.
+  struct Stretch {
+    std::size_t group = 0;
+    const Flights* flights = nullptr;
+    std::size_t halvings = 0;
+    double time = 0;  ///< of its start [s]
+    Inputs inputs;    ///< there
+  };
+  /// One in which a δ may have gone further. kept_ has, from `at` on, the reach of each relation of the group, and q
+  /// and v of its bodies at the start.
+  struct Unsettled {
+    Stretch stretch;
+    std::size_t at = 0;
+  };
+  /// What a search works with.
+  struct Tools {
+    Series& series;
+    Expansion& motion;
+    const GoOn& go_on;
+    std::array<const double*, 2> loads;  ///< constant, on the coordinates of each body; null: none
+  };
+  /// Scratch of one halving: the instants at the middle and the end.
+  struct Halving {
+    State middle, end;
+  };
+
+  void keep(const StepBuffer& buffer, Eigen::Index step, std::size_t group, double time);
+  [[nodiscard]] bool settled(const Unsettled& flight) const;
+  void replay(const Stretch& stretch, const State& from, Tools& tools);
+  void take(RelationGroup& group, const Expansion& motion, double end, const State& from, const State& to, double time);
   void note(const RelationGroup& group, Eigen::Index n, double time);
   void note_ends(const RelationGroup& group, const double* start, const double* end, double start_time,
                  double end_time);
@@ -59,7 +82,14 @@ class SpanWatch {
   std::vector<ModalSystem::Relation> relations_;
   std::vector<RelationGroup> groups_;
   std::vector<Reach> nearest_;
+  std::vector<std::vector<Eigen::Index>> bodies_;  ///< of each group, one or two
+  double rate_;                                    ///< growth bound of a power series in flight [1/s]
   std::vector<Unsettled> unsettled_;
+  std::vector<double> kept_;
+  std::vector<Halving> halvings_;                            ///< scratch
+  State start_;                                              ///< scratch
+  Eigen::VectorXd acceleration_, rise_, acceleration_rise_;  ///< scratch
+  std::array<Eigen::VectorXd, 2> loads_;                     ///< scratch
 };
 
 }  // namespace bentur::engine
