@@ -1,6 +1,7 @@
 #include "bentur/elements/complementarity.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <vector>
 
@@ -96,6 +97,40 @@ std::optional<VectorXd> complementary(const MatrixXd& a, const VectorXd& b, Inde
   VectorXd all(b.size());
   all << *found, alone - coupling * *found;
   return all;
+}
+
+// With a little on A's diagonal there is one solution alone, which goes to the one of least norm as that goes to
+// nothing: it tells which of them push.
+VectorXd least_norm(const MatrixXd& a, const VectorXd& b, const VectorXd& p) {
+  constexpr double apart = 1e-11;   // of the largest pivot
+  constexpr double little = 1e-9;   // of the largest entry of A
+  constexpr double agreed = 1e-10;  // of the largest of b, or of p
+  const VectorXd surplus = a * p - b;
+  const double round_off = 0x1p-40 * b.cwiseAbs().maxCoeff();
+  std::vector<Index> may_push;
+  for (Index i = 0; i < p.size(); ++i) {
+    if (p(i) > 0.0 || surplus(i) <= round_off) may_push.push_back(i);
+  }
+  if (may_push.size() < 2) return p;
+  MatrixXd among = a(may_push, may_push);
+  const VectorXd pivots = among.ldlt().vectorD();
+  if (pivots.minCoeff() > apart * pivots.maxCoeff()) return p;
+  among.diagonal().array() += little * among.diagonal().maxCoeff();
+  const auto shared = complementary(among, b(may_push));
+  if (!shared) return p;
+  std::vector<Index> push;
+  for (Index n = 0; n < shared->size(); ++n) {
+    if ((*shared)(n) > 0.0) push.push_back(may_push[n]);
+  }
+  if (push.empty()) return p;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> of_those;
+  of_those.setThreshold(apart);
+  const VectorXd least = of_those.compute(a(may_push, push)).solve(b(may_push));
+  VectorXd all = VectorXd::Zero(p.size());
+  all(push) = least.cwiseMax(0.0);
+  const bool agrees = least.minCoeff() >= -agreed * least.cwiseAbs().maxCoeff() &&
+                      (a * (all - p)).cwiseAbs().maxCoeff() <= agreed * b.cwiseAbs().maxCoeff();
+  return agrees ? all : p;
 }
 
 }  // namespace bentur

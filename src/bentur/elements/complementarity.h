@@ -19,4 +19,8 @@ namespace bentur {
 [[nodiscard]] std::optional<Eigen::VectorXd> complementary(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                                            Eigen::Index free);
 
+/// Where A does not tell the entries of a solution p apart, the one of least norm with the same A p; p itself where it
+/// does. What stands alike then pushes alike, in whatever order it is given.
+[[nodiscard]] Eigen::VectorXd least_norm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& p);
+
 }  // namespace bentur

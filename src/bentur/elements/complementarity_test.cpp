@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <optional>
 #include <random>
 #include <vector>
@@ -138,6 +139,49 @@ TEST(Complementarity, OfASingularMatrix) {
     mixed += pushed > 0 && pushed < size ? 1 : 0;
   }
   EXPECT_GT(mixed, 1000);
+}
+
+TEST(Complementarity, LeastNormIsThatOfAllSetsThatMayPush) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  int shared = 0;
+  for (int n = 0; n < 500; ++n) {
+    const Index size = 2 + n % 5;
+    MatrixXd root(size, 1 + n % (size - 1));
+    for (double& x : root.reshaped()) x = normal(random);
+    if (n % 2 == 0) root.row(0) = root.row(1);
+    VectorXd x(root.cols());
+    for (double& entry : x) entry = normal(random);
+    const MatrixXd a = root * root.transpose();
+    const VectorXd b = root * x, any = *complementary(a, b), p = least_norm(a, b, any);
+    const double size_of_b = b.cwiseAbs().maxCoeff();
+    ASSERT_GE(p.minCoeff(), 0) << n;
+    ASSERT_LE((a * (p - any)).cwiseAbs().maxCoeff(), 1e-9 * size_of_b) << n;
+    ASSERT_NEAR(p.dot(a * p - b), 0, 1e-9 * size_of_b * (1 + p.norm())) << n;
+    // Whatever pushes, with the least that gives the same A p.
+    double least = any.norm();
+    for (int set = 1; set < 1 << size; ++set) {
+      std::vector<Index> of;
+      for (Index i = 0; i < size; ++i) {
+        if ((set >> i & 1) != 0 && (a * any - b)(i) < 1e-9 * size_of_b) of.push_back(i);
+      }
+      if (of.empty()) continue;
+      const MatrixXd columns = a(Eigen::all, of);
+      const VectorXd with = columns.completeOrthogonalDecomposition().solve(a * any);
+      if (with.minCoeff() < -1e-9 || (columns * with - a * any).norm() > 1e-9 * size_of_b) continue;
+      least = std::min(least, with.norm());
+    }
+    ASSERT_NEAR(p.norm(), least, 1e-7 * (1 + least)) << n;
+    shared += (p.array() > 1e-9).count() > (any.array() > 1e-9).count() ? 1 : 0;
+  }
+  EXPECT_GT(shared, 100);
+}
+
+TEST(Complementarity, LeastNormIsWhatIsFoundWhereThatIsAlone) {
+  const MatrixXd a{{2, 1}, {1, 3}};
+  const Eigen::Vector2d b(1, 2);
+  const VectorXd p = *complementary(a, b);
+  EXPECT_EQ(least_norm(a, b, p), p);
 }
 
 }  // namespace

@@ -165,6 +165,31 @@ TEST(PlanContact, BothPointsOfAWallAtOnce) {
   EXPECT_NEAR(found.solution.impacts[0].impulse, 60.509090909091, 1e-11);
 }
 
+TEST(PlanContact, WhatStrikesMoreThanCanTellItApartStrikesAllOfItAlike) {
+  // Two walls in line: four points along one edge, whose impulses are those of two (E-1). Of least norm they are equal.
+  for (const bool lower_first : {true, false}) {
+    PlanProblem problem = free_rectangle([](double) { return std::make_shared<Restitution>(0.6); }, {0.8, 0.3, 0});
+    problem.buildings.resize(1);
+    problem.gaps.clear();
+    for (const bool lower : {lower_first, !lower_first}) {
+      const Eigen::Index wall = std::ssize(problem.buildings);
+      problem.buildings.push_back(rigid_plan_building("W", {.corner = {8, lower ? -1.0 : 6.0}, .size = {1, 7}}, {3}));
+      PlanGap gap{.left = 0,
+                  .right = wall,
+                  .stretch = *facing(problem.buildings[0].model.footprint, problem.buildings[wall].model.footprint)};
+      for (const StretchPoint& point : points_of(gap.stretch, 2)) {
+        gap.contacts.push_back({.elevation = 3, .along = point.along, .law = std::make_shared<Restitution>(0.6)});
+      }
+      problem.gaps.push_back(gap);
+    }
+    problem.initial_velocity.resize(3, Vector3d::Zero());
+    const After found = after(problem);
+    ASSERT_EQ(found.solution.impacts.size(), 4U);
+    for (const Impact& impact : found.solution.impacts) EXPECT_NEAR(impact.impulse, 1.6 * 50 * 0.8 / 4, 1e-12);
+    EXPECT_TRUE(found.velocity.isApprox(Vector3d(-0.6 * 0.8, 0.3, 0), 1e-12)) << found.velocity;
+  }
+}
+
 TEST(PlanContact, RestitutionGivenByDampingRatioIsHigherAtACorner) {
   // (P-10): ξ_p = ξ √(σ m_e/m_p), e of that.
   const double xi = 0.2, v_n = 0.8, j = 50 * (64 + 144) / 12.0;

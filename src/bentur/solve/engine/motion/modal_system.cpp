@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -401,7 +402,14 @@ VectorXd ModalSystem::forces_for(const std::vector<Index>& at, const VectorXd& m
   for (Index i = 0; i < count; ++i) {
     for (Index j = 0; j < count; ++j) matrix(i, j) = coupling(at[i], at[j]);
   }
-  return matrix.ldlt().solve(missing);
+  if (count == 0) return missing;
+  constexpr double apart = 1e-11;  // of the largest pivot: what holds more than can move does so with the least norm
+  const Eigen::LDLT<MatrixXd> factors(matrix);
+  const bool regular = factors.vectorD().minCoeff() > apart * factors.vectorD().maxCoeff();
+  if (regular) return factors.solve(missing);
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least;
+  least.setThreshold(apart);
+  return least.compute(matrix).solve(missing);
 }
 
 void ModalSystem::advance(GroundInput* input, double dt) const {

@@ -69,7 +69,7 @@ void Elements::collide(Index element, double time, State& state) {
   const std::optional<Eigen::VectorXd> found = complementary(a, b);
   failed_ = !found;
   if (failed_) return;
-  const Eigen::VectorXd& p = *found;
+  const Eigen::VectorXd p = least_norm(a, b, *found);
   for (Index n = 0; n < count; ++n) system_->push(at[n], p(n), state.v);
   for (Index n = 0; n < count; ++n) {
     const Index i = at[n];
