@@ -147,6 +147,42 @@ TEST(PlanParts, TwoEqualPlanesLoseTheStrengthOfTheRows) {
   }
 }
 
+/// Cantilevers that bend and shear, along x, and with x and y in each other's place along y.
+TEST(PlanParts, GenericBuildingsAreTheRows) {
+  const auto generic = [](const std::string& system, const std::string& more) {
+    return "generic = { storeys = 3, storey_height = [3.5, 3.2, 3.2], floor_mass = [40, 40, 30], " + system + more +
+           " }\n";
+  };
+  const std::string soft = "system = \"wall\", period = 0.6",
+                    stiff =
+                        "stiffness_ratio = 30, period_formula = { "
+                        "coefficient = 0.0466, exponent = 0.9 }",
+                    contact = "contact = { law = \"linear\", stiffness = 3e5 }\n";
+  const std::string a = "[[building]]\nname = \"A\"\ndamping = 0.04\np_delta = true\n",
+                    b = "[[building]]\nname = \"B\"\ndamping = 0.05\n";
+  const Response row = row_response(units + a + generic(soft, "") + b + generic(stiff, "") +
+                                    "[[gap]]\nbetween = [\"A\", \"B\"]\nwidth = 0.005\n" + contact + shaken);
+  const std::string along_x = units + "[plan]\nclearance = 0.02\n" + contact + a +
+                              "plan = { corner = [0, 0], size = [10, 14] }\n" +
+                              generic(soft, ", period_y = 0.4, torsion_ratio = 1.3") + b +
+                              "plan = { corner = [10.005, 0], size = [10, 14] }\n" + generic(stiff, "") + shaken;
+  const PlanRun found = plan_run(along_x);
+  expect_row(found, row);
+  EXPECT_LE(found.response.energy->relative_residual(), 1e-11);
+  // Turned by 90 degrees: B is above A.
+  const PlanRun turned =
+      plan_run(units + "[plan]\nclearance = 0.02\n" + contact + a + "plan = { corner = [0, 0], size = [14, 10] }\n" +
+               generic("system = \"wall\", period = 0.4", ", period_y = 0.6, torsion_ratio = 1.3") + b +
+               "plan = { corner = [0, 10.005], size = [14, 10] }\n" + generic(stiff, "") +
+               test::with(shaken, "[analysis]", "angle = 90.0\n[analysis]"));
+  ASSERT_EQ(turned.response.status, Status::done) << turned.response.message;
+  for (std::size_t i = 0; i < row.buildings.size(); ++i) {
+    expect_alike(turned.response.buildings[i].y, row.buildings[i].displacement, "displacement along y");
+    expect_alike(turned.response.buildings[i].acceleration_y, row.buildings[i].acceleration, "acceleration along y");
+    expect_alike(turned.response.buildings[i].shear_y, row.buildings[i].storey_shear, "storey shear along y");
+  }
+}
+
 std::string pair_in_plan(const std::string& link) {
   return units +
          "[plan]\nclearance = 0.03\ncontact = { law = \"linear\", stiffness = 3e5 }\n"

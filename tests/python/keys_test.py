@@ -51,7 +51,7 @@ BEYOND = {
             contact-damping-beyond-critical contact-damping-ratio-list-beyond-critical
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
-            generic-hardening-alone
+            generic-hardening-alone generic-of-plan-in-row plan-generic-and-rigidity plan-generic-yields
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             plan-friction-of-law plan-gap-width plan-link-without-place
             plan-size-without-corner matrices-damping-none

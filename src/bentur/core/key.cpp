@@ -231,6 +231,11 @@ Key& Key::or_table(const KeyTable& keys) {
   return *this;
 }
 
+Key& Key::may_join(std::string_view key) {
+  beside = key;
+  return *this;
+}
+
 Key& Key::counted_in(std::string_view unit) {
   own_unit = unit;
   return *this;

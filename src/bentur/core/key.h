@@ -105,6 +105,7 @@ struct Key {
   bool may_be_empty = false;                           ///< a list, or a line
   std::vector<Condition> conditions = {};              ///< all must hold
   std::string_view with = {};                          ///< the key it goes with
+  std::string_view beside = {};                        ///< the one key of its group that may stand with it
   std::string_view own_unit = {};                      ///< "g", "MB": a number that the case's units say nothing of
 
   [[nodiscard]] static Key number(std::string_view name, PhysicalDimension dimension, Range range, Label label,
@@ -133,6 +134,7 @@ struct Key {
   Key& one_of(std::string_view of_group, Need how = Need::one_of);  ///< or Need::optional: at most one
   Key& when(std::string_view key, std::vector<std::string_view> any_of);
   Key& goes_with(std::string_view key);
+  Key& may_join(std::string_view key);
   Key& or_one_of(std::vector<std::string_view> known);
   Key& called(std::vector<Label> words_for_people);
   Key& or_table(const KeyTable& keys);

@@ -65,6 +65,33 @@ std::vector<std::vector<double>> read_shapes_file(const TomlView& file, const Ca
   return shapes;
 }
 
+/// What is the same of buildings in a row and in plan; without storeys where their number is not known.
+GenericBuilding read_cantilever(const TableView& view, const Units& units) {
+  GenericBuilding generic;
+  const auto storeys = static_cast<std::size_t>(view.whole("storeys").value_or(0));
+  if (storeys > 0) {
+    generic.storey_heights = view.numbers_for_each("storey_height", storeys);
+    generic.floor_masses = view.numbers_for_each("floor_mass", storeys);
+  }
+  if (const auto kind = view.exactly_one("period")) {
+    if (*kind == "period") {
+      generic.period = view.number("period").value_or(0);
+    } else if (const auto formula = view.table("period_formula")) {
+      const double coefficient = formula->number("coefficient").value_or(0);
+      const double exponent = formula->number("exponent").value_or(0);
+      generic.period_formula = {{coefficient, exponent, 1 / metres(units.length)}};
+    }
+  }
+  if (const auto kind = view.exactly_one("system")) {
+    if (*kind == "stiffness_ratio") {
+      generic.stiffness_ratio = view.number("stiffness_ratio").value_or(0);
+    } else if (const auto system = view.word("system")) {
+      generic.stiffness_ratio = ratio_of(*system);
+    }
+  }
+  return generic;
+}
+
 }  // namespace
 
 void read_modal(const TomlView& given, const CaseFiles& files, ReadBuilding& building) {
@@ -103,29 +130,10 @@ void read_generic(const TomlView& given, const Units& units, ReadBuilding& build
   const auto table = TableView::of(given, generic_keys());
   if (!table) return;
   const TableView& view = *table;
+  view.refuse({"period_y", "torsion_ratio", "eccentricity"}, "goes with plan, which is not given");
   building.spec.gravity = units.gravity;
-  GenericBuilding generic;
-  const auto storeys = static_cast<std::size_t>(view.whole("storeys").value_or(0));
-  if (storeys > 0) {
-    generic.storey_heights = view.numbers_for_each("storey_height", storeys);
-    generic.floor_masses = view.numbers_for_each("floor_mass", storeys);
-  }
-  if (const auto kind = view.exactly_one("period")) {
-    if (*kind == "period") {
-      generic.period = view.number("period").value_or(0);
-    } else if (const auto formula = view.table("period_formula")) {
-      const double coefficient = formula->number("coefficient").value_or(0);
-      const double exponent = formula->number("exponent").value_or(0);
-      generic.period_formula = {{coefficient, exponent, 1 / metres(units.length)}};
-    }
-  }
-  if (const auto kind = view.exactly_one("system")) {
-    if (*kind == "stiffness_ratio") {
-      generic.stiffness_ratio = view.number("stiffness_ratio").value_or(0);
-    } else if (const auto system = view.word("system")) {
-      generic.stiffness_ratio = ratio_of(*system);
-    }
-  }
+  GenericBuilding generic = read_cantilever(view, units);
+  const std::size_t storeys = generic.storey_heights.size();
   const auto yields = view.exactly_one("yields");
   if (yields == "design_base_shear") {
     const auto design = view.number("design_base_shear");
@@ -145,6 +153,22 @@ void read_generic(const TomlView& given, const Units& units, ReadBuilding& build
   building.modes = storeys;
   building.elevations = floor_elevations(generic.storey_heights);
   building.spec.structure = std::move(generic);
+}
+
+std::optional<GenericPlan> read_generic_in_plan(const TomlView& given, const Units& units) {
+  const auto table = TableView::of(given, generic_keys());
+  if (!table) return std::nullopt;
+  const TableView& view = *table;
+  view.refuse({"yield_base_shear", "design_base_shear", "overstrength", "hardening"},
+              "is not for buildings in plan, which yield in their planes alone");
+  view.refuse({"columns"}, "is not for buildings in plan, whose columns are not struck");
+  GenericPlan generic{.along_x = read_cantilever(view, units), .period_y = view.number("period_y")};
+  generic.torsion_ratio = view.number("torsion_ratio").value_or(1);
+  if (view.has("eccentricity")) {
+    const std::vector<double> pair = view.numbers("eccentricity");
+    if (pair.size() == 2) generic.eccentricity = {pair[0], pair[1]};
+  }
+  return generic;
 }
 
 void read_rigid(const TableView& view, ReadBuilding& building) {

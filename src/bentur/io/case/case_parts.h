@@ -13,7 +13,7 @@
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
-#include "bentur/structure/plan/plan.h"
+#include "bentur/structure/plan/plan_generic.h"
 
 // The parts a case file is read in. Each reader reports what is wrong and fills in what it can, so that the later parts
 // can still be checked against it; only the sum of all diagnostics says whether the case may be used.
@@ -68,6 +68,8 @@ void read_matrices(const TomlView& matrices, ReadBuilding& building);
 /// case_known.cpp: [building.modal], [building.generic], and what rigid = true goes with, into `building`.
 void read_modal(const TomlView& modal, const CaseFiles& files, ReadBuilding& building);
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
+/// case_known.cpp: of a building in plan; without storeys where their number is not known.
+[[nodiscard]] std::optional<GenericPlan> read_generic_in_plan(const TomlView& generic, const Units& units);
 void read_rigid(const TableView& table, ReadBuilding& building);
 
 /// case_support.cpp: gravity loads of a building whose elevations are known.

@@ -260,7 +260,13 @@ void add_groups(const KeyTable& table, const Counts& counts, std::vector<Schema>
     }
     if (needed) {
       Schema one_of = Schema::array();
-      for (const std::string& name : names) one_of.push_back(all_given({name}));
+      for (const std::string& name : names) {
+        Schema alone = all_given({name});
+        for (const Key& key : table.keys) {  // both together count as the one that joins
+          if (key.group == group && key.beside == name) alone["not"] = all_given({std::string(key.name)});
+        }
+        one_of.push_back(alone);
+      }
       rules.push_back({{"oneOf", one_of}});
     } else {
       for (std::size_t i = 0; i + 1 < names.size(); ++i)

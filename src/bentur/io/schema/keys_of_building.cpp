@@ -94,8 +94,9 @@ const KeyTable& building_keys() {
                            "[known by its modes](#buildingmodal-known-by-its-modes)")
                 .one_of("structure"),
             Key::sub_table("generic", generic_keys(), {"Generic", "Generik"},
-                           "[known by little](#buildinggeneric-known-by-little)")
-                .one_of("structure"),
+                           "[known by little](#buildinggeneric-known-by-little), also beside `plan`")
+                .one_of("structure")
+                .may_join("plan"),
             Key::sub_table("plan", building_plan_keys(), {"In plan", "Dalam denah"},
                            "floors [in plan](#buildings-in-plan)")
                 .one_of("structure"),
@@ -387,7 +388,18 @@ const KeyTable& generic_keys() {
                    "[what codes have](case-file.md#how-strong-a-building-is)")
            .goes_with("design_base_shear")
            .optional("none"),
-       hardening_of_storeys(), columns_that_are_struck()}};
+       hardening_of_storeys(), columns_that_are_struck(),
+       Key::number("period_y", dimension::time, Range::positive, {"First period along y", "Periode pertama arah y"},
+                   "of buildings in plan: along y, where it is not the one along x")
+           .optional("as along x"),
+       Key::number("torsion_ratio", dimension::none, Range::positive,
+                   {"Torsional over lateral frequency", "Frekuensi torsi terhadap lateral"},
+                   "of buildings in plan: the uncoupled first frequency of rotation over the lower lateral one")
+           .optional("1: stiffness as even over the floor as mass"),
+       Key::number("eccentricity", dimension::length, Range::finite, {"Eccentricity", "Eksentrisitas"},
+                   "of buildings in plan: from the centre of all mass to that of rigidity")
+           .list("x and y", 2)
+           .optional("none")}};
   return table;
 }
 

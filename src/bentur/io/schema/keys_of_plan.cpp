@@ -58,9 +58,11 @@ const KeyTable& building_plan_keys() {
        Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
                    "bottom to top")
            .list("one per storey")
-           .up_to(most_floors_in_plan),
+           .up_to(most_floors_in_plan)
+           .optional("needed but with `building.generic`, which has them"),
        Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
-           .list("one per storey"),
+           .list("one per storey")
+           .optional("needed but with `building.generic`, which has them"),
        Key::number("centres_of_mass", dimension::length, Range::finite, {"Centres of mass", "Pusat massa"},
                    "from the corner: one pair for all floors, or a list of one per floor")
            .matrix("one per storey", true)

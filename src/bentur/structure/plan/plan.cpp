@@ -37,10 +37,6 @@ const Value& of_list(const std::vector<Value>& list, Index i) {
   return list[list.size() == 1 ? 0 : i];
 }
 
-PlanPoint centre_of(const Plan& plan, Index floor) {
-  return plan.centres_of_mass.empty() ? plan.footprint.middle() : of_list(plan.centres_of_mass, floor);
-}
-
 /// A spring of a storey: of the floor above it and, times −1, of the floor below.
 struct Spring {
   double stiffness = 0;
@@ -49,8 +45,8 @@ struct Spring {
 
 /// On the line through a point.
 Spring spring_at(const Plan& plan, Index storey, const PlanPoint& at, const PlanPoint& direction, double k) {
-  return {k, movement_row(at, direction, centre_of(plan, storey)),
-          storey > 0 ? movement_row(at, direction, centre_of(plan, storey - 1)) : Row(Row::Zero())};
+  return {k, movement_row(at, direction, centre_of_mass(plan, storey)),
+          storey > 0 ? movement_row(at, direction, centre_of_mass(plan, storey - 1)) : Row(Row::Zero())};
 }
 
 std::vector<Spring> springs_of_rigidity(const Plan& plan, Index storey) {
@@ -63,17 +59,34 @@ std::vector<Spring> springs_of_rigidity(const Plan& plan, Index storey) {
           {of(rigidity.torsion), Row(0, 0, 1), storey > 0 ? Row(0, 0, 1) : Row(0, 0, 0)}};
 }
 
+/// What a storey of n floors' stiffness is when all floors from it up move as one.
+double storey_part(const MatrixXd& stiffness, Index storey) {
+  const Index above = stiffness.rows() - storey;
+  return stiffness.bottomRightCorner(above, above).sum();
+}
+
+/// Of a storey, along x, along y and against rotation.
+std::array<Spring, 3> springs_of_cantilever(const Plan& plan, Index storey) {
+  const PlanCantilever& all = *plan.cantilever;
+  return {spring_at(plan, storey, all.at, PlanPoint::UnitX(), storey_part(all.x, storey)),
+          spring_at(plan, storey, all.at, PlanPoint::UnitY(), storey_part(all.y, storey)),
+          {storey_part(all.torsion, storey), Row(0, 0, 1), storey > 0 ? Row(0, 0, 1) : Row(0, 0, 0)}};
+}
+
 Spring plane_spring(const Plan& plan, const PlanPlane& plane, Index storey) {
   return spring_at(plan, storey, plane.through, plane.direction, plane.storeys.stiffnesses[storey]);
 }
 
 bool is_frame(const PlanPlane& plane) { return plane.sway_stiffness.size() > 0; }
 
-/// All that hold a storey; frames by what the storey has alone.
+/// All that hold a storey; what holds all floors at once by what the storey has alone, unless that is left out.
 std::vector<Spring> springs_of(const Plan& plan, Index storey, bool with_frames = true) {
   std::vector<Spring> springs = springs_of_rigidity(plan, storey);
   for (const PlanPlane& plane : plan.planes) {
     if (with_frames || !is_frame(plane)) springs.push_back(plane_spring(plan, plane, storey));
+  }
+  if (with_frames && plan.cantilever) {
+    for (const Spring& spring : springs_of_cantilever(plan, storey)) springs.push_back(spring);
   }
   return springs;
 }
@@ -116,9 +129,15 @@ void check_floors(const Plan& plan) {
     require_positive(indexed("storey_heights", i), plan.storey_heights[i]);
     require_positive(indexed("masses", i), plan.masses[i]);
     if (!plan.inertias.empty()) require_positive(indexed("inertias", i), plan.inertias[i]);
-    if (!plan.footprint.contains(centre_of(plan, i))) {
+    if (!plan.footprint.contains(centre_of_mass(plan, i))) {
       throw InvalidParameter(indexed("centres_of_mass", i), "", "must be inside the footprint");
     }
+  }
+}
+
+void check_matrix(const std::string& name, const MatrixXd& stiffness, Index floors) {
+  if (stiffness.rows() != floors || stiffness.cols() != floors || !stiffness.allFinite()) {
+    throw InvalidParameter(name, "", "must be finite, of as many floors as the building");
   }
 }
 
@@ -132,9 +151,12 @@ void check_holds(const Plan& plan) {
     require_size("stiffnesses", plane.storeys.stiffnesses.size(), floors);
     check_list("stiffnesses", plane.storeys.stiffnesses, floors);
     if (!is_frame(plane)) continue;
-    const MatrixXd& sways = plane.sway_stiffness;
-    if (sways.rows() != floors || sways.cols() != floors || !sways.allFinite()) {
-      throw InvalidParameter("sway_stiffness", plane.name, "must be finite, of as many floors as the building");
+    check_matrix("sway_stiffness", plane.sway_stiffness, floors);
+  }
+  if (plan.cantilever) {
+    check_point("cantilever", plan.cantilever->at);
+    for (const MatrixXd* const one : {&plan.cantilever->x, &plan.cantilever->y, &plan.cantilever->torsion}) {
+      check_matrix("cantilever", *one, floors);
     }
   }
   if (plan.rigidity) {
@@ -158,26 +180,62 @@ MatrixXd sways_of(const PlanModel::Plane& plane) {
   return sways;
 }
 
-/// A plane over the degrees of freedom of a model that has its floors.
-PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, const PlanModel& model) {
-  const Index floors = model.floors();
-  PlanModel::Plane made{.name = plane.name,
-                        .drifts = MatrixXd::Zero(floors, model.dofs()),
-                        .pushes = MatrixXd::Zero(3, floors),
-                        .shears = MatrixXd::Zero(floors, model.dofs()),
-                        .laws = {}};
-  for (Index j = 0; j < floors; ++j) {
-    const Spring spring = plane_spring(plan, plane, j);
-    made.drifts.row(j) = over_dofs(spring, j, model.dofs());
-    made.pushes.col(j) = spring.above.transpose();
-    made.shears.row(j) = spring.stiffness * made.drifts.row(j);
-    const bool yields = spring.stiffness > 0 && !is_frame(plane);
-    made.laws.push_back(yields ? storey_law(plane.storeys, j, spring.stiffness) : nullptr);
+/// Springs of the storeys over the degrees of freedom of a model that has its floors.
+PlanModel::Plane over_dofs(const std::string& name, const std::vector<Spring>& springs, Index dofs) {
+  const Index storeys = std::ssize(springs);
+  PlanModel::Plane made{.name = name,
+                        .drifts = MatrixXd::Zero(storeys, dofs),
+                        .pushes = MatrixXd::Zero(3, storeys),
+                        .shears = MatrixXd::Zero(storeys, dofs),
+                        .laws = std::vector<std::shared_ptr<const HystereticLaw>>(springs.size())};
+  for (Index j = 0; j < storeys; ++j) {
+    made.drifts.row(j) = over_dofs(springs[j], j, dofs);
+    made.pushes.col(j) = springs[j].above.transpose();
+    made.shears.row(j) = springs[j].stiffness * made.drifts.row(j);
   }
-  if (!is_frame(plane)) return made;
-  made.shears = plane.sway_stiffness * sways_of(made);  // forces of the floors
-  for (Index j = floors - 1; j-- > 0;) made.shears.row(j) += made.shears.row(j + 1);
   return made;
+}
+
+/// Makes its shears those of what holds all floors at once, by their sways along it.
+void hold_at_once(const MatrixXd& stiffness, PlanModel::Plane& made) {
+  made.shears = stiffness * sways_of(made);  // forces of the floors
+  for (Index j = stiffness.rows() - 1; j-- > 0;) made.shears.row(j) += made.shears.row(j + 1);
+}
+
+PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, Index dofs) {
+  std::vector<Spring> springs;
+  for (Index j = 0; j < std::ssize(plan.storey_heights); ++j) springs.push_back(plane_spring(plan, plane, j));
+  PlanModel::Plane made = over_dofs(plane.name, springs, dofs);
+  if (is_frame(plane)) {
+    hold_at_once(plane.sway_stiffness, made);
+    return made;
+  }
+  for (std::size_t j = 0; j < springs.size(); ++j) {
+    const double stiffness = springs[j].stiffness;
+    if (stiffness > 0) made.laws[j] = storey_law(plane.storeys, j, stiffness);
+  }
+  return made;
+}
+
+/// Adds what holds all floors at once to the stiffness of a model and to what its storeys bear (P-23).
+void add_at_once(const PlanModel::Plane& made, const MatrixXd& stiffness, PlanModel& model) {
+  const MatrixXd sways = sways_of(made), part = sways.transpose() * stiffness * sways;
+  model.stiffness += 0.5 * (part + part.transpose());
+  for (Index j = 0; j < model.floors(); ++j) {
+    model.storey_forces.middleRows<3>(3 * j) += made.pushes.col(j) * made.shears.row(j);
+  }
+}
+
+void add_cantilever(const Plan& plan, PlanModel& model) {
+  const std::array<const MatrixXd*, 3> stiffnesses = {&plan.cantilever->x, &plan.cantilever->y,
+                                                      &plan.cantilever->torsion};
+  for (std::size_t k = 0; k < stiffnesses.size(); ++k) {
+    std::vector<Spring> springs;
+    for (Index j = 0; j < model.floors(); ++j) springs.push_back(springs_of_cantilever(plan, j)[k]);
+    PlanModel::Plane made = over_dofs("", springs, model.dofs());
+    hold_at_once(*stiffnesses[k], made);
+    add_at_once(made, *stiffnesses[k], model);
+  }
 }
 
 /// What the loads of storey `storey` and above take from its stiffness (P-22).
@@ -255,9 +313,15 @@ void stand_frame(PlaneFrame frame, PlanPlane& plane) {
   plane.sway_stiffness = plane_frame_model(frame).stiffness;
   const Index floors = plane.sway_stiffness.rows();
   plane.storeys.stiffnesses.clear();
-  for (Index j = 0; j < floors; ++j) {
-    plane.storeys.stiffnesses.push_back(plane.sway_stiffness.bottomRightCorner(floors - j, floors - j).sum());
-  }
+  for (Index j = 0; j < floors; ++j) plane.storeys.stiffnesses.push_back(storey_part(plane.sway_stiffness, j));
+}
+
+PlanPoint centre_of_mass(const Plan& plan, Index floor) {
+  return plan.centres_of_mass.empty() ? plan.footprint.middle() : of_list(plan.centres_of_mass, floor);
+}
+
+double inertia_of(const Plan& plan, Index floor) {
+  return plan.inertias.empty() ? plan.masses[floor] * plan.footprint.radius2() : plan.inertias[floor];
 }
 
 std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
@@ -311,7 +375,7 @@ PlanPoint centre_of_rigidity(const Plan& plan, Index storey) {
   }
   // A translation u makes the torque r × (K_t u) about the centre of mass, r from there.
   const PlanPoint turned = k.topLeftCorner<2, 2>().ldlt().solve(k.block<2, 1>(0, 2));
-  return centre_of(plan, storey) + PlanPoint(turned.y(), -turned.x());
+  return centre_of_mass(plan, storey) + PlanPoint(turned.y(), -turned.x());
 }
 
 PlanModel plan_model(const Plan& plan, double base_elevation) {
@@ -330,12 +394,12 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
   for (Index f = 0; f < model.floors(); ++f) {
     const double m = plan.masses[f];
     const Index at = 3 * f;
-    mass.segment<3>(at) << m, m, plan.inertias.empty() ? m * plan.footprint.radius2() : plan.inertias[f];
+    mass.segment<3>(at) << m, m, inertia_of(plan, f);
     model.load.block<2, 2>(at, 0) = m * Eigen::Matrix2d::Identity();
-    model.centres.push_back(centre_of(plan, f));
+    model.centres.push_back(centre_of_mass(plan, f));
   }
   model.mass = mass.asDiagonal();
-  for (const PlanPlane& plane : plan.planes) model.planes.push_back(plane_over_dofs(plan, plane, model));
+  for (const PlanPlane& plane : plan.planes) model.planes.push_back(plane_over_dofs(plan, plane, dofs));
   model.stiffness = MatrixXd::Zero(dofs, dofs);
   model.storey_forces = MatrixXd::Zero(dofs, dofs);
   for (Index j = 0; j < model.floors(); ++j) {
@@ -346,14 +410,9 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
     }
   }
   for (std::size_t p = 0; p < plan.planes.size(); ++p) {
-    if (!is_frame(plan.planes[p])) continue;
-    const PlanModel::Plane& frame = model.planes[p];
-    const MatrixXd sways = sways_of(frame), part = sways.transpose() * plan.planes[p].sway_stiffness * sways;
-    model.stiffness += 0.5 * (part + part.transpose());
-    for (Index j = 0; j < model.floors(); ++j) {
-      model.storey_forces.middleRows<3>(3 * j) += frame.pushes.col(j) * frame.shears.row(j);
-    }
+    if (is_frame(plan.planes[p])) add_at_once(model.planes[p], plan.planes[p].sway_stiffness, model);
   }
+  if (plan.cantilever) add_cantilever(plan, model);
   if (!plan.gravity_loads.empty()) soften(plan.gravity_loads, model);
   return model;
 }

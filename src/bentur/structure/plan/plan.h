@@ -41,6 +41,13 @@ struct PlanRigidity {
   std::vector<double> torsion = {};    ///< about that centre [force·length] ≥ 0
 };
 
+/// What holds all floors at once at one place in plan: stiffnesses against the sways of all floors there along x and
+/// along y [force/length], and against their rotations [force·length], each floors × floors (P-26).
+struct PlanCantilever {
+  PlanPoint at = PlanPoint::Zero();  ///< from the footprint's corner [length]
+  Eigen::MatrixXd x, y, torsion;
+};
+
 /// What an engineer knows of a building in plan; lists from the lowest up.
 struct Plan {
   Footprint footprint;
@@ -50,9 +57,15 @@ struct Plan {
                                                 ///< [length]; empty: its middle
   std::vector<double> inertias = {};            ///< about these, one per floor [mass·length²]; empty: (P-2)
   std::vector<PlanPlane> planes = {};
-  std::optional<PlanRigidity> rigidity = {};  ///< beside the planes
+  std::optional<PlanRigidity> rigidity = {};      ///< beside the planes
+  std::optional<PlanCantilever> cantilever = {};  ///< beside both
   std::vector<double> gravity_loads = {};  ///< of P-Δ, on each floor, spread as its mass is [force] ≥ 0; empty: none
 };
+
+/// Of a plan whose lists have the right lengths, of one floor: its centre of mass, from the footprint's corner
+/// [length], and its inertia about that [mass·length²].
+[[nodiscard]] PlanPoint centre_of_mass(const Plan& plan, Eigen::Index floor);
+[[nodiscard]] double inertia_of(const Plan& plan, Eigen::Index floor);
 
 /// A direction in which nothing holds a storey, counted from 0.
 struct UnheldStorey {

@@ -184,7 +184,9 @@ bool read_rigidity(const TableView& building, std::size_t storeys, Plan& plan) {
 /// Storeys that nothing holds, at the building.
 void check_held(const TableView& building, const Plan& plan) {
   if (plan.planes.empty() && !plan.rigidity) {
-    building.error("has no planes and no rigidity: give [[building.plane]] tables, [building.rigidity] or both");
+    building.error(
+        "has no planes and no rigidity: give [[building.plane]] tables, [building.rigidity] or both, or "
+        "[building.generic]");
     return;
   }
   for (const UnheldStorey& found : unheld_storeys(plan)) {
@@ -209,20 +211,48 @@ void read_wall(const TableView& building, ReadPlanBuilding& read) {
   read.spec.structure = std::move(wall);
 }
 
-void read_floors(const TableView& building, double gravity, ReadPlanBuilding& read) {
+/// @return how many
+std::size_t read_storeys(const TableView& table, Plan& plan) {
+  for (const char* const key : {"storey_heights", "masses"}) {
+    if (!table.has(key)) table.error_missing(key);
+  }
+  const auto heights = table.find("storey_heights");
+  const std::size_t storeys = heights ? heights->size() : 0;
+  plan.storey_heights = table.numbers("storey_heights");
+  plan.masses = table.numbers("masses", storeys);
+  return storeys;
+}
+
+/// What a generic building is held by, where all of it has been read without errors.
+void stand(const TomlView& generic, const GenericPlan& little, bool is_known, Plan& plan) {
+  const bool has_period = little.along_x.period > 0 || little.along_x.period_formula;
+  if (!is_known || !has_period) return;
+  try {
+    stand_generic(little, plan);
+  } catch (const std::exception& error) {
+    generic.error(std::string("cannot be computed with: ") + error.what());
+  }
+}
+
+void read_floors(const TableView& building, const Units& units, ReadPlanBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"calibrate_period", "width", "soil", "isolation", "frame", "stick", "matrices", "modal", "generic"},
+  building.refuse({"calibrate_period", "width", "soil", "isolation", "frame", "stick", "matrices", "modal"},
                   "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
   const auto table = building.table("plan");
   bool known = table && read_footprint(*table, plan.footprint);
+  const auto generic = building.find("generic");
+  const auto little = generic ? read_generic_in_plan(*generic, units) : std::nullopt;
   std::size_t storeys = 0;
+  if (little) {
+    storeys = little->along_x.storey_heights.size();
+    plan.storey_heights = little->along_x.storey_heights;
+    plan.masses = little->along_x.floor_masses;
+  }
   if (table) {
-    const auto heights = table->find("storey_heights");
-    storeys = heights ? heights->size() : 0;
-    plan.storey_heights = table->numbers("storey_heights");
-    plan.masses = table->numbers("masses", storeys);
+    if (!generic) storeys = read_storeys(*table, plan);
+    if (generic) table->refuse({"storey_heights", "masses"}, "follows from generic, which has the storeys");
     if (table->has("centres_of_mass")) {
       plan.centres_of_mass = read_pairs(*table, "centres_of_mass", storeys);
       known = known && !plan.centres_of_mass.empty();
@@ -231,15 +261,20 @@ void read_floors(const TableView& building, double gravity, ReadPlanBuilding& re
     known = known && plan.storey_heights.size() == storeys && storeys > 0 && plan.masses.size() == storeys;
     if (known) check_centres(*table, plan);
   }
-  const bool planes = read_planes(building, plan);
-  const bool held = read_rigidity(building, storeys, plan) && planes;
-  if (known && held) check_held(building, plan);
+  if (generic) {
+    building.refuse({"plane", "rigidity"}, "does not go with generic, whose periods say what holds the storeys");
+    if (little) stand(*generic, *little, known, plan);
+  } else {
+    const bool planes = read_planes(building, plan);
+    const bool held = read_rigidity(building, storeys, plan) && planes;
+    if (known && held) check_held(building, plan);
+  }
   read.told.modes = 3 * storeys;
   read.told.elevations = floor_elevations(plan.storey_heights);
   read_gravity(building, read.told);
   plan.gravity_loads = read.told.spec.gravity_loads;
   if (read.told.spec.p_delta && plan.gravity_loads.empty()) {
-    for (const double mass : plan.masses) plan.gravity_loads.push_back(mass * gravity);
+    for (const double mass : plan.masses) plan.gravity_loads.push_back(mass * units.gravity);
   }
   if (const auto damping = building.get("damping")) {
     read.spec.damping = read_damping(*damping, read.told.modes);
@@ -261,7 +296,7 @@ void read_floors(const TableView& building, double gravity, ReadPlanBuilding& re
 
 }  // namespace
 
-std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, double gravity) {
+std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, const Units& units) {
   std::vector<ReadPlanBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");
   if (!list || list->has_more_than(case_keys().at("building").most)) return buildings;
@@ -276,7 +311,7 @@ std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, double g
       if (view.flag("rigid")) {
         read_wall(view, read);
       } else {
-        read_floors(view, gravity, read);
+        read_floors(view, units, read);
       }
       read.told.spec.base_elevation = read.spec.base_elevation;
       for (double& elevation : read.told.elevations) elevation += read.spec.base_elevation;

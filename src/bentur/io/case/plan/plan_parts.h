@@ -17,8 +17,8 @@ struct ReadPlanBuilding {
   bool is_whole = false;  ///< its footprint and floors are known
 };
 
-/// plan_buildings.cpp @param gravity [length/s²], for the weights of floors
-[[nodiscard]] std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, double gravity);
+/// plan_buildings.cpp
+[[nodiscard]] std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, const Units& units);
 /// The buildings with modes and damping, of what is right otherwise; an error at each that cannot be made.
 [[nodiscard]] std::vector<PlanBuilding> make_buildings(const PlanCase& c,
                                                        const std::vector<ReadPlanBuilding>& buildings);

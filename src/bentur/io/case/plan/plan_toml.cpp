@@ -40,7 +40,7 @@ PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* p
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
-  const std::vector<ReadPlanBuilding> buildings = read_plan_buildings(root, c.units.gravity);
+  const std::vector<ReadPlanBuilding> buildings = read_plan_buildings(root, c.units);
   for (const ReadPlanBuilding& building : buildings) c.buildings.push_back(building.spec);
   c.gaps = read_plan_gaps(root, buildings);
   c.links = read_plan_links(root, buildings);
