@@ -66,7 +66,7 @@ BEYOND = {
             frame-massless-rotations frequency-infinite frequency-too-high
             gap-elevation-without-floor gap-floors-named-twice gap-no-common-elevation
             gap-of-buildings-apart generic-yielding-wall harmonic-peak-infinite harmonic-period-tiny
-            infill-no-room infill-ultimate
+            hinge-backbone-hardens hinge-backbone-steep infill-no-room infill-ultimate
             initial-overlap-restitution link-level-tolerance matrices-damping-not-semidefinite
             matrices-mass-diagonal matrices-not-definite matrices-not-symmetric modal-not-orthogonal
             modal-shape-of-zeros output-step-tiny p-delta-critical rayleigh-negative-ratio

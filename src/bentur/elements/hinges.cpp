@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +10,8 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
-#include "bentur/elements/complementarity.h"
+#include "bentur/elements/hinges/falling.h"
+#include "bentur/elements/hinges/rate_problem.h"
 
 namespace bentur {
 
@@ -19,28 +21,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double on_line = 1e-10;  // of upper + lower: a hinge that is so near its line is on it
-constexpr double no_flow = 1e-12;  // of (upper + lower)/K_hh: a flow that counts nowhere
 constexpr double no_slope = 1e-9;  // of what it is a sum of: a rate that is zero
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-// Columns of a state's memory.
-enum Column : Index {
-  rotation,      // θ at the last event [rad]
-  side,          // on which it flows; 0: it rests
-  peak,          // max |θ|
-  lost,          // ∫ (M − Hθ) dθ
-  first_yield,   // [s]; NaN: none
-  half_cycles,   //
-  last_side,     // of the latest flow that counted
-  flow_began,    // [s]
-  mechanism_at,  // of the frame, in the first row [s]; NaN: none
-  moved,         // 1: it flowed then
-  broke_at,      // [s]; NaN: it has not
-  released,      // energy lost then [force·length]
-  begins,        // order of the zero that its guard begins the branch with; of a resting one times the side of its line
-  columns
-};
 
 }  // namespace
 
@@ -73,6 +55,8 @@ HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters
       throw InvalidParameter(indexed(name, h), fmt::format("{}", (*list)(h)), "must be > 0");
     }
   }
+  if (!of_.backbones.empty()) require_size("backbones", of_.backbones.size(), static_cast<std::size_t>(n));
+  check_backbones();
   hardened_ = of_.stiffness;
   hardened_.diagonal() += of_.hardening;
 }
@@ -81,17 +65,52 @@ bool HingeLaw::same_as(const CoupledLaw& other) const {
   const auto* hinges = dynamic_cast<const HingeLaw*>(&other);
   return hinges != nullptr && hinges->size() == size() && hinges->of_.stiffness == of_.stiffness &&
          hinges->of_.hardening == of_.hardening && hinges->of_.upper == of_.upper && hinges->of_.lower == of_.lower &&
-         hinges->of_.kept.size() == of_.kept.size() && hinges->of_.kept == of_.kept;
+         hinges->of_.kept.size() == of_.kept.size() && hinges->of_.kept == of_.kept &&
+         hinges->of_.backbones == of_.backbones;
 }
 
 bool HingeLaw::whole(const CoupledState& state, Index h) const { return std::isnan(state.memory(h, broke_at)); }
 
-bool HingeLaw::is_free(const CoupledState& state, Index h) const {
-  return breaks(h) && of_.kept(h) == 0.0 && !whole(state, h);
+/// Broken or failed, without strength.
+bool HingeLaw::nothing_left(const CoupledState& state, Index h) const {
+  return (breaks(h) && of_.kept(h) == 0.0 && !whole(state, h)) || stage_of(state, h) == spent;
 }
 
-/// How far s (M − Hθ) may rise on side s. (H-14)
+bool HingeLaw::is_free(const CoupledState& state, Index h) const {
+  return nothing_left(state, h) && state.memory(h, side) != 0.0;
+}
+
+/// Which of those without strength move: of failed hinges, such as all of one joint, only those whose rotations can be
+/// told apart.
+std::vector<char> HingeLaw::moving_freely(const CoupledState& state) const {
+  constexpr double apart = 1e-9;
+  std::vector<char> moves(size(), 0);
+  std::vector<Index> so_far;
+  for (const bool of_slips : {true, false}) {
+    for (Index h = 0; h < size(); ++h) {
+      if (breaks(h) != of_slips || !nothing_left(state, h)) continue;
+      if (!of_slips && !so_far.empty()) {
+        const VectorXd with = of_.stiffness(so_far, h);
+        const double alone =
+            of_.stiffness(h, h) - with.dot(of_.stiffness(so_far, so_far).ldlt().solve(with));
+        if (!(alone > apart * of_.stiffness(h, h))) continue;
+      }
+      so_far.push_back(h);
+      moves[h] = 1;
+    }
+  }
+  return moves;
+}
+
+/// Rotations of those that harden, zero of what has come to its cap.
+VectorXd HingeLaw::hardened_rotations(const CoupledState& state, VectorXd rotations) const {
+  if (!any_softened(state)) return rotations;
+  return (state.memory.col(stage).array() > 0.0).select(0.0, rotations);
+}
+
+/// How far s (M − Hθ), beyond the cap s M, may rise on side s. (H-14), (H-18)
 double HingeLaw::line(const CoupledState& state, Index h, double s) const {
+  if (stage_of(state, h) != virgin) return softened_line(state, h, s);
   const double given = s > 0 ? of_.upper(h) : of_.lower(h);
   if (!breaks(h) || whole(state, h)) return given;
   return 0.5 * (of_.kept(h) * (of_.upper(h) + of_.lower(h)) + s * (of_.upper(h) - of_.lower(h)));
@@ -112,11 +131,18 @@ HingeLaw::Flow HingeLaw::flow(const CoupledState& state) const {
     resting(h) = 0.0;
   }
   VectorXd b(std::ssize(at));
+  std::vector<double> slopes;
+  const bool softens = any_softened(state);
   for (std::size_t n = 0; n < at.size(); ++n) {
-    const double s = state.memory(at[n], side);
-    b(static_cast<Index>(n)) = s * line(state, at[n], s) + of_.stiffness.col(at[n]).dot(resting);
+    const Index h = at[n];
+    const double s = state.memory(h, side);
+    double& of = b(static_cast<Index>(n));
+    of = s * line(state, h, s) + of_.stiffness.col(h).dot(resting);
+    if (!softens) continue;
+    slopes.push_back(slope(state, h, s));
+    if (stage_of(state, h) != virgin) of -= slopes.back() * state.memory(h, rotation);
   }
-  return {sets_.of(of_, at), std::move(b), std::move(resting)};
+  return {sets_.of(of_, at, slopes), std::move(b), std::move(resting)};
 }
 
 VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformation) const {
@@ -129,104 +155,20 @@ VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformat
 CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   const Index n = size();
   CoupledState state{0.0, MatrixXd::Zero(n, columns)};
-  for (const Column time : {first_yield, mechanism_at, broke_at}) state.memory.col(time).setConstant(nothing);
+  for (const Column time : {first_yield, mechanism_at, broke_at, cap_at, snapped_at, failed_at}) {
+    state.memory.col(time).setConstant(nothing);
+  }
+  const CoupledState unloaded = state;
   const bool beyond =
       (deformation.array() > of_.upper.array()).any() || (-deformation.array() > of_.lower.array()).any();
   if (beyond) load(state, deformation, 0.0, {});
-  for (Index h = 0; h < n; ++h) state.memory(h, side) = is_free(state, h) ? 1.0 : 0.0;
+  if (past_a_cap(state)) {
+    state = unloaded;
+    redistribute(state, VectorXd::Zero(n), deformation, 0.0, {});
+  }
+  const std::vector<char> free = moving_freely(state);
+  for (Index h = 0; h < n; ++h) state.memory(h, side) = free[h] != 0 ? 1.0 : 0.0;
   return state;
-}
-
-namespace {
-
-/// Sides of hinges, those that move either way last.
-struct Sides {
-  std::vector<Index> of;
-  std::vector<double> side;
-  Index free = 0;
-
-  /// λ ≥ 0 with w = S a S λ − b ≥ 0 complementary, w = 0 of those that move either way. (H-7), (H-8)
-  /// `mixed`: rotations and slips, so that each is measured by its own stiffness.
-  [[nodiscard]] std::optional<VectorXd> solve(const MatrixXd& a, const VectorXd& b, bool mixed,
-                                              std::vector<Index> guess = {}) const {
-    const auto s = Eigen::Map<const VectorXd>(side.data(), std::ssize(side));
-    if (!mixed) return complementary(s.asDiagonal() * a(of, of) * s.asDiagonal(), b, std::move(guess));
-    const VectorXd sizes = a.diagonal()(of).cwiseMax(0.0);
-    const VectorXd unit = (sizes.array() > 0.0).select(sizes.cwiseSqrt().cwiseInverse(), 1.0);
-    const VectorXd scale = s.cwiseProduct(unit);
-    auto found = complementary(scale.asDiagonal() * a(of, of) * scale.asDiagonal(), unit.cwiseProduct(b), free);
-    if (found) *found = found->cwiseProduct(unit);
-    return found;
-  }
-};
-
-}  // namespace
-
-/// From the θ of a state to one with which nothing is beyond its line at δ, in one go: θ + S λ, S both sides of every
-/// hinge that has them. What would flow and can break breaks, and it is done anew. `broken`: what just has. (H-8),
-/// (H-15)
-void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double time, std::vector<Index> broken) const {
-  const VectorXd before = state.memory.col(rotation), y = borne(state, deformation);
-  Sides lines;
-  VectorXd lambda;
-  for (bool again = true; again;) {
-    again = false;
-    lines = {};
-    for (const bool of_free : {false, true}) {
-      for (Index h = 0; h < size(); ++h) {
-        if (is_free(state, h) != of_free) continue;
-        for (const double s : {1.0, -1.0}) {
-          if (!std::isfinite(line(state, h, s)) || (of_free && s < 0)) continue;
-          lines.of.push_back(h);
-          lines.side.push_back(s);
-          lines.free += of_free ? 1 : 0;
-        }
-      }
-    }
-    VectorXd b(std::ssize(lines.of));
-    for (Index i = 0; i < b.size(); ++i) {
-      b(i) = lines.side[i] * y(lines.of[i]) - line(state, lines.of[i], lines.side[i]);
-    }
-    const auto found = lines.solve(hardened_, b, of_.kept.size() > 0);
-    if (!found) return;
-    lambda = *found;
-    for (Index i = 0; i < lambda.size(); ++i) {
-      const Index h = lines.of[i];
-      if (!(lambda(i) > 0.0) || !breaks(h) || !whole(state, h)) continue;
-      state.memory(h, broke_at) = time;
-      broken.push_back(h);
-      again = true;
-    }
-  }
-  const auto energy = [&](const VectorXd& theta) { return theta.dot(0.5 * (hardened_ * theta) - deformation); };
-  double left = energy(before);
-  for (Index i = 0; i < lambda.size(); ++i) {
-    const Index h = lines.of[i];
-    if (lambda(i) == 0.0) continue;
-    const double s = lines.side[i];
-    auto memory = state.memory.row(h);
-    memory(rotation) += s * lambda(i);
-    if (std::find(broken.begin(), broken.end(), h) != broken.end()) continue;
-    const double lost_here = line(state, h, s) * lambda(i);
-    memory(lost) += lost_here;
-    left -= lost_here;
-    if (breaks(h)) continue;
-    memory(peak) = std::max(memory(peak), std::abs(memory(rotation)));
-    if (std::isnan(memory(first_yield))) memory(first_yield) = time;
-    if (memory(last_side) != s) memory(half_cycles) += 1.0;
-    memory(last_side) = s;
-  }
-  // What remains is what those that broke have lost, each by the mean of its forces before and after.
-  const VectorXd theta = state.memory.col(rotation), after = borne(state, deformation);
-  left -= energy(theta);
-  const auto share = [&](Index h) { return 0.5 * (y(h) + after(h)) * (theta(h) - before(h)); };
-  double all = 0.0;
-  for (const Index h : broken) all += share(h);
-  for (const Index h : broken) {
-    const double lost_here = all > 0.0 ? left * share(h) / all : 0.0;
-    state.memory(h, lost) += lost_here;
-    state.memory(h, released) = lost_here - 0.5 * (of_.upper(h) - of_.lower(h)) * (theta(h) - before(h));
-  }
 }
 
 CoupledBranch HingeLaw::branch(const CoupledState& state) const {
@@ -246,14 +188,19 @@ CoupledBranch HingeLaw::branch(const CoupledState& state) const {
   };
   for (Index j = 0; j < now.b.size(); ++j) take(seen.over.col(j), now.b(j));
   for (Index j = 0; j < n; ++j) take(of_.stiffness.col(j), now.resting(j));
-  take(of_.hardening.cwiseProduct(state.memory.col(rotation)), 1.0);
+  take(of_.hardening.cwiseProduct(hardened_rotations(state, state.memory.col(rotation))), 1.0);
   branch.guards.reserve(2 * n);
   for (Index h = 0; h < n; ++h) {
     const double s = state.memory(h, side);
     const int zeros = static_cast<int>(state.memory(h, begins));
-    if (is_free(state, h)) continue;
+    if (nothing_left(state, h)) continue;
     if (s != 0.0) {
       branch.guards.push_back({.of = h, .sense = s, .speed = h, .zeros = zeros});
+      const double end = stage_end(state, h, s);
+      if (!std::isfinite(end)) continue;
+      const double beyond = -branch.base(h);  // θ is the row and this
+      branch.guards.push_back(
+          {.of = h, .constant = end - s * beyond, .size = end + std::abs(beyond), .sense = -s, .deformation = h});
       continue;
     }
     for (const double to : {1.0, -1.0}) {
@@ -279,13 +226,42 @@ CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation
     auto memory = now.memory.row(h);
     memory(rotation) = theta(h);
     memory(lost) += line(state, h, s) * turned;
+    if (stage_of(state, h) == softened) {
+      memory(lost) += 0.5 * slope(state, h, s) * turned * turned;
+      sync(now, h, s);
+    }
     if (!(turned > no_flow * width(h) / of_.stiffness(h, h))) continue;
-    memory(peak) = std::max(memory(peak), std::abs(theta(h)));
-    if (std::isnan(memory(first_yield))) memory(first_yield) = memory(flow_began);
-    if (memory(last_side) != s) memory(half_cycles) += 1.0;
-    memory(last_side) = s;
+    note_flow(now, h, s, memory(flow_began));
   }
   return now;
+}
+
+/// λ of (H-7) at hinges on their lines; or, where these would run away, which of them snap. (H-19)
+std::vector<Index> HingeLaw::paces(const CoupledState& state, const HingeSides& sides, const VectorXd& rate,
+                                   std::vector<Index> expected, VectorXd& lambda) const {
+  const Index count = std::ssize(sides.of);
+  const bool mixed = of_.kept.size() > 0;
+  if (!any_softened(state)) {
+    lambda = sides.solve(hardened_, rate, mixed, std::move(expected)).value_or(VectorXd::Zero(count));
+    return {};
+  }
+  MatrixXd a = of_.stiffness(sides.of, sides.of);
+  VectorXd slopes(count), sizes(count);
+  for (Index i = 0; i < count; ++i) {
+    slopes(i) = slope(state, sides.of[i], sides.side[i]);
+    sizes(i) = of_.stiffness(sides.of[i], sides.of[i]);
+  }
+  a.diagonal() += slopes;
+  if (!(slopes.array() < 0.0).any()) {
+    HingeSides alone = sides;
+    for (Index i = 0; i < count; ++i) alone.of[i] = i;
+    lambda = alone.solve(a, rate, true).value_or(VectorXd::Zero(count));
+    return {};
+  }
+  const auto s = Eigen::Map<const VectorXd>(sides.side.data(), count);
+  RateSolution found = least_rate(s.asDiagonal() * a * s.asDiagonal(), rate, sides.free, sizes);
+  lambda = found.unbounded ? VectorXd::Zero(count) : found.pace;
+  return found.unbounded ? losing_most(state, sides, found.pace) : std::vector<Index>{};
 }
 
 CoupledState HingeLaw::next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard, double time,
@@ -297,77 +273,44 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   return settle(state, time, motion, nullptr);
 }
 
-namespace {
-
-/// Whether a guard that has come down to zero says that a hinge is on its line of side `to`.
-bool is_met(const CoupledGuard* ended, Index h, double to) {
-  return ended != nullptr && ended->deformation >= 0 && ended->of == h && to * ended->sense < 0.0;
-}
-
-}  // namespace
-
-/// M − H θ at the last event.
-VectorXd HingeLaw::borne(const CoupledState& state, const VectorXd& deformation) const {
-  const VectorXd theta = state.memory.col(rotation);
-  return deformation - of_.stiffness * theta - of_.hardening.cwiseProduct(theta);
-}
-
-/// What can break and is on its line does; a hinge that then is off its own no longer flows. (H-14)
-void HingeLaw::break_at_lines(CoupledState& state, double time, const VectorXd& deformation,
-                              const CoupledGuard* ended) const {
-  if (of_.kept.size() == 0) return;
-  VectorXd y = borne(state, deformation);
-  std::vector<Index> broken;
-  for (Index h = 0; h < size(); ++h) {
-    if (!breaks(h) || !whole(state, h)) continue;
-    for (const double to : {1.0, -1.0}) {
-      if (!is_met(ended, h, to) && to * y(h) < line(state, h, to) - on_line * width(h)) continue;
-      state.memory(h, broke_at) = time;
-      broken.push_back(h);
-      break;
-    }
-  }
-  if (broken.empty()) return;
-  load(state, deformation, time, broken);
-  y = borne(state, deformation);
-  for (Index h = 0; h < size(); ++h) {
-    const double s = state.memory(h, side);
-    if (s != 0.0 && std::abs(y(h) - s * line(state, h, s)) > on_line * width(h)) state.memory(h, side) = 0.0;
-  }
-}
-
 /// `ended`: the guard that has come down to zero, so that a hinge is on its line, or flows no more, however well that
 /// instant is known.
 CoupledState HingeLaw::settle(const CoupledState& state, double time, const CoupledMotion& motion,
                               const CoupledGuard* ended) const {
   CoupledState now = at(state, motion.deformation);
   now.since = time;
-  break_at_lines(now, time, motion.deformation, ended);
-  const VectorXd y = borne(now, motion.deformation);
-  Sides candidates;
-  std::vector<Index> expected;  // to flow: those that did, and what has met its line, but not what has ceased to
-  for (const bool of_free : {false, true}) {
-    for (Index h = 0; h < size(); ++h) {
-      if (is_free(now, h) != of_free) continue;
-      double s = of_free ? 1.0 : now.memory(h, side);
-      for (const double to : {1.0, -1.0}) {
-        const bool met = is_met(ended, h, to) && whole(now, h) == whole(state, h);
-        const double limit = line(now, h, to);
-        if (s == 0.0 && std::isfinite(limit) && (met || std::abs(y(h) - to * limit) <= on_line * width(h))) s = to;
+  bool softens_anew = end_stages(now, time, motion.deformation, ended);
+  break_at_lines(now, time, motion.deformation, softens_anew ? nullptr : ended);
+  HingeSides candidates;
+  VectorXd lambda;
+  for (bool again = true; again;) {
+    std::vector<Index> expected;  // to flow: those that did, and what has met its line, but not what has ceased to
+    candidates = {};
+    const VectorXd y = borne(now, motion.deformation);
+    const std::vector<char> free = moving_freely(now);
+    for (const bool of_free : {false, true}) {
+      for (Index h = 0; h < size(); ++h) {
+        if (nothing_left(now, h) != of_free || (of_free && free[h] == 0)) continue;
+        double s = of_free ? 1.0 : now.memory(h, side);
+        for (const double to : {1.0, -1.0}) {
+          const bool met = !softens_anew && guard_says_met(ended, h, to) && whole(now, h) == whole(state, h);
+          const double limit = line(now, h, to);
+          if (s == 0.0 && std::isfinite(limit) && (met || std::abs(y(h) - to * limit) <= on_line * width(h))) s = to;
+        }
+        if (s == 0.0) continue;
+        const bool flowed = state.memory(h, side) != 0.0, changes = ended != nullptr && ended->of == h;
+        if (flowed != changes && !of_free) expected.push_back(std::ssize(candidates.of));
+        candidates.add(h, s, of_free);
       }
-      if (s == 0.0) continue;
-      const bool flowed = state.memory(h, side) != 0.0, changes = ended != nullptr && ended->of == h;
-      if (flowed != changes && !of_free) expected.push_back(std::ssize(candidates.of));
-      candidates.of.push_back(h);
-      candidates.side.push_back(s);
-      candidates.free += of_free ? 1 : 0;
     }
+    const auto s = Eigen::Map<const VectorXd>(candidates.side.data(), std::ssize(candidates.side));
+    const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates.of).cwiseProduct(s);
+    const std::vector<Index> snapping = paces(now, candidates, rate, std::move(expected), lambda);
+    again = !snapping.empty();
+    if (again) snap(now, motion.deformation, time, snapping);
+    softens_anew = softens_anew || again;
   }
   const std::vector<double>& sides = candidates.side;
-  const auto s = Eigen::Map<const VectorXd>(sides.data(), std::ssize(sides));
-  const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates.of).cwiseProduct(s);
-  const VectorXd lambda = candidates.solve(hardened_, rate, of_.kept.size() > 0, std::move(expected))
-                              .value_or(VectorXd::Zero(std::ssize(sides)));
   now.memory.col(side).setZero();
   now.memory.col(begins).setZero();
   // Rotations and slips side by side, by what they would do to the energy.
@@ -380,14 +323,14 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     // With zeros it turned at next to no rate and ends: the instant is not known well enough to tell that by λ.
     const bool stopped = ended != nullptr && ended->of == h && ended->speed >= 0 && (mixed || ended->zeros > 0);
     const bool flows_on = lambda(n) > 0.0 && !(stopped && lambda(n) * weights(h) <= nil);
-    if (flows_on || is_free(now, h)) now.memory(h, side) = sides[n];
+    if (flows_on || nothing_left(now, h)) now.memory(h, side) = sides[n];
   }
   // What flows at a rate that is zero whatever x does would never cease to end its branch.
   Flow flows = flow(now);
   for (bool changed = true; changed;) {
     changed = false;
     for (const Index h : flows.at()) {
-      if (is_free(now, h) || flows.set->still[h] == 0) continue;
+      if (nothing_left(now, h) || flows.set->still[h] == 0) continue;
       now.memory(h, side) = 0.0;
       changed = true;
     }
@@ -395,15 +338,15 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   }
   note_mechanism(now, *flows.set, time);
   const VectorXd turning = flows.set->inverse * motion.speed(flows.at());
-  const VectorXd paces = turning.cwiseProduct(weights(flows.at()));
-  const double fastest = paces.size() > 0 ? paces.cwiseAbs().maxCoeff() : 0.0;
+  const VectorXd weighed = turning.cwiseProduct(weights(flows.at()));
+  const double fastest = weighed.size() > 0 ? weighed.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t n = 0; n < sides.size(); ++n) {
     const Index h = candidates.of[n];
     auto memory = now.memory.row(h);
     if (memory(side) != 0.0) {
       const Index k = std::lower_bound(flows.at().begin(), flows.at().end(), h) - flows.at().begin();
       if (state.memory(h, side) != memory(side)) memory(flow_began) = time;
-      memory(begins) = memory(side) * paces(k) > no_slope * fastest ? 0.0 : 1.0;
+      memory(begins) = memory(side) * weighed(k) > no_slope * fastest ? 0.0 : 1.0;
       continue;
     }
     const VectorXd of_others = of_.stiffness(h, flows.at()).transpose().cwiseProduct(turning);
@@ -416,7 +359,8 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
 
 double HingeLaw::stored_energy(const CoupledState& state, const VectorXd& deformation) const {
   const VectorXd theta = rotations(state, deformation);
-  return -deformation.dot(theta) + 0.5 * theta.dot(of_.stiffness * theta + of_.hardening.cwiseProduct(theta));
+  const VectorXd hardened = of_.hardening.cwiseProduct(hardened_rotations(state, theta));
+  return -deformation.dot(theta) + 0.5 * theta.dot(of_.stiffness * theta + hardened);
 }
 
 double HingeLaw::lost_energy(const CoupledState& state, const VectorXd& deformation) const {
@@ -448,7 +392,14 @@ HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const 
                 .half_cycles = static_cast<int>(memory(half_cycles)),
                 .flows = static_cast<int>(memory(side)),
                 .broke = std::nullopt,
-                .released = memory(released)};
+                .released = memory(released),
+                .strength_left = share_left(state, hinge),
+                .cap = std::nullopt,
+                .failed = std::nullopt,
+                .snapped = std::nullopt};
+  if (!std::isnan(memory(cap_at))) record.cap = memory(cap_at);
+  if (!std::isnan(memory(failed_at))) record.failed = memory(failed_at);
+  if (!std::isnan(memory(snapped_at))) record.snapped = memory(snapped_at);
   if (!std::isnan(memory(broke_at))) record.broke = memory(broke_at);
   if (!std::isnan(memory(first_yield))) record.first_yield = memory(first_yield);
   return record;

@@ -9,6 +9,8 @@
 
 namespace bentur {
 
+struct HingeSides;
+
 /// All plastic hinges of a building as one law. Its deformations are δ = G x, the moments that its coordinates x make
 /// at the hinges while none has turned [force·length]; the moments are M = δ − K_hh θ, θ [rad] what the hinges have
 /// turned, and the forces that push along the rows of G are F = −θ, beside those of the elastic K x:
@@ -34,7 +36,7 @@ class HingeLaw : public CoupledLaw {
   [[nodiscard]] CoupledState at(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
   [[nodiscard]] double stored_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
   [[nodiscard]] double lost_energy(const CoupledState& state, const Eigen::VectorXd& deformation) const override;
-  [[nodiscard]] bool is_odd() const noexcept override { return of_.upper == of_.lower; }
+  [[nodiscard]] bool is_odd() const noexcept override;
   [[nodiscard]] const Parameters& parameters() const { return of_; }
 
   /// What one hinge has done up to the last event, or to at().
@@ -46,7 +48,11 @@ class HingeLaw : public CoupledLaw {
     int half_cycles = 0;                ///< stretches of flow in one direction; elastic excursions do not part them
     int flows = 0;                      ///< −1, 0 or 1: the side on which it flows now
     std::optional<double> broke;        ///< [s]
-    double released = 0;                ///< energy lost when it did [force·length], that of what is at rest included
+    /// Energy lost when it did, or when it snapped or failed [force·length], that of what is at rest included.
+    double released = 0;
+    double strength_left = 1;             ///< of what it bore at yielding, on the side on which it came to its cap
+    std::optional<double> cap, failed;    ///< when it came to its cap, and when it had nothing left [s]
+    std::optional<double> snapped;        ///< when it lost at once what it had to lose [s]
   };
   [[nodiscard]] Record record(const CoupledState& state, Eigen::Index hinge) const;
 
@@ -58,25 +64,95 @@ class HingeLaw : public CoupledLaw {
     std::vector<Eigen::Index> hinges;
   };
   [[nodiscard]] std::optional<Mechanism> mechanism(const CoupledState& state) const;
-  /// Whether it has broken and nothing is left: it moves either way without resistance.
+  /// Whether it has broken or failed, nothing is left and it moves either way without resistance.
   [[nodiscard]] bool is_free(const CoupledState& state, Eigen::Index hinge) const;
 
  private:
+  /// Columns of a state's memory.
+  enum Column : Eigen::Index {
+    rotation,      // θ at the last event [rad]
+    side,          // on which it flows; 0: it rests
+    peak,          // max |θ|
+    lost,          // ∫ (M − Hθ) dθ
+    first_yield,   // [s]; NaN: none
+    half_cycles,   //
+    last_side,     // of the latest flow that counted
+    flow_began,    // [s]
+    mechanism_at,  // of the frame, in the first row [s]; NaN: none
+    moved,         // 1: it flowed then
+    broke_at,      // [s]; NaN: it has not
+    released,      // energy lost then, or when it snapped or failed [force·length]
+    begins,        // order of the zero that its guard begins the branch with; of a resting one times its line's side
+    stage,         // of its backbone
+    worn,          // from the cap on: how far it has turned at most, or has been worn by a snap [rad]
+    back,          // Hθ at the cap [force·length]
+    cap_side,      // on which it came to it
+    cap_at,        // [s]; NaN: it has not
+    snapped_at,    //
+    failed_at,     //
+    columns
+  };
+  /// Of a backbone (H-17): up to the cap, beyond it, on what it keeps for good, without anything.
+  enum Stage : int { virgin, softened, levelled, spent };
+
+  static constexpr double on_line = 1e-10;  // of upper + lower: a hinge that is so near its line is on it
+  static constexpr double no_flow = 1e-12;  // of (upper + lower)/K_hh: a flow that counts nowhere
+  static constexpr double at_end = 1e-10;   // of a rotation: so near to where a stage ends it does
+
   struct Flow;
+  struct Fall;
   void note_mechanism(CoupledState& state, const FlowingSet& set, double time) const;
   [[nodiscard]] Flow flow(const CoupledState& state) const;
   [[nodiscard]] Eigen::VectorXd rotations(const CoupledState& state, const Eigen::VectorXd& deformation) const;
   [[nodiscard]] bool breaks(Eigen::Index hinge) const { return of_.kept.size() > 0 && of_.kept(hinge) < 1.0; }
   [[nodiscard]] bool whole(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] bool nothing_left(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] std::vector<char> moving_freely(const CoupledState& state) const;
   [[nodiscard]] double line(const CoupledState& state, Eigen::Index hinge, double side) const;
   [[nodiscard]] Eigen::VectorXd borne(const CoupledState& state, const Eigen::VectorXd& deformation) const;
   void load(CoupledState& state, const Eigen::VectorXd& deformation, double time,
             std::vector<Eigen::Index> broken) const;
-  void break_at_lines(CoupledState& state, double time, const Eigen::VectorXd& deformation,
+  bool break_at_lines(CoupledState& state, double time, const Eigen::VectorXd& deformation,
                       const CoupledGuard* ended) const;
   [[nodiscard]] double width(Eigen::Index hinge) const;
   [[nodiscard]] CoupledState settle(const CoupledState& state, double time, const CoupledMotion& motion,
                                     const CoupledGuard* ended) const;
+
+  [[nodiscard]] Eigen::VectorXd hardened_rotations(const CoupledState& state, Eigen::VectorXd rotations) const;
+  /// Whether a guard that has come down to zero says that a hinge at rest is on its line of side `to`.
+  [[nodiscard]] static bool guard_says_met(const CoupledGuard* ended, Eigen::Index h, double to) {
+    return ended != nullptr && ended->deformation >= 0 && ended->of == h && to * ended->sense < 0.0;
+  }
+  [[nodiscard]] std::vector<Eigen::Index> paces(const CoupledState& state, const HingeSides& sides,
+                                                const Eigen::VectorXd& rate, std::vector<Eigen::Index> expected,
+                                                Eigen::VectorXd& lambda) const;
+  [[nodiscard]] std::vector<Eigen::Index> losing_most(const CoupledState& state, const HingeSides& sides,
+                                                      const Eigen::VectorXd& way) const;
+
+  // Backbones (hinges/backbones.cpp, hinges/redistribution.cpp).
+  void check_backbones() const;
+  [[nodiscard]] const HingeBackbone* backbone(Eigen::Index hinge) const;
+  [[nodiscard]] Stage stage_of(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] bool any_softened(const CoupledState& state) const;
+  [[nodiscard]] bool past_a_cap(const CoupledState& state) const;
+  [[nodiscard]] double strength_at_cap(const CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] double level(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] double levelled_at(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] double share_left(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] double softened_line(const CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] double slope(const CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] double stage_end(const CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] bool end_stage(CoupledState& state, Eigen::Index hinge, double side, double time) const;
+  void sync(CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] Fall fall_of(const CoupledState& state, Eigen::Index hinge, bool fails, double borne) const;
+  void redistribute(CoupledState& state, Eigen::VectorXd from, const Eigen::VectorXd& to, double time,
+                    std::vector<Fall> falls) const;
+  bool end_stages(CoupledState& state, double time, const Eigen::VectorXd& deformation,
+                  const CoupledGuard* ended) const;
+  void snap(CoupledState& state, const Eigen::VectorXd& deformation, double time,
+            const std::vector<Eigen::Index>& hinges) const;
+  void rest_off_lines(CoupledState& state, const Eigen::VectorXd& deformation) const;
+  void note_flow(CoupledState& state, Eigen::Index hinge, double side, double began) const;
 
   Parameters of_;
   Eigen::MatrixXd hardened_;  ///< K_hh + H

@@ -169,6 +169,10 @@ std::deque<Quantity>& list() {
       {"dissipated_energy", hinge, "F L", "E_h", "energy that the hinge has dissipated", {"Energy by yielding", "Energi leleh"}, &BuildingPeaks::Hinge::dissipated_energy},
       {"first_yield", hinge, "s", "t_y", "when the hinge first yielded", {"First yield", "Leleh pertama"}, &BuildingPeaks::Hinge::first_yield},
       {"half_cycles", hinge, "1", "n", "stretches of flow in one direction", {"Half cycles", "Setengah siklus"}, &BuildingPeaks::Hinge::half_cycles},
+      {"strength_left", hinge, "1", "σ", "moment that the hinge can still bear at the end over that at its cap", {"Strength left", "Kekuatan tersisa"}, &BuildingPeaks::Hinge::strength_left, {}, "%", 100},
+      {"cap_time", hinge, "s", "t_c", "when the hinge came to its cap", {"Cap at", "Puncak saat"}, &BuildingPeaks::Hinge::cap_time},
+      {"failed_time", hinge, "s", "t_u", "when the hinge had no strength left", {"Fails at", "Gagal saat"}, &BuildingPeaks::Hinge::failed_time},
+      {"snap_energy", hinge, "F L", "E_b", "energy that was lost as the hinge snapped or failed", {"Energy set free", "Energi terlepas"}, &BuildingPeaks::Hinge::released_energy},
       // Columns that can break in shear.
       {"peak_shear", breaking, "F", "max |Q|", "largest shear of the column, that at rest included", {"Shear", "Gaya geser"}, &BuildingPeaks::Breaking::peak_shear},
       {"shear_demand_capacity", breaking, "1", "max |Q|/V", "largest shear of the column over its capacity", {"Of its capacity", "Dari kapasitasnya"}, &BuildingPeaks::Breaking::shear_demand_capacity},
@@ -297,7 +301,11 @@ bool is_told(const Quantity& quantity, const RunView& r, Eigen::Index item) {
   }
   if (is_of_foundation(quantity)) return r.response.buildings[item].foundation.size() > 0;
   if (is_of_breaking(quantity)) return !r.response.buildings[item].columns.empty();
-  if (is_of_hinges(quantity)) return !r.response.buildings[item].hinges.empty();
+  if (is_of_hinges(quantity)) {
+    const std::vector<BuildingPeaks::Hinge>& hinges = r.response.buildings[item].hinges;
+    if (!is_of_weakening(quantity)) return !hinges.empty();
+    return std::any_of(hinges.begin(), hinges.end(), [](const auto& of) { return of.strength_left.has_value(); });
+  }
   const auto* source = std::get_if<YieldingSource>(&quantity.source);
   return source == nullptr || (r.response.buildings[item].*source->of.*source->list).size() > 0;
 }

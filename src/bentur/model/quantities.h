@@ -114,6 +114,8 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] bool is_of_infill(const Quantity& quantity);
 /// Whether it is told only of buildings that have hinges, or of hinges.
 [[nodiscard]] bool is_of_hinges(const Quantity& quantity);
+/// Whether it is told only of hinges that lose strength.
+[[nodiscard]] bool is_of_weakening(const Quantity& quantity);
 /// Whether it is told only of columns that can break.
 [[nodiscard]] bool is_of_breaking(const Quantity& quantity);
 /// Whether it is told only of contact points where a floor strikes a column.

@@ -54,6 +54,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
         if (is_of_infill(*quantity) && building.model.infills.empty()) continue;
         if (is_of_foundation(*quantity) && !building.model.foundation) continue;
         if ((is_of_hinges(*quantity) && hinges == 0) || (is_of_breaking(*quantity) && columns == 0)) continue;
+        if (is_of_weakening(*quantity) && building.model.hinges.backbones.empty()) continue;
         RowPart& part = add(*quantity, owner == Owner::floor    ? building.model.floors()
                                        : owner == Owner::hinge  ? hinges
                                        : owner == Owner::column ? columns

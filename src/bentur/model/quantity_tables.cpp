@@ -86,6 +86,11 @@ bool is_of_yielding(const Quantity& quantity, const Building& building) {
 
 bool is_of_hinges(const Quantity& quantity) { return quantity.owner == Owner::hinge || quantity.key == "hinge_energy"; }
 
+bool is_of_weakening(const Quantity& quantity) {
+  const auto* source = std::get_if<std::optional<double> BuildingPeaks::Hinge::*>(&quantity.source);
+  return source != nullptr && *source != &BuildingPeaks::Hinge::first_yield;
+}
+
 bool is_of_breaking(const Quantity& quantity) { return quantity.owner == Owner::column; }
 
 bool is_of_forces(const Quantity& quantity) {

@@ -10,6 +10,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/hinges.h"
+#include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/elements/softening/strut_pair.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/modes.h"
@@ -83,12 +84,14 @@ void add_infill(const StructuralModel& model, std::vector<BuildingElement>& elem
 std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {
   const Hinges& hinges = model.hinges;
   if (hinges.size() == 0) return {};
+  check_backbones(hinges);
   return {{hinges.rows, std::make_shared<HingeLaw>(HingeLaw::Parameters{.stiffness = hinges.stiffness,
                                                                         .hardening = hinges.hardening,
                                                                         .upper = hinges.clockwise - hinges.at_rest,
                                                                         .lower = hinges.anticlockwise + hinges.at_rest,
                                                                         .rows = hinges.rows,
                                                                         .kept = hinges.kept,
+                                                                        .backbones = hinges.backbones,
                                                                         .frame_stiffness = hinges.frame_stiffness,
                                                                         .frame_rows = hinges.frame_rows})}};
 }

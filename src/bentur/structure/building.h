@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
+#include "bentur/elements/hinges/hinge_backbone.h"
 #include "bentur/elements/law.h"
 #include "bentur/elements/softening/backbone_law.h"
 
@@ -63,6 +64,7 @@ struct Hinges {
   Eigen::VectorXd clockwise, anticlockwise;
   Eigen::VectorXd kept = {};  ///< the part of its capacity that each keeps once it has been reached [-]; 1 of hinges;
                               ///< empty where no column breaks
+  std::vector<HingeBackbone> backbones = {};  ///< of each, empty where none loses strength (H-17)
   Eigen::VectorXd at_rest;    ///< M₀ of gravity loads on beams [force·length] (H-9)
   /// Rotations of the levels IO, LS and CP of ASCE 41, hinges × 3 [rad]; NaN where they are not given.
   Eigen::MatrixXd rotation_limits;

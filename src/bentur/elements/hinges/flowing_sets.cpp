@@ -13,11 +13,15 @@ namespace {
 
 constexpr double no_part = 1e-9;  // of a row over x: it does not depend on x
 
-FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowing) {
+FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowing, const std::vector<double>& slopes) {
   const Index count = hinges.hardening.size(), moving = std::ssize(flowing);
   FlowingSet set;
   MatrixXd q = hinges.stiffness(flowing, flowing);
-  q.diagonal() += hinges.hardening(flowing);
+  if (slopes.empty()) {
+    q.diagonal() += hinges.hardening(flowing);
+  } else {
+    q.diagonal() += Eigen::Map<const VectorXd>(slopes.data(), moving);
+  }
   set.inverse = q.llt().solve(MatrixXd::Identity(moving, moving));
   set.seen.moving = flowing;
   set.seen.stiffness = -0.5 * (set.inverse + set.inverse.transpose());
@@ -45,19 +49,21 @@ FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowi
 }  // namespace
 
 std::shared_ptr<const FlowingSet> FlowingSets::of(const HingeParameters& hinges,
-                                                  const std::vector<Index>& flowing) const {
+                                                  const std::vector<Index>& flowing,
+                                                  const std::vector<double>& slopes) const {
+  const Key key{flowing, slopes};
   {
     const std::lock_guard lock(mutex_);
-    if (const auto found = sets_.find(flowing); found != sets_.end()) return found->second;
+    if (const auto found = sets_.find(key); found != sets_.end()) return found->second;
   }
-  auto set = std::make_shared<const FlowingSet>(set_of(hinges, flowing));
+  auto set = std::make_shared<const FlowingSet>(set_of(hinges, flowing, slopes));
   const Index size = set->seen.over.size() + 2 * set->inverse.size() + 2 * std::ssize(set->still);
   const std::lock_guard lock(mutex_);
   if (numbers_ + size > kept_) {
     sets_.clear();
     numbers_ = 0;
   }
-  if (size <= kept_ && sets_.emplace(flowing, set).second) numbers_ += size;
+  if (size <= kept_ && sets_.emplace(key, set).second) numbers_ += size;
   return set;
 }
 

@@ -5,9 +5,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
+#include "bentur/elements/hinges/hinge_backbone.h"
 
 namespace bentur {
 
@@ -21,6 +23,8 @@ struct HingeParameters {
   /// Of what breaks, such as the shear of a column: the part of (upper + lower)/2 that it keeps once it has been
   /// reached on either side [-], 0 … 1; 1: all, it yields. Empty: nothing breaks. (H-14)
   Eigen::VectorXd kept = {};
+  /// Of each; empty: none loses strength. One of an infinite `plastic` does not.
+  std::vector<HingeBackbone> backbones = {};
   /// K and G of the frame alone, which say when it can move without bending (H-12); empty: nobody asks.
   Eigen::MatrixXd frame_stiffness = {}, frame_rows = {};
 };
@@ -44,14 +48,16 @@ class FlowingSets {
   /// Keeps so many numbers; then it begins anew.
   explicit FlowingSets(Eigen::Index kept) : kept_(kept) {}
 
-  /// `flowing`: hinges, ascending.
+  /// `flowing`: hinges, ascending; `slopes`: what their lines rise by as they turn [force·length/rad], empty: H.
   [[nodiscard]] std::shared_ptr<const FlowingSet> of(const HingeParameters& hinges,
-                                                     const std::vector<Eigen::Index>& flowing) const;
+                                                     const std::vector<Eigen::Index>& flowing,
+                                                     const std::vector<double>& slopes = {}) const;
 
  private:
   Eigen::Index kept_;
   mutable Eigen::Index numbers_ = 0;
-  mutable std::map<std::vector<Eigen::Index>, std::shared_ptr<const FlowingSet>> sets_;
+  using Key = std::pair<std::vector<Eigen::Index>, std::vector<double>>;
+  mutable std::map<Key, std::shared_ptr<const FlowingSet>> sets_;
   mutable std::mutex mutex_;
 };
 

@@ -39,11 +39,24 @@ void read_shape(const TableView& view, Section& section) {
   }
 }
 
+/// How its hinges lose strength.
+void read_backbone(const TableView& view, HingeBackbone& backbone) {
+  const auto table = view.table("backbone");
+  if (!table) return;
+  backbone.plastic = table->number("plastic_rotation").value_or(backbone.plastic);
+  backbone.softening = table->number("softening_rotation").value_or(backbone.softening);
+  backbone.residual = table->number("residual").value_or(0);
+  backbone.ultimate = table->number("ultimate_rotation").value_or(backbone.ultimate);
+  if (table->has("ultimate_rotation") && std::isfinite(backbone.plastic) && backbone.ultimate <= backbone.plastic) {
+    table->get("ultimate_rotation")->error_value("must be beyond plastic_rotation");
+  }
+}
+
 /// Where its ends yield. @param lines of columns; 0: it is a beam
 void read_hinges(const TableView& view, std::size_t lines, Section& section) {
   const auto capacity = view.get("moment_capacity");
   if (!capacity) {
-    for (const std::string key : {"hardening", "rotation_limits"}) {
+    for (const std::string key : {"hardening", "rotation_limits", "backbone"}) {
       view.refuse({key}, "goes with moment_capacity, which is not given");
     }
   }
@@ -59,6 +72,7 @@ void read_hinges(const TableView& view, std::size_t lines, Section& section) {
   if (!std::is_sorted(section.rotation_limits.begin(), section.rotation_limits.end(), std::less_equal<>())) {
     view.get("rotation_limits")->error("must be three numbers > 0 in ascending order");
   }
+  if (capacity) read_backbone(view, section.backbone);
   section.line_load = view.number("line_load").value_or(0);
   if (of_lines) view.refuse({"line_load"}, "only beams carry it");
 }

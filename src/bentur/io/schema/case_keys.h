@@ -20,6 +20,7 @@ namespace bentur {
 [[nodiscard]] const KeyTable& stick_keys();
 [[nodiscard]] const KeyTable& storey_columns_keys();
 [[nodiscard]] const KeyTable& backbone_keys();
+[[nodiscard]] const KeyTable& hinge_backbone_keys();
 [[nodiscard]] const KeyTable& infill_keys();
 [[nodiscard]] const KeyTable& backbone_side_keys();
 [[nodiscard]] const KeyTable& matrices_keys();

@@ -48,6 +48,29 @@ const KeyTable& backbone_side_keys() {
   return table;
 }
 
+const KeyTable& hinge_backbone_keys() {
+  static const KeyTable table = {
+      "building.frame.section.backbone",
+      "hinges that lose strength",
+      {Key::number("plastic_rotation", dimension::none, Range::positive, {"Rotation to the cap", "Rotasi ke puncak"},
+                   "from yielding to the cap: a of ASCE 41")
+           .counted_in("rad"),
+       Key::number("softening_rotation", dimension::none, Range::positive,
+                   {"Rotation of softening", "Rotasi pelunakan"},
+                   "from the cap to where the line that falls from it would come to zero")
+           .counted_in("rad")
+           .optional("it keeps the cap"),
+       Key::number("residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
+                   "share of the moment at yielding that softening leaves: c of ASCE 41; 0: what has come down to it has "
+                   "failed")
+           .by_default(0),
+       Key::number("ultimate_rotation", dimension::none, Range::positive, {"Ultimate rotation", "Rotasi batas"},
+                   "beyond the cap, at which it fails and bears nothing any more: b of ASCE 41")
+           .counted_in("rad")
+           .optional("none")}};
+  return table;
+}
+
 const KeyTable& infill_keys() {
   static const KeyTable table = [] {
     KeyTable made = {

@@ -236,6 +236,10 @@ const KeyTable& section_keys() {
            .counted_in("rad")
            .goes_with("moment_capacity")
            .optional("none"),
+       Key::sub_table("backbone", hinge_backbone_keys(), {"Loss of strength", "Kehilangan kekuatan"},
+                      "its hinges [lose strength](#hinges-that-lose-strength) beyond a cap")
+           .goes_with("moment_capacity")
+           .optional("no strength is lost"),
        Key::number("line_load", dimension::stiffness, Range::not_negative, {"Line load", "Beban merata"},
                    "on a beam, downwards: the moments that its hinges bear at rest")
            .by_default(0),

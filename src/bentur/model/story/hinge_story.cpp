@@ -95,6 +95,33 @@ void tell_rotations(const Building& building, Index b, const BuildingPeaks& peak
   }
 }
 
+/// What hinges have lost of their strength: how many, and the one that has least left.
+void tell_weakened(const Building& building, Index b, const BuildingPeaks& peaks, std::vector<Statement>& statements) {
+  Index worst = -1;
+  long count = 0, failed = 0;
+  double released = 0;
+  for (Index h = 0; h < std::ssize(peaks.hinges); ++h) {
+    const BuildingPeaks::Hinge& hinge = peaks.hinges[h];
+    const double left = hinge.strength_left.value_or(1);
+    count += left < 1 ? 1 : 0;
+    failed += hinge.failed_time ? 1 : 0;
+    released += hinge.released_energy.value_or(0);
+    if (left < (worst < 0 ? 1 : *peaks.hinges[worst].strength_left)) worst = h;
+  }
+  if (worst < 0) return;
+  const std::string kind = failed > 0 ? "hinges_failed" : released > 0 ? "hinges_snapped" : "hinges_weaker";
+  Statement statement{.kind = kind, .severity = Severity::warning, .buildings = {b}};
+  statement.values = {text_of("building", building.name), count_of("count", count)};
+  if (failed > 0) {
+    statement.values.push_back(count_of("failed", failed));
+  } else {
+    statement.values.push_back(value_in("left", 100 * *peaks.hinges[worst].strength_left, "%"));
+  }
+  statement.values.push_back(value_in("time", *peaks.hinges[worst].cap_time, "s"));
+  add_place(building.model.hinges.places[worst], statement.values);
+  statements.push_back(std::move(statement));
+}
+
 /// Columns that have broken, in order of time.
 std::vector<Index> by_time(const std::vector<BuildingPeaks::Breaking>& columns) {
   std::vector<Index> broken(columns.size());
@@ -196,6 +223,7 @@ void tell_hinges(const RunResults& run, Story& told) {
     if (building.model.hinges.places.empty() || peaks.hinges.empty()) continue;
     const std::vector<Index> turned = worst_hinges(peaks);
     tell_rotations(building, b, peaks, turned, told.statements);
+    tell_weakened(building, b, peaks, told.statements);
     if (!turned.empty()) told.tables.push_back(hinge_table(run, building, peaks, turned));
   }
 }

@@ -127,10 +127,11 @@ void Checks::numbers() {
     };
     finite(peaks.infill.force, "force of the infill", b, open);
     finite(peaks.infill.energy, "energy of the infill", b, open);
+    const Hinges& hinges = building.model.hinges;
     for (const auto* yielding : {&peaks.yielding, &peaks.yielding_no_contact}) {
       finite(yielding->ductility, "ductility", b, [&](Eigen::Index i) { return building.storey_law(i) == nullptr; });
       finite(yielding->residual_drift_ratio, "residual drift", b,
-             [&](Eigen::Index i) { return slab == i || !building.model.hinges.columns.empty(); });
+             [&](Eigen::Index i) { return slab == i || !hinges.columns.empty() || !hinges.backbones.empty(); });
       finite(yielding->hysteretic_energy, "hysteretic energy", b, never);
     }
   }

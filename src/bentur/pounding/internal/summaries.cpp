@@ -136,6 +136,11 @@ void summarise_hinges(const Building& building, const HingeLaw& law, const Coupl
     hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
     hinge.first_yield = record.first_yield;
     hinge.half_cycles = record.half_cycles;
+    if (hinges.backbones.empty() || !hinges.backbones[h].loses_strength()) continue;
+    hinge.strength_left = record.strength_left;
+    hinge.cap_time = record.cap;
+    hinge.failed_time = record.failed;
+    hinge.released_energy = record.released;
   }
   const Eigen::Index storeys = hinges.frame_drifts.rows();
   const Eigen::Index first = building.model.floors() - storeys;  // above a slab

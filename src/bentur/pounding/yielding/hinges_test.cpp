@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "bentur/structure/damping.h"
@@ -90,6 +91,54 @@ TEST_P(HingedFrame, IsAnOscillatorThatYieldsAfterAPush) {
     EXPECT_NEAR(lost(response, building), 0.5 * std::pow(speed * 2 * pi * yield, 2) - 0.5 * yield_force * yield,
                 slack * yield_force * yield);
   }
+}
+
+TEST_P(HingedFrame, GivesItsSpeedToTheAreaOfABackbone) {
+  // Of the oscillator V falls from V_y over h θ_pc; ½ m v² is that area up to where it turns and what is elastic there.
+  const double k = 4 * pi * pi, yield_force = 0.5, yield = yield_force / k, speed = 3 * 2 * pi * yield, height = 3;
+  const double plastic = yield / height, softening = 6 * yield / height;
+  PlaneFrame frame = bilinear_portal(1, k, yield_force);
+  frame.columns[0].backbone = {.plastic = plastic, .softening = softening, .residual = 0.1};
+  const Building building = building_of(frame);
+  Problem problem = alone(building, 0.6);
+  problem.initial_velocity[0](0) = speed;
+  problem.motion = SampledMotion{0.3, std::vector<double>(4, 0.0)};
+  const Response response = run(problem);
+  for (const BuildingPeaks::Hinge& hinge : response.buildings[0].hinges) {
+    const double theta = hinge.peak_rotation, left = 1 - (theta - plastic) / softening;
+    ASSERT_GT(left, 0.2) << "softens still";
+    ASSERT_LT(left, 0.9);
+    const double area = yield_force * height * (plastic + (theta - plastic) * (1 + left) / 2);
+    EXPECT_NEAR(area + std::pow(left * yield_force, 2) / (2 * k), 0.5 * speed * speed, within(1) + of_beam);
+    EXPECT_NEAR(response.buildings[0].displacement(0), left * yield_force / k + height * theta, within(1) + of_beam);
+    EXPECT_NEAR(hinge.strength_left.value(), left, within(10) + of_beam);
+    EXPECT_GT(hinge.cap_time.value(), *hinge.first_yield);
+    EXPECT_FALSE(hinge.failed_time);
+    EXPECT_EQ(hinge.released_energy.value(), 0);
+  }
+}
+
+TEST_P(HingedFrame, IsTheSameToTheBitWithACapOutOfReach) {
+  const auto run_with = [&](double cap) {
+    PlaneFrame frame = bilinear_portal(1, 4 * pi * pi, 0.5, 0.05);
+    frame.columns[0].backbone.plastic = cap;
+    const Building building = building_of(frame, 0.02);
+    Problem problem = pair(building, building, {contact(1e3, 0)}, 4);
+    problem.motion = SampledMotion{0.3, {0, 1, -2, 1.5, -1, 0}};
+    return run(problem);
+  };
+  const Response plain = run_with(std::numeric_limits<double>::infinity()), other = run_with(2);
+  EXPECT_EQ(plain.steps, other.steps);
+  EXPECT_EQ(plain.impacts.size(), other.impacts.size());
+  EXPECT_GT(plain.buildings[0].hinges[0].peak_rotation, 0);
+  for (std::size_t h = 0; h < 4; ++h) {
+    const BuildingPeaks::Hinge &one = plain.buildings[0].hinges[h], &same = other.buildings[0].hinges[h];
+    EXPECT_EQ(one.peak_rotation, same.peak_rotation);
+    EXPECT_EQ(one.dissipated_energy, same.dissipated_energy);
+    EXPECT_FALSE(one.strength_left);
+    EXPECT_EQ(same.strength_left, 1);
+  }
+  EXPECT_EQ(plain.buildings[0].displacement, other.buildings[0].displacement);
 }
 
 Problem under_a_triangle(double length, double eta, double hardening, double zeta) {

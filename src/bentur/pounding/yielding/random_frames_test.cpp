@@ -25,7 +25,8 @@ namespace {
 
 using namespace bentur::test;
 
-enum class Kind { yields, breaks, filled };  ///< hinges alone, columns that break too, infill with hinges or without
+/// Hinges alone, columns that break too, infill with hinges or without, hinges that lose strength.
+enum class Kind { yields, breaks, filled, softens };
 
 /// How a case is told: seen from behind, and what a metre and a kilonewton are in its units.
 struct Telling {
@@ -76,6 +77,15 @@ class Generator {
     return section;
   }
 
+  /// Beyond what a hinge hardens to; it may fail by either way.
+  HingeBackbone backbone() {
+    HingeBackbone of{.plastic = number(0.001, 0.008)};
+    if (chance(0.9)) of.softening = number(0.02, 0.08);
+    if (chance(0.7)) of.residual = number(0.05, 0.6);
+    if (chance(0.3)) of.ultimate = of.plastic + number(0.002, 0.03);
+    return of;
+  }
+
   void make_brittle(Section& column, std::size_t lines) {
     const std::size_t given = chance(0.6) ? lines : 1;
     for (std::size_t n = 0; n < given; ++n) column.shear_capacity.push_back(number(40, 130));
@@ -110,7 +120,8 @@ class Generator {
     frame.elastic_modulus = 3e7;
     const std::size_t storeys = count(1, 3);
     const std::size_t bays = count(1, 3);
-    const double hardening = chance(0.4) ? 0 : number(0.005, 0.1);
+    const double hardens = told_.kind == Kind::softens ? 0.1 : 1;  // so that none does to twice its capacity
+    const double hardening = chance(0.4) ? 0 : number(0.005, 0.1) * hardens;
     const double strong = chance(0.5) ? 0.6 : 1.6;  // beams over columns
     frame.mass_matrix = chance(0.7) ? MassMatrix::lumped : MassMatrix::consistent;
     for (std::size_t bay = 0; bay < bays; ++bay) frame.bay_widths.push_back(number(4, 6));
@@ -123,7 +134,13 @@ class Generator {
       frame.floor_masses.push_back(number(20, 60));
     }
     if (chance(0.2)) frame.nodes = {{.left = chance(0.5), .elevation = 1.4}};
+    for (std::vector<Section>* sections : {&frame.columns, &frame.beams}) {
+      for (Section& section : *sections) {
+        if (told_.kind == Kind::softens && chance(0.8)) section.backbone = backbone();
+      }
+    }
     for (Section& column : frame.columns) {
+      if (told_.kind == Kind::softens && chance(0.15)) make_brittle(column, bays + 1);
       if (told_.kind == Kind::breaks && chance(0.7)) make_brittle(column, bays + 1);
     }
     for (std::size_t n = 0; told_.kind == Kind::filled && n < storeys; ++n) {
@@ -245,17 +262,18 @@ std::pair<unsigned, unsigned> seeds(Kind kind) {
 class RandomFrames : public testing::TestWithParam<Kind> {
  protected:
   [[nodiscard]] static bool breaks() { return GetParam() == Kind::breaks; }
+  [[nodiscard]] static bool softens() { return GetParam() == Kind::softens; }
   [[nodiscard]] static bool filled() { return GetParam() == Kind::filled; }
 };
 
 const auto name_of_kind = [](const auto& one) {
-  return one.param == Kind::yields ? "that_yield" : one.param == Kind::breaks ? "that_break" : "that_are_filled";
+  return one.param == Kind::yields ? "that_yield" : one.param == Kind::breaks ? "that_break" : one.param == Kind::filled ? "that_are_filled" : "that_soften";
 };
-INSTANTIATE_TEST_SUITE_P(, RandomFrames, testing::Values(Kind::yields, Kind::breaks, Kind::filled), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(, RandomFrames, testing::Values(Kind::yields, Kind::breaks, Kind::filled, Kind::softens), name_of_kind);
 
 class RandomHingedFrames : public RandomFrames {};
 
-INSTANTIATE_TEST_SUITE_P(, RandomHingedFrames, testing::Values(Kind::yields, Kind::breaks), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(, RandomHingedFrames, testing::Values(Kind::yields, Kind::breaks, Kind::softens), name_of_kind);
 
 /// How many storeys have infill that has lost strength, and how many have some that failed.
 std::pair<long, long> lost_infill(const Response& response) {
@@ -310,7 +328,7 @@ TEST_P(RandomFrames, AreAlikeFromBehindAndInOtherUnits) {
 
 TEST_P(RandomFrames, AreAlikeByBothSolvers) {
   const auto [first, count] = seeds(GetParam());
-  long yielded = 0, pounded = 0, broken = 0, weakened = 0, failed = 0;
+  long yielded = 0, pounded = 0, broken = 0, weakened = 0, failed = 0, weaker = 0, gone = 0, snapped = 0;
   for (unsigned seed = first; seed < first + count; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Problem problem = Generator(seed, {.kind = GetParam()}).make();
@@ -337,6 +355,14 @@ TEST_P(RandomFrames, AreAlikeByBothSolvers) {
         EXPECT_NEAR(column.break_time.value_or(0), other.columns[c].break_time.value_or(0), 1e-8);
         broken += column.break_time ? 1 : 0;
       }
+      for (std::size_t h = 0; h < one.hinges.size(); ++h) {
+        const BuildingPeaks::Hinge &hinge = one.hinges[h], &same = other.hinges[h];
+        EXPECT_NEAR(hinge.strength_left.value_or(1), same.strength_left.value_or(1), 1e-7) << h;
+        EXPECT_EQ(hinge.failed_time.has_value(), same.failed_time.has_value()) << h;
+        weaker += hinge.strength_left.value_or(1) < 1 ? 1 : 0;
+        gone += hinge.failed_time ? 1 : 0;
+        snapped += hinge.released_energy.value_or(0) > 0 ? 1 : 0;
+      }
     }
     pounded += std::ssize(exact.impacts);
     weakened += lost_infill(exact).first;
@@ -347,6 +373,9 @@ TEST_P(RandomFrames, AreAlikeByBothSolvers) {
   EXPECT_GE(broken, breaks() ? count : 0);
   EXPECT_GE(weakened, filled() ? count / 2 : 0);
   EXPECT_GE(failed, filled() ? count / 4 : 0);
+  EXPECT_GE(weaker, softens() ? 2 * count : 0);
+  EXPECT_GE(gone, softens() ? count : 0);
+  EXPECT_GE(snapped, softens() ? count / 4 : 0);
 }
 
 TEST_P(RandomHingedFrames, AreTheSameToTheBitWhateverIsKeptOfTheSetsThatFlow) {

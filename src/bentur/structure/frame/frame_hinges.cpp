@@ -19,6 +19,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double least_margin = 0.01;  // of its stiffness, that a member has to hold what loses strength by
 
 bool yields(const FrameHinges::End& end) { return std::isfinite(end.clockwise) || std::isfinite(end.anticlockwise); }
 
@@ -50,6 +51,11 @@ void hold_ends_that_never_flow(std::vector<FrameHinges::End>& ends) {
   }
 }
 
+/// "columns[0].backbone".
+std::string place_of(const HingePlace& place) {
+  return fmt::format("{}[{}].backbone", place.of_beam ? "beams" : "columns", place.level - 1);
+}
+
 }  // namespace
 
 std::string name_of(const HingePlace& place) {
@@ -61,6 +67,29 @@ std::string name_of(const HingePlace& place) {
 std::string name_of(const BreakingColumn& column) {
   const std::string whole = fmt::format("column of line {}, storey {}", column.line, column.storey);
   return column.piece == 0 ? whole : fmt::format("piece {} of the {}", column.piece, whole);
+}
+
+void check_backbones(const Hinges& hinges) {
+  for (Index h = 0; h < std::ssize(hinges.places); ++h) {
+    if (hinges.backbones.empty() || !hinges.backbones[h].loses_strength()) continue;
+    const HingeBackbone& of = hinges.backbones[h];
+    const double hardens = hinges.hardening(h) * of.plastic, least = std::min(of.clockwise, of.anticlockwise);
+    if (!(hardens < least)) {
+      throw InvalidParameter(place_of(hinges.places[h]) + ".plastic_rotation", fmt::format("{:.6g}", of.plastic),
+                             fmt::format("must not let a member harden to twice its capacity: {}, {:.4g} beyond {:.4g}",
+                                         name_of(hinges.places[h]), hardens, least));
+    }
+    double falls = 0;
+    for (const double capacity : {of.clockwise, of.anticlockwise}) {
+      if (std::isfinite(capacity)) falls = std::max(falls, (capacity + hardens) / of.softening);
+    }
+    const double most = (1 - least_margin) * hinges.stiffness(h, h);
+    if (falls < most) continue;
+    throw InvalidParameter(
+        place_of(hinges.places[h]) + ".softening_rotation", fmt::format("{:.6g}", of.softening),
+        fmt::format("must lose less than what the member unloads by: {}, {:.4g} of {:.4g} per rad; at least {:.4g}",
+                    name_of(hinges.places[h]), falls, hinges.stiffness(h, h), of.softening * falls / most));
+  }
 }
 
 Index FrameHinges::add(const ElementDofs& dofs, const Eigen::Matrix4d& stiffness, const std::optional<End>& first,
@@ -162,6 +191,10 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
     for (std::size_t n = 0; n < end.rotation_limits.size(); ++n) {
       all.rotation_limits(h, static_cast<Index>(n)) = end.rotation_limits[n];
     }
+    HingeBackbone& backbone = all.backbones.emplace_back(end.backbone);
+    backbone.clockwise = ends_[kept[h]].clockwise;
+    backbone.anticlockwise = ends_[kept[h]].anticlockwise;
+    backbone.at_rest = all.at_rest(h);
     all.clockwise(h) = end.clockwise;
     all.anticlockwise(h) = end.anticlockwise;
     const double moment = all.at_rest(h);
@@ -174,6 +207,9 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
     all.clockwise(h) = all.anticlockwise(h) = shear.column.capacity;
     bears(all.at_rest(h), shear.column.capacity, name_of(shear.column));
   }
+  const auto loses = [](const HingeBackbone& of) { return of.loses_strength(); };
+  if (std::none_of(all.backbones.begin(), all.backbones.end(), loses)) all.backbones.clear();
+  if (!all.backbones.empty()) all.backbones.resize(kept.size());
   if (worst_share >= 1) {
     throw InvalidParameter("line_load", "loads on beams",
                            fmt::format("must not bring a member to yield by itself: {}, {:.4g} of {:.4g}", worst,

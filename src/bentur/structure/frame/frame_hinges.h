@@ -22,6 +22,7 @@ class FrameHinges {
     double clockwise = 0, anticlockwise = 0;   ///< capacities [force·length] > 0, may be infinite
     double hardening = 0;                      ///< H [force·length/rad]
     std::vector<double> rotation_limits = {};  ///< three [rad], or none
+    HingeBackbone backbone = {};               ///< but for its moments
     Eigen::Index joint = -1;  ///< rotation of the joint that it belongs to; −1: of none that may balance
   };
   /// A member, or a piece of one, with the freedoms and the stiffness (2-48) of its ends; nothing: an end that does not
@@ -62,6 +63,10 @@ class FrameHinges {
   };
   std::vector<ColumnForce> column_forces_;
 };
+
+/// That hinges which lose strength lose less than their members unload by, so that each can be followed alone [Ibarra &
+/// Krawinkler 2005], and harden to less than twice their capacity. (H-17) @throws InvalidParameter: it names the end.
+void check_backbones(const Hinges& hinges);
 
 /// "left end of the beam of bay 1, floor 2", "bottom of the column of line 3, storey 1".
 [[nodiscard]] std::string name_of(const HingePlace& place);

@@ -119,7 +119,7 @@ struct Piece {
 FrameHinges::End end_of(const PlaneFrame& frame, const Section& section, double length, const HingePlace& place,
                         Eigen::Index joint) {
   const std::vector<double>& capacity = section.moment_capacity;
-  FrameHinges::End end{.place = place, .rotation_limits = section.rotation_limits, .joint = joint};
+  FrameHinges::End end{.place = place, .rotation_limits = section.rotation_limits, .backbone = section.backbone, .joint = joint};
   end.clockwise = never_yields;
   if (!capacity.empty()) end.clockwise = capacity.front();
   if (capacity.size() > 1 && place.of_beam) {
@@ -348,6 +348,7 @@ StructuralModel plane_frame_model(const PlaneFrame& frame, double base_elevation
     model.hinges.frame_stiffness.topLeftCorner(floors, floors) -= infill_stiffness(model.infills, floors);
     model.hinges.frame_rows = model.hinges.rows;
     model.hinges.frame_drifts = drift_rows(model);
+    check_backbones(model.hinges);
   }
   return model;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bentur/elements/hinges/hinge_backbone.h"
 #include "bentur/structure/building.h"
 #include "bentur/structure/frame/column_node.h"
 
@@ -21,7 +22,8 @@ struct Section {
   double hardening = 0;  ///< r of (H-3) [-], in [0, 1)
   /// Rotations [rad] > 0, ascending, that a hinge's are told as parts of; three, or none.
   std::vector<double> rotation_limits = {};
-  double line_load = 0;  ///< of beams, downwards [force/length] ≥ 0: M₀ of (H-9), and no mass
+  HingeBackbone backbone = {};  ///< of its hinges beyond what `hardening` says; moments of it are not asked for (H-17)
+  double line_load = 0;         ///< of beams, downwards [force/length] ≥ 0: M₀ of (H-9), and no mass
   /// Shear at which columns break [force] > 0, infinite where they do not: one for all, or one per column line. Empty:
   /// none does.
   std::vector<double> shear_capacity = {};
