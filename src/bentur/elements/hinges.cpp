@@ -279,7 +279,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
                               const CoupledGuard* ended) const {
   CoupledState now = at(state, motion.deformation);
   now.since = time;
-  bool softens_anew = end_stages(now, time, motion.deformation, ended);
+  bool softens_anew = end_stages(now, time, motion.deformation);
   break_at_lines(now, time, motion.deformation, softens_anew ? nullptr : ended);
   HingeSides candidates;
   VectorXd lambda;

@@ -147,8 +147,7 @@ class HingeLaw : public CoupledLaw {
   [[nodiscard]] Fall fall_of(const CoupledState& state, Eigen::Index hinge, bool fails, double borne) const;
   void redistribute(CoupledState& state, Eigen::VectorXd from, const Eigen::VectorXd& to, double time,
                     std::vector<Fall> falls) const;
-  bool end_stages(CoupledState& state, double time, const Eigen::VectorXd& deformation,
-                  const CoupledGuard* ended) const;
+  bool end_stages(CoupledState& state, double time, const Eigen::VectorXd& deformation) const;
   void snap(CoupledState& state, const Eigen::VectorXd& deformation, double time,
             const std::vector<Eigen::Index>& hinges) const;
   void rest_off_lines(CoupledState& state, const Eigen::VectorXd& deformation) const;

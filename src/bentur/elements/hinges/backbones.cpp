@@ -173,26 +173,23 @@ void HingeLaw::sync(CoupledState& state, Index h, double s) const {
 
 /// Hinges that flow and have come to where a stage of theirs ends. Returns whether any has failed, so that all have
 /// been loaded anew.
-bool HingeLaw::end_stages(CoupledState& state, double time, const VectorXd& deformation,
-                          const CoupledGuard* ended) const {
+bool HingeLaw::end_stages(CoupledState& state, double time, const VectorXd& deformation) const {
   if (of_.backbones.empty()) return false;
   std::vector<Fall> falls;
-  // What is as good as where it was worn to is there.
-  for (Index h = 0; h < size(); ++h) {
-    if (stage_of(state, h) != softened) continue;
-    const double turned = std::abs(state.memory(h, rotation));
-    if (std::abs(turned - state.memory(h, worn)) <= at_end * turned) state.memory(h, worn) = turned;
-  }
   const VectorXd y = borne(state, deformation);
   for (Index h = 0; h < size(); ++h) {
     const double s = state.memory(h, side);
     if (s == 0.0 || backbone(h) == nullptr || nothing_left(state, h)) continue;
     const double end = stage_end(state, h, s);
     if (!std::isfinite(end)) continue;
-    const bool met = ended != nullptr && ended->of == h && ended->deformation >= 0;
-    if (!met && s * state.memory(h, rotation) < end * (1.0 - at_end)) continue;
-    if (met) state.memory(h, rotation) = s * std::max(s * state.memory(h, rotation), end * (1.0 - 0.5 * at_end));
+    if (s * state.memory(h, rotation) < end * (1.0 - at_end)) continue;
     if (end_stage(state, h, s, time)) falls.push_back(fall_of(state, h, true, y(h)));
+  }
+  // What is as good as where it was worn to is there.
+  for (Index h = 0; h < size(); ++h) {
+    if (stage_of(state, h) != softened) continue;
+    const double turned = std::abs(state.memory(h, rotation));
+    if (std::abs(turned - state.memory(h, worn)) <= at_end * turned) state.memory(h, worn) = turned;
   }
   if (falls.empty()) return false;
   redistribute(state, deformation, deformation, time, std::move(falls));
