@@ -45,8 +45,8 @@ struct BuildingPeaks {
     double dissipated_energy = 0;            ///< Σ capacity |Δθ| [force·length] (H-10)
     std::optional<double> first_yield = {};  ///< [s]
     int half_cycles = 0;                     ///< stretches of flow in one direction
-    /// Of one with a backbone, nothing of others: σ at the end [-], when it came to its cap and when it had nothing left
-    /// [s], energy lost as it snapped or failed [force·length]. (H-18), (H-20)
+    /// Of one with a backbone, nothing of others: σ at the end [-], when it came to its cap and when it had nothing
+    /// left [s], energy lost as it snapped or failed [force·length]. (H-18), (H-20)
     std::optional<double> strength_left = {}, cap_time = {}, failed_time = {}, released_energy = {};
   };
   std::vector<Hinge> hinges = {};

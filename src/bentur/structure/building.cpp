@@ -10,9 +10,9 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/hinges.h"
-#include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/elements/softening/strut_pair.h"
 #include "bentur/structure/damping.h"
+#include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {

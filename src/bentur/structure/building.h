@@ -65,7 +65,7 @@ struct Hinges {
   Eigen::VectorXd kept = {};  ///< the part of its capacity that each keeps once it has been reached [-]; 1 of hinges;
                               ///< empty where no column breaks
   std::vector<HingeBackbone> backbones = {};  ///< of each, empty where none loses strength (H-17)
-  Eigen::VectorXd at_rest;    ///< M₀ of gravity loads on beams [force·length] (H-9)
+  Eigen::VectorXd at_rest;                    ///< M₀ of gravity loads on beams [force·length] (H-9)
   /// Rotations of the levels IO, LS and CP of ASCE 41, hinges × 3 [rad]; NaN where they are not given.
   Eigen::MatrixXd rotation_limits;
   /// What a rotation of 1 does to StructuralModel::column_forces, those × hinges [force·length, force].

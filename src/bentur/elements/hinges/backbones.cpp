@@ -53,7 +53,8 @@ void HingeLaw::check_backbones() const {
     if (of == nullptr) continue;
     const std::string name = indexed("backbones", h);
     require_positive(name + ".plastic", of->plastic);
-    if (!(of->softening > 0)) throw InvalidParameter(name + ".softening", fmt::format("{}", of->softening), "must be > 0");
+    if (!(of->softening > 0))
+      throw InvalidParameter(name + ".softening", fmt::format("{}", of->softening), "must be > 0");
     if (!(of->residual >= 0 && of->residual < 1)) {
       throw InvalidParameter(name + ".residual", fmt::format("{}", of->residual), "must be 0 … 1, less than 1");
     }
@@ -97,10 +98,14 @@ double HingeLaw::share_left(const CoupledState& state, Index h) const {
   const HingeBackbone* of = backbone(h);
   if (of == nullptr) return 1.0;
   switch (stage_of(state, h)) {
-    case virgin: return 1.0;
-    case softened: return 1.0 - (state.memory(h, worn) - of->plastic) / of->softening;
-    case levelled: return level(state, h);
-    case spent: break;
+    case virgin:
+      return 1.0;
+    case softened:
+      return 1.0 - (state.memory(h, worn) - of->plastic) / of->softening;
+    case levelled:
+      return level(state, h);
+    case spent:
+      break;
   }
   return 0.0;
 }
@@ -124,14 +129,17 @@ double HingeLaw::stage_end(const CoupledState& state, Index h, double s) const {
   const HingeBackbone* of = backbone(h);
   if (of == nullptr) return std::numeric_limits<double>::infinity();
   switch (stage_of(state, h)) {
-    case virgin: return of->plastic;
+    case virgin:
+      return of->plastic;
     case softened: {
       const double so_far = state.memory(h, worn);
       if (s * state.memory(h, rotation) < so_far * (1.0 - at_end)) return so_far;
       return std::min(levelled_at(state, h), of->ultimate);
     }
-    case levelled: return of->ultimate;
-    case spent: break;
+    case levelled:
+      return of->ultimate;
+    case spent:
+      break;
   }
   return std::numeric_limits<double>::infinity();
 }

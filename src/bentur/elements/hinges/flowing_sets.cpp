@@ -48,8 +48,7 @@ FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowi
 
 }  // namespace
 
-std::shared_ptr<const FlowingSet> FlowingSets::of(const HingeParameters& hinges,
-                                                  const std::vector<Index>& flowing,
+std::shared_ptr<const FlowingSet> FlowingSets::of(const HingeParameters& hinges, const std::vector<Index>& flowing,
                                                   const std::vector<double>& slopes) const {
   const Key key{flowing, slopes};
   {

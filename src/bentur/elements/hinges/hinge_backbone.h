@@ -13,7 +13,7 @@ struct HingeBackbone {
   double plastic = std::numeric_limits<double>::infinity();    ///< θ_c [rad] > 0, from yielding to the cap
   double softening = std::numeric_limits<double>::infinity();  ///< θ_pc [rad] > 0, from the cap to no moment
   double residual = 0;                                         ///< of the moment at yielding [-], in [0, 1)
-  double ultimate = std::numeric_limits<double>::infinity();   ///< θ_u [rad] > θ_c, at which nothing is borne any more
+  double ultimate = std::numeric_limits<double>::infinity();  ///< θ_u [rad] > θ_c, at which nothing is borne any more
   [[nodiscard]] bool loses_strength() const { return std::isfinite(plastic); }
   [[nodiscard]] bool operator==(const HingeBackbone&) const = default;
 };

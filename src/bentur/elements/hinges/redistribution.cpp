@@ -152,7 +152,8 @@ HingeLaw::Fall HingeLaw::fall_of(const CoupledState& state, Index h, bool fails,
   return fall;
 }
 
-/// Hinges whose lines have come down at once, those of `hinges` to what they keep for good, and all that follows. (H-20)
+/// Hinges whose lines have come down at once, those of `hinges` to what they keep for good, and all that follows.
+/// (H-20)
 void HingeLaw::snap(CoupledState& state, const VectorXd& deformation, double time,
                     const std::vector<Index>& hinges) const {
   const VectorXd y = borne(state, deformation);
@@ -160,7 +161,8 @@ void HingeLaw::snap(CoupledState& state, const VectorXd& deformation, double tim
   for (const Index h : hinges) falls.push_back(fall_of(state, h, false, y(h)));
   for (Fall& fall : falls) {
     const HingeBackbone& of = *backbone(fall.hinge);
-    if (of.residual == 0.0 || levelled_at(state, fall.hinge) > of.ultimate) fall = fall_of(state, fall.hinge, true, y(fall.hinge));
+    if (of.residual == 0.0 || levelled_at(state, fall.hinge) > of.ultimate)
+      fall = fall_of(state, fall.hinge, true, y(fall.hinge));
     state.memory(fall.hinge, snapped_at) = time;
   }
   redistribute(state, deformation, deformation, time, std::move(falls));
@@ -168,7 +170,8 @@ void HingeLaw::snap(CoupledState& state, const VectorXd& deformation, double tim
 }
 
 /// What loses most in a way that releases energy, with all that lose as much. (H-20)
-std::vector<Index> HingeLaw::losing_most(const CoupledState& state, const HingeSides& sides, const VectorXd& way) const {
+std::vector<Index> HingeLaw::losing_most(const CoupledState& state, const HingeSides& sides,
+                                         const VectorXd& way) const {
   constexpr double as_much = 1e-6;
   VectorXd loses = VectorXd::Zero(way.size());
   for (Index i = 0; i < way.size() - sides.free; ++i) {
@@ -182,8 +185,8 @@ std::vector<Index> HingeLaw::losing_most(const CoupledState& state, const HingeS
 }
 
 /// As δ goes from one place to another, and lines come down while it does, hinges turn as little as they must, and
-/// each follows its backbone: in stretches in which the same ones flow on lines of the same slopes. What comes to a line
-/// and can break does, what would run away snaps, and both come down in what is left of the way.
+/// each follows its backbone: in stretches in which the same ones flow on lines of the same slopes. What comes to a
+/// line and can break does, what would run away snaps, and both come down in what is left of the way.
 void HingeLaw::redistribute(CoupledState& state, VectorXd from, const VectorXd& to, double time,
                             std::vector<Fall> falls) const {
   std::vector<const Fall*> falling;
@@ -262,7 +265,8 @@ void HingeLaw::redistribute(CoupledState& state, VectorXd from, const VectorXd& 
       if (nothing_left(state, h) && falling[h] == nullptr) continue;
       if (turns(h) != 0.0 && falling[h] == nullptr) {
         const double side = flows_on[h], end = stage_end(state, h, side);
-        if (std::isfinite(end)) part = std::min(part, std::max(0.0, (end - side * state.memory(h, rotation)) / std::abs(turns(h))));
+        if (std::isfinite(end))
+          part = std::min(part, std::max(0.0, (end - side * state.memory(h, rotation)) / std::abs(turns(h))));
       }
       for (const double to_side : {1.0, -1.0}) {
         const double limit = line_of(h, to_side);

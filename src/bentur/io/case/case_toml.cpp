@@ -157,7 +157,8 @@ void check_assembled(const std::vector<TomlView>& views, const Units& units, std
         views[b].error("weighs more than can be computed with: are masses in the units of the case?");
       }
     } catch (const InvalidParameter& error) {
-      if (!at_line_load(views[b], error) && !at_backbone(views[b], error)) views[b].error(std::string("cannot be computed with: ") + error.what());
+      if (!at_line_load(views[b], error) && !at_backbone(views[b], error))
+        views[b].error(std::string("cannot be computed with: ") + error.what());
     } catch (const std::exception& error) {
       views[b].error(std::string("cannot be computed with: ") + error.what());
     }

@@ -60,9 +60,10 @@ const KeyTable& hinge_backbone_keys() {
                    "from the cap to where the line that falls from it would come to zero")
            .counted_in("rad")
            .optional("it keeps the cap"),
-       Key::number("residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
-                   "share of the moment at yielding that softening leaves: c of ASCE 41; 0: what has come down to it has "
-                   "failed")
+       Key::number(
+           "residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
+           "share of the moment at yielding that softening leaves: c of ASCE 41; 0: what has come down to it has "
+           "failed")
            .by_default(0),
        Key::number("ultimate_rotation", dimension::none, Range::positive, {"Ultimate rotation", "Rotasi batas"},
                    "beyond the cap, at which it fails and bears nothing any more: b of ASCE 41")

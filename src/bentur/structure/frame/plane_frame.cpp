@@ -119,7 +119,8 @@ struct Piece {
 FrameHinges::End end_of(const PlaneFrame& frame, const Section& section, double length, const HingePlace& place,
                         Eigen::Index joint) {
   const std::vector<double>& capacity = section.moment_capacity;
-  FrameHinges::End end{.place = place, .rotation_limits = section.rotation_limits, .backbone = section.backbone, .joint = joint};
+  FrameHinges::End end{
+      .place = place, .rotation_limits = section.rotation_limits, .backbone = section.backbone, .joint = joint};
   end.clockwise = never_yields;
   if (!capacity.empty()) end.clockwise = capacity.front();
   if (capacity.size() > 1 && place.of_beam) {
