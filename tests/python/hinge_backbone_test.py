@@ -1,7 +1,5 @@
 """Hinges of a frame that lose strength, in Python: in results and words, in what varies, by every solver."""
 
-import copy
-
 import bentur
 import pytest
 
@@ -53,9 +51,9 @@ def test_all_solvers_agree():
 def test_backbones_vary():
     pytest.importorskip("xarray")
     case = softening({"backbone": BACKBONE})
-    found = bentur.vary(case, {"building[0].frame.columns[0].backbone.softening_rotation": [0.02, 0.03]})
-    short, given = (float(one.min()) for one in found.hinge_strength_left_1)
-    assert short < given == weakest(bentur.run(copy.deepcopy(case)))["strength_left"]
+    found = bentur.vary(case, {"building[0].frame.columns[0].backbone.softening_rotation": [0.03, 0.2]})
+    given, long = (float(one.min()) for one in found.hinge_strength_left_1)
+    assert long > given == weakest(bentur.run(case)).get("strength_left")
 
 
 def test_what_is_wrong_of_a_backbone_has_its_key():
