@@ -26,7 +26,7 @@ core() {
     options=(-DCMAKE_CXX_COMPILER_LAUNCHER="env;CCACHE_COMPILERTYPE=clang;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache")
   fi
   emcmake cmake -S "$root/web/wasm" -B "$out" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" \
-    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=10 -DBENTUR_WEB_TESTS=ON -DCMAKE_CROSSCOMPILING_EMULATOR="$(command -v node)" \
+    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 -DBENTUR_WEB_TESTS=ON -DCMAKE_CROSSCOMPILING_EMULATOR="$(command -v node)" \
     "${options[@]}" >"$out.log" 2>&1 || { cat "$out.log"; exit 1; }
   cmake --build "$out" --parallel "$jobs" --target "$@"
 }
