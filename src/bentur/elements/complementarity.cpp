@@ -101,7 +101,8 @@ std::optional<VectorXd> complementary(const MatrixXd& a, const VectorXd& b, Inde
 
 // With a little on A's diagonal there is one solution alone, which goes to the one of least norm as that goes to
 // nothing: it tells which of them push.
-VectorXd least_norm(const MatrixXd& a, const VectorXd& b, const VectorXd& p) {
+VectorXd least_norm(const MatrixXd& a, const VectorXd& b, VectorXd p) {
+  if (p.size() < 2) return p;
   constexpr double apart = 1e-11;   // of the largest pivot
   constexpr double little = 1e-9;   // of the largest entry of A
   constexpr double agreed = 1e-10;  // of the largest of b, or of p

@@ -21,6 +21,6 @@ namespace bentur {
 
 /// Where A does not tell the entries of a solution p apart, the one of least norm with the same A p; p itself where it
 /// does. What stands alike then pushes alike, in whatever order it is given.
-[[nodiscard]] Eigen::VectorXd least_norm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& p);
+[[nodiscard]] Eigen::VectorXd least_norm(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, Eigen::VectorXd p);
 
 }  // namespace bentur

@@ -1,6 +1,7 @@
 // Impacts that take no time, and contacts that rest.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bentur/elements/complementarity.h"
 #include "bentur/solve/engine/run/elements.h"
@@ -66,10 +67,10 @@ void Elements::collide(Index element, double time, State& state) {
       a(n, m) = system_->coupling(i, at[m]);
     }
   }
-  const std::optional<Eigen::VectorXd> found = complementary(a, b);
+  std::optional<Eigen::VectorXd> found = complementary(a, b);
   failed_ = !found;
   if (failed_) return;
-  const Eigen::VectorXd p = least_norm(a, b, *found);
+  const Eigen::VectorXd p = least_norm(a, b, *std::move(found));
   for (Index n = 0; n < count; ++n) system_->push(at[n], p(n), state.v);
   for (Index n = 0; n < count; ++n) {
     const Index i = at[n];
