@@ -125,7 +125,7 @@ bool at_line_load(const TomlView& building, const InvalidParameter& error) {
 /// Says of a backbone of a frame's hinges that it cannot be followed, at its key; false as above.
 bool at_backbone(const TomlView& building, const InvalidParameter& error) {
   const auto frame = building.find("frame");
-  const std::string parameter(error.parameter());
+  const std::string& parameter = error.parameter();
   const std::size_t open = parameter.find('['), close = parameter.find("].backbone.");
   if (!frame || open == std::string::npos || close == std::string::npos) return false;
   const auto sections = frame->find(parameter.substr(0, open));
