@@ -50,7 +50,7 @@ class HingeLaw : public CoupledLaw {
     std::optional<double> broke;        ///< [s]
     /// Energy lost when it did, or when it snapped or failed [force·length], that of what is at rest included.
     double released = 0;
-    double strength_left = 1;           ///< of what it bore at yielding, on the side on which it came to its cap
+    double strength_left = 1;           ///< share of what it could bear when it came to its cap (H-18)
     std::optional<double> cap, failed;  ///< when it came to its cap, and when it had nothing left [s]
     std::optional<double> snapped;      ///< when it lost at once what it had to lose [s]
   };

@@ -7,6 +7,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/structure/frame/condensation.h"
 #include "bentur/structure/plan/plan.h"
+#include "tests/support/storeys_in_plan.h"
 
 namespace bentur {
 namespace {
@@ -85,16 +86,7 @@ TEST(PlanFrames, StoreysBearWhatActsAbove) {
   const PlanModel model = plan_model(plan);
   VectorXd x(9);
   x << 0.01, -0.02, 0.001, 0.03, 0.01, -0.002, 0.05, 0.02, 0.003;
-  const VectorXd forces = model.stiffness * x, storeys = model.storey_forces * x;
-  for (Index j = 0; j < 3; ++j) {
-    Eigen::Vector3d above = Eigen::Vector3d::Zero();
-    for (Index f = j; f < 3; ++f) {
-      const PlanPoint arm = plan.centres_of_mass[f] - plan.centres_of_mass[j];
-      above += forces.segment<3>(3 * f);
-      above.z() += arm.x() * forces(3 * f + 1) - arm.y() * forces(3 * f);
-    }
-    EXPECT_LE((storeys.segment<3>(3 * j) - above).cwiseAbs().maxCoeff(), 1e-12 * storeys.cwiseAbs().maxCoeff());
-  }
+  const VectorXd storeys = test::expect_storeys_bear_what_acts_above(plan, model, x);
   // Of its own plane the shear is the sum of the forces along it.
   double along = 0;
   for (const PlanModel::Plane& plane : model.planes) along += (plane.pushes.col(0) * (plane.shears.row(0) * x))(0);

@@ -10,6 +10,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/structure/modes.h"
+#include "tests/support/storeys_in_plan.h"
 
 namespace bentur {
 namespace {
@@ -102,19 +103,9 @@ TEST(PlanGeneric, StandsOnOneLineAndBearsWhatActsAbove) {
   stand_generic(generic, plan);
   const PlanPoint line((120 * 5.5 + 90 * 6.5 + 60 * 6.0) / 270 + 0.6, (120 * 4.0 + 90 * 5.0 + 60 * 4.5) / 270 + 0.2);
   for (Index j = 0; j < 3; ++j) EXPECT_LE((centre_of_rigidity(plan, j) - line).norm(), 1e-12);
-  const PlanModel model = plan_model(plan);
   VectorXd x(9);
   x << 0.01, -0.02, 0.001, 0.03, 0.01, -0.002, 0.05, 0.02, 0.003;
-  const VectorXd forces = model.stiffness * x, storeys = model.storey_forces * x;
-  for (Index j = 0; j < 3; ++j) {
-    Eigen::Vector3d above = Eigen::Vector3d::Zero();
-    for (Index f = j; f < 3; ++f) {
-      const PlanPoint arm = plan.centres_of_mass[f] - plan.centres_of_mass[j];
-      above += forces.segment<3>(3 * f);
-      above.z() += arm.x() * forces(3 * f + 1) - arm.y() * forces(3 * f);
-    }
-    EXPECT_LE((storeys.segment<3>(3 * j) - above).cwiseAbs().maxCoeff(), 1e-12 * storeys.cwiseAbs().maxCoeff());
-  }
+  test::expect_storeys_bear_what_acts_above(plan, plan_model(plan), x);
 }
 
 TEST(PlanGeneric, ImpossibleOnesAreRefused) {
