@@ -14,6 +14,7 @@ struct GroundInput {
   double value = 0;
   double slope = 0;
 
+  [[nodiscard]] bool operator==(const GroundInput&) const = default;
   /// `dt` [s] later.
   [[nodiscard]] GroundInput later(double dt, double nu) const {
     if (nu == 0.0) return {value + slope * dt, slope};

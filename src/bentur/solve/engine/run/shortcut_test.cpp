@@ -95,6 +95,36 @@ TEST(Shortcuts, TheSpeedsOfPointsAreThoseOfTheirFloors) {
   }
 }
 
+// Like buildings that move alike need no gap, which nothing is looked into for; with another start, delay or neighbour
+// they do, as those that differ by a part in 10¹² and are looked into all the way.
+TEST(Shortcuts, TwinsNeedAGapWhereTheyMoveApart) {
+  Eigen::MatrixXd mass = Eigen::Vector3d(2, 3, 1).asDiagonal(), stiffness(3, 3);
+  stiffness << 400, -200, 0, -200, 400, -200, 0, -200, 200;
+  SampledMotion motion{0.05, random_numbers(80, 5)};
+  for (int moves_apart = 0; moves_apart < 4; ++moves_apart) {
+    SCOPED_TRACE(moves_apart);
+    const auto solved = [&](double stiffer) {
+      const Building one = matrix_building(mass, stiffness, 0.4 * mass);
+      const Building other = matrix_building(mass, (moves_apart == 3 ? 1.2 : stiffer) * stiffness, 0.4 * mass);
+      Problem problem = pair(one, other, {contact(9, 1, 0), contact(9, 1, 1), contact(9, 1, 2)}, 6);
+      problem.motion = motion;
+      if (moves_apart == 1) problem.initial_velocity[1](2) = 0.1;
+      if (moves_apart == 2) problem.delays[1] = 0.123;
+      SolveOptions sampled;
+      sampled.output_step = 0.001;
+      return solve(problem, ExactSolver{}, sampled);
+    };
+    const Response twins = solved(1.0), looked = solved(1.0 + 1e-12);
+    for (std::size_t n = 0; n < 3; ++n) {
+      const double seen = 9.0 - twins.histories.opening.row(static_cast<Eigen::Index>(n)).minCoeff();
+      const double needed = twins.points[n].gap_needed;
+      EXPECT_NEAR(needed, looked.points[n].gap_needed, 1e-12);
+      EXPECT_NEAR(needed, seen, 1e-4 * seen + 1e-15);
+      EXPECT_EQ(needed > 1e-6, moves_apart > 0) << needed;
+    }
+  }
+}
+
 TEST(Shortcuts, LoseNoImpact) {
   int impacts = 0, still = 0;
   for (unsigned seed = 1; seed <= 150; ++seed) {

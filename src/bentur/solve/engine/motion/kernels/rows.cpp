@@ -8,18 +8,23 @@
 namespace bentur::engine::kernels {
 namespace {
 
+using Run = PackedRows::Run;
+
 /// Four rows of a matrix at two vectors, and Σ |w_rj| rise_j.
 struct Ends {
   Four start, end, beyond;
 };
-BENTUR_INLINE Ends ends_of_rows(Index columns, const double* weights, Four offset, const double* start,
-                                const double* end, const double* rise) {
+BENTUR_INLINE Ends ends_of_rows(const PackedRows& rows, Index r, Four offset, const double* start, const double* end,
+                                const double* rise) {
+  const double* weights = rows.from(r);
   Ends at{offset, offset, all(0.0)};
-  for (Index j = 0; j < columns; ++j) {
-    const Four weight = load(weights + four * j);
-    at.start += weight * all(start[j]);
-    at.end += weight * all(end[j]);
-    at.beyond += abs(weight) * all(rise[j]);
+  for (const Run& run : rows.runs(r)) {
+    for (Index j = run.begin; j < run.end; ++j) {
+      const Four weight = load(weights + four * j);
+      at.start += weight * all(start[j]);
+      at.end += weight * all(end[j]);
+      at.beyond += abs(weight) * all(rise[j]);
+    }
   }
   return at;
 }
@@ -39,7 +44,7 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* offset, const dou
     const Four so_far = load(reach_before + r);
     store(reach + r, so_far);
     if (every(so_far <= before)) continue;
-    const Ends at = ends_of_rows(rows.columns(), rows.from(r), load(offset + r), start, end, rise);
+    const Ends at = ends_of_rows(rows, r, load(offset + r), start, end, rise);
     const Four most = max(measure<of>(at.start), measure<of>(at.end));
     const Four high = max(before, most);
     store(peak + r, high);
@@ -69,7 +74,7 @@ template <Peaks of, int groups>
 BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, Index r, Index count, const double* x,
                                 Index stride, double* peak, double* values) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): registers
-  const Index columns = rows.columns();
+  const std::span<const Run> runs = rows.runs(r);
   const double* weights[groups];
   Four high[groups];
   Four rest[groups];
@@ -91,12 +96,14 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
     for (int g = 0; g < groups; ++g) {
       for (Index k = 0; k < four; ++k) value[g][k] = rest[g];
     }
-    for (Index j = 0; j < columns; ++j) {
-      Four weight[groups];
-      for (int g = 0; g < groups; ++g) weight[g] = load(weights[g] + four * j);
-      for (Index k = 0; k < four; ++k) {
-        const Four coordinate = all(at[k][j]);
-        for (int g = 0; g < groups; ++g) value[g][k] += weight[g] * coordinate;
+    for (const Run& run : runs) {
+      for (Index j = run.begin; j < run.end; ++j) {
+        Four weight[groups];
+        for (int g = 0; g < groups; ++g) weight[g] = load(weights[g] + four * j);
+        for (Index k = 0; k < four; ++k) {
+          const Four coordinate = all(at[k][j]);
+          for (int g = 0; g < groups; ++g) value[g][k] += weight[g] * coordinate;
+        }
       }
     }
     for (int g = 0; g < groups; ++g) {
@@ -106,7 +113,9 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
   for (; i < count; ++i) {
     for (int g = 0; g < groups; ++g) {
       Four value = rest[g];
-      for (Index j = 0; j < columns; ++j) value += load(weights[g] + four * j) * all(x[i * stride + j]);
+      for (const Run& run : runs) {
+        for (Index j = run.begin; j < run.end; ++j) value += load(weights[g] + four * j) * all(x[i * stride + j]);
+      }
       take(g, i, value);
     }
   }
@@ -125,22 +134,60 @@ BENTUR_INLINE void raise(const PackedRows& rows, const double* offset, Index cou
 }
 
 /// Of sums().
-BENTUR_INLINE void sum_products(Index count, const double* x, Index stride, Index n, const double* weights,
-                                double* result) {
-  const auto one = [&](Index i) __attribute__((always_inline)) { return product(n, weights, x + i * stride); };
+BENTUR_INLINE void sum_products(Index count, const double* x, Index stride, std::span<const Run> runs,
+                                const double* weights, double* result) {
+  const auto one = [&](Index i) __attribute__((always_inline)) {
+    Four total = all(0.0);
+    for (const Run& run : runs) {
+      for (Index j = run.begin; j < run.end; j += four) total += load(weights + j) * load(x + i * stride + j);
+    }
+    return total;
+  };
   Index i = 0;
   for (; i + four <= count; i += four) store(result + i, sums_of(one(i), one(i + 1), one(i + 2), one(i + 3)));
   for (; i < count; ++i) result[i] = sum(one(i));
 }
 
+/// Where `block` has columns that are not zero, a run for each stretch of them.
+std::vector<Run> runs_of(const Eigen::Ref<const Eigen::MatrixXd>& block) {
+  constexpr Index near = 4;  // columns of zeros that part no runs
+  std::vector<Run> runs;
+  for (Index j = 0; j < block.cols(); ++j) {
+    if ((block.col(j).array() == 0.0).all()) continue;
+    if (runs.empty() || j >= runs.back().end + near) runs.push_back({j, j});
+    runs.back().end = j + 1;
+  }
+  return runs;
+}
+
+/// The same as multiples of four, of `columns` at most.
+std::vector<Run> in_fours(const std::vector<Run>& runs, Index columns) {
+  std::vector<Run> whole;
+  for (const Run& run : runs) {
+    const Run wider{run.begin / four * four, std::min(columns, (run.end + four - 1) / four * four)};
+    if (!whole.empty() && wider.begin <= whole.back().end) {
+      whole.back().end = wider.end;
+    } else {
+      whole.push_back(wider);
+    }
+  }
+  return whole;
+}
+
 }  // namespace
 
 PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
-    : rows_((matrix.rows() + four - 1) / four * four), columns_(columns), weights_(rows_ * columns, 0.0) {
+    : rows_((matrix.rows() + four - 1) / four * four),
+      columns_(columns),
+      weights_(rows_ * columns, 0.0),
+      all_runs_(in_fours(runs_of(matrix), columns)) {
   for (Index r = 0; r < matrix.rows(); ++r) {
     for (Index j = 0; j < matrix.cols(); ++j) {
       weights_[r / four * four * columns + four * j + r % four] = matrix(r, j);
     }
+  }
+  for (Index r = 0; r < matrix.rows(); r += 8) {
+    runs_.push_back(runs_of(matrix.middleRows(r, std::min<Index>(8, matrix.rows() - r))));
   }
 }
 
@@ -164,13 +211,15 @@ bool reach_of_cubics(const PackedRows& rows, const double* offset, const CubicCu
     Ends at{load(offset + r), load(offset + r), all(0.0)};
     Four slope = all(0.0);
     Four slope_end = all(0.0);
-    for (Index j = 0; j < rows.columns(); ++j) {
-      const Four weight = load(weights + four * j);
-      at.start += weight * all(curves.start[j]);
-      at.end += weight * all(curves.end[j]);
-      slope += weight * all(curves.slope[j]);
-      slope_end += weight * all(curves.slope_end[j]);
-      at.beyond += abs(weight) * all(curves.rise[j]);
+    for (const Run& run : rows.runs(r)) {
+      for (Index j = run.begin; j < run.end; ++j) {
+        const Four weight = load(weights + four * j);
+        at.start += weight * all(curves.start[j]);
+        at.end += weight * all(curves.end[j]);
+        slope += weight * all(curves.slope[j]);
+        slope_end += weight * all(curves.slope_end[j]);
+        at.beyond += abs(weight) * all(curves.rise[j]);
+      }
     }
     const Four high = max(before, max(abs(at.start), abs(at.end)));
     const Four most = largest_size(at.start, at.end, slope, slope_end) + at.beyond;
@@ -185,7 +234,7 @@ BENTUR_FOR_ALL_PROCESSORS
 void ranges_of_rows(const PackedRows& rows, const double* start, const double* end, const double* rise, double* low,
                     double* high) {
   for (Index r = 0; r < rows.rows(); r += four) {
-    const Ends at = ends_of_rows(rows.columns(), rows.from(r), all(0.0), start, end, rise);
+    const Ends at = ends_of_rows(rows, r, all(0.0), start, end, rise);
     store(low + r, -max(-at.start, -at.end) - at.beyond);
     store(high + r, max(at.start, at.end) + at.beyond);
   }
@@ -257,8 +306,9 @@ void largest_shares(Index n, Index count, const double* values, const double* in
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void sums(Index count, const double* x, Index stride, Index n, const double* weights, double* result) {
-  sum_products(count, x, stride, n, weights, result);
+void sums(Index count, const double* x, Index stride, std::span<const Run> runs, const double* weights,
+          double* result) {
+  sum_products(count, x, stride, runs, weights, result);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -281,13 +331,15 @@ void mark_unsettled(Index n, const double* x, const double* y, Index stride, con
 
 BENTUR_FOR_ALL_PROCESSORS
 void lump(const PackedRows& rows, const double* limits, double* largest) {
-  for (Index j = 0; j < rows.columns(); ++j) {
-    Four most = all(0.0);
-    for (Index r = 0; r < rows.rows(); r += four) {
-      const Four share = abs(load(rows.from(r) + four * j)) / load(limits + r);
-      most = share > most ? share : most;  // 0/0 is no share
+  for (const Run& run : rows.runs()) {
+    for (Index j = run.begin; j < run.end; ++j) {
+      Four most = all(0.0);
+      for (Index r = 0; r < rows.rows(); r += four) {
+        const Four share = abs(load(rows.from(r) + four * j)) / load(limits + r);
+        most = share > most ? share : most;  // 0/0 is no share
+      }
+      largest[j] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
     }
-    largest[j] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
   }
 }
 
@@ -295,7 +347,8 @@ BENTUR_FOR_ALL_PROCESSORS
 void combine(const PackedRows& rows, Index r, const double* c, Index stride, int degree, double* scratch,
              double* polynomial) {
   for (Index j = 0; j < rows.columns(); ++j) scratch[j] = rows(r, j);
-  sum_products(degree + 1, c, stride, rows.columns(), scratch, polynomial);
+  const Run all_columns{0, rows.columns()};
+  sum_products(degree + 1, c, stride, {&all_columns, 1}, scratch, polynomial);
 }
 
 }  // namespace bentur::engine::kernels

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 /// Inner loops of the exact solver: sums over coordinates, many at a time. Each runs over coordinates in fours
@@ -46,9 +47,19 @@ class PackedRows {
   /// Four rows from row r on.
   [[nodiscard]] const double* from(Index r) const { return weights_.data() + r * columns_; }
 
+  /// Columns from `begin` up to `end`.
+  struct Run {
+    Index begin = 0, end = 0;
+  };
+  /// Those that the eight rows around row r depend on, or any row (multiples of four).
+  [[nodiscard]] std::span<const Run> runs(Index r) const { return runs_[r / 8]; }
+  [[nodiscard]] std::span<const Run> runs() const { return all_runs_; }
+
  private:
   Index rows_ = 0, columns_ = 0;
   std::vector<double> weights_;
+  std::vector<std::vector<Run>> runs_;  ///< of eight rows each
+  std::vector<Run> all_runs_;
 };
 
 /// Peaks are of sizes |Σ_j w_rj x_j + offset_r|, or of the sums themselves.
@@ -90,8 +101,9 @@ void raise_peaks(Peaks of, const PackedRows& weights, const double* offset, Inde
 /// is inverse to them; rows of zeros have no say.
 void largest_shares(Index n, Index count, const double* values, const double* inverse, double* share);
 
-/// Σ_j w_j x_j of `count` vectors x of n (a multiple of four) entries, `stride` apart.
-void sums(Index count, const double* x, Index stride, Index n, const double* weights, double* result);
+/// Σ_j w_j x_j of `count` vectors x, `stride` apart, over runs of columns (multiples of four).
+void sums(Index count, const double* x, Index stride, std::span<const PackedRows::Run> runs, const double* weights,
+          double* result);
 
 /// How many of n numbers x, a multiple of four, are not at most y.
 [[nodiscard]] Index count_above(Index n, const double* x, const double* y);
@@ -100,7 +112,7 @@ void sums(Index count, const double* x, Index stride, Index n, const double* wei
 void mark_unsettled(Index n, const double* x, const double* y, Index stride, const double* peak, double rest,
                     double* before);
 
-/// The largest |w_rj|/limit_r of every column j; rows of zeros have no say.
+/// The largest |w_rj|/limit_r of every column j that any row depends on; rows of zeros have no say.
 void lump(const PackedRows& weights, const double* limits, double* largest);
 
 /// The polynomial of row r of coordinates whose coefficients begin at `c`. `scratch` has as many entries as columns.

@@ -122,6 +122,52 @@ TEST(Kernels, PackedRowsAreFilledUpWithZeros) {
   }
 }
 
+// As if they had been multiplied, to the bit: bodies that stand between two, forces that few rows depend on.
+TEST(Kernels, ColumnsOfZerosArePassedOver) {
+  constexpr Index rows = 12, columns = 24, count = 7;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(rows, columns);
+  matrix.middleCols(4, 9).setZero();
+  matrix.topRightCorner(8, 8).setZero();
+  const PackedRows packed(matrix, columns);
+  ASSERT_EQ(packed.runs(0).size(), 2U);
+  EXPECT_EQ(packed.runs(4).back().end, 16);
+  EXPECT_EQ(packed.runs(8).back().end, 24);
+  ASSERT_EQ(packed.runs().size(), 2U);
+  EXPECT_EQ(packed.runs().back().begin, 12);
+  const Numbers x = random_numbers(count * columns, 21);
+  Numbers rise = random_numbers(columns, 22);
+  for (double& r : rise) r = std::abs(r);
+  const Numbers none(rows, 0.0);
+  Numbers peak(rows, 0.0), values(rows * count), low(rows), high(rows), sampled(rows, 0.0);
+  Numbers reach(rows, std::numeric_limits<double>::infinity()), limits(rows, 2.0), lumped(columns, 0.0), sum(1);
+  raise_peaks(Peaks::of_values, packed, none.data(), count, x.data(), columns, peak.data(), values.data());
+  ranges_of_rows(packed, x.data(), x.data() + columns, rise.data(), low.data(), high.data());
+  reach_of_samples(packed, none.data(), count, x.data(), rise.data(), sampled.data(), reach.data(), reach.data());
+  lump(packed, limits.data(), lumped.data());
+  sums(1, rise.data(), columns, packed.runs(), lumped.data(), sum.data());
+  EXPECT_EQ(sum[0], dot(columns, lumped.data(), rise.data()));
+  for (Index j = 0; j < columns; ++j) {
+    EXPECT_EQ(lumped[static_cast<std::size_t>(j)], matrix.col(j).cwiseAbs().maxCoeff() / 2.0);
+  }
+  for (Index r = 0; r < rows; ++r) {
+    const auto at = static_cast<std::size_t>(r);
+    double further = 0.0, largest = 0.0;
+    for (Index j = 0; j < columns; ++j) further += std::abs(matrix(r, j)) * rise[static_cast<std::size_t>(j)];
+    Numbers plain;
+    for (Index i = 0; i < count; ++i) {
+      double value = 0.0;
+      for (Index j = 0; j < columns; ++j) value += matrix(r, j) * x[static_cast<std::size_t>(i * columns + j)];
+      plain.push_back(value);
+      largest = std::max(largest, std::abs(value));
+      EXPECT_EQ(values[static_cast<std::size_t>(r / 4 * 4 * count + 4 * i + r % 4)], value);
+    }
+    EXPECT_EQ(peak[at], std::max(0.0, *std::max_element(plain.begin(), plain.end())));
+    EXPECT_EQ(low[at], std::min(plain[0], plain[1]) - further);
+    EXPECT_EQ(high[at], std::max(plain[0], plain[1]) + further);
+    EXPECT_EQ(reach[at], largest + further);
+  }
+}
+
 TEST(Kernels, ReachOfValuesIsOneSided) {
   const PackedRows packed(Eigen::MatrixXd::Identity(4, 4), 4);
   const Numbers start{-3, 1, 0, 2}, end{-1, -5, 0, 4}, rise{1, 1, 0, 1};
@@ -180,7 +226,8 @@ TEST(Kernels, SumsAreDotProducts) {
   constexpr Index n = 8, stride = 12, count = 7;
   const Numbers x = random_numbers(count * stride, 1), w = random_numbers(n, 2);
   Numbers result(count);
-  sums(count, x.data(), stride, n, w.data(), result.data());
+  const PackedRows::Run all_columns{0, n};
+  sums(count, x.data(), stride, {&all_columns, 1}, w.data(), result.data());
   for (Index i = 0; i < count; ++i) {
     EXPECT_EQ(result[static_cast<std::size_t>(i)], dot(n, w.data(), x.data() + i * stride));
   }
@@ -207,7 +254,7 @@ TEST(Kernels, GroupsThatCannotBeComparedAreOpen) {
 
 TEST(Kernels, WhatIsNoNumberIsBelowNothing) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const PackedRows packed(Eigen::MatrixXd::Zero(4, 4), 4);
+  const PackedRows packed(Eigen::MatrixXd::Identity(4, 4), 4);
   const Numbers none(4, 0.0), rise(4, infinity), unknown(4, infinity);  // a rise of 0 times infinity
   Numbers peak(4, 1.0), reach(4, 0.0);
   EXPECT_FALSE(reach_of_rows(Peaks::of_values, packed, none.data(), none.data(), none.data(), rise.data(), peak.data(),

@@ -44,7 +44,7 @@ void BoundedOutputs::take_ends(Index steps, const double* x, Index stride) {
 
 void BoundedOutputs::measure(Index steps, const double* rise, Index stride) {
   kernels::largest_shares(size(), ends_, values_.data(), inverse_.data(), shares_.data());
-  kernels::sums(steps, rise, stride, weights_.columns(), lumped_.data(), betweens_.data());
+  kernels::sums(steps, rise, stride, weights_.runs(), lumped_.data(), betweens_.data());
 }
 
 double BoundedOutputs::rise(Index quantity, const double* rise) const {

@@ -12,6 +12,23 @@ using Eigen::Index;
 
 constexpr std::size_t most_numbers_kept = 1U << 18U;  // of flights that are unsettled, at a time
 
+/// Whether two bodies move alike from equal states under equal inputs, and δ of all relations is zero while they do.
+bool are_twins(const ModalSystem& system, const RelationGroup& group, const ModalSystem::Relation* relations) {
+  const ModalSystem::Block &left = system.blocks[relations->left], &right = system.blocks[relations->right];
+  const auto same = [&](const auto& of) {
+    return of.segment(left.begin, left.size) == of.segment(right.begin, left.size);
+  };
+  if (&left == &right || left.size != right.size || left.modes != right.modes) return false;
+  if (left.size > left.modes + system.components()) return false;  // what yields has laws of its own
+  if (left.damping.has_value() != right.damping.has_value() || left.damping != right.damping) return false;
+  if (!same(system.omega_squared) || !same(system.two_sigma)) return false;
+  for (Index c = 0; c < system.components(); ++c) {
+    if (!same(system.gamma.col(c))) return false;
+  }
+  return std::all_of(relations, relations + group.count,
+                     [](const ModalSystem::Relation& relation) { return relation.left_row == -relation.right_row; });
+}
+
 State zero_state(Index size) { return {Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)}; }
 
 }  // namespace
@@ -31,6 +48,7 @@ SpanWatch::SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::R
   for (RelationGroup& group : groups_) {
     const auto& [left, right] = std::pair{relations_[group.first].left, relations_[group.first].right};
     bodies_.push_back(left == right ? std::vector{left} : std::vector{left, right});
+    twins_.push_back(are_twins(system, group, relations_.data() + group.first) ? 1 : 0);
     for (Index n = 0; n < group.count; ++n) {
       nearest_[group.first + n].reach = std::max(0.0, relations_[group.first + n].along(system.initial_q));
       group.rows.peak(n) = nearest_[group.first + n].reach;
@@ -87,9 +105,23 @@ void SpanWatch::take(const StepBuffer& buffer) {
         search(group, buffer.curves(blocks[first.left], step), buffer.curves(blocks[first.right], step), start(step));
         continue;
       }
-      keep(buffer, step, g, start(step));
+      if (!moves_alike(buffer, step, g)) keep(buffer, step, g, start(step));
     }
   }
+}
+
+/// Whether two like bodies fly alike: δ stays what it is at the start.
+bool SpanWatch::moves_alike(const StepBuffer& buffer, Index step, std::size_t g) const {
+  if (twins_[g] == 0) return false;
+  const ModalSystem::Block &left = system_->blocks[bodies_[g][0]], &right = system_->blocks[bodies_[g][1]];
+  const auto same = [&](const double* x) {
+    return std::equal(x + left.begin, x + left.begin + left.size, x + right.begin);
+  };
+  const GroundInput* inputs = buffer.inputs(step);
+  const Index ways = system_->components();
+  const bool driven_alike =
+      std::equal(inputs + bodies_[g][0] * ways, inputs + (bodies_[g][0] + 1) * ways, inputs + bodies_[g][1] * ways);
+  return driven_alike && same(buffer.q(step)) && same(buffer.v(step));
 }
 
 /// A flight, which has just been looked at for a group.

@@ -68,6 +68,7 @@ class SpanWatch {
     State middle, end;
   };
 
+  [[nodiscard]] bool moves_alike(const StepBuffer& buffer, Eigen::Index step, std::size_t group) const;
   void keep(const StepBuffer& buffer, Eigen::Index step, std::size_t group, double time);
   [[nodiscard]] bool settled(const Unsettled& flight) const;
   void replay(const Stretch& stretch, const State& from, Tools& tools);
@@ -83,6 +84,7 @@ class SpanWatch {
   std::vector<RelationGroup> groups_;
   std::vector<Reach> nearest_;
   std::vector<std::vector<Eigen::Index>> bodies_;  ///< of each group, one or two
+  std::vector<char> twins_;                        ///< of each group: are_twins()
   double rate_;                                    ///< growth bound of a power series in flight [1/s]
   std::vector<Unsettled> unsettled_;
   std::vector<double> kept_;
