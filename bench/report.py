@@ -245,6 +245,14 @@ def plans(pair, blocks):
     return text + table(["houses", "gaps", "impacts", "1 cm", "30 cm", "a house", "an impact"], rows) + "\n"
 
 
+def beside_opensees(folder, name, title):
+    """What one of the scripts that model a single case in OpenSees has printed."""
+    path = folder / f"{name}.md"
+    if not path.exists() or not (text := path.read_text().strip()):
+        return ""
+    return f"{title} beside OpenSees 3.7.1, error of each over the largest of its kind. {text}\n\n"
+
+
 def parts(path):
     if not path.exists():
         return ""
@@ -312,7 +320,10 @@ def main():
     text += "### Accuracy and time\n\n" + accuracies(cases, heyoka)
     text += "### Growth and the floor\n\n" + cost_model(read(folder / "growth.csv"), read(folder / "rates.csv"))
     text += "### Hinges\n\n" + hinges(read(folder / "hinges.csv"))
+    text += beside_opensees(folder, "hinged-frame", "A frame of two bays and two storeys with hinges against a wall,")
     text += "### Buildings in plan\n\n" + plans(read(folder / "plan_pair.csv"), read(folder / "blocks.csv"))
+    text += beside_opensees(folder, "plan-pair", "Two buildings of three storeys in plan that strike,")
+    text += beside_opensees(folder, "plan-pair-rubbing", "The same with friction of 0.3,")
     text += "### Parts\n\n" + parts(folder / "parts.json")
     text = wrapped(text)
     (folder / "results.md").write_text(text)

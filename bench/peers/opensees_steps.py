@@ -1,4 +1,4 @@
-"""What opensees_column.py, opensees_hinges.py and opensees_yielding.py share: a case is solved at ever smaller steps, a
+"""What opensees_column.py, opensees_hinges.py, opensees_plan.py and opensees_yielding.py share: a case is solved at ever smaller steps, a
 table told of it."""
 
 import json
@@ -27,6 +27,8 @@ def record(case, folder):
     units = case.get("units", {})
     metre = {"m": 1.0, "cm": 100.0, "mm": 1000.0}[units.get("length", "m")]
     factor = {"g": units.get("gravity", 9.80665 * metre), "m/s2": metre}[excitation["unit"]] * excitation.get("scale", 1.0)
+    if "pga" in excitation:
+        factor = excitation["pga"] / max(map(abs, values))
     return times[1] - times[0], [factor * value for value in values]
 
 

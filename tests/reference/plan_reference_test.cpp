@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 const fs::path plan_folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference" / "plan";
 const std::set<std::string> cases = {"plan-asymmetric-pair", "plan-symmetric", "plan-friction", "plan-l-of-three"};
-// Its edges touch at rest. A contact that rubs begins where δ leaves the band of its round-off, 6 to 9e-5 s after the
-// start, and the durations of contact are so much shorter; all other numbers are held against the answers.
+// Its edges touch at rest, and push from the start on, as they do without friction. The answers have three of four ends
+// begin 4e-6 s later, where δ, which grows as t⁴, leaves their round-off: durations may be so much longer.
 const std::string touches_at_rest = "plan-yielding-planes";
 
 void judge_plan(const std::string& name, const Solver& solver, int factor) {
@@ -40,7 +40,12 @@ void judge_plan(const std::string& name, const Solver& solver, int factor) {
   std::string expected = (plan_folder / (name + ".expected.json")).string();
   if (name == touches_at_rest) {
     nlohmann::json answers = nlohmann::json::parse(std::ifstream(expected));
-    for (auto& point : answers.at("gaps").at(0).at("points")) EXPECT_EQ(point.erase("contact_duration"), 1U);
+    auto& points = answers.at("gaps").at(0).at("points");
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      const double later = response.points.at(n).contact_duration - points[n].at("contact_duration").get<double>();
+      EXPECT_NEAR(later, 2.5e-6, 2.5e-6) << n;
+      points[n].erase("contact_duration");
+    }
     expected = stem + "-answers.json";
     std::ofstream(expected) << answers;
   }

@@ -98,7 +98,7 @@ Elements::Elements(const ModalSystem& system, const Laws& laws, Index idle, cons
       along_(rubbing_.size(), 0.0),
       coupled_(system, laws.coupled, offsets_, state),
       monitor_(watched(system, laws), system.size),
-      touches_(laws_.size()),
+      touches_(laws_.size() + rubbing_.size()),
       leaves_band_(laws_.size(), 0),
       log_(laws_.size() + rubbing_.size()),
       accounts_(laws_.size()),
@@ -327,23 +327,36 @@ void Elements::accumulate(const Expansion& motion, double time, double end) {
   accumulate_rubbing(motion, time, end);
 }
 
+/// Of the opening of bodies that are apart, over a step up to a state.
+void Elements::note_touch(Touch& touch, const Opening& of, const Step& step, const State& state) {
+  if (monitor_.stays(of.at) || deformation(of.at, state) < of.surface) {
+    touch = {};
+    return;
+  }
+  Polynomial beyond = step.motion.deformation(of.at);
+  beyond[0] -= of.surface;
+  const auto zero = last_zero(beyond, step.end);
+  // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
+  // it has been negative since the start of the step, or before.
+  const bool leaves = of.leaves_band || value(beyond, step.end) > of.band;
+  if (!zero && leaves && touch.time >= 0.0) return;
+  const double s = zero.value_or(leaves ? 0.0 : step.end);
+  touch = {step.time + s * step.motion.h(), first_derivative(beyond, s) / step.motion.h()};
+}
+
 void Elements::note_touches(const Expansion& motion, double time, double end, const State& state) {
   for (Index i = idle_; i < count(); ++i) {
     if (!awaits(i)) continue;
-    const double touch = surface(branches_[i]);
-    if (monitor_.stays(i) || deformation(i, state) < touch) {
-      touches_[i] = {};
-      continue;
-    }
-    Polynomial beyond = motion.deformation(i);
-    beyond[0] -= touch;
-    const auto zero = last_zero(beyond, end);
-    // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
-    // it has been negative since the start of the step, or before.
-    const bool leaves = leaves_band_[i] != 0 || value(beyond, end) > tolerances_[i];
-    if (!zero && leaves && touches_[i].time >= 0.0) continue;
-    const double s = zero.value_or(leaves ? 0.0 : end);
-    touches_[i] = {time + s * motion.h(), first_derivative(beyond, s) / motion.h()};
+    note_touch(touches_[i], {i, surface(branches_[i]), tolerances_[i], leaves_band_[i] != 0}, {motion, time, end},
+               state);
+  }
+  for (std::size_t n = 0; n < rubbing_.size(); ++n) {
+    const Rub of = rub(n);
+    const Branch normal = of.law->normal().branch(of.law->normal_state(coupled_.states()[of.coupled]));
+    if (normal.bodies != Bodies::apart) continue;
+    const double at = surface(normal), band = tolerances_[of.at];
+    const bool leaves = value(motion.deformation(of.at), 1.0) - at > band;  // were the step not cut
+    note_touch(touches_[of.log], {of.at, at, 0.5 * band, leaves}, {motion, time, end}, state);
   }
   if (end * motion.h() > 0.0) coupled_.go_on();
 }

@@ -195,6 +195,23 @@ class Elements {
   [[nodiscard]] bool touches(const Rub& of) const;
   void accumulate_rubbing(const Expansion& motion, double time, double end);
   void change_coupled(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
+  /// When the opening of bodies that are apart last was zero, and δ̇ then; negative time: it is above zero.
+  struct Touch {
+    double time = -1;
+    double closing_speed = 0;
+  };
+  /// Where it is zero, and how far beyond round-off may go.
+  struct Opening {
+    Eigen::Index at = 0;  ///< element
+    double surface = 0, band = 0;
+    bool leaves_band = false;  ///< in the step last looked at
+  };
+  /// [0, end] of an expanded step that began at `time`.
+  struct Step {
+    const Expansion& motion;
+    double time = 0, end = 0;
+  };
+  void note_touch(Touch& touch, const Opening& of, const Step& step, const State& state);
   [[nodiscard]] CoupledElements::Bands bands() const;
   [[nodiscard]] Eigen::VectorXd acceleration(const State& state, const std::vector<GroundInput>& inputs) const;
 
@@ -216,12 +233,7 @@ class Elements {
   ElementForces forces_;
   bool may_fly_ = true;
   bool any_touching_ = false;
-  /// When the opening of bodies that are apart last was zero, and δ̇ then; negative time: it is above zero.
-  struct Touch {
-    double time = -1;
-    double closing_speed = 0;
-  };
-  std::vector<Touch> touches_;
+  std::vector<Touch> touches_;     ///< per element, then of what rubs
   std::vector<char> leaves_band_;  ///< whether the opening of such bodies does, in the step last looked at
   ImpactLog log_;
   std::vector<Account> accounts_;

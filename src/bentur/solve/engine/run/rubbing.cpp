@@ -1,5 +1,8 @@
 // Impacts of contacts that rub.
 #include "bentur/contact/laws/rubbing.h"
+
+#include <algorithm>
+
 #include "bentur/solve/engine/run/elements.h"
 
 namespace bentur::engine {
@@ -56,12 +59,17 @@ void Elements::change_coupled(const Event& event, double time, const std::vector
   const LawState after = normal();
   const bool touches = law.branch(after).touching();
   const double depth = deformation(of.at, state);
-  const double closing = speed(of.at, state);
+  double start = time, closing = speed(of.at, state);
   if (touched) log_.under_way(of.log).energy_lost += law.stored_energy(before, depth);
   if (touched && !touches) log_.end(of.log, time, -closing);
   began_ = !touched && touches;
   if (began_) {
-    log_.begin(of.log, time, from_rest(of.at, closing) ? 0.0 : closing, law.stored_energy(after, depth));
+    if (touches_[of.log].time >= 0.0) {
+      start = std::min(touches_[of.log].time, time);  // both are sums, to their round-off
+      closing = touches_[of.log].closing_speed;
+      touches_[of.log] = {};
+    }
+    log_.begin(of.log, start, from_rest(of.at, closing) ? 0.0 : closing, law.stored_energy(after, depth));
     log_.under_way(of.log).point = system_->switched + static_cast<Index>(of.number);
   } else if (touches) {
     log_.under_way(of.log).energy_lost -= law.stored_energy(after, depth);
