@@ -1,7 +1,9 @@
 // Rows of frames and links stood in plan, by their case files: symmetric floors, shaken along x. And what turns them.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
+
 #include <cmath>
 #include <string>
 
@@ -277,6 +279,52 @@ TEST(PlanParts, AnEccentricLinkTurnsABuilding) {
     EXPECT_GT(turned, 0.005);
     EXPECT_GT(run.response.links[0].peak_compression, 0);
   }
+}
+
+/// The same floor and wall, turned by the angle whose cosine and sine are given, as polygons.
+PlanRun tied_to_a_turned_wall(double c, double s, const std::string& along) {
+  const auto turned = [&](double x, double y) {
+    return fmt::format("[{:.17g}, {:.17g}]", c * x - s * y, s * x + c * y);
+  };
+  const auto polygon = [&](double from, double to) {
+    return "polygon = [" + turned(from, 0) + ", " + turned(to, 0) + ", " + turned(to, 12) + ", " + turned(from, 12) +
+           "]";
+  };
+  return plan_run(
+      units + "[plan]\nclearance = 0.6\ncontact = { law = \"linear\", stiffness = 1e5 }\n" +
+          "[[building]]\nname = \"A\"\ndamping = 0\nplan = { " + polygon(0, 8) +
+          ", storey_heights = [3], masses = [50] }\nrigidity = { centre = " + turned(4, 6) +
+          ", x = 5e3, y = 5e3, torsion = 9e4 }\n[[building]]\nname = \"W\"\nrigid = true\nelevations = [3]\nplan = { " +
+          polygon(8.5, 9.5) +
+          " }\n[[link]]\nbetween = [\"A\", \"W\"]\nelevations = [3]\nlaw = \"spring-dashpot\"\nstiffness = 4e3\n" +
+          fmt::format("at = {:.17g}\n", s * 8.25 + c * 10) + along +
+          "[excitation]\nkind = \"none\"\n[initial]\nvelocities = { A = [" +
+          fmt::format("[{:.17g}, {:.17g}, 0]", 0.5 * c - 0.3 * s, 0.5 * s + 0.3 * c) +
+          "] }\n[analysis]\nduration = 2\n",
+      0.1);
+}
+
+TEST(PlanParts, ALinkAcrossObliqueEdgesIsThatOfTheTurnedPlan) {
+  const PlanRun straight = tied_to_a_turned_wall(1, 0, ""), oblique = tied_to_a_turned_wall(0.8, 0.6, "");
+  ASSERT_EQ(oblique.response.status, Status::done) << oblique.response.message;
+  const PlanLink& link = oblique.problem.links.at(0);
+  EXPECT_TRUE(link.stretch.is_oblique());
+  EXPECT_NEAR((link.direction - PlanPoint(0.8, 0.6)).norm(), 0, 1e-14);
+  EXPECT_NEAR((link.stretch.middle(link.along) - PlanPoint(0.6, 12.95)).norm(), 0, 1e-12);
+  double turned = 0;
+  for (std::size_t i = 0; i < straight.response.histories.time.size(); ++i) {
+    const double wanted = straight.response.histories.rotation[0](0, i);
+    EXPECT_NEAR(oblique.response.histories.rotation[0](0, i), wanted, 1e-12);
+    turned = std::max(turned, std::abs(wanted));
+  }
+  EXPECT_GT(turned, 0.005);
+  const LinkSummary &found = oblique.response.links.at(0), &wanted = straight.response.links.at(0);
+  EXPECT_NEAR(found.peak_compression, wanted.peak_compression, 1e-11 * wanted.peak_compression);
+  EXPECT_NEAR(found.peak_opening, wanted.peak_opening, 1e-11 * wanted.peak_opening);
+  // Along an axis of the plan it is another link.
+  const PlanRun along_x = tied_to_a_turned_wall(0.8, 0.6, "along = \"x\"\n");
+  EXPECT_EQ(along_x.problem.links.at(0).direction, PlanPoint::UnitX());
+  EXPECT_GT(std::abs(along_x.response.links.at(0).peak_compression - wanted.peak_compression), 1);
 }
 
 }  // namespace

@@ -86,7 +86,8 @@ const KeyTable& link_keys() {
              .optional("as in a gap"),
          Key::number(
              "at", dimension::length, Range::level, {"Place along the joint", "Letak sepanjang celah"},
-             "of buildings in plan: the coordinate along their joint, within the part where they face each other")
+             "of buildings in plan: the coordinate along their joint, the x or y that its middle runs along, within the part "
+             "where they face each other")
              .optional("needed in plan"),
          Key::choice("along", {"x", "y"}, {"Along", "Sejajar"}, "of buildings in plan: the axis that it acts along")
              .optional("across the joint")}};

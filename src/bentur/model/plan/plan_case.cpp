@@ -1,5 +1,7 @@
 #include "bentur/model/plan/plan_case.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -114,7 +116,7 @@ std::vector<PlanLink> links_of(const std::vector<PlanLinkSpec>& specs, const std
   for (const PlanLinkSpec& spec : specs) {
     const PlanBuilding &left = buildings.at(spec.link.left), &right = buildings.at(spec.link.right);
     for (Link& link : links_of(spec.link, levels_of(left.model), levels_of(right.model), {left.name, right.name})) {
-      links.push_back({std::move(link), spec.stretch, spec.at, PlanPoint::Unit(spec.coordinate)});
+      links.push_back({std::move(link), spec.stretch, spec.at, spec.direction});
     }
   }
   return links;
@@ -128,6 +130,13 @@ std::vector<std::vector<Eigen::Index>> links_by_spec(const std::vector<PlanLinkS
 
 std::string link_name(const PlanProblem& problem, const PlanLink& link) {
   return problem.buildings.at(link.link.left).name + " – " + problem.buildings.at(link.link.right).name;
+}
+
+std::string link_along(const PlanLink& link) {
+  const PlanPoint& along = link.direction;
+  if (along == PlanPoint::UnitX()) return "x";
+  if (along == PlanPoint::UnitY()) return "y";
+  return fmt::format("({:.4g}, {:.4g})", along.x(), along.y());
 }
 
 PlanProblem make_plan_problem(const PlanCase& c) {

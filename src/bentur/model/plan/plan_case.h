@@ -43,8 +43,8 @@ struct PlanGapSpec {
 struct PlanLinkSpec {
   LinkSpec link;  ///< of L and R of the stretch, whichever comes first in the case
   Stretch stretch;
-  double at = 0;       ///< on the stretch [length]
-  int coordinate = 0;  ///< that it acts along: 0 x, 1 y
+  double at = 0;                             ///< on the stretch [length]
+  PlanPoint direction = PlanPoint::UnitX();  ///< that it acts along, of length 1
 };
 
 /// A case as plain data, validated, in its own consistent units.
@@ -89,6 +89,8 @@ struct PlanCase {
 [[nodiscard]] std::vector<std::vector<Eigen::Index>> links_by_spec(const std::vector<PlanLinkSpec>& specs);
 /// "A – B".
 [[nodiscard]] std::string link_name(const PlanProblem& problem, const PlanLink& link);
+/// What it acts along: "x", "y" or a direction such as "(0.6, 0.8)".
+[[nodiscard]] std::string link_along(const PlanLink& link);
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
 [[nodiscard]] PlanProblem make_plan_problem(const PlanCase& c);

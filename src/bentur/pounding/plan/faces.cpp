@@ -170,6 +170,19 @@ std::vector<double> Stretch::corners_along() const {
   return all;
 }
 
+double Stretch::coordinate(double along) const { return is_oblique() ? middle(along)[1 - across] : along; }
+
+std::optional<double> Stretch::along_at(double coordinate) const {
+  if (!is_oblique()) return coordinate >= from && coordinate <= to ? std::optional(coordinate) : std::nullopt;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const double low = corners[i - 1].along, high = corners[i].along;
+    const double at_low = this->coordinate(low), at_high = this->coordinate(high);
+    const double part = (coordinate - at_low) / (at_high - at_low);
+    if (part >= 0 && part <= 1) return low + part * (high - low);
+  }
+  return std::nullopt;
+}
+
 bool Stretch::is_parallel() const { return corners.size() == 2 && corners[0].beyond == 0 && corners[1].beyond == 0; }
 
 bool Stretch::is_oblique() const { return !is_parallel() || n[across] != 1; }

@@ -39,6 +39,10 @@ struct Stretch {
   /// Between the corners on straight lines. @throws std::out_of_range where it has none
   [[nodiscard]] StretchCorner at(double along) const;
   [[nodiscard]] std::vector<double> corners_along() const;
+  /// The plan's coordinate of that middle which runs along the joint, x or y: `along` itself of edges parallel to one.
+  [[nodiscard]] double coordinate(double along) const;
+  /// Where along the stretch that coordinate is; nothing outside it.
+  [[nodiscard]] std::optional<double> along_at(double coordinate) const;
   /// Whether two edges that are parallel to one another face each other and nothing else does.
   [[nodiscard]] bool is_parallel() const;
   /// These are not parallel to x or y, or it is of others.

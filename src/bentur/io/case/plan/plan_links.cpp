@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
@@ -7,18 +9,20 @@
 namespace bentur {
 namespace {
 
-/// The place of a link along its joint, and the axis that it acts along.
+/// The place of a link along its joint, and what it acts along.
 void read_place(const TableView& link, PlanLinkSpec& spec) {
   const std::optional<double> at = link.number("at");
   if (!link.has("at")) link.error_missing("at", "the coordinate along the joint");
   const Stretch& joint = spec.stretch;
-  if (at && !(*at >= joint.from && *at <= joint.to)) {
+  const std::optional<double> along = at ? joint.along_at(*at) : std::nullopt;
+  if (at && !along) {
+    const auto [from, to] = std::minmax({joint.coordinate(joint.from), joint.coordinate(joint.to)});
     link.get("at")->error_value(
-        fmt::format("must be where the buildings face each other, from {:.6g} to {:.6g}", joint.from, joint.to));
+        fmt::format("must be where the buildings face each other, from {:.6g} to {:.6g}", from, to));
   }
-  spec.at = at.value_or(0);
-  spec.coordinate = joint.across;
-  if (link.has("along")) spec.coordinate = link.word("along") == "y" ? 1 : 0;
+  spec.at = along.value_or(joint.from);
+  spec.direction = joint.is_oblique() ? joint.normal(spec.at) : PlanPoint::Unit(joint.across);
+  if (link.has("along")) spec.direction = PlanPoint::Unit(link.word("along") == "y" ? 1 : 0);
 }
 
 }  // namespace
@@ -43,11 +47,7 @@ std::vector<PlanLinkSpec> read_plan_links(const TomlView& root, const std::vecto
     if (known) {
       const auto [one, other] = *sides;
       const auto joint = facing(buildings[one].spec.footprint(), buildings[other].spec.footprint());
-      if (joint && joint->is_oblique()) {
-        link->find("between")->error(fmt::format("is across edges that are not parallel to x or y, of {} and {}",
-                                                 in_quotes(buildings[one].spec.name),
-                                                 in_quotes(buildings[other].spec.name)));
-      } else if (joint) {
+      if (joint) {
         spec.stretch = *joint;
         if (joint->swapped) sides = {other, one};
         read_place(*link, spec);

@@ -77,6 +77,13 @@ Json plan_point_json(const PlanRun& run, Index index) {
   return json;
 }
 
+/// "x" or "y", or of others the components.
+Json direction_json(const PlanPoint& direction) {
+  if (direction == PlanPoint::UnitX()) return "x";
+  if (direction == PlanPoint::UnitY()) return "y";
+  return {direction.x(), direction.y()};
+}
+
 /// "x" or "y", or of edges that are not parallel to them its components.
 Json normal_json(const Stretch& stretch) {
   if (stretch.is_oblique()) return {stretch.n.x(), stretch.n.y()};
@@ -119,8 +126,8 @@ Json plan_link_json(const PlanRun& run, std::size_t index) {
   const PlanLink& link = run.problem.links[index];
   Json json = {{"between", {run.problem.buildings[link.link.left].name, run.problem.buildings[link.link.right].name}},
                {"elevation", link.link.elevation},
-               {"at", link.along},
-               {"along", link.direction.x() == 1 ? "x" : "y"}};
+               {"at", link.stretch.coordinate(link.along)},
+               {"along", direction_json(link.direction)}};
   put_quantities(json, PlanOwner::link, run, {{static_cast<Index>(index)}});
   json["link"] = {{"kind", link.link.kind}};
   for (const auto& [name, value] : link.link.law->parameters()) json["link"][std::string(name)] = value;

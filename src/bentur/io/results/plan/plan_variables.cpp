@@ -279,7 +279,7 @@ void tell_links(const PlanProblem& problem, const ResultDimension& links, const 
   for (const PlanLink& link : problem.links) {
     left.push_back(problem.buildings[link.link.left].name);
     right.push_back(problem.buildings[link.link.right].name);
-    along.emplace_back(link.direction.x() == 1 ? "x" : "y");
+    along.push_back(link_along(link));
     elevation.push_back(link.link.elevation);
     const PlanPoint at = link.stretch.middle(link.along);
     x.push_back(at.x());
@@ -287,7 +287,7 @@ void tell_links(const PlanProblem& problem, const ResultDimension& links, const 
   }
   teller.tell({"link_left", {links}, "", "building to the left of the links, or below", {}, left});
   teller.tell({"link_right", {links}, "", "building to the right of the links, or above", {}, right});
-  teller.tell({"link_along", {links}, "", "coordinate along which the links act", {}, along});
+  teller.tell({"link_along", {links}, "", "direction along which the links act", {}, along});
   if (length.empty()) return;
   teller.tell({"link_elevation", {links}, length, "elevation of the links", {}, elevation});
   teller.tell({"link_x", {links}, length, "x of the links, in the middle of the gap", {}, x});

@@ -210,7 +210,7 @@ class PlanPage {
       elevation.push_back(link.link.elevation);
       x.push_back(at.x());
       y.push_back(at.y());
-      along.emplace_back(link.direction.x() == 1 ? "x" : "y");
+      along.push_back(link_along(link));
     }
     HtmlTable table;
     table.add(say_("column.elevation"), length_, elevation);
