@@ -68,6 +68,12 @@ std::string plane_table(const PlanRun& run, Index building, const Words& say) {
          with_columns(std::move(table), table_columns(PlanOwner::plane, false, run, places, say.number()));
 }
 
+std::string foundation_table(const PlanRun& run, Index building, const Words& say) {
+  std::vector<TableColumn> columns = table_columns(PlanOwner::building, false, run, {{building}}, say.number());
+  if (columns.empty()) return {};
+  return "\n" + say("plan.foundation") + "\n\n" + with_columns(Table(), std::move(columns));
+}
+
 /// The links of each [[link]] of the case, from the top down.
 std::string link_tables(const PlanRun& run, const Words& say) {
   std::string text;
@@ -114,7 +120,7 @@ std::string plan_summary_text(const PlanRun& run, const Words& say) {
     text += "\n" + say("cli.peaks", {{"building", problem.buildings[b].name}}) + "\n\n";
     text += floor_table(run, b, false, say) + "\n" + floor_table(run, b, true, say);
     if (problem.buildings[b].is_rigid()) text += "  " + say("cli.moves") + "\n";
-    text += plane_table(run, b, say);
+    text += foundation_table(run, b, say) + plane_table(run, b, say);
   }
   text += "\n" + say("cli.storeys") + "\n\n" + story_text(gaps, story, say, Told::remarks);
   if (run.response.energy) {

@@ -77,6 +77,14 @@ void read_gravity(const TableView& table, ReadBuilding& building);
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TableView& table, double gravity, ReadBuilding& building);
 
+/// case_support.cpp: [building.soil] of a building in plan; nothing (and an error) where it says too little to go on.
+[[nodiscard]] std::optional<PlanSoil> read_soil_in_plan(const TomlView& given, const Footprint& footprint);
+
+/// case_support.cpp: [building.isolation] of a building in plan whose floors are known; nothing (and an error) where it
+/// says too little to go on. @param gravity [length/s²] of what lies on bearings that need it
+[[nodiscard]] std::optional<PlanIsolation> read_isolation_in_plan(const TomlView& given, const Plan& plan,
+                                                                  double gravity);
+
 /// case_columns.cpp: `columns` of a stick or a generic building.
 void read_storey_columns(const TableView& view, std::size_t storeys, BuildingSpec& spec);
 

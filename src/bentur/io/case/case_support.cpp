@@ -3,6 +3,7 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/structure/plan/plan_support.h"
 
 namespace bentur {
 namespace {
@@ -46,26 +47,30 @@ void read_isolation(const TomlView& given, ReadBuilding& building) {
   building.spec.isolation = spec;
 }
 
+std::optional<HalfSpace> read_half_space(const TableView& view) {
+  const auto half_space = view.table("half_space");
+  if (!half_space) return std::nullopt;
+  return HalfSpace{.shear_wave_velocity = half_space->number("shear_wave_velocity").value_or(0),
+                   .density = half_space->number("density").value_or(0),
+                   .poisson = half_space->number("poisson").value_or(0),
+                   .radius = half_space->number("radius").value_or(0)};
+}
+
 void read_soil(const TomlView& given_soil, ReadBuilding& building) {
   const auto table = TableView::of(given_soil, soil_keys());
   if (!table) return;
   const TableView& view = *table;
+  view.refuse({"sway_y", "rocking_y", "twist"}, "goes with plan, which is not given");
   SoilSpec spec;
   if (view.has("half_space")) {
     view.refuse({"sway", "rocking"}, "follows from half_space: give one of them");
-    if (const auto half_space = view.table("half_space")) {
-      HalfSpace given;
-      given.shear_wave_velocity = half_space->number("shear_wave_velocity").value_or(0);
-      given.density = half_space->number("density").value_or(0);
-      given.radius = half_space->number("radius").value_or(0);
-      given.poisson = half_space->number("poisson").value_or(0);
-      spec.half_space = given;
-    }
+    spec.half_space = read_half_space(view);
   } else {
     spec.soil.sway = read_impedance(view, "sway");
     spec.soil.rocking = read_impedance(view, "rocking");
   }
   if (const auto foundation = view.table("foundation")) {
+    foundation->refuse({"inertia_y", "twist_inertia"}, "goes with plan, which is not given");
     spec.soil.mass = foundation->number("mass").value_or(0);
     spec.soil.inertia = foundation->number("inertia").value_or(0);
   }
@@ -73,6 +78,43 @@ void read_soil(const TomlView& given_soil, ReadBuilding& building) {
 }
 
 }  // namespace
+
+std::optional<PlanSoil> read_soil_in_plan(const TomlView& given, const Footprint& footprint) {
+  const auto table = TableView::of(given, soil_keys());
+  if (!table) return std::nullopt;
+  const TableView& view = *table;
+  PlanSoil soil;
+  if (const auto foundation = view.table("foundation")) {
+    soil.mass = foundation->number("mass").value_or(0);
+    soil.inertia_x = foundation->number("inertia").value_or(0);
+    soil.inertia_y = foundation->number("inertia_y").value_or(soil.inertia_x);
+    soil.twist_inertia = foundation->number("twist_inertia").value_or(soil.mass * footprint.radius2());
+    const auto twist = view.find("twist");
+    if (twist && !twist->is(TomlValue::Kind::table)) {
+      foundation->refuse({"twist_inertia"}, "goes with a twist that is not rigid");
+    }
+  }
+  if (view.has("half_space")) {
+    view.refuse({"sway", "rocking", "sway_y", "rocking_y", "twist"}, "follows from half_space: give one of them");
+    const auto half_space = read_half_space(view);
+    const bool is_whole = half_space && half_space->shear_wave_velocity > 0 && half_space->density > 0 &&
+                          half_space->radius > 0 && soil.mass > 0 && soil.inertia_x > 0 && soil.inertia_y > 0;
+    return is_whole ? std::optional(soil_in_plan(*half_space, soil)) : std::nullopt;
+  }
+  soil.sway_x = read_impedance(view, "sway");
+  soil.rocking_x = read_impedance(view, "rocking");
+  soil.sway_y = view.has("sway_y") ? read_impedance(view, "sway_y") : soil.sway_x;
+  soil.rocking_y = view.has("rocking_y") ? read_impedance(view, "rocking_y") : soil.rocking_x;
+  const auto twist = view.find("twist");
+  if (!twist) {
+    view.error_missing("twist", "the spring of the rotation about the vertical, or \"rigid\"");
+  } else if (twist->is(TomlValue::Kind::table)) {
+    soil.twist = read_impedance(view, "twist");
+  } else {
+    (void)view.word("twist");
+  }
+  return soil;
+}
 
 void read_gravity(const TableView& view, ReadBuilding& building) {
   building.spec.p_delta = view.flag("p_delta");

@@ -39,9 +39,11 @@ namespace bentur {
 
 // keys_of_support.cpp
 [[nodiscard]] const KeyTable& isolation_keys();
+[[nodiscard]] const KeyTable& bearing_keys();
 [[nodiscard]] const KeyTable& soil_keys();
 [[nodiscard]] const KeyTable& sway_keys();
 [[nodiscard]] const KeyTable& rocking_keys();
+[[nodiscard]] const KeyTable& twist_keys();
 [[nodiscard]] const KeyTable& half_space_keys();
 [[nodiscard]] const KeyTable& foundation_keys();
 

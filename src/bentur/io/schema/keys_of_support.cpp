@@ -52,6 +52,20 @@ const KeyTable& soil_keys() {
        Key::sub_table("rocking", rocking_keys(), {"Rocking", "Guling"}, "spring and dashpot of the rotation")
            .optional()
            .goes_with("sway"),
+       Key::sub_table("sway_y", sway_keys(), {"Sway along y", "Goyangan arah y"},
+                      "of buildings in plan: along y, where it is not as along x")
+           .optional("as `sway`")
+           .goes_with("sway"),
+       Key::sub_table("rocking_y", rocking_keys(), {"Rocking along y", "Guling arah y"},
+                      "of buildings in plan: the one that moves floors along y, where it is not as along x")
+           .optional("as `rocking`")
+           .goes_with("sway"),
+       Key::choice("twist", {"rigid"}, {"Twist", "Puntir"},
+                   "of buildings in plan: spring and dashpot of the rotation about the vertical; `\"rigid\"`: the "
+                   "foundation does not turn")
+           .or_table(twist_keys())
+           .optional("needed in plan with `sway`")
+           .goes_with("sway"),
        Key::sub_table("foundation", foundation_keys(), {"Foundation", "Fondasi"},
                       "the lower halves of a frame's lowest columns join it"),
        Key::sub_table("half_space", half_space_keys(), {"Half-space", "Setengah ruang"},
@@ -85,6 +99,12 @@ const KeyTable& rocking_keys() {
   return table;
 }
 
+const KeyTable& twist_keys() {
+  static const KeyTable table =
+      impedance("building.soil.twist", "twist on the soil", dimension::moment, dimension::rocking_dashpot);
+  return table;
+}
+
 const KeyTable& half_space_keys() {
   static const KeyTable table = {
       "building.soil.half_space",
@@ -102,7 +122,14 @@ const KeyTable& foundation_keys() {
       "building.soil.foundation",
       "mass of the foundation",
       {Key::number("mass", dimension::mass, Range::positive, {"Mass", "Massa"}),
-       Key::number("inertia", dimension::mass_inertia, Range::positive, {"Rotational inertia", "Inersia rotasi"})}};
+       Key::number("inertia", dimension::mass_inertia, Range::positive, {"Rotational inertia", "Inersia rotasi"}),
+       Key::number("inertia_y", dimension::mass_inertia, Range::positive,
+                   {"Rotational inertia along y", "Inersia rotasi arah y"},
+                   "of buildings in plan: of the rocking that moves floors along y")
+           .optional("as `inertia`"),
+       Key::number("twist_inertia", dimension::mass_inertia, Range::positive,
+                   {"Inertia about the vertical", "Inersia terhadap sumbu tegak"}, "of buildings in plan")
+           .optional("of an even footprint")}};
   return table;
 }
 

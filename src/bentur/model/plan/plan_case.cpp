@@ -28,7 +28,9 @@ Eigen::Matrix2d axes_at(double degrees) {
 
 double floor_mass(const PlanBuildingSpec& spec, int floor) {
   const Plan* const plan = std::get_if<Plan>(&spec.structure);
-  return plan != nullptr ? plan->masses.at(static_cast<std::size_t>(floor)) : std::numeric_limits<double>::infinity();
+  if (plan == nullptr) return std::numeric_limits<double>::infinity();
+  const int slabs = plan->isolation ? 1 : 0;
+  return floor < slabs ? plan->isolation->mass : plan->masses.at(static_cast<std::size_t>(floor - slabs));
 }
 
 /// The law of a point with the friction that the contact has at a level; null where it has none.
@@ -42,10 +44,14 @@ std::shared_ptr<const Rubbing> rubbing_of(const ContactSpec& contact, std::size_
   return std::make_shared<const Rubbing>(law, friction, given ? share * *given : mindlin * across);
 }
 
-std::vector<Eigen::VectorXd> initial_vectors(const std::vector<std::vector<double>>& given) {
+/// Foundations are at rest at first.
+std::vector<Eigen::VectorXd> initial_vectors(const std::vector<std::vector<double>>& given,
+                                             const std::vector<PlanBuilding>& buildings) {
   std::vector<Eigen::VectorXd> vectors;
-  for (const std::vector<double>& one : given) {
-    vectors.emplace_back(Eigen::Map<const Eigen::VectorXd>(one.data(), std::ssize(one)));
+  for (std::size_t b = 0; b < given.size(); ++b) {
+    const Eigen::Index under = buildings.at(b).model.foundation_dofs(), floors = std::ssize(given[b]);
+    vectors.emplace_back(Eigen::VectorXd::Zero(floors + under));
+    vectors.back().head(floors) = Eigen::Map<const Eigen::VectorXd>(given[b].data(), floors);
   }
   return vectors;
 }
@@ -59,7 +65,8 @@ const Footprint& PlanBuildingSpec::footprint() const {
 
 PlanBuilding make_plan_building(const PlanBuildingSpec& spec) {
   if (const Plan* const plan = std::get_if<Plan>(&spec.structure)) {
-    return make_plan_building(spec.name, plan_model(*plan, spec.base_elevation), spec.damping, spec.tangent_damping);
+    return make_plan_building(spec.name, plan_model(*plan, spec.base_elevation), spec.damping, spec.tangent_damping,
+                              plan->soil, plan->isolation);
   }
   std::vector<double> elevations = std::get<PlanWall>(spec.structure).elevations;
   for (double& elevation : elevations) elevation += spec.base_elevation;
@@ -157,8 +164,8 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
   problem.axes = axes_at(c.angle);
   problem.delays = c.excitation[0].delays;
   problem.kinematics = c.excitation[0].kinematics;
-  problem.initial_displacement = initial_vectors(c.initial.displacements);
-  problem.initial_velocity = initial_vectors(c.initial.velocities);
+  problem.initial_displacement = initial_vectors(c.initial.displacements, problem.buildings);
+  problem.initial_velocity = initial_vectors(c.initial.velocities, problem.buildings);
   problem.duration = c.analysis.duration;
   problem.collapse_drift = c.analysis.collapse_drift;
   validate(problem);

@@ -88,6 +88,16 @@ Source of_yielding(VectorXd BuildingPeaks::Yielding::*list,
   return of_planes(
       of, [list](auto& plane) -> auto& { return plane.yielding.*list; });
 }
+/// Of the foundation of a building, in the order of PlanPeaks::foundation.
+Source of_foundation(Index i) {
+  return {[i](const PlanRun& run, const PlanPlace& at) { return entry(run.response.buildings[at.item].foundation, i); },
+          [i](PlanRun& run, const PlanPlace& at, double value) {
+            VectorXd& list = run.response.buildings[at.item].foundation;
+            if (std::isnan(value)) return;
+            if (list.size() == 0) list = VectorXd::Zero(5);
+            list(i) = value;
+          }};
+}
 Source of_friction(double PlanFriction::*member) {
   return {[member](const PlanRun& run, const PlanPlace& at) {
             return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : none;
@@ -186,8 +196,8 @@ struct Line {
   PlanQuantity::When when = PlanQuantity::When::always;
 };
 
-constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, point = PlanOwner::point, gap = PlanOwner::gap,
-                    impact = PlanOwner::impact;
+constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, building = PlanOwner::building,
+                    point = PlanOwner::point, gap = PlanOwner::gap, impact = PlanOwner::impact;
 constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known,
                              lossy = PlanQuantity::When::where_strength_goes;
 
@@ -231,6 +241,12 @@ std::deque<Line> list() {
       {plane_, {"residual_time", of, "s", "t_r", "when the storey of the plane first was down to its residual strength", {"Residual at", "Sisa saat"}, {}}, of_yielding(&BuildingPeaks::Yielding::residual_time), lossy},
       {plane_, {"failed_time", of, "s", "t_u", "when the storey of the plane failed", {"Fails at", "Gagal saat"}, {}}, of_yielding(&BuildingPeaks::Yielding::failed_time), lossy},
       {plane_, {"strength_left_no_contact", of, "1", "V_c/V_c⁰", "largest force that the plane can still reach at the end over that at first, with contact switched off", {}, {}, {}, "%", 100}, of_yielding(&BuildingPeaks::Yielding::strength_left, &PlanResponse::buildings_no_contact), lossy},
+      // Foundations on soil.
+      {building, {"peak_sway_x", Owner::building, "L", "max |u_x|", "largest sway of the foundation along x relative to the free field", {"Sway x", "Goyangan x"}, {}, "/soil/peak_sway_x"}, of_foundation(0), known},
+      {building, {"peak_sway_y", Owner::building, "L", "max |u_y|", "largest sway of the foundation along y relative to the free field", {"Sway y", "Goyangan y"}, {}, "/soil/peak_sway_y"}, of_foundation(1), known},
+      {building, {"peak_rocking_x", Owner::building, "rad", "max |ψ_x|", "largest rocking of the foundation that moves what is above along x", {"Rocking x", "Guling x"}, {}, "/soil/peak_rocking_x", "mrad", 1e3}, of_foundation(2), known},
+      {building, {"peak_rocking_y", Owner::building, "rad", "max |ψ_y|", "largest rocking of the foundation that moves what is above along y", {"Rocking y", "Guling y"}, {}, "/soil/peak_rocking_y", "mrad", 1e3}, of_foundation(3), known},
+      {building, {"peak_twist", Owner::building, "rad", "max |θ_b|", "largest twist of the foundation about the vertical", {"Twist", "Puntir"}, {}, "/soil/peak_twist", "mrad", 1e3}, of_foundation(4), known},
   };
   for (const Quantity* const quantity : quantities_of(Owner::point)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({point, *quantity, std::move(source)});

@@ -10,11 +10,11 @@
 
 namespace bentur {
 
-/// What quantities of buildings in plan are one of; of a plane one for each storey.
-enum class PlanOwner { floor, plane, point, gap, impact, link };
+/// What quantities of buildings in plan are one of; of a plane one for each storey. Of a building: its foundation.
+enum class PlanOwner { floor, plane, building, bearing, point, gap, impact, link };
 
 /// Number of the building, of the contact among those of all gaps, of the gap, of the impact, or of the link; of the
-/// floor, or the floor above the storey; and of the plane.
+/// floor, or the floor above the storey; and of the plane, or the bearing.
 struct PlanPlace {
   Eigen::Index item = 0, floor = 0, plane = 0;
 };

@@ -41,12 +41,13 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
     const PlanBuilding& building = problem.buildings[b];
     const Index floors = building.model.floors(), planes = std::ssize(building.model.planes);
     for (const PlanQuantity& one : plan_quantities()) {
-      const bool of_planes = one.owner == PlanOwner::plane;
-      if (one.owner != PlanOwner::floor && !of_planes) continue;
+      const bool of_planes = one.owner == PlanOwner::plane, of_all = one.owner == PlanOwner::building;
+      if (one.owner != PlanOwner::floor && !of_planes && !of_all) continue;
+      if (of_all && !building.model.soil) continue;  // foundations alone are told of as one
       if (one.when == When::of_what_moves && building.is_rigid()) continue;
       if (of_planes && (planes == 0 || (one.when == When::where_known && !yields(building)))) continue;
       if (one.when == When::where_strength_goes && !loses_strength(building)) continue;
-      RowPart& part = add(one, of_planes ? planes * floors : floors);
+      RowPart& part = add(one, of_all ? 1 : of_planes ? planes * floors : floors);
       if (of_planes) part.name = "plane_" + part.name;
       part.of_planes = of_planes;
       name_building(part, b, building.name);
@@ -66,7 +67,8 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
 bool same_places(const PlanProblem& a, const PlanProblem& b) {
   const auto alike = [](const PlanBuilding& x, const PlanBuilding& y) {
     return x.model.floors() == y.model.floors() && x.model.planes.size() == y.model.planes.size() &&
-           x.is_rigid() == y.is_rigid() && yields(x) == yields(y) && loses_strength(x) == loses_strength(y);
+           x.is_rigid() == y.is_rigid() && x.model.soil.has_value() == y.model.soil.has_value() &&
+           yields(x) == yields(y) && loses_strength(x) == loses_strength(y);
   };
   const auto same_gap = [](const PlanGap& x, const PlanGap& y) {
     return x.left == y.left && x.right == y.right && x.contacts.size() == y.contacts.size();

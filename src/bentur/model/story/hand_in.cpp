@@ -377,6 +377,7 @@ void check_planes(const PlanRun& run, Checks& checks) {
 std::vector<Statement> unchecked_of(const PlanRun& run, bool needs_seismicity) {
   const std::vector<PlanBuilding>& buildings = run.problem.buildings;
   const auto no_gravity = [&](Index b) { return !buildings[b].has_gravity_loads(); };
+  const auto no_soil = [&](Index b) { return !buildings[b].model.soil; };
   std::vector<Statement> statements;
   tell_codes(run.c, statements);
   if (needs_seismicity) tell("unchecked.screening", statements);
@@ -385,8 +386,7 @@ std::vector<Statement> unchecked_of(const PlanRun& run, bool needs_seismicity) {
   tell("unchecked.members", statements);
   tell("unchecked.drift", statements);
   tell_of("unchecked.gravity", buildings, no_gravity, statements);
-  tell_of(
-      "unchecked.soil", buildings, [](Index) { return true; }, statements);
+  tell_of("unchecked.soil", buildings, no_soil, statements);
   for (const char* const kind : {"unchecked.vertical", "unchecked.local", "unchecked.motions"}) tell(kind, statements);
   return statements;
 }

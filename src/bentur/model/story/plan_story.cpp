@@ -365,13 +365,14 @@ void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, In
 
 Statement model_statement(const PlanRun& run) {
   bool yields = false;
-  std::size_t counted = 0, loaded = 0;  // buildings that move, those with gravity loads
+  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings that move, those with gravity loads, those on soil
   for (const PlanBuilding& building : run.problem.buildings) {
     counted += building.is_rigid() ? 0 : 1;
     loaded += building.has_gravity_loads() ? 1 : 0;
+    moved += building.model.soil ? 1 : 0;
   }
   std::vector<std::vector<StoryValue>> left_out = gravity_left_out(loaded, counted);
-  left_out.push_back({word_of("what", "remarks.no_soil")});
+  if (moved < counted) left_out.push_back({word_of("what", moved == 0 ? "remarks.no_soil" : "remarks.soil_of")});
   for (const PlanPeaks& peaks : run.response.buildings) {
     for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
   }

@@ -24,6 +24,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
 /// What yielding did in the storeys of a plane, whose elements begin at `member`, which is moved on past them.
 BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Plane& plane, const VectorXd& drift_ratio,
                                     const std::vector<ElementFound>& members, std::size_t& member) {
@@ -43,6 +45,33 @@ BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Pla
     ++member;
   }
   return member == first ? BuildingPeaks::Yielding{} : yielding;
+}
+
+/// x of one after the other, then y likewise.
+VectorXd every_second(const VectorXd& pairs, Index first) {
+  VectorXd picked(pairs.size() / 2);
+  for (Index i = 0; i < picked.size(); ++i) picked(i) = pairs(2 * i + first);
+  return picked;
+}
+
+/// What bearings did, whose elements begin at `member`.
+PlanPeaks::Bearings bearings_of(const PlanModel& model, const VectorXd& moved, const VectorXd& forces,
+                                const std::vector<ElementFound>& members, std::size_t member) {
+  const Index count = std::ssize(model.bearings);
+  PlanPeaks::Bearings found{.x = every_second(moved, 0),
+                            .y = every_second(moved, 1),
+                            .force_x = every_second(forces, 0),
+                            .force_y = every_second(forces, 1)};
+  found.residual_x = found.residual_y = found.hysteretic_energy = VectorXd::Zero(count);
+  for (Index n = 0; n < count; ++n) {
+    if (!model.bearings[n].law) continue;
+    const ElementFound &x = members[member], &y = members[member + 1];
+    member += 2;
+    found.residual_x(n) = x.residual;
+    found.residual_y(n) = y.residual;
+    found.hysteretic_energy(n) = x.energy_lost + y.energy_lost;
+  }
+  return found;
 }
 
 PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>& outputs,
@@ -66,13 +95,22 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
   peaks.shear_x = forces.row(0);
   peaks.shear_y = forces.row(1);
   peaks.torque = forces.row(2);
+  peaks.foundation = peak(PlanOutput::foundation);
   std::size_t member = 0;
   for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
     PlanPeaks::Plane& plane = peaks.planes.emplace_back();
     plane.drift_ratio = part(PlanOutput::plane_drift, p);
     plane.shear = part(PlanOutput::plane_shear, p);
     plane.yielding = yielding_of(building.model, building.model.planes[p], plane.drift_ratio, members, member);
+    if (building.model.slab) {  // no plane is below it
+      plane.drift_ratio(*building.model.slab) = plane.shear(*building.model.slab) = nothing;
+      if (plane.yielding.residual_drift_ratio.size() > 0) {
+        plane.yielding.residual_drift_ratio(*building.model.slab) = nothing;
+      }
+    }
   }
+  peaks.bearings =
+      bearings_of(building.model, peak(PlanOutput::bearing_movement), peak(PlanOutput::bearing_force), members, member);
   return peaks;
 }
 
@@ -93,9 +131,11 @@ bool is_mirrored(const PlanProblem& problem) {
   return moves && std::all_of(problem.links.begin(), problem.links.end(), odd_link) &&
          rests(problem.initial_displacement) && rests(problem.initial_velocity) &&
          std::all_of(problem.buildings.begin(), problem.buildings.end(), [&](const PlanBuilding& building) {
-           return std::all_of(building.model.planes.begin(), building.model.planes.end(), [&](const auto& plane) {
-             return std::all_of(plane.laws.begin(), plane.laws.end(), odd);
-           });
+           const auto& bearings = building.model.bearings;
+           return std::all_of(bearings.begin(), bearings.end(), [&](const auto& one) { return odd(one.law); }) &&
+                  std::all_of(building.model.planes.begin(), building.model.planes.end(), [&](const auto& plane) {
+                    return std::all_of(plane.laws.begin(), plane.laws.end(), odd);
+                  });
          });
 }
 
@@ -136,6 +176,12 @@ void summarise_friction(const std::vector<Impact>& impacts, std::vector<PlanFric
   }
 }
 
+MatrixXd stacked(const MatrixXd& upper, const MatrixXd& lower) {
+  MatrixXd both(upper.rows() + lower.rows(), upper.cols());
+  both << upper, lower;
+  return both;
+}
+
 /// @param places of the system's points, places_of()
 PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const std::vector<Index>& places) {
   PlanHistories histories{.time = std::move(solution.samples.time),
@@ -150,6 +196,14 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
     histories.rotation.push_back(history(PlanOutput::rotation));
     histories.acceleration_x.emplace_back(history(PlanOutput::acceleration).topRows(n));
     histories.acceleration_y.emplace_back(history(PlanOutput::acceleration).bottomRows(n));
+    MatrixXd& bearing = histories.bearing.emplace_back();
+    if (problem.buildings[b].model.slab) {
+      bearing = stacked(history(PlanOutput::bearing_movement), history(PlanOutput::bearing_force));
+    }
+    MatrixXd& foundation = histories.foundation.emplace_back();
+    if (problem.buildings[b].model.soil) {
+      foundation = stacked(history(PlanOutput::foundation), history(PlanOutput::foundation_force));
+    }
   }
   const Index count = std::ssize(places);
   const auto in_order = [&](const MatrixXd& rows) {
@@ -169,14 +223,37 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
 bool is_finite(const PlanResponse& response) {
   const auto finite = [](const PlanPeaks& peaks) {
     bool all = true;
-    for (const VectorXd* list : {&peaks.x, &peaks.y, &peaks.south, &peaks.north, &peaks.west, &peaks.east,
-                                 &peaks.rotation, &peaks.acceleration_x, &peaks.acceleration_y,
-                                 &peaks.angular_acceleration, &peaks.shear_x, &peaks.shear_y, &peaks.torque}) {
+    const PlanPeaks::Bearings& bearings = peaks.bearings;
+    for (const VectorXd* list : {&bearings.x,
+                                 &bearings.y,
+                                 &bearings.force_x,
+                                 &bearings.force_y,
+                                 &bearings.residual_x,
+                                 &bearings.residual_y,
+                                 &bearings.hysteretic_energy,
+                                 &peaks.x,
+                                 &peaks.y,
+                                 &peaks.south,
+                                 &peaks.north,
+                                 &peaks.west,
+                                 &peaks.east,
+                                 &peaks.rotation,
+                                 &peaks.acceleration_x,
+                                 &peaks.acceleration_y,
+                                 &peaks.angular_acceleration,
+                                 &peaks.shear_x,
+                                 &peaks.shear_y,
+                                 &peaks.torque,
+                                 &peaks.foundation}) {
       all = all && list->allFinite();
     }
-    return all && std::all_of(peaks.planes.begin(), peaks.planes.end(), [](const PlanPeaks::Plane& plane) {
-             return plane.drift_ratio.allFinite() && plane.shear.allFinite() &&
-                    plane.yielding.residual_drift_ratio.allFinite() && plane.yielding.hysteretic_energy.allFinite();
+    const Index slabs = bearings.x.size() > 0 ? 1 : 0;  // no plane is below one
+    const auto of_storeys = [&](const VectorXd& list) {
+      return list.size() == 0 || list.tail(list.size() - slabs).allFinite();
+    };
+    return all && std::all_of(peaks.planes.begin(), peaks.planes.end(), [&](const PlanPeaks::Plane& plane) {
+             return of_storeys(plane.drift_ratio) && of_storeys(plane.shear) &&
+                    of_storeys(plane.yielding.residual_drift_ratio) && plane.yielding.hysteretic_energy.allFinite();
            });
   };
   return std::all_of(response.buildings.begin(), response.buildings.end(), finite) &&

@@ -20,6 +20,17 @@ struct PlanPeaks {
     BuildingPeaks::Yielding yielding = {};  ///< empty where no storey of it can yield
   };
   std::vector<Plane> planes;
+  /// Of the foundation: sway along x and y [length], rocking that moves what is above along x and y, twist [rad]; empty
+  /// without soil.
+  Eigen::VectorXd foundation = {};
+  /// Of the bearings below a slab, in their order.
+  struct Bearings {
+    Eigen::VectorXd x = {}, y = {};                    ///< max |Δ| [length]
+    Eigen::VectorXd force_x = {}, force_y = {};        ///< max |F|, without dashpots [force]
+    Eigen::VectorXd residual_x = {}, residual_y = {};  ///< Δ that would be left without force [length]; 0: elastic
+    Eigen::VectorXd hysteretic_energy = {};            ///< [force·length]
+  };
+  Bearings bearings = {};
 };
 
 /// What a contact point did along the joint.
@@ -37,8 +48,14 @@ struct PlanHistories {
   std::vector<Eigen::MatrixXd> x = {}, y = {};  ///< of the centres of mass, from the own base [length]
   std::vector<Eigen::MatrixXd> rotation = {};   ///< [rad]
   std::vector<Eigen::MatrixXd> acceleration_x = {}, acceleration_y = {};  ///< absolute [length/s²]
-  Eigen::MatrixXd opening = {}, force = {};                               ///< [length], [force]
-  Eigen::MatrixXd slip = {}, force_along = {};                            ///< s and F_t (P-6); 0 where nothing rubs
+  /// Per building on soil its foundation's movements, in the order of PlanPeaks::foundation, and below them the forces
+  /// and moments that the springs and dashpots there bear: 10 × samples; others: 0 × 0.
+  std::vector<Eigen::MatrixXd> foundation = {};
+  /// Per building on bearings their movements along x and y, x and y of one after the other [length], and below them
+  /// the forces, without dashpots: 4 n × samples; others: 0 × 0.
+  std::vector<Eigen::MatrixXd> bearing = {};
+  Eigen::MatrixXd opening = {}, force = {};     ///< [length], [force]
+  Eigen::MatrixXd slip = {}, force_along = {};  ///< s and F_t (P-6); 0 where nothing rubs
 };
 
 /// What the response of buildings in plan was; the impacts' points count the contacts of all gaps.

@@ -159,7 +159,7 @@ std::vector<Element> drift_limits(const PlanProblem& problem) {
     if (!building.has_gravity_loads()) continue;
     const PlanModel& model = building.model;
     const std::vector<PlanPoint> corners = model.footprint.corners();
-    for (Index j = 0; j < model.floors(); ++j) {
+    for (Index j = model.first_storey(); j < model.floors(); ++j) {
       const auto law = std::make_shared<DeformationLimit>(problem.collapse_drift * model.storey_heights[j]);
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const PlanPoint edge = corners[(i + 1) % corners.size()] - corners[i];
@@ -180,8 +180,9 @@ std::optional<Collapse> collapse_of(const PlanProblem& problem, const Solution& 
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const PlanBuilding& building = problem.buildings[b];
     if (!building.has_gravity_loads()) continue;
-    const Index edges = std::ssize(building.model.footprint.corners()), limits = edges * building.model.floors();
-    if (limit < limits) return Collapse{b, limit / edges, solution.passed->time};
+    const Index edges = std::ssize(building.model.footprint.corners()), first = building.model.first_storey();
+    const Index limits = edges * (building.model.floors() - first);
+    if (limit < limits) return Collapse{b, first + limit / edges, solution.passed->time};
     limit -= limits;
   }
   return std::nullopt;

@@ -91,6 +91,9 @@ class Generator {
       for (std::size_t b = 0; b < draw.plans.size(); ++b) draw.delays.push_back(any(0, 0.05));
     }
     draw.absolute = chance(0.4);
+    for (Plan& plan : draw.plans) {
+      if (chance(0.3)) stand_on_soil(plan);
+    }
     return draw;
   }
 
@@ -123,8 +126,46 @@ class Generator {
     return plan;
   }
 
+  Impedance impedance(double stiffness) {
+    const double k = any(0.5, 3) * stiffness;
+    return {k, any(0, 0.02) * k};
+  }
+
+  /// About as soft as the storeys, under the weight of the floors in half of all cases.
+  void stand_on_soil(Plan& plan) {
+    PlanSoil soil{.sway_x = impedance(1e5),
+                  .sway_y = impedance(1e5),
+                  .rocking_x = impedance(1e7),
+                  .rocking_y = impedance(1e7),
+                  .mass = any(20, 100),
+                  .inertia_x = any(200, 900),
+                  .inertia_y = any(200, 900)};
+    if (chance(0.7)) {
+      soil.twist = impedance(5e6);
+      soil.twist_inertia = any(500, 3000);
+    }
+    plan.soil = soil;
+    if (chance(0.5)) return;
+    for (const double mass : plan.masses) plan.gravity_loads.push_back(9.81 * mass);
+  }
+
   std::mt19937 engine_;
 };
+
+void in_words(const Told& told, PlanSoil& soil) {
+  const double k = told.units.stiffness(), m = told.units.mass(), arms = std::pow(told.units.length, 2);
+  if (told.swaps()) {
+    std::swap(soil.sway_x, soil.sway_y);
+    std::swap(soil.rocking_x, soil.rocking_y);
+    std::swap(soil.inertia_x, soil.inertia_y);
+  }
+  const auto scaled = [](Impedance& of, double factor) { of = {factor * of.stiffness, factor * of.damping}; };
+  for (Impedance* const of : {&soil.sway_x, &soil.sway_y}) scaled(*of, k);
+  for (Impedance* const of : {&soil.rocking_x, &soil.rocking_y}) scaled(*of, k * arms);
+  if (soil.twist) scaled(*soil.twist, k * arms);
+  soil.mass *= m;
+  for (double* const inertia : {&soil.inertia_x, &soil.inertia_y, &soil.twist_inertia}) *inertia *= m * arms;
+}
 
 std::shared_ptr<const ContactLaw> law_of(const Draw& draw, double share, double mass, const UnitChange& units) {
   const double k = share * draw.stiffness * units.stiffness();
@@ -148,6 +189,8 @@ Plan in_words(Plan plan, const Told& told) {
   for (PlanPoint& centre : plan.centres_of_mass) centre = local(centre);
   scaled(plan.storey_heights, units.length);
   scaled(plan.masses, units.mass());
+  scaled(plan.gravity_loads, units.force);
+  if (plan.soil) in_words(told, *plan.soil);
   for (PlanPlane& plane : plan.planes) {
     plane.through = local(plane.through);
     plane.direction = told.map * plane.direction;
@@ -163,8 +206,8 @@ PlanProblem problem_of(const Draw& draw, const Told& told = {}) {
   for (std::size_t b = 0; b < count; ++b) {
     const std::size_t from = told.backwards ? count - 1 - b : b;
     plans.push_back(in_words(draw.plans[from], told));
-    problem.buildings.push_back(
-        make_plan_building("B" + std::to_string(from), plan_model(plans.back()), ModalDamping{{draw.damping}}));
+    problem.buildings.push_back(make_plan_building("B" + std::to_string(from), plan_model(plans.back()),
+                                                   ModalDamping{{draw.damping}}, false, plans.back().soil));
     if (!draw.delays.empty()) problem.delays.push_back(draw.delays[from]);
   }
   for (std::size_t a = 0; a < count; ++a) {
@@ -302,6 +345,16 @@ Apart apart(const PlanProblem& problem, const PlanResponse& wanted, const PlanPr
         result.note((wanted.buildings[b].*kind.list)(f), (mine.*list)(f) / kind.factor,
                     most(wanted.buildings, kind.list), kind.name);
       }
+    }
+  }
+  for (std::size_t b = 0; b < count; ++b) {
+    const VectorXd &one = wanted.buildings[b].foundation,
+                   &same = found.buildings[told.backwards ? count - 1 - b : b].foundation;
+    if (one.size() != same.size()) return {std::numeric_limits<double>::infinity(), "foundations"};
+    for (Index i = 0; i < one.size(); ++i) {
+      const Index there = told.swaps() && i < 4 ? i ^ 1 : i;
+      const double of = i < 2 ? length : 1, most = i < 2 ? one.head<2>().maxCoeff() : one.tail<3>().maxCoeff();
+      result.note(one(i), same(there) / of, most, "foundation");
     }
   }
   double impulse = std::numeric_limits<double>::min(), largest = impulse, needed = impulse;

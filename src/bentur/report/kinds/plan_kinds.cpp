@@ -24,6 +24,10 @@ bool has_friction(const PlanRun& run) {
   }
   return false;
 }
+bool has_soil(const PlanRun& run) {
+  const std::vector<Eigen::MatrixXd>& all = run.response.histories.foundation;
+  return std::any_of(all.begin(), all.end(), [](const Eigen::MatrixXd& one) { return one.rows() > 0; });
+}
 bool has_energy(const PlanRun& run) { return run.response.energy && run.response.energy->histories.input.size() > 0; }
 
 const PlanKind plan_kinds[] = {
@@ -38,6 +42,8 @@ const PlanKind plan_kinds[] = {
     {"force", "contact forces at one level of a gap", has_force, force_figure, always<PlanRun>, true},
     {"friction-cone", "force along the joint over contact force, between the limits of friction", has_friction,
      friction_figure},
+    {"soil-loop", "force and moment of the soil over sway, rocking and twist of foundations", has_soil,
+     soil_loop_figure},
     {"energy", "where the energy is", has_energy, energy_figure, always<PlanRun>, true},
 };
 

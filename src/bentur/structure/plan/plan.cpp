@@ -13,6 +13,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/modes.h"
+#include "bentur/structure/plan/plan_support.h"
 #include "bentur/structure/sway.h"
 
 namespace bentur {
@@ -238,69 +239,6 @@ void add_cantilever(const Plan& plan, PlanModel& model) {
   }
 }
 
-/// What the loads of storey `storey` and above take from its stiffness (P-22).
-MatrixXd softening_of(const PlanModel& model, const std::vector<double>& loads, Index storey) {
-  MatrixXd softening = MatrixXd::Zero(model.dofs(), model.dofs());
-  VectorXd turn = VectorXd::Zero(model.dofs());
-  turn(3 * storey + 2) = 1;
-  if (storey > 0) turn(3 * storey - 1) = -1;
-  for (Index f = storey; f < model.floors(); ++f) {
-    const PlanPoint at = model.footprint.corner + model.centres[f];
-    const VectorXd x = model.drift(storey, at, PlanPoint::UnitX()), y = model.drift(storey, at, PlanPoint::UnitY());
-    const double radius2 = model.mass(3 * f + 2, 3 * f + 2) / model.mass(3 * f, 3 * f);
-    softening += loads[f] / model.storey_heights[storey] *
-                 (x * x.transpose() + y * y.transpose() + radius2 * turn * turn.transpose());
-  }
-  return softening;
-}
-
-/// All floors above a storey as one rigid body that moves with the floor just above it: dofs × 3.
-MatrixXd rigid_above(const PlanModel& model, Index storey) {
-  MatrixXd moved = MatrixXd::Zero(model.dofs(), 3);
-  for (Index f = storey; f < model.floors(); ++f) {
-    const PlanPoint arm = model.centres[f] - model.centres[storey];
-    moved.middleRows<3>(3 * f) << 1, 0, -arm.y(), 0, 1, arm.x(), 0, 0, 1;
-  }
-  return moved;
-}
-
-/// Names what is wrong with loads under which a building does not stand; `model` before they act.
-[[noreturn]] void refuse_loads(const PlanModel& model, const std::vector<double>& loads, const MatrixXd& softening) {
-  using Solver = Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>;
-  const auto share = [](const MatrixXd& part, const MatrixXd& whole) {
-    return Solver(part, whole, Eigen::EigenvaluesOnly | Eigen::Ax_lBx).eigenvalues().maxCoeff();
-  };
-  Index weakest = 0;
-  double most = 0;
-  for (Index j = 0; j < model.floors(); ++j) {
-    const MatrixXd moved = rigid_above(model, j);
-    const MatrixXd bears = model.storey_forces.middleRows<3>(3 * j) * moved;
-    const double of_storey =
-        share(moved.transpose() * softening_of(model, loads, j) * moved, 0.5 * (bears + bears.transpose()));
-    if (of_storey > most) {
-      most = of_storey;
-      weakest = j;
-    }
-  }
-  const double of_all = share(softening, model.stiffness);
-  throw InvalidParameter("gravity_loads", fmt::format("{:.4g} times what the building bears", of_all),
-                         fmt::format("must leave the building standing: storey {} has the least margin, and all loads "
-                                     "times {:.3g} are critical",
-                                     weakest + 1, 1 / of_all));
-}
-
-/// P-Δ: loads of the floors, from the lowest up, take from the stiffness of all storeys below them.
-void soften(const std::vector<double>& loads, PlanModel& model) {
-  require_size("gravity_loads", loads.size(), model.floors());
-  for (std::size_t f = 0; f < loads.size(); ++f) require_not_negative(indexed("gravity_loads", f), loads[f]);
-  MatrixXd softening = MatrixXd::Zero(model.dofs(), model.dofs());
-  for (Index j = 0; j < model.floors(); ++j) softening += softening_of(model, loads, j);
-  const MatrixXd left = model.stiffness - softening;
-  if (Eigen::LLT<MatrixXd>(left).info() != Eigen::Success) refuse_loads(model, loads, softening);
-  model.stiffness = left;
-  model.softening = std::move(softening);
-}
-
 }  // namespace
 
 void stand_frame(PlaneFrame frame, PlanPlane& plane) {
@@ -358,13 +296,27 @@ VectorXd PlanModel::movement(Index floor, const PlanPoint& at, const PlanPoint& 
 VectorXd PlanModel::movement_at(double elevation, const PlanPoint& at, const PlanPoint& direction) const {
   const auto [upper, s] = storey_place(elevations, storey_heights, elevation);
   VectorXd row = s * movement(upper, at, direction);
-  if (upper > 0) row += (1 - s) * movement(upper - 1, at, direction);
+  return row + (1 - s) * (upper > 0 ? movement(upper - 1, at, direction) : base_movement(at, direction));
+}
+
+VectorXd PlanModel::base_movement(const PlanPoint& at, const PlanPoint& direction) const {
+  VectorXd row = VectorXd::Zero(dofs());
+  if (!soil) return row;
+  const Row moved = movement_row(at - footprint.corner, direction, footprint.middle());
+  const Index first = 3 * floors();
+  row.segment<2>(first + sway_x) = moved.head<2>().transpose();
+  if (soil->twist) row(first + twist) = moved.z();
   return row;
 }
 
+VectorXd PlanModel::lean(Index storey, const PlanPoint& at, const PlanPoint& direction) const {
+  return movement(storey, at, direction) -
+         (storey > 0 ? movement(storey - 1, at, direction) : base_movement(at, direction));
+}
+
 VectorXd PlanModel::drift(Index storey, const PlanPoint& at, const PlanPoint& direction) const {
-  VectorXd row = movement(storey, at, direction);
-  if (storey > 0) row -= movement(storey - 1, at, direction);
+  VectorXd row = lean(storey, at, direction);
+  if (soil) row.segment<2>(3 * floors() + rocking_x) -= storey_heights[storey] * direction;
   return row;
 }
 
@@ -417,7 +369,8 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
   return model;
 }
 
-PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping& damping, bool tangent) {
+PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping& damping, bool tangent,
+                                const std::optional<PlanSoil>& soil, const std::optional<PlanIsolation>& isolation) {
   PlanBuilding building{.name = std::move(name), .model = std::move(model), .modes = {}, .modal_damping = {}};
   building.modes = modes(building.model.mass, building.model.stiffness);
   building.modal_damping = modal_damping(damping, building.modes);
@@ -433,6 +386,11 @@ PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping
     }
     building.tangent_damping = *beta;
   }
+  if (soil && isolation) {
+    throw InvalidParameter("isolation", "together with soil", "must stand on a base that does not move by itself");
+  }
+  if (soil) put_on_soil(*soil, building);
+  if (isolation) put_on_bearings(*isolation, building);
   return building;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bentur/elements/bearing_laws.h"
 #include "bentur/structure/building.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/frame/plane_frame.h"
@@ -48,6 +49,31 @@ struct PlanCantilever {
   Eigen::MatrixXd x, y, torsion;
 };
 
+/// A foundation on springs and dashpots, at the middle of the footprint (P-27). Rocking is told by the way that it
+/// moves what stands on it: along x or along y.
+struct PlanSoil {
+  Impedance sway_x, sway_y, rocking_x, rocking_y;
+  std::optional<Impedance> twist = {};  ///< about the vertical; nothing: the foundation does not turn
+  double mass = 0;                      ///< of the foundation [mass] > 0
+  double inertia_x = 0, inertia_y = 0;  ///< of its rocking, likewise [mass·length²] > 0
+  double twist_inertia = 0;             ///< about the vertical [mass·length²] > 0
+};
+
+/// One bearing: its law holds along x and along y, each by itself (P-28).
+struct PlanBearing {
+  PlanPoint at = PlanPoint::Zero();  ///< from the footprint's corner [length]
+  Bearings bearing = {};             ///< with a stiffness > 0
+  double damping = 0;                ///< of a dashpot beside it along x and along y [force·s/length] ≥ 0
+};
+
+/// Bearings below a slab: one more floor, at the base, the first of all lists.
+struct PlanIsolation {
+  double mass = 0;                       ///< of the slab [mass] > 0
+  PlanPoint centre = PlanPoint::Zero();  ///< of its mass, from the footprint's corner [length]
+  double inertia = 0;                    ///< about that [mass·length²] > 0
+  std::vector<PlanBearing> bearings = {};
+};
+
 /// What an engineer knows of a building in plan; lists from the lowest up.
 struct Plan {
   Footprint footprint;
@@ -60,6 +86,8 @@ struct Plan {
   std::optional<PlanRigidity> rigidity = {};      ///< beside the planes
   std::optional<PlanCantilever> cantilever = {};  ///< beside both
   std::vector<double> gravity_loads = {};  ///< of P-Δ, on each floor, spread as its mass is [force] ≥ 0; empty: none
+  std::optional<PlanSoil> soil = {};       ///< below it; nothing: its base moves with the ground
+  std::optional<PlanIsolation> isolation = {};  ///< not together with soil
 };
 
 /// Of a plan whose lists have the right lengths, of one floor: its centre of mass, from the footprint's corner
@@ -73,7 +101,9 @@ struct UnheldStorey {
   std::string_view direction;  ///< "x", "y" or "rotation"
 };
 
-/// Mass and stiffness of a building in plan, or of a wall that moves with the ground, whose matrices are zero.
+/// Mass and stiffness of a building in plan, or of a wall that moves with the ground, whose matrices are zero. Degrees
+/// of freedom of a foundation that moves come after those of the floors, in the order of FoundationDof; then those of
+/// floors are relative to the free field.
 struct PlanModel {
   Footprint footprint;
   std::vector<double> elevations;      ///< [length] of the floors above the common datum
@@ -82,7 +112,9 @@ struct PlanModel {
   std::vector<PlanPoint> centres;      ///< c_f from the footprint's corner [length]
   Eigen::MatrixXd mass, stiffness;     ///< dofs × dofs
   Eigen::MatrixXd softening = {};  ///< what gravity loads have taken from the stiffness (P-22); empty: there are none
-  Eigen::MatrixXd load;            ///< dofs × 2: p = −load · (a_x, a_y) [mass]
+  std::vector<double> gravity_loads = {};  ///< those loads [force]
+  std::optional<PlanSoil> soil = {};       ///< what the foundation stands on
+  Eigen::MatrixXd load;                    ///< dofs × 2: p = −load · (a_x, a_y) [mass]
   /// A plane as rows over the dofs, storey by storey.
   struct Plane {
     std::string name;
@@ -92,19 +124,40 @@ struct PlanModel {
     std::vector<std::shared_ptr<const HystereticLaw>> laws;  ///< null: that storey stays elastic
   };
   std::vector<Plane> planes;
+  /// A bearing as rows over the dofs: how far it is moved along x and y, and the forces of what stays elastic.
+  struct Bearing {
+    PlanPoint at;                              ///< from the footprint's corner [length]
+    Eigen::MatrixXd drifts;                    ///< 2 × dofs
+    Eigen::MatrixXd shears;                    ///< 2 × dofs [force/length]
+    Eigen::MatrixXd pushes;                    ///< as a plane's on the slab, 3 × 2
+    std::shared_ptr<const HystereticLaw> law;  ///< of each direction; null: it stays elastic
+  };
+  std::vector<Bearing> bearings = {};
+  std::optional<Eigen::Index> slab = {};  ///< the floor on bearings: no height
   /// Of storeys, three rows each over the dofs: shear along x and y [force/length] and torque about the centre of mass
   /// of the floor above [force], of planes and rigidity.
   Eigen::MatrixXd storey_forces;
 
   [[nodiscard]] Eigen::Index floors() const { return std::ssize(elevations); }
-  [[nodiscard]] Eigen::Index dofs() const { return 3 * floors(); }
+  /// The lowest storey, and floor above it, that is no isolation system: 1 above a slab, else 0.
+  [[nodiscard]] Eigen::Index first_storey() const { return slab ? *slab + 1 : 0; }
+  /// Of storey `storey`, 0 the lowest, as people count: from 1, without the bearings below a slab, which are 0.
+  [[nodiscard]] Eigen::Index storey_number(Eigen::Index storey) const { return storey + 1 - first_storey(); }
+  /// Of a foundation, after the floors': sway [length], rocking [rad], twist [rad, counter-clockwise].
+  enum FoundationDof { sway_x, sway_y, rocking_x, rocking_y, twist };
+  [[nodiscard]] Eigen::Index foundation_dofs() const { return soil ? (soil->twist ? 5 : 4) : 0; }
+  [[nodiscard]] Eigen::Index dofs() const { return 3 * floors() + foundation_dofs(); }
   /// How far the point at `at` of the common plan moves along `direction` with floor `floor`, as a row over the dofs
   /// (P-1).
   [[nodiscard]] Eigen::VectorXd movement(Eigen::Index floor, const PlanPoint& at, const PlanPoint& direction) const;
   /// The same at an elevation [length] between base and top: on the straight line between floors, as sway_at() of a
   /// stick. @throws InvalidParameter as storey_place().
   [[nodiscard]] Eigen::VectorXd movement_at(double elevation, const PlanPoint& at, const PlanPoint& direction) const;
-  /// How far that point of floor `storey` moves along a direction against the same point of the floor below.
+  /// The same of the foundation, without its rocking; zero where it does not move.
+  [[nodiscard]] Eigen::VectorXd base_movement(const PlanPoint& at, const PlanPoint& direction) const;
+  /// How far that point of floor `storey` moves along a direction against the same point of the floor below, or of the
+  /// foundation: all of it, and without what rocking makes of it, as the storey itself deforms.
+  [[nodiscard]] Eigen::VectorXd lean(Eigen::Index storey, const PlanPoint& at, const PlanPoint& direction) const;
   [[nodiscard]] Eigen::VectorXd drift(Eigen::Index storey, const PlanPoint& at, const PlanPoint& direction) const;
 };
 
@@ -132,10 +185,14 @@ struct PlanBuilding {
 /// mass is outside the footprint, a storey is not held or the building does not stand under its gravity loads.
 [[nodiscard]] PlanModel plan_model(const Plan& plan, double base_elevation = 0.0);
 
-/// With its modes and damping. @param tangent whether the stiffness part of damping follows that of a plane that yields
-/// @throws InvalidParameter as modal_damping(), and when damping is to follow the stiffness but has no such part.
+/// With its modes and damping. @param model on a base that does not move; damping is of this, and acts on what moves
+/// relative to the foundation @param tangent whether the stiffness part of damping follows that of a plane that yields
+/// @throws InvalidParameter as modal_damping(), and when damping is to follow the stiffness but has no such part, a
+/// value of the soil or the isolation is out of its range, both are given, or the building does not stand on them under
+/// its gravity loads.
 [[nodiscard]] PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping& damping,
-                                              bool tangent = false);
+                                              bool tangent = false, const std::optional<PlanSoil>& soil = {},
+                                              const std::optional<PlanIsolation>& isolation = {});
 
 /// A wall that moves with the ground; elevations above the common datum ascend.
 [[nodiscard]] PlanBuilding rigid_plan_building(std::string name, const Footprint& footprint,

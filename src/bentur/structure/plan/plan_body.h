@@ -5,7 +5,7 @@
 
 namespace bentur {
 
-/// The outputs of the body of a building in plan, in this order; n floors. The last four are none of a wall.
+/// The outputs of the body of a building in plan, in this order; n floors. The last ones are none of a wall.
 enum class PlanOutput {
   movement,              ///< [length], n each: u_x, u_y; u_x of the south and north edge, u_y of the west and east edge
   rotation,              ///< [rad]
@@ -14,6 +14,10 @@ enum class PlanOutput {
   storey_force,          ///< three a storey: shear along x and y [force], torque [force·length]
   plane_drift,           ///< drift ratios of planes, n each [-]
   plane_shear,           ///< [force]
+  foundation,        ///< sway along x and y [length], rocking that moves along x and y, twist [rad]; none without soil
+  foundation_force,  ///< of springs and dashpots below it, likewise [force], [force·length]
+  bearing_movement,  ///< along x and y, two a bearing [length]
+  bearing_force,     ///< [force]
 };
 
 /// @param axes along which the components of the ground's motion act, a column each

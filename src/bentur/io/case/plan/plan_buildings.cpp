@@ -236,7 +236,7 @@ void stand(const TomlView& generic, const GenericPlan& little, bool is_known, Pl
 
 void read_floors(const TableView& building, const Units& units, ReadPlanBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"calibrate_period", "width", "soil", "isolation", "frame", "stick", "matrices", "modal"},
+  building.refuse({"calibrate_period", "width", "isolation", "frame", "stick", "matrices", "modal"},
                   "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
@@ -276,6 +276,7 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
   if (read.told.spec.p_delta && plan.gravity_loads.empty()) {
     for (const double mass : plan.masses) plan.gravity_loads.push_back(mass * units.gravity);
   }
+  if (const auto soil = building.find("soil")) plan.soil = read_soil_in_plan(*soil, plan.footprint);
   if (const auto damping = building.get("damping")) {
     read.spec.damping = read_damping(*damping, read.told.modes);
   } else {

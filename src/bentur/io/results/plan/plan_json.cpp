@@ -46,6 +46,20 @@ void put_quantities(Json& json, PlanOwner owner, const PlanRun& run, const std::
   }
 }
 
+Json impedance_json(const Impedance& under) { return {{"stiffness", under.stiffness}, {"damping", under.damping}}; }
+
+/// Springs and dashpots of the soil, given or derived.
+Json soil_json(const PlanSoil& soil) {
+  Json json = {{"sway_x", impedance_json(soil.sway_x)},
+               {"sway_y", impedance_json(soil.sway_y)},
+               {"rocking_x", impedance_json(soil.rocking_x)},
+               {"rocking_y", impedance_json(soil.rocking_y)},
+               {"twist", soil.twist ? impedance_json(*soil.twist) : Json("rigid")},
+               {"foundation", {{"mass", soil.mass}, {"inertia_x", soil.inertia_x}, {"inertia_y", soil.inertia_y}}}};
+  if (soil.twist) json["foundation"]["twist_inertia"] = soil.twist_inertia;
+  return json;
+}
+
 Json plan_building_json(const PlanRun& run, std::size_t b) {
   const PlanBuilding& building = run.problem.buildings[b];
   const auto item = static_cast<Index>(b);
@@ -55,6 +69,8 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
   }
   put_quantities(json, PlanOwner::floor, run, floors_of(run.problem, item));
   if (building.is_rigid()) return json;
+  if (const auto& soil = building.model.soil) json["soil"] = soil_json(*soil);
+  put_quantities(json, PlanOwner::building, run, {{item}});
   json["planes"] = Json::array();
   for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
     Json plane = {{"name", building.model.planes[p].name}};

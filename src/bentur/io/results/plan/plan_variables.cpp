@@ -118,7 +118,33 @@ class PlanVariables : private VariablePass<File> {
     history("acceleration_x", histories.acceleration_x, length_ + " s-2", "absolute acceleration along x");
     history("acceleration_y", histories.acceleration_y, length_ + " s-2", "absolute acceleration along y");
     quantities(PlanOwner::floor, {floors}, floors_of(run_.problem, b), "", number, of);
+    quantities(PlanOwner::building, {}, {{b}}, "", number, " of " + owner);
+    foundation(b, number, owner);
     planes(b, floors, number, owner);
+  }
+
+  /// Histories of the foundation of a building on soil.
+  void foundation(Index b, const std::string& number, const std::string& owner) {
+    auto& list = run_.response.histories.foundation;
+    fit(list, run_.problem.buildings.size());
+    if (time_.size == 0 || !run_.problem.buildings[b].model.soil) return;
+    if constexpr (reads) list[b].resize(10, static_cast<Index>(time_.size));
+    const std::string moment = udunits("F L", run_.c.units);
+    const auto row = [&](Index r, const char* name, const std::string& units, const char* what) {
+      Eigen::MatrixXd values = list[b].row(r);
+      made({name + number, {time_}, units, fmt::format("{} of {}", what, owner)}, values);
+      if constexpr (reads) list[b].row(r) = values.transpose();
+    };
+    row(0, "foundation_sway_x", length_, "sway along x, relative to the free field, of the foundation");
+    row(1, "foundation_sway_y", length_, "sway along y, relative to the free field, of the foundation");
+    row(2, "foundation_rocking_x", "rad", "rocking that moves what is above along x of the foundation");
+    row(3, "foundation_rocking_y", "rad", "rocking that moves what is above along y of the foundation");
+    row(4, "foundation_twist", "rad", "rotation, counter-clockwise from above, of the foundation");
+    row(5, "soil_force_x", force_, "force along x of the springs and dashpots under the foundation");
+    row(6, "soil_force_y", force_, "force along y of the springs and dashpots under the foundation");
+    row(7, "soil_moment_x", moment, "moment against rocking along x of the springs and dashpots under the foundation");
+    row(8, "soil_moment_y", moment, "moment against rocking along y of the springs and dashpots under the foundation");
+    row(9, "soil_torque", moment, "torque of the springs and dashpots under the foundation");
   }
 
   /// What nobody tells of a wall.

@@ -111,7 +111,7 @@ Eigen::MatrixXd rows_of(const PlanRun& run, std::size_t b, double arm) {
   const PlanBuilding& building = run.problem.buildings[b];
   const PlanHistories& histories = run.response.histories;
   if (building.is_rigid()) return {};
-  Eigen::MatrixXd rows(building.model.dofs(), std::ssize(histories.time));
+  Eigen::MatrixXd rows(3 * building.model.floors(), std::ssize(histories.time));
   for (Index floor = 0; floor < building.model.floors(); ++floor) {
     rows.row(3 * floor) = histories.x[b].row(floor);
     rows.row(3 * floor + 1) = histories.y[b].row(floor);
@@ -154,7 +154,8 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
   const PlanContactPlace hardest = contact_at(run.problem, instant.point.value());
   const int across = run.problem.gaps[hardest.gap].stretch.across;
   Index moving = 0;
-  for (const PlanBuilding& building : run.problem.buildings) moving += building.is_rigid() ? 0 : building.model.dofs();
+  for (const PlanBuilding& building : run.problem.buildings)
+    moving += building.is_rigid() ? 0 : 3 * building.model.floors();
   const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
   const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
   const double arm = arm_of(run.problem);

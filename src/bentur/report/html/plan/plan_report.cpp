@@ -83,7 +83,7 @@ class PlanPage {
     }
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       content += element("h3", say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}));
-      content += floors(b, false) + floors(b, true) + planes(b);
+      content += floors(b, false) + floors(b, true) + foundation(b) + planes(b);
     }
     content += element("p", say_("plan.peaks_note"), "class=\"note\"");
     if (run_.response.energy) {
@@ -231,6 +231,15 @@ class PlanPage {
     table.add(say_("column.elevation"), length_, std::vector<double>(levels.rbegin(), levels.rend()));
     html::add_columns(table, std::move(columns));
     return table.markup();
+  }
+
+  /// What the foundation does; empty without soil.
+  [[nodiscard]] Html foundation(Index b) const {
+    std::vector<TableColumn> columns = table_columns(PlanOwner::building, false, run_, {{b}}, say_.number());
+    if (columns.empty()) return {};
+    HtmlTable table;
+    html::add_columns(table, std::move(columns));
+    return element("p", say_("plan.foundation")) + table.markup();
   }
 
   [[nodiscard]] Html planes(Index b) const {
