@@ -49,6 +49,27 @@ PlanPlane plane_of(const Stick& stick, double at, bool along_x, double factor) {
   return plane;
 }
 
+/// The planes of a frame whose floors alone have mass: two of half of it along x, and stiffer springs along y. Empty:
+/// it has more in it.
+std::vector<PlanPlane> planes_of(PlaneFrame frame) {
+  if (frame.mass_matrix != MassMatrix::lumped || !frame.infills.empty() || !frame.nodes.empty()) return {};
+  frame.elastic_modulus *= 0.5;
+  for (auto* const members : {&frame.columns, &frame.beams}) {
+    for (Section& section : *members) {
+      section.moment_capacity = times(section.moment_capacity, 0.5);
+      section.shear_capacity = times(section.shear_capacity, 0.5);
+      section.line_load *= 0.5;
+    }
+  }
+  PlanPlane low{.name = "", .through = {0, 1}, .direction = PlanPoint::UnitX()};
+  stand_frame(frame, low);
+  PlanPlane high = low;
+  high.through = {0, 13};
+  Stick springs;
+  springs.stiffnesses = low.storeys.stiffnesses;
+  return {low, high, plane_of(springs, 0.5, false, 400), plane_of(springs, 9.5, false, 400)};
+}
+
 std::optional<PlanBuildingSpec> twin_of(const BuildingSpec& spec, double corner) {
   const Footprint footprint{.corner = {corner, -3}, .size = twin_size};
   PlanBuildingSpec twin{.name = spec.name,
@@ -61,11 +82,20 @@ std::optional<PlanBuildingSpec> twin_of(const BuildingSpec& spec, double corner)
     return twin;
   }
   const auto* stick = std::get_if<Stick>(&spec.structure);
-  if (stick == nullptr || spec.calibrate_period || spec.isolation || spec.soil) return std::nullopt;
-  Plan plan{.footprint = footprint, .storey_heights = stick->storey_heights, .masses = stick->masses};
-  plan.gravity_loads = spec.p_delta ? times(stick->masses, spec.gravity) : spec.gravity_loads;
-  plan.planes = {plane_of(*stick, 1, true, 0.5), plane_of(*stick, 13, true, 0.5), plane_of(*stick, 0.5, false, 200),
-                 plane_of(*stick, 9.5, false, 200)};
+  const auto* frame = std::get_if<PlaneFrame>(&spec.structure);
+  if ((stick == nullptr && frame == nullptr) || spec.calibrate_period || spec.isolation || spec.soil) {
+    return std::nullopt;
+  }
+  const StructuralModel row = structural_model(spec);
+  Plan plan{.footprint = footprint, .storey_heights = row.storey_heights, .masses = row.floor_masses};
+  plan.gravity_loads = spec.p_delta ? times(plan.masses, spec.gravity) : spec.gravity_loads;
+  if (frame != nullptr) {
+    plan.planes = planes_of(*frame);
+    if (plan.planes.empty()) return std::nullopt;
+  } else {
+    plan.planes = {plane_of(*stick, 1, true, 0.5), plane_of(*stick, 13, true, 0.5), plane_of(*stick, 0.5, false, 200),
+                   plane_of(*stick, 9.5, false, 200)};
+  }
   if (auto* modal = std::get_if<ModalDamping>(&twin.damping); modal != nullptr && modal->ratios.size() > 1) {
     modal->ratios.resize(3 * modal->ratios.size(), 0.05);
   }
@@ -221,6 +251,38 @@ void expect_collapse(const std::optional<Collapse>& plan, const std::optional<Co
   EXPECT_NEAR(plan->time, row->time, 1e-9 * row->time);
 }
 
+/// Each of two frames is half of the row's. @return how many of its hinges have formed
+int expect_frame(const PlanPeaks::Plane& plane, const BuildingPeaks& row, double tolerance) {
+  const BuildingPeaks& frame = plane.frame;
+  int formed = 0;
+  EXPECT_EQ(frame.hinges.size(), row.hinges.size());
+  EXPECT_EQ(frame.columns.size(), row.columns.size());
+  for (std::size_t h = 0; h < std::min(frame.hinges.size(), row.hinges.size()); ++h) {
+    const BuildingPeaks::Hinge &found = frame.hinges[h], &wanted = row.hinges[h];
+    const double turned = tolerance * (1e-3 + wanted.peak_rotation);
+    EXPECT_NEAR(2 * found.peak_moment, wanted.peak_moment, tolerance * wanted.peak_moment);
+    EXPECT_NEAR(found.peak_rotation, wanted.peak_rotation, turned);
+    EXPECT_NEAR(found.residual_rotation, wanted.residual_rotation, turned);
+    EXPECT_NEAR(2 * found.dissipated_energy, wanted.dissipated_energy, turned * wanted.peak_moment * 10);
+    EXPECT_EQ(found.half_cycles, wanted.half_cycles);
+    EXPECT_EQ(found.first_yield.has_value(), wanted.first_yield.has_value());
+    EXPECT_NEAR(found.first_yield.value_or(0), wanted.first_yield.value_or(0), tolerance);
+    formed += wanted.first_yield ? 1 : 0;
+  }
+  EXPECT_EQ(frame.mechanism.has_value(), row.mechanism.has_value());
+  if (frame.mechanism && row.mechanism) {
+    EXPECT_NEAR(frame.mechanism->time, row.mechanism->time, tolerance);
+    EXPECT_EQ(frame.mechanism->storeys, row.mechanism->storeys);
+  }
+  const double drift = tolerance * (1e-4 + row.drift_ratio.maxCoeff());
+  for (Eigen::Index j = 0; j < plane.drift_ratio.size(); ++j) {
+    EXPECT_NEAR(plane.drift_ratio(j), row.drift_ratio(j), drift);
+    EXPECT_NEAR(2 * plane.shear(j), row.storey_shear(j), tolerance * row.storey_shear.maxCoeff());
+    EXPECT_NEAR(plane.yielding.residual_drift_ratio(j), row.yielding.residual_drift_ratio(j), drift);
+  }
+  return formed;
+}
+
 void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Response& row, double tolerance,
                   bool along_y) {
   ASSERT_TRUE(plan.status == Status::done || plan.status == Status::collapsed) << plan.message;
@@ -313,6 +375,45 @@ TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
   EXPECT_GT(impacts, 100);
   EXPECT_GT(watched, 10);
   std::printf("%d twins, %d walls, %d impacts, %d watched\n", twins, walls, impacts, watched);
+}
+
+/// The reference cases of frames with hinges that a plan can have: seen from both ends, and along y.
+TEST(PlanTwins, OfFramesWithHinges) {
+  const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference" / "hinges";
+  if (!fs::exists(folder)) GTEST_SKIP();
+  Eigen::Matrix2d quarter;
+  quarter << 0, -1, 1, 0;
+  int twins = 0, formed = 0, mechanisms = 0;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    Diagnostics diagnostics;
+    const auto row = read_case(entry.path(), diagnostics);
+    ASSERT_TRUE(row) << entry.path();
+    const SolveOptions options{.levels = true, .both_ways = true, .energy_audit = true};
+    std::optional<Response> wanted;
+    for (const Eigen::Matrix2d& map : {Eigen::Matrix2d(Eigen::Matrix2d::Identity()), quarter}) {
+      const auto twin = twin_of(*row, 2, map);
+      if (!twin) break;
+      SCOPED_TRACE(testing::Message() << entry.path().filename().string() << "\n" << map);
+      if (!wanted) wanted = solve(make_problem(*row), ExactSolver{}, options);
+      const PlanProblem problem = make_plan_problem(*twin);
+      const PlanResponse plan = solve(problem, ExactSolver{}, options);
+      const bool integrated = std::any_of(row->gaps.begin(), row->gaps.end(), is_integrated_law);
+      expect_twins(problem, plan, *wanted, integrated ? 1e-8 : 1e-9, map(0, 0) == 0);
+      EXPECT_LE(plan.energy->relative_residual(), 1e-12);
+      twins += 1;
+      for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+        if (wanted->buildings[b].hinges.empty()) continue;
+        for (const std::size_t p : {0U, 1U}) {
+          formed += expect_frame(plan.buildings[b].planes[p], wanted->buildings[b], 1e-8);
+        }
+        mechanisms += wanted->buildings[b].mechanism ? 1 : 0;
+      }
+    }
+  }
+  std::printf("%d twins, %d hinges formed, %d mechanisms\n", twins, formed, mechanisms);
+  EXPECT_GE(twins, 4);
+  EXPECT_GT(formed, 20);
 }
 
 /// Two sticks under gravity that yield, with so much on the left one and collapse at so much drift; and their twin.

@@ -81,19 +81,22 @@ void add_infill(const StructuralModel& model, std::vector<BuildingElement>& elem
   }
 }
 
-std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {
-  const Hinges& hinges = model.hinges;
-  if (hinges.size() == 0) return {};
+CoupledElement element_of(const Hinges& hinges) {
   check_backbones(hinges);
-  return {{hinges.rows, std::make_shared<HingeLaw>(HingeLaw::Parameters{.stiffness = hinges.stiffness,
-                                                                        .hardening = hinges.hardening,
-                                                                        .upper = hinges.clockwise - hinges.at_rest,
-                                                                        .lower = hinges.anticlockwise + hinges.at_rest,
-                                                                        .rows = hinges.rows,
-                                                                        .kept = hinges.kept,
-                                                                        .backbones = hinges.backbones,
-                                                                        .frame_stiffness = hinges.frame_stiffness,
-                                                                        .frame_rows = hinges.frame_rows})}};
+  return {hinges.rows, std::make_shared<HingeLaw>(HingeLaw::Parameters{.stiffness = hinges.stiffness,
+                                                                       .hardening = hinges.hardening,
+                                                                       .upper = hinges.clockwise - hinges.at_rest,
+                                                                       .lower = hinges.anticlockwise + hinges.at_rest,
+                                                                       .rows = hinges.rows,
+                                                                       .kept = hinges.kept,
+                                                                       .backbones = hinges.backbones,
+                                                                       .frame_stiffness = hinges.frame_stiffness,
+                                                                       .frame_rows = hinges.frame_rows})};
+}
+
+std::vector<CoupledElement> hinge_elements(const StructuralModel& model) {
+  if (model.hinges.size() == 0) return {};
+  return {element_of(model.hinges)};
 }
 
 Eigen::MatrixXd drift_rows(const StructuralModel& model) {

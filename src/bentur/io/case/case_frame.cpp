@@ -99,9 +99,9 @@ Section read_section(const TomlView& given, const KeyTable& keys, double gravity
   const auto view = TableView::of(given, keys);
   if (!view) return section;
   read_shape(*view, section);
-  if (&keys == &plane_section_keys()) return section;
   read_hinges(*view, lines, section);
   read_shear(*view, lines, section);
+  if (&keys == &plane_section_keys()) return section;
   const auto basis = view->exactly_one("weight");
   if (!basis) return section;
   const double amount = view->number(*basis).value_or(0);

@@ -10,6 +10,7 @@
 #include "bentur/io/results/internal/asked_json.h"
 #include "bentur/io/results/internal/code_json.h"
 #include "bentur/io/results/internal/gap_json.h"
+#include "bentur/io/results/internal/hinges_json.h"
 #include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/story/story.h"
@@ -63,37 +64,6 @@ void put_breaking_columns(Json& json, const RunView& run, Eigen::Index b) {
     column["shear_capacity"] = place.capacity;
     put_quantities(column, Owner::column, run, at.item, at.floor);
     json["breaking_columns"].push_back(std::move(column));
-  }
-}
-
-/// What the hinges of a frame did: each, in which order they began to yield, and when the frame could first move
-/// without bending.
-void put_hinges(Json& json, const RunView& run, Eigen::Index b) {
-  const Hinges& hinges = run.problem.buildings[b].model.hinges;
-  const BuildingPeaks& peaks = run.response.buildings[b];
-  json["mechanism"] = nullptr;
-  if (peaks.mechanism) {
-    json["mechanism"] = {{"time", peaks.mechanism->time}, {"storeys", Json::array()}};
-    for (const Eigen::Index storey : peaks.mechanism->storeys) {
-      json["mechanism"]["storeys"].push_back(run.problem.buildings[b].model.storey_number(storey));
-    }
-  }
-  put_breaking_columns(json, run, b);
-  if (hinges.places.empty()) return;
-  json["hinge_order"] = hinge_order(peaks, run.problem.duration);
-  json["hinges"] = Json::array();
-  for (const QuantityPlace& at : hinges_of(run.problem, b)) {
-    Json hinge = place_json(hinges.places[at.floor]);
-    put_quantities(hinge, Owner::hinge, run, at.item, at.floor);
-    const bool known = hinges.clockwise.size() > at.floor;  // not from histories.nc
-    if (known && std::isinf(hinges.clockwise(at.floor)) && std::isinf(hinges.anticlockwise(at.floor))) {
-      hinge["never_flows"] = true;
-    }
-    if (hinges.rotation_limits.rows() > at.floor && !std::isnan(hinges.rotation_limits(at.floor, 0))) {
-      hinge["rotation_demand"] =
-          list(peaks.hinges[at.floor].peak_rotation * hinges.rotation_limits.row(at.floor).cwiseInverse().transpose());
-    }
-    json["hinges"].push_back(std::move(hinge));
   }
 }
 
@@ -198,6 +168,35 @@ Json solver_json(const Solver& solver, const Response& response) {
 }
 
 }  // namespace
+
+void put_hinges(Json& json, const RunView& run, Eigen::Index b) {
+  const Hinges& hinges = run.problem.buildings[b].model.hinges;
+  const BuildingPeaks& peaks = run.response.buildings[b];
+  json["mechanism"] = nullptr;
+  if (peaks.mechanism) {
+    json["mechanism"] = {{"time", peaks.mechanism->time}, {"storeys", Json::array()}};
+    for (const Eigen::Index storey : peaks.mechanism->storeys) {
+      json["mechanism"]["storeys"].push_back(run.problem.buildings[b].model.storey_number(storey));
+    }
+  }
+  put_breaking_columns(json, run, b);
+  if (hinges.places.empty()) return;
+  json["hinge_order"] = hinge_order(peaks, run.problem.duration);
+  json["hinges"] = Json::array();
+  for (const QuantityPlace& at : hinges_of(run.problem, b)) {
+    Json hinge = place_json(hinges.places[at.floor]);
+    put_quantities(hinge, Owner::hinge, run, at.item, at.floor);
+    const bool known = hinges.clockwise.size() > at.floor;  // not from histories.nc
+    if (known && std::isinf(hinges.clockwise(at.floor)) && std::isinf(hinges.anticlockwise(at.floor))) {
+      hinge["never_flows"] = true;
+    }
+    if (hinges.rotation_limits.rows() > at.floor && !std::isnan(hinges.rotation_limits(at.floor, 0))) {
+      hinge["rotation_demand"] =
+          list(peaks.hinges[at.floor].peak_rotation * hinges.rotation_limits.row(at.floor).cwiseInverse().transpose());
+    }
+    json["hinges"].push_back(std::move(hinge));
+  }
+}
 
 std::string summary_json(const RunResults& results, std::string_view version) {
   const RunView run = results.view();

@@ -89,8 +89,12 @@ KeyTable part_of(const KeyTable& whole, std::initializer_list<std::string_view> 
 }
 
 const KeyTable& plane_section_keys() {
-  static const KeyTable table = part_of(section_keys(), {"width", "depth", "area", "inertia"},
-                                        "building.plane.frame.section", "a section of a member that stays elastic");
+  static const KeyTable table =
+      part_of(section_keys(),
+              {"width", "depth", "area", "inertia", "moment_capacity", "hardening", "rotation_limits", "backbone",
+               "line_load", "shear_capacity", "residual_shear"},
+              "building.plane.frame.section",
+              "a section of a member of a frame in plan, of which the masses are those of the plan");
   return table;
 }
 
@@ -132,7 +136,7 @@ const KeyTable& plane_keys() {
              .for_each("one per storey")
              .one_of("holds"),
          Key::sub_table("frame", plane_frame_keys(), {"Frame", "Portal"},
-                        "an elastic [plane frame](#buildingframe-a-plane-frame) on the line; exactly one of the two")
+                        "a [plane frame](#buildingframe-a-plane-frame) on the line; exactly one of the two")
              .one_of("holds"),
          Key::number("yield_forces", dimension::force, Range::positive_or_infinite, {"Yield forces", "Gaya leleh"},
                      "the force at which the storey of the plane yields; `inf`: it stays elastic")

@@ -69,6 +69,12 @@ Source amplification(Lists list, double RoundOff::*least) {
   }};
 }
 
+Source edge_drift() {
+  return {[](const PlanRun& run, const PlanPlace& at) {
+    return entry(run.response.buildings[at.item].edge_drift_ratio(), at.floor);
+  }};
+}
+
 /// Of a plane the list that `find` finds.
 template <class Find>
 Source of_planes(std::vector<PlanPeaks> PlanResponse::*of, Find find) {
@@ -188,6 +194,40 @@ Source of_row(const Quantity& quantity) {
   return {};
 }
 
+template <class Value>
+double number_of(const Value& value) {
+  return static_cast<double>(value);
+}
+double number_of(const std::optional<double>& value) { return value.value_or(none); }
+
+/// A member of each hinge of frames, or of each column that can break.
+template <class Item, class Member>
+Source of_frames(std::vector<Item> BuildingPeaks::*list, Member Item::*member) {
+  return {[=](const PlanRun& run, const PlanPlace& at) {
+            const std::vector<Item>& items = run.response.buildings[at.item].planes[at.plane].frame.*list;
+            return at.floor < std::ssize(items) ? number_of(items[at.floor].*member) : none;
+          },
+          [=](PlanRun& run, const PlanPlace& at, double value) {
+            std::vector<Item>& items = run.response.buildings[at.item].planes[at.plane].frame.*list;
+            if (std::ssize(items) <= at.floor) items.resize(static_cast<std::size_t>(at.floor) + 1);
+            if (!std::isnan(value)) items[at.floor].*member = static_cast<Member>(value);
+          }};
+}
+
+/// What the quantity of a row's hinges or columns tells, of those of frames in plan.
+Source of_row_frame(const Quantity& quantity) {
+  Source source;
+  const auto take = [&](auto list, const auto* member) {
+    if (member != nullptr) source = of_frames(list, *member);
+  };
+  take(&BuildingPeaks::hinges, std::get_if<double BuildingPeaks::Hinge::*>(&quantity.source));
+  take(&BuildingPeaks::hinges, std::get_if<int BuildingPeaks::Hinge::*>(&quantity.source));
+  take(&BuildingPeaks::hinges, std::get_if<std::optional<double> BuildingPeaks::Hinge::*>(&quantity.source));
+  take(&BuildingPeaks::columns, std::get_if<double BuildingPeaks::Breaking::*>(&quantity.source));
+  take(&BuildingPeaks::columns, std::get_if<std::optional<double> BuildingPeaks::Breaking::*>(&quantity.source));
+  return source;
+}
+
 /// One of the list below.
 struct Line {
   PlanOwner owner = PlanOwner::floor;
@@ -229,6 +269,12 @@ std::deque<Line> list() {
       {floor, {"peak_storey_shear_x", of, "F", "max |V_x|", "largest storey shear along x, without dashpots", {"Storey shear x", "Gaya geser tingkat x"}, {}}, with(&PlanPeaks::shear_x), moving},
       {floor, {"peak_storey_shear_y", of, "F", "max |V_y|", "largest storey shear along y, without dashpots", {"Storey shear y", "Gaya geser tingkat y"}, {}}, with(&PlanPeaks::shear_y), moving},
       {floor, {"peak_storey_torque", of, "F L", "max |T|", "largest torque of the storey about the centre of mass of the floor above", {"Torque", "Torsi"}, {}}, with(&PlanPeaks::torque), moving},
+      // Of buildings without planes.
+      {floor, {"peak_drift_ratio", of, "1", "max |Δ|/h", "largest drift of an edge along itself over storey height, of a building without planes", {"Drift at an edge", "Simpangan di tepi"}, {}, {}, "%", 100}, edge_drift(), known},
+      {floor, {"peak_drift_ratio_south", of, "1", "max |Δ_x|/h", "largest drift along x of the lower edge over storey height", {}, {}, "/peak_edge_drift_ratio/south", "%", 100}, with(&PlanPeaks::drift_south), known},
+      {floor, {"peak_drift_ratio_north", of, "1", "max |Δ_x|/h", "largest drift along x of the upper edge over storey height", {}, {}, "/peak_edge_drift_ratio/north", "%", 100}, with(&PlanPeaks::drift_north), known},
+      {floor, {"peak_drift_ratio_west", of, "1", "max |Δ_y|/h", "largest drift along y of the left edge over storey height", {}, {}, "/peak_edge_drift_ratio/west", "%", 100}, with(&PlanPeaks::drift_west), known},
+      {floor, {"peak_drift_ratio_east", of, "1", "max |Δ_y|/h", "largest drift along y of the right edge over storey height", {}, {}, "/peak_edge_drift_ratio/east", "%", 100}, with(&PlanPeaks::drift_east), known},
       // Storeys of planes, by the floor above them.
       {plane_, {"peak_drift_ratio", of, "1", "max |Δ|/h", "largest drift of the plane over storey height", {"Drift", "Simpangan antartingkat"}, {}, {}, "%", 100}, of_plane(&PlanPeaks::Plane::drift_ratio)},
       {plane_, {"peak_shear", of, "F", "max |V|", "largest force of the plane", {"Force", "Gaya"}, {}}, of_plane(&PlanPeaks::Plane::shear)},
@@ -248,6 +294,12 @@ std::deque<Line> list() {
       {building, {"peak_rocking_y", Owner::building, "rad", "max |ψ_y|", "largest rocking of the foundation that moves what is above along y", {"Rocking y", "Guling y"}, {}, "/soil/peak_rocking_y", "mrad", 1e3}, of_foundation(3), known},
       {building, {"peak_twist", Owner::building, "rad", "max |θ_b|", "largest twist of the foundation about the vertical", {"Twist", "Puntir"}, {}, "/soil/peak_twist", "mrad", 1e3}, of_foundation(4), known},
   };
+  for (const Quantity* const quantity : quantities_of(Owner::hinge)) {
+    all.push_back({PlanOwner::hinge, *quantity, of_row_frame(*quantity), is_of_weakening(*quantity) ? lossy : PlanQuantity::When::always});
+  }
+  for (const Quantity* const quantity : quantities_of(Owner::column)) {
+    all.push_back({PlanOwner::column, *quantity, of_row_frame(*quantity)});
+  }
   for (const Quantity* const quantity : quantities_of(Owner::point)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({point, *quantity, std::move(source)});
   }
@@ -331,6 +383,30 @@ std::vector<PlanPlace> floors_of(const PlanProblem& problem, Index building, Ind
   std::vector<PlanPlace> places;
   for (Index f = 0; f < problem.buildings[building].model.floors(); ++f) places.push_back({building, f, plane});
   return places;
+}
+
+namespace {
+
+/// Of each frame of a building as many as there are of a list of its hinges.
+template <class Item>
+std::vector<PlanPlace> of_frames_of(const PlanProblem& problem, Index building, std::vector<Item> Hinges::*list) {
+  std::vector<PlanPlace> places;
+  const std::vector<PlanModel::Plane>& planes = problem.buildings[building].model.planes;
+  for (Index plane = 0; plane < std::ssize(planes); ++plane) {
+    const Index count = std::ssize(planes[plane].hinges.*list);
+    for (Index i = 0; i < count; ++i) places.push_back({building, i, plane});
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<PlanPlace> hinges_of(const PlanProblem& problem, Index building) {
+  return of_frames_of(problem, building, &Hinges::places);
+}
+
+std::vector<PlanPlace> breaking_columns_of(const PlanProblem& problem, Index building) {
+  return of_frames_of(problem, building, &Hinges::columns);
 }
 
 std::vector<PlanPlace> planes_from_top(const PlanProblem& problem, Index building) {

@@ -11,10 +11,12 @@
 namespace bentur {
 
 /// What quantities of buildings in plan are one of; of a plane one for each storey. Of a building: its foundation.
-enum class PlanOwner { floor, plane, building, bearing, point, gap, impact, link };
+/// Hinges and columns that break are those of frames.
+enum class PlanOwner { floor, plane, building, bearing, point, gap, impact, link, hinge, column };
 
 /// Number of the building, of the contact among those of all gaps, of the gap, of the impact, or of the link; of the
-/// floor, or the floor above the storey; and of the plane, or the bearing.
+/// floor, or the floor above the storey, or of the hinge or the column that breaks of its frame; and of the plane, or
+/// the bearing.
 struct PlanPlace {
   Eigen::Index item = 0, floor = 0, plane = 0;
 };
@@ -43,6 +45,9 @@ struct PlanQuantity {
 /// The floors of a building, or the storeys of one of its planes, from the lowest up.
 [[nodiscard]] std::vector<PlanPlace> floors_of(const PlanProblem& problem, Eigen::Index building,
                                                Eigen::Index plane = 0);
+/// The hinges of its frames, one frame after the other, and the columns that can break.
+[[nodiscard]] std::vector<PlanPlace> hinges_of(const PlanProblem& problem, Eigen::Index building);
+[[nodiscard]] std::vector<PlanPlace> breaking_columns_of(const PlanProblem& problem, Eigen::Index building);
 /// The storeys of its planes, one plane after the other, each from the top down.
 [[nodiscard]] std::vector<PlanPlace> planes_from_top(const PlanProblem& problem, Eigen::Index building);
 

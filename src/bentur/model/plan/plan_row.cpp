@@ -13,6 +13,16 @@ bool yields(const PlanBuilding& building) {
   });
 }
 
+bool has_hinges(const PlanBuilding& building) {
+  return std::any_of(building.model.planes.begin(), building.model.planes.end(),
+                     [](const PlanModel::Plane& plane) { return plane.hinges.size() > 0; });
+}
+
+bool hinges_weaken(const PlanBuilding& building) {
+  return std::any_of(building.model.planes.begin(), building.model.planes.end(),
+                     [](const PlanModel::Plane& plane) { return !plane.hinges.backbones.empty(); });
+}
+
 bool loses_strength(const PlanBuilding& building) {
   return std::any_of(building.model.planes.begin(), building.model.planes.end(), [](const PlanModel::Plane& plane) {
     return std::any_of(plane.laws.begin(), plane.laws.end(),
@@ -40,14 +50,25 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const PlanBuilding& building = problem.buildings[b];
     const Index floors = building.model.floors(), planes = std::ssize(building.model.planes);
+    const Index hinges = std::ssize(hinges_of(problem, b)), columns = std::ssize(breaking_columns_of(problem, b));
+    const auto count_of = [&](PlanOwner owner) -> Index {
+      if (owner == PlanOwner::floor) return floors;
+      if (owner == PlanOwner::plane) return planes * floors;
+      if (owner == PlanOwner::building) return building.model.soil ? 1 : 0;  // of foundations alone
+      if (owner == PlanOwner::hinge) return hinges;
+      return owner == PlanOwner::column ? columns : 0;
+    };
     for (const PlanQuantity& one : plan_quantities()) {
-      const bool of_planes = one.owner == PlanOwner::plane, of_all = one.owner == PlanOwner::building;
-      if (one.owner != PlanOwner::floor && !of_planes && !of_all) continue;
-      if (of_all && !building.model.soil) continue;  // foundations alone are told of as one
+      if (count_of(one.owner) == 0) continue;
       if (one.when == When::of_what_moves && building.is_rigid()) continue;
-      if (of_planes && (planes == 0 || (one.when == When::where_known && !yields(building)))) continue;
-      if (one.when == When::where_strength_goes && !loses_strength(building)) continue;
-      RowPart& part = add(one, of_all ? 1 : of_planes ? planes * floors : floors);
+      const bool of_edges = one.owner == PlanOwner::floor && one.when == When::where_known;
+      if (of_edges && (planes > 0 || building.is_rigid())) continue;
+      const bool of_planes = one.owner == PlanOwner::plane;
+      const bool of_residuals = one.told.key == "residual_drift_ratio" && has_hinges(building);
+      if (of_planes && one.when == When::where_known && !yields(building) && !of_residuals) continue;
+      const bool weakens = of_planes ? loses_strength(building) : hinges_weaken(building);
+      if (one.when == When::where_strength_goes && !weakens) continue;
+      RowPart& part = add(one, count_of(one.owner));
       if (of_planes) part.name = "plane_" + part.name;
       part.of_planes = of_planes;
       name_building(part, b, building.name);
@@ -65,10 +86,14 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
 }
 
 bool same_places(const PlanProblem& a, const PlanProblem& b) {
-  const auto alike = [](const PlanBuilding& x, const PlanBuilding& y) {
+  const auto same_hinges = [](const PlanModel::Plane& x, const PlanModel::Plane& y) {
+    return x.hinges.places.size() == y.hinges.places.size() && x.hinges.columns.size() == y.hinges.columns.size();
+  };
+  const auto alike = [&](const PlanBuilding& x, const PlanBuilding& y) {
     return x.model.floors() == y.model.floors() && x.model.planes.size() == y.model.planes.size() &&
            x.is_rigid() == y.is_rigid() && x.model.soil.has_value() == y.model.soil.has_value() &&
-           yields(x) == yields(y) && loses_strength(x) == loses_strength(y);
+           yields(x) == yields(y) && loses_strength(x) == loses_strength(y) && hinges_weaken(x) == hinges_weaken(y) &&
+           std::equal(x.model.planes.begin(), x.model.planes.end(), y.model.planes.begin(), same_hinges);
   };
   const auto same_gap = [](const PlanGap& x, const PlanGap& y) {
     return x.left == y.left && x.right == y.right && x.contacts.size() == y.contacts.size();
@@ -84,7 +109,14 @@ bool same_places(const PlanProblem& a, const PlanProblem& b) {
 void fill_row(const std::vector<RowPart>& parts, const PlanRun& run, std::span<double> row) {
   require_size(parts, row);
   for (const RowPart& part : parts) {
+    const PlanOwner owner = part.in_plan->owner;
     const Index floors = part.is_of_building() ? run.problem.buildings[part.building].model.floors() : 1;
+    if (owner == PlanOwner::hinge || owner == PlanOwner::column) {
+      const std::vector<PlanPlace> places = owner == PlanOwner::hinge ? hinges_of(run.problem, part.building)
+                                                                      : breaking_columns_of(run.problem, part.building);
+      for (Index i = 0; i < part.count; ++i) row[part.first + i] = part.in_plan->value(run, places[i]);
+      continue;
+    }
     for (Index i = 0; i < part.count; ++i) {
       const PlanPlace at = part.is_of_building() ? PlanPlace{part.building, i % floors, i / floors} : PlanPlace{i};
       row[part.first + i] = part.in_plan->value(run, at);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/internal/story_parts.h"
@@ -360,7 +361,7 @@ HandIn hand_in(const RunResults& run) {
 
 namespace {
 
-/// Storeys of planes; of a building without planes nothing is known.
+/// Storeys of planes; of a building without planes its edges.
 void check_planes(const PlanRun& run, Checks& checks) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
@@ -369,6 +370,8 @@ void check_planes(const PlanRun& run, Checks& checks) {
     for (const PlanPeaks::Plane& plane : run.response.buildings[b].planes) {
       if (plane.drift_ratio.size() > 0) most = std::fmax(most.value_or(0), plane.drift_ratio.maxCoeff());
     }
+    const Eigen::VectorXd edges = run.response.buildings[b].edge_drift_ratio();
+    if (edges.size() > 0) most = std::fmax(most.value_or(0), edges.maxCoeff());
     check_drift(building.name, building.has_gravity_loads(), most, falls_in(run.response, b),
                 run.problem.collapse_drift, checks);
   }
@@ -395,6 +398,9 @@ std::vector<Statement> unchecked_of(const PlanRun& run, bool needs_seismicity) {
 
 HandIn hand_in(const PlanRun& run) {
   Checks checks;
+  const RunResults frames = frames_of(run);
+  check_shears(frames, checks);
+  check_hinges(frames, checks);
   check_planes(run, checks);
   for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
     const RunResults pair = pair_of(run, gap);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/internal/story_parts.h"
 #include "bentur/model/story/worst_hinges.h"
@@ -226,6 +227,20 @@ void tell_hinges(const RunResults& run, Story& told) {
     tell_weakened(building, b, peaks, told.statements);
     if (!turned.empty()) told.tables.push_back(hinge_table(run, building, peaks, turned));
   }
+}
+
+void tell_frames(const PlanRun& run, Story& told) {
+  const std::vector<PlanFramePlace> places = frames_that_yield(run.problem);
+  if (places.empty()) return;
+  const RunResults frames = frames_of(run);
+  Story of_frames;
+  tell_breaking(frames, of_frames);
+  tell_hinges(frames, of_frames);
+  for (Statement& statement : of_frames.statements) {
+    for (Index& frame : statement.buildings) frame = places[frame].building;
+    told.statements.push_back(std::move(statement));
+  }
+  for (StoryTable& table : of_frames.tables) told.tables.push_back(std::move(table));
 }
 
 }  // namespace bentur::story

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/model/plan/plan_screening.h"
@@ -241,6 +242,30 @@ std::string plane_name(const PlanRun& run, Index b, std::size_t plane) {
   return run.problem.buildings[b].name + ", " + run.problem.buildings[b].model.planes[plane].name;
 }
 
+/// That a storey drifts beyond what stands for collapse. @param name of what does
+Statement drift_beyond(const PlanRun& run, Index b, const std::string& name, Index storey, double drift) {
+  return {.kind = "drift_beyond",
+          .severity = Severity::danger,
+          .buildings = {b},
+          .level = run.problem.buildings[b].model.elevations[storey],
+          .values = {text_of("building", name), count_of("storey", storey + 1), value_in("drift", percent * drift, "%"),
+                     value_in("limit", percent * run.c.analysis.collapse_drift, "%")}};
+}
+
+/// The same of the edges of buildings without planes.
+void tell_edges(const PlanRun& run, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const PlanBuilding& building = run.problem.buildings[b];
+    const Eigen::VectorXd drifts = run.response.buildings[b].edge_drift_ratio();
+    if (drifts.size() == 0 || building.has_gravity_loads()) continue;
+    Index storey = 0;
+    const double most = drifts.maxCoeff(&storey);
+    if (most > run.c.analysis.collapse_drift) {
+      statements.push_back(drift_beyond(run, b, building.name, storey, most));
+    }
+  }
+}
+
 /// Of each building the plane with the largest ductility and that with the largest drift, where that is beyond what
 /// stands for collapse.
 void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
@@ -262,13 +287,7 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
       }
     }
     if (drifts && !run.problem.buildings[b].has_gravity_loads()) {
-      statements.push_back({.kind = "drift_beyond",
-                            .severity = Severity::danger,
-                            .buildings = {b},
-                            .level = run.problem.buildings[b].model.elevations[drifts->second],
-                            .values = {text_of("building", plane_name(run, b, drifts->first)),
-                                       count_of("storey", drifts->second + 1), value_in("drift", percent * drift, "%"),
-                                       value_in("limit", percent * run.c.analysis.collapse_drift, "%")}});
+      statements.push_back(drift_beyond(run, b, plane_name(run, b, drifts->first), drifts->second, drift));
     }
     if (!yields) continue;
     const auto& alone = run.response.buildings_no_contact[b].planes[yields->first].yielding.ductility;
@@ -376,6 +395,7 @@ Statement model_statement(const PlanRun& run) {
   for (const PlanPeaks& peaks : run.response.buildings) {
     for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
   }
+  yields = yields || !frames_that_yield(run.problem).empty();
   return {.kind = "model_plan",
           .severity = Severity::remark,
           .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
@@ -396,6 +416,8 @@ Story plan_story(const PlanRun& run) {
   tell_collapse(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_planes(run, told.statements);
+  tell_edges(run, told.statements);
+  story::tell_frames(run, told);
   tell_lost_strength(run, told.statements);
   tell_amplification(run, told.statements);
   tell_acceleration(run, told.statements);

@@ -116,49 +116,6 @@ Eigen::VectorXd unloaded_drifts(const Hinges& hinges, const HingeLaw& law, const
   return drifts;
 }
 
-/// Of one building.
-void summarise_hinges(const Building& building, const HingeLaw& law, const CoupledState& state, BuildingPeaks& peaks) {
-  const Hinges& hinges = building.model.hinges;
-  Eigen::VectorXd theta(law.size());
-  for (Eigen::Index h = 0; h < law.size(); ++h) {
-    const HingeLaw::Record record = law.record(state, h);
-    theta(h) = record.rotation;
-    if (const Eigen::Index column = h - std::ssize(peaks.hinges); column >= 0) {
-      BuildingPeaks::Breaking& breaking = peaks.columns[column];
-      breaking.break_time = record.broke;
-      breaking.released_energy = record.released;
-      breaking.residual_slip = record.rotation;
-      continue;
-    }
-    BuildingPeaks::Hinge& hinge = peaks.hinges[h];
-    hinge.peak_rotation = record.peak_rotation;
-    hinge.residual_rotation = record.rotation;
-    hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
-    hinge.first_yield = record.first_yield;
-    hinge.half_cycles = record.half_cycles;
-    if (hinges.backbones.empty() || !hinges.backbones[h].loses_strength()) continue;
-    hinge.strength_left = record.strength_left;
-    hinge.cap_time = record.cap;
-    hinge.failed_time = record.failed;
-    hinge.released_energy = record.released;
-  }
-  const Eigen::Index storeys = hinges.frame_drifts.rows();
-  const Eigen::Index first = building.model.floors() - storeys;  // above a slab
-  Eigen::VectorXd& residual = peaks.yielding.residual_drift_ratio;
-  residual.setConstant(building.model.floors(), std::numeric_limits<double>::quiet_NaN());
-  residual.tail(storeys) = unloaded_drifts(hinges, law, state, theta);
-  for (Eigen::Index j = first; j < residual.size(); ++j) residual(j) /= building.model.storey_heights[j];
-  peaks.mechanism.reset();
-  const std::optional<HingeLaw::Mechanism> mechanism = law.mechanism(state);
-  if (!mechanism) return;
-  const auto shape = free_shape(hinges.frame_stiffness, hinges.frame_rows, hinges.stiffness, mechanism->hinges);
-  const Eigen::VectorXd drifts = (hinges.frame_drifts * *shape).cwiseAbs();
-  peaks.mechanism = BuildingPeaks::Mechanism{.time = mechanism->time, .storeys = {}};
-  for (Eigen::Index j = 0; j < storeys; ++j) {
-    if (drifts(j) > still * shape->cwiseAbs().maxCoeff()) peaks.mechanism->storeys.push_back(first + j);
-  }
-}
-
 BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& solution) {
   const auto peak = [&](OutputKind kind) -> const Eigen::VectorXd& { return of_kind(solution, b, kind).peak; };
   BuildingPeaks peaks;
@@ -168,11 +125,7 @@ BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& 
   peaks.acceleration = peak(OutputKind::acceleration);
   peaks.column_forces = peak(OutputKind::column_force);
   peaks.foundation = peak(OutputKind::foundation);
-  for (const double moment : peak(OutputKind::hinge_moment)) peaks.hinges.push_back({.peak_moment = moment});
-  for (const double shear : peak(OutputKind::breaking_shear)) {
-    const double capacity = building.model.hinges.columns[peaks.columns.size()].capacity;
-    peaks.columns.push_back({.peak_shear = shear, .shear_demand_capacity = shear / capacity});
-  }
+  take_hinge_peaks(building.model.hinges, peak(OutputKind::hinge_moment), peak(OutputKind::breaking_shear), peaks);
   peaks.infill = infill_of(building, solution.members[b], peak(OutputKind::infill_force), peaks.drift_ratio);
   if (building.storeys_yield()) peaks.yielding = yielding_of(building, solution.members[b], peaks);
   return peaks;
@@ -198,9 +151,8 @@ std::vector<BuildingPeaks> peaks_of(const Problem& problem, const Solution& solu
     const Building& building = problem.buildings[b];
     buildings.push_back(peaks_of(building, b, solution));
     for (const CoupledElement& element : building.coupled) {
-      const CoupledState& state = solution.coupled[coupled++];
-      const auto* law = dynamic_cast<const HingeLaw*>(element.law.get());
-      if (law != nullptr) summarise_hinges(building, *law, state, buildings.back());
+      take_hinges(building.model.hinges, building.model.storey_heights, *element.law, solution.coupled[coupled++],
+                  buildings.back());
     }
   }
   leave_out_what_is_not_there(problem, buildings);
@@ -284,6 +236,61 @@ Histories histories_of(const Problem& problem, Sampled&& sampled, Solution& solu
 }
 
 }  // namespace
+
+void take_hinge_peaks(const Hinges& hinges, const Eigen::VectorXd& moments, const Eigen::VectorXd& shears,
+                      BuildingPeaks& peaks) {
+  for (const double moment : moments) peaks.hinges.push_back({.peak_moment = moment});
+  for (const double shear : shears) {
+    const double capacity = hinges.columns[peaks.columns.size()].capacity;
+    peaks.columns.push_back({.peak_shear = shear, .shear_demand_capacity = shear / capacity});
+  }
+}
+
+void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights, const CoupledLaw& of,
+                 const CoupledState& state, BuildingPeaks& peaks) {
+  const auto* const hinge_law = dynamic_cast<const HingeLaw*>(&of);
+  if (hinge_law == nullptr) return;
+  const HingeLaw& law = *hinge_law;
+  const Eigen::Index floors = std::ssize(storey_heights);
+  Eigen::VectorXd theta(law.size());
+  for (Eigen::Index h = 0; h < law.size(); ++h) {
+    const HingeLaw::Record record = law.record(state, h);
+    theta(h) = record.rotation;
+    if (const Eigen::Index column = h - std::ssize(peaks.hinges); column >= 0) {
+      BuildingPeaks::Breaking& breaking = peaks.columns[column];
+      breaking.break_time = record.broke;
+      breaking.released_energy = record.released;
+      breaking.residual_slip = record.rotation;
+      continue;
+    }
+    BuildingPeaks::Hinge& hinge = peaks.hinges[h];
+    hinge.peak_rotation = record.peak_rotation;
+    hinge.residual_rotation = record.rotation;
+    hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
+    hinge.first_yield = record.first_yield;
+    hinge.half_cycles = record.half_cycles;
+    if (hinges.backbones.empty() || !hinges.backbones[h].loses_strength()) continue;
+    hinge.strength_left = record.strength_left;
+    hinge.cap_time = record.cap;
+    hinge.failed_time = record.failed;
+    hinge.released_energy = record.released;
+  }
+  const Eigen::Index storeys = hinges.frame_drifts.rows();
+  const Eigen::Index first = floors - storeys;  // above a slab
+  Eigen::VectorXd& residual = peaks.yielding.residual_drift_ratio;
+  residual.setConstant(floors, std::numeric_limits<double>::quiet_NaN());
+  residual.tail(storeys) = unloaded_drifts(hinges, law, state, theta);
+  for (Eigen::Index j = first; j < residual.size(); ++j) residual(j) /= storey_heights[j];
+  peaks.mechanism.reset();
+  const std::optional<HingeLaw::Mechanism> mechanism = law.mechanism(state);
+  if (!mechanism) return;
+  const auto shape = free_shape(hinges.frame_stiffness, hinges.frame_rows, hinges.stiffness, mechanism->hinges);
+  const Eigen::VectorXd drifts = (hinges.frame_drifts * *shape).cwiseAbs();
+  peaks.mechanism = BuildingPeaks::Mechanism{.time = mechanism->time, .storeys = {}};
+  for (Eigen::Index j = 0; j < storeys; ++j) {
+    if (drifts(j) > still * shape->cwiseAbs().maxCoeff()) peaks.mechanism->storeys.push_back(first + j);
+  }
+}
 
 std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, double duration) {
   constexpr double at_once = 1e-9;  // of the duration

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bentur/elements/coupled_law.h"
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
 
@@ -12,6 +13,14 @@ namespace bentur {
 
 /// Puts what storey `storey` of so many has lost of its strength among what yielding did.
 void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding);
+
+/// What the hinges of a frame did, and its columns that can break: largest moments [force·length] and shears [force].
+void take_hinge_peaks(const Hinges& hinges, const Eigen::VectorXd& moments, const Eigen::VectorXd& shears,
+                      BuildingPeaks& peaks);
+/// The rest of it, by the state of their law at the end, with residual drifts and the mechanism. @param storey_heights
+/// of the building that the frame is of, a slab's 0 [length]
+void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights, const CoupledLaw& law,
+                 const CoupledState& state, BuildingPeaks& peaks);
 
 /// What links did, the joints of a system.
 [[nodiscard]] std::vector<LinkSummary> links_of(const Solution& solution);

@@ -15,6 +15,7 @@
 #include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/pounding/internal/progress_of_parts.h"
 #include "bentur/pounding/internal/summaries.h"
+#include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/structure/plan/plan_body.h"
 
 namespace bentur {
@@ -74,8 +75,27 @@ PlanPeaks::Bearings bearings_of(const PlanModel& model, const VectorXd& moved, c
   return found;
 }
 
+/// What the hinges of the frames of a building did, whose states begin at `state`, which is moved on past them.
+void take_frames(const PlanModel& model, const VectorXd& moments, const VectorXd& shears,
+                 const std::vector<CoupledState>& states, std::size_t& state, PlanPeaks& peaks) {
+  Index hinge = 0, column = 0;
+  for (std::size_t p = 0; p < model.planes.size(); ++p) {
+    const Hinges& hinges = model.planes[p].hinges;
+    if (hinges.size() == 0) continue;
+    BuildingPeaks& frame = peaks.planes[p].frame;
+    const Index turning = std::ssize(hinges.places), breaking = std::ssize(hinges.columns);
+    take_hinge_peaks(hinges, moments.segment(hinge, turning), shears.segment(column, breaking), frame);
+    take_hinges(hinges, model.storey_heights, *element_of(hinges).law, states[state++], frame);
+    peaks.planes[p].yielding.residual_drift_ratio = std::move(frame.yielding.residual_drift_ratio);
+    frame.yielding = {};
+    hinge += turning;
+    column += breaking;
+  }
+}
+
 PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>& outputs,
-                   const std::vector<ElementFound>& members) {
+                   const std::vector<ElementFound>& members, const std::vector<CoupledState>& states,
+                   std::size_t& state) {
   const Index n = building.model.floors();
   const auto peak = [&](PlanOutput kind) -> const VectorXd& { return outputs[static_cast<std::size_t>(kind)].peak; };
   const auto part = [&](PlanOutput kind, Index i) -> VectorXd { return peak(kind).segment(i * n, n); };
@@ -111,13 +131,24 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
   }
   peaks.bearings =
       bearings_of(building.model, peak(PlanOutput::bearing_movement), peak(PlanOutput::bearing_force), members, member);
+  if (building.model.planes.empty()) {
+    peaks.drift_south = part(PlanOutput::edge_drift, 0);
+    peaks.drift_north = part(PlanOutput::edge_drift, 1);
+    peaks.drift_west = part(PlanOutput::edge_drift, 2);
+    peaks.drift_east = part(PlanOutput::edge_drift, 3);
+    for (VectorXd* list : {&peaks.drift_south, &peaks.drift_north, &peaks.drift_west, &peaks.drift_east}) {
+      list->head(building.model.first_storey()).setConstant(nothing);
+    }
+  }
+  take_frames(building.model, peak(PlanOutput::hinge_moment), peak(PlanOutput::breaking_shear), states, state, peaks);
   return peaks;
 }
 
 std::vector<PlanPeaks> peaks_of(const PlanProblem& problem, const Solution& solution) {
   std::vector<PlanPeaks> peaks;
+  std::size_t state = 0;
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    peaks.push_back(peaks_of(problem.buildings[b], solution.outputs[b], solution.members[b]));
+    peaks.push_back(peaks_of(problem.buildings[b], solution.outputs[b], solution.members[b], solution.coupled, state));
   }
   return peaks;
 }
@@ -134,7 +165,8 @@ bool is_mirrored(const PlanProblem& problem) {
            const auto& bearings = building.model.bearings;
            return std::all_of(bearings.begin(), bearings.end(), [&](const auto& one) { return odd(one.law); }) &&
                   std::all_of(building.model.planes.begin(), building.model.planes.end(), [&](const auto& plane) {
-                    return std::all_of(plane.laws.begin(), plane.laws.end(), odd);
+                    return std::all_of(plane.laws.begin(), plane.laws.end(), odd) &&
+                           (plane.hinges.size() == 0 || element_of(plane.hinges).law->is_odd());
                   });
          });
 }
@@ -204,6 +236,10 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
     if (problem.buildings[b].model.soil) {
       foundation = stacked(history(PlanOutput::foundation), history(PlanOutput::foundation_force));
     }
+    const bool moves = !problem.buildings[b].is_rigid();
+    const MatrixXd nothing(0, std::ssize(histories.time));
+    histories.hinge_moment.push_back(moves ? history(PlanOutput::hinge_moment) : nothing);
+    histories.hinge_rotation.push_back(moves ? history(PlanOutput::hinge_rotation) : nothing);
   }
   const Index count = std::ssize(places);
   const auto in_order = [&](const MatrixXd& rows) {
@@ -217,6 +253,12 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
   histories.slip = in_order(solution.samples.slip);
   histories.force_along = in_order(solution.samples.force_along);
   return histories;
+}
+
+/// What is left of a drift has no end where nothing holds a storey of a frame any more.
+bool holds_for_good(const BuildingPeaks& frame) {
+  const auto loses = [](const BuildingPeaks::Hinge& hinge) { return hinge.strength_left.has_value(); };
+  return frame.columns.empty() && std::none_of(frame.hinges.begin(), frame.hinges.end(), loses);
 }
 
 /// Every number that is told is one.
@@ -251,9 +293,13 @@ bool is_finite(const PlanResponse& response) {
     const auto of_storeys = [&](const VectorXd& list) {
       return list.size() == 0 || list.tail(list.size() - slabs).allFinite();
     };
+    for (const VectorXd* list : {&peaks.drift_south, &peaks.drift_north, &peaks.drift_west, &peaks.drift_east}) {
+      all = all && of_storeys(*list);
+    }
     return all && std::all_of(peaks.planes.begin(), peaks.planes.end(), [&](const PlanPeaks::Plane& plane) {
              return of_storeys(plane.drift_ratio) && of_storeys(plane.shear) &&
-                    of_storeys(plane.yielding.residual_drift_ratio) && plane.yielding.hysteretic_energy.allFinite();
+                    (of_storeys(plane.yielding.residual_drift_ratio) || !holds_for_good(plane.frame)) &&
+                    plane.yielding.hysteretic_energy.allFinite();
            });
   };
   return std::all_of(response.buildings.begin(), response.buildings.end(), finite) &&

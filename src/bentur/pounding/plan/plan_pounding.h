@@ -15,9 +15,11 @@ struct PlanPeaks {
   Eigen::VectorXd shear_x, shear_y, torque;        ///< of storeys [force], [force·length]; empty of a wall
   /// Of one plane, storey by storey.
   struct Plane {
-    Eigen::VectorXd drift_ratio;            ///< max |Δ_j|/h_j [-]
-    Eigen::VectorXd shear;                  ///< max |V_j| [force]
-    BuildingPeaks::Yielding yielding = {};  ///< empty where no storey of it can yield
+    Eigen::VectorXd drift_ratio;  ///< max |Δ_j|/h_j [-]
+    Eigen::VectorXd shear;        ///< max |V_j| [force]
+    /// Empty where no storey of it can yield; of a frame with hinges residual drifts alone, those of the frame itself.
+    BuildingPeaks::Yielding yielding = {};
+    BuildingPeaks frame = {};  ///< of a frame what its hinges and its columns that break did, and its mechanism
   };
   std::vector<Plane> planes;
   /// Of the foundation: sway along x and y [length], rocking that moves what is above along x and y, twist [rad]; empty
@@ -31,6 +33,12 @@ struct PlanPeaks {
     Eigen::VectorXd hysteretic_energy = {};            ///< [force·length]
   };
   Bearings bearings = {};
+  /// max |Δ|/h of the edges along themselves, of a building without planes; empty of others [-].
+  Eigen::VectorXd drift_south = {}, drift_north = {}, drift_west = {}, drift_east = {};
+  /// The largest of the four, storey by storey.
+  [[nodiscard]] Eigen::VectorXd edge_drift_ratio() const {
+    return drift_south.cwiseMax(drift_north).cwiseMax(drift_west.cwiseMax(drift_east));
+  }
 };
 
 /// What a contact point did along the joint.
@@ -54,6 +62,9 @@ struct PlanHistories {
   /// Per building on bearings their movements along x and y, x and y of one after the other [length], and below them
   /// the forces, without dashpots: 4 n × samples; others: 0 × 0.
   std::vector<Eigen::MatrixXd> bearing = {};
+  /// Of the hinges of all frames of a building, one frame after the other: M + M₀ [force·length] and θ [rad]; no rows
+  /// where it has none.
+  std::vector<Eigen::MatrixXd> hinge_moment = {}, hinge_rotation = {};
   Eigen::MatrixXd opening = {}, force = {};     ///< [length], [force]
   Eigen::MatrixXd slip = {}, force_along = {};  ///< s and F_t (P-6); 0 where nothing rubs
 };

@@ -1,8 +1,10 @@
 #include <algorithm>
 
+#include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
 
 namespace bentur {
@@ -28,6 +30,28 @@ bool has_soil(const PlanRun& run) {
   const std::vector<Eigen::MatrixXd>& all = run.response.histories.foundation;
   return std::any_of(all.begin(), all.end(), [](const Eigen::MatrixXd& one) { return one.rows() > 0; });
 }
+bool has_hinges(const PlanRun& run) {
+  return !run.response.histories.time.empty() && !frames_that_yield(run.problem).empty();
+}
+bool has_formed_hinges(const PlanRun& run) {
+  const auto formed = [](const BuildingPeaks::Hinge& hinge) { return hinge.first_yield.has_value(); };
+  for (const auto& [b, p] : frames_that_yield(run.problem)) {
+    const std::vector<BuildingPeaks::Hinge>& hinges = run.response.buildings[b].planes[p].frame.hinges;
+    if (std::any_of(hinges.begin(), hinges.end(), formed)) return has_hinges(run);
+  }
+  return false;
+}
+/// Drawn as frames of a row are: of all of them, as a gap has no part in it.
+FigureOptions of_frames(FigureOptions options) {
+  options.gap.reset();
+  return options;
+}
+Figure frame_hinges_figure(const PlanRun& run, const FigureOptions& options) {
+  return hinges_figure(frames_of(run), of_frames(options));
+}
+Figure frame_loop_figure(const PlanRun& run, const FigureOptions& options) {
+  return hinge_loop_figure(frames_of(run), of_frames(options));
+}
 bool has_energy(const PlanRun& run) { return run.response.energy && run.response.energy->histories.input.size() > 0; }
 
 const PlanKind plan_kinds[] = {
@@ -44,6 +68,10 @@ const PlanKind plan_kinds[] = {
      friction_figure},
     {"soil-loop", "force and moment of the soil over sway, rocking and twist of foundations", has_soil,
      soil_loop_figure},
+    {"hinges", "hinges on the frames by how far they turned, numbered in the order in which they formed", has_hinges,
+     frame_hinges_figure, has_formed_hinges},
+    {"hinge-loop", "moment over rotation of the hinge of each frame that turned furthest", has_formed_hinges,
+     frame_loop_figure},
     {"energy", "where the energy is", has_energy, energy_figure, always<PlanRun>, true},
 };
 

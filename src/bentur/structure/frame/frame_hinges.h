@@ -68,6 +68,9 @@ class FrameHinges {
 /// Krawinkler 2005], and harden to less than twice their capacity. (H-17) @throws InvalidParameter: it names the end.
 void check_backbones(const Hinges& hinges);
 
+/// Hinges, which there are, as one law over the degrees of freedom of their rows. @throws as check_backbones()
+[[nodiscard]] CoupledElement element_of(const Hinges& hinges);
+
 /// "left end of the beam of bay 1, floor 2", "bottom of the column of line 3, storey 1".
 [[nodiscard]] std::string name_of(const HingePlace& place);
 /// "column of line 3, storey 1", "piece 2 of the column of line 3, storey 1".

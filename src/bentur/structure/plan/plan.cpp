@@ -153,6 +153,9 @@ void check_holds(const Plan& plan) {
     check_list("stiffnesses", plane.storeys.stiffnesses, floors);
     if (!is_frame(plane)) continue;
     check_matrix("sway_stiffness", plane.sway_stiffness, floors);
+    if (plane.hinges.size() > 0 && plane.hinges.rows.cols() != floors) {
+      throw InvalidParameter("hinges", plane.name, "must be over as many sways as the building has floors");
+    }
   }
   if (plan.cantilever) {
     check_point("cantilever", plan.cantilever->at);
@@ -209,6 +212,9 @@ PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, Index
   PlanModel::Plane made = over_dofs(plane.name, springs, dofs);
   if (is_frame(plane)) {
     hold_at_once(plane.sway_stiffness, made);
+    made.hinges = plane.hinges;
+    if (made.hinges.size() > 0) made.hinges.rows = plane.hinges.rows * sways_of(made);
+    made.bays = plane.bays;
     return made;
   }
   for (std::size_t j = 0; j < springs.size(); ++j) {
@@ -242,13 +248,19 @@ void add_cantilever(const Plan& plan, PlanModel& model) {
 }  // namespace
 
 void stand_frame(PlaneFrame frame, PlanPlane& plane) {
+  if (!frame.infills.empty() || !frame.nodes.empty()) {
+    throw InvalidParameter("frame", plane.name, "must have no infill and no struck columns as a plane");
+  }
   for (std::vector<Section>* const members : {&frame.columns, &frame.beams}) {
-    for (Section& section : *members) section = {.area = section.area, .inertia = section.inertia};
+    for (Section& section : *members) section.mass = section.line_mass = 0;
   }
   frame.floor_masses.assign(frame.storey_heights.size(), 1);  // of which the stiffness knows nothing
   frame.mass_matrix = MassMatrix::lumped;
   frame.condensation = Condensation::static_;
-  plane.sway_stiffness = plane_frame_model(frame).stiffness;
+  StructuralModel model = plane_frame_model(frame);
+  plane.sway_stiffness = std::move(model.stiffness);
+  plane.hinges = std::move(model.hinges);
+  plane.bays = frame.bay_widths;
   const Index floors = plane.sway_stiffness.rows();
   plane.storeys.stiffnesses.clear();
   for (Index j = 0; j < floors; ++j) plane.storeys.stiffnesses.push_back(storey_part(plane.sway_stiffness, j));

@@ -26,13 +26,15 @@ struct PlanPlane {
   /// What its storeys are as those of a shear building: stiffnesses [force/length] ≥ 0, one of them > 0, and how they
   /// yield. Its heights and masses are not looked at.
   Stick storeys = {};
-  /// Of a frame its stiffness against the sways of all floors along the line, floors × floors [force/length] (P-23); it
-  /// stays elastic, and the stiffnesses above are what its storeys have alone. Empty: springs of storeys.
+  /// Of a frame its stiffness against the sways of all floors along the line, floors × floors [force/length] (P-23);
+  /// the stiffnesses above are what its storeys have alone. Empty: springs of storeys.
   Eigen::MatrixXd sway_stiffness = {};
+  Hinges hinges = {};             ///< of a frame that yields or breaks, over these sways (P-27)
+  std::vector<double> bays = {};  ///< of a frame its widths [length], left to right, of pictures alone
 };
 
-/// Makes a plane a frame: statically condensed onto the sways of its floors. Its masses are not looked at.
-/// @throws InvalidParameter as assemble_plane_frame()
+/// Makes a plane a frame: statically condensed onto the sways of its floors, with its hinges. Its masses are not looked
+/// at. @throws InvalidParameter as plane_frame_model(), and where it has infill or struck columns
 void stand_frame(PlaneFrame frame, PlanPlane& plane);
 
 /// What holds storeys otherwise (P-5): of each list one for all or one per storey; of stiffnesses none: 0.
@@ -122,6 +124,8 @@ struct PlanModel {
     Eigen::MatrixXd pushes;  ///< what V_j = 1 is on the floor above: x, y and about its centre of mass, 3 × storeys
     Eigen::MatrixXd shears;  ///< V_j of what stays elastic, storeys × dofs [force/length]
     std::vector<std::shared_ptr<const HystereticLaw>> laws;  ///< null: that storey stays elastic
+    Hinges hinges = {};  ///< of a frame, over the dofs; `frame_rows` and its like over the sways of its floors
+    std::vector<double> bays = {};  ///< as PlanPlane's
   };
   std::vector<Plane> planes;
   /// A bearing as rows over the dofs: how far it is moved along x and y, and the forces of what stays elastic.

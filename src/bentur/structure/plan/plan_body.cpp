@@ -1,6 +1,9 @@
 #include "bentur/structure/plan/plan_body.h"
 
 #include <array>
+#include <utility>
+
+#include "bentur/structure/frame/frame_hinges.h"
 
 namespace bentur {
 namespace {
@@ -34,45 +37,94 @@ MatrixXd stacked(std::initializer_list<MatrixXd> parts, Index columns) {
   return all;
 }
 
-/// What the storeys of planes and the bearings do that yield, those of planes first, and the rows by which both are
-/// told.
+/// What of planes and bearings yields, storeys of planes first, and the rows by which both are told.
 struct PlaneRows {
   std::vector<BuildingElement> elements = {};
+  std::vector<CoupledElement> coupled = {};
   MatrixXd drifts = {}, shears = {};                     ///< planes · storeys × dofs
-  MatrixXd shear_of_forces = {}, storey_of_forces = {};  ///< × elements
+  MatrixXd shear_of_forces = {}, storey_of_forces = {};  ///< × forces of elements
   MatrixXd bearing_moves = {}, bearing_forces = {};      ///< 2 · bearings × dofs
-  MatrixXd bearing_of_forces = {};                       ///< × elements
+  MatrixXd bearing_of_forces = {};                       ///< × forces of elements
+  Outputs moments = {}, rotations = {}, breaking = {};   ///< of hinges, and of columns that break
 };
+
+/// Storey shears of a frame by the forces of its hinges: what these push on all floors above with.
+MatrixXd shears_of_hinges(const Hinges& hinges) {
+  MatrixXd shears = hinges.frame_rows.transpose();
+  for (Index j = shears.rows() - 1; j-- > 0;) shears.row(j) += shears.row(j + 1);
+  return shears;
+}
+
+/// Rows `from` … of the moments of a frame's hinges, whose forces begin at `force` of so many.
+void add_moments(const Hinges& hinges, Index from, Index count, Index force, Index forces, Outputs& to) {
+  MatrixXd of_forces = MatrixXd::Zero(count, forces);
+  of_forces.middleCols(force, hinges.size()) = hinges.stiffness.middleRows(from, count);
+  const auto append = [](auto& list, const auto& more) {
+    const Index rows = list.rows();
+    list.conservativeResize(rows + more.rows(), more.cols());
+    list.bottomRows(more.rows()) = more;
+  };
+  append(to.rows, MatrixXd(hinges.rows.middleRows(from, count)));
+  append(to.forces, of_forces);
+  append(to.at_rest, Eigen::VectorXd(hinges.at_rest.segment(from, count)));
+  to.count += count;
+}
 
 PlaneRows rows_of_planes(const PlanModel& model) {
   const Index floors = model.floors(), count = std::ssize(model.planes) * floors;
   PlaneRows rows{.drifts = MatrixXd::Zero(count, model.dofs()), .shears = MatrixXd::Zero(count, model.dofs())};
+  Index forces = 0;
   for (const PlanModel::Plane& plane : model.planes) {
     for (Index j = 0; j < floors; ++j) {
       if (plane.laws[j]) rows.elements.push_back({plane.drifts.row(j).transpose(), plane.laws[j], j});
     }
+    if (plane.hinges.size() == 0) continue;
+    rows.coupled.push_back(element_of(plane.hinges));
+    forces += plane.hinges.size();
   }
   for (const PlanModel::Bearing& bearing : model.bearings) {
     for (Index i = 0; bearing.law && i < 2; ++i) {
       rows.elements.push_back({bearing.drifts.row(i).transpose(), bearing.law, *model.slab});
     }
   }
-  rows.shear_of_forces = MatrixXd::Zero(count, std::ssize(rows.elements));
-  rows.storey_of_forces = MatrixXd::Zero(3 * floors, std::ssize(rows.elements));
-  Index at = 0, force = 0;
+  Index force = 0, of_hinges = std::ssize(rows.elements);
+  forces += of_hinges;
+  for (Outputs* const one : {&rows.moments, &rows.rotations, &rows.breaking}) {
+    one->rows = MatrixXd(0, model.dofs());
+    one->forces = MatrixXd(0, forces);
+  }
+  rows.shear_of_forces = MatrixXd::Zero(count, forces);
+  rows.storey_of_forces = MatrixXd::Zero(3 * floors, forces);
+  Index at = 0;
   for (const PlanModel::Plane& plane : model.planes) {
+    const Hinges& hinges = plane.hinges;
+    const MatrixXd of_frame = hinges.size() > 0 ? shears_of_hinges(hinges) : MatrixXd();
     for (Index j = 0; j < floors; ++j, ++at) {
       if (j < model.first_storey()) continue;  // a slab is in no plane
       rows.drifts.row(at) = plane.drifts.row(j) / model.storey_heights[j];
       rows.shears.row(at) = plane.shears.row(j);
+      if (hinges.size() > 0) {
+        rows.shear_of_forces.row(at).segment(of_hinges, hinges.size()) = of_frame.row(j);
+        rows.storey_of_forces.block(3 * j, of_hinges, 3, hinges.size()) = plane.pushes.col(j) * of_frame.row(j);
+      }
       if (!plane.laws[j]) continue;
       rows.shear_of_forces(at, force) = 1;
       rows.storey_of_forces.block<3, 1>(3 * j, force++) = plane.pushes.col(j);
     }
+    if (hinges.size() == 0) continue;
+    const Index turning = std::ssize(hinges.places), breaking = std::ssize(hinges.columns);
+    add_moments(hinges, 0, turning, of_hinges, forces, rows.moments);
+    add_moments(hinges, turning, breaking, of_hinges, forces, rows.breaking);
+    MatrixXd turned = MatrixXd::Zero(rows.rotations.count + turning, forces);
+    turned.topRows(rows.rotations.count) = rows.rotations.forces;
+    turned.block(rows.rotations.count, of_hinges, turning, turning) = -MatrixXd::Identity(turning, turning);
+    rows.rotations.forces = std::move(turned);
+    rows.rotations.count += turning;
+    of_hinges += hinges.size();
   }
   const Index bearings = std::ssize(model.bearings);
   rows.bearing_moves = rows.bearing_forces = MatrixXd::Zero(2 * bearings, model.dofs());
-  rows.bearing_of_forces = MatrixXd::Zero(2 * bearings, std::ssize(rows.elements));
+  rows.bearing_of_forces = MatrixXd::Zero(2 * bearings, forces);
   for (Index n = 0; n < bearings; ++n) {
     const PlanModel::Bearing& bearing = model.bearings[n];
     rows.bearing_moves.middleRows<2>(2 * n) = bearing.drifts;
@@ -82,6 +134,7 @@ PlaneRows rows_of_planes(const PlanModel& model) {
       rows.storey_of_forces.block<3, 1>(0, force++) = bearing.pushes.col(i);
     }
   }
+  rows.rotations.rows.resize(0, 0);
   return rows;
 }
 
@@ -123,6 +176,7 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
             .stiffness = model.stiffness,
             .load = model.load * axes,
             .elements = planes.elements,
+            .coupled = planes.coupled,
             .tangent_damping = building.tangent_damping};
   const auto add = [&](Outputs outputs) {
     outputs.kind = OutputKind::displacement;
@@ -151,6 +205,20 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
                           .rates = foundation.dashpots});
   add({.count = planes.bearing_moves.rows(), .rows = planes.bearing_moves});
   add({.count = planes.bearing_forces.rows(), .rows = planes.bearing_forces, .forces = planes.bearing_of_forces});
+  add(planes.moments);
+  add(planes.rotations);
+  body.outputs.back().has_peak = false;  // their law knows it
+  add(planes.breaking);
+  MatrixXd drifts = MatrixXd::Zero(model.planes.empty() ? 4 * floors : 0, dofs);
+  for (Index j = model.first_storey(); j < drifts.rows() / 4; ++j) {
+    const std::array<std::pair<PlanPoint, PlanPoint>, 4> edges = {
+        {{low, x}, {high, x}, {low, y}, {high, y}}};  // places and directions
+    for (Index edge = 0; edge < 4; ++edge) {
+      const auto& [at, along] = edges[static_cast<std::size_t>(edge)];
+      drifts.row(edge * floors + j) = model.drift(j, at, along).transpose() / model.storey_heights[j];
+    }
+  }
+  add({.count = drifts.rows(), .rows = drifts});
   return body;
 }
 

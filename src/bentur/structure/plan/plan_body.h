@@ -5,7 +5,8 @@
 
 namespace bentur {
 
-/// The outputs of the body of a building in plan, in this order; n floors. The last ones are none of a wall.
+/// The outputs of the body of a building in plan, in this order; n floors. From `storey_force` on they are none of a
+/// wall.
 enum class PlanOutput {
   movement,              ///< [length], n each: u_x, u_y; u_x of the south and north edge, u_y of the west and east edge
   rotation,              ///< [rad]
@@ -18,6 +19,13 @@ enum class PlanOutput {
   foundation_force,  ///< of springs and dashpots below it, likewise [force], [force·length]
   bearing_movement,  ///< along x and y, two a bearing [length]
   bearing_force,     ///< [force]
+  // Of all frames that have any, one after the other.
+  hinge_moment,    ///< M + M₀ [force·length]
+  hinge_rotation,  ///< [rad]
+  breaking_shear,  ///< Q + Q₀ of columns that break [force]
+  /// Of a building without planes drift ratios along themselves of the south and north edge (x), the west and east edge
+  /// (y), n each [-]; of others none.
+  edge_drift,
 };
 
 /// @param axes along which the components of the ground's motion act, a column each

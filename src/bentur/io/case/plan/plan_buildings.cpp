@@ -119,7 +119,7 @@ bool read_plane(const TableView& table, const std::vector<double>& heights, Plan
       return key == "name" || key == "along" || key == "at" || key == "angle" || key == "through" ||
              key == "stiffnesses" || key == "frame";
     });
-    table.refuse(yields, "does not go with frame, which stays elastic as a plane");
+    table.refuse(yields, "does not go with frame, whose members yield by moment_capacity of their sections");
     const auto frame = table.table("frame");
     return holds && frame && read_frame_of_plane(*frame, heights, plane);
   }

@@ -1,6 +1,7 @@
 #include "bentur/io/results/plan/plan_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -8,8 +9,10 @@
 #include "bentur/io/results/internal/asked_json.h"
 #include "bentur/io/results/internal/code_json.h"
 #include "bentur/io/results/internal/gap_json.h"
+#include "bentur/io/results/internal/hinges_json.h"
 #include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/model/plan/plan_screening.h"
@@ -60,6 +63,20 @@ Json soil_json(const PlanSoil& soil) {
   return json;
 }
 
+/// What the hinges did of those planes of a building that are frames with some, by their numbers.
+void put_frames(Json& planes, const PlanRun& run, Index b) {
+  const RunResults frames = frames_of(run);
+  const RunView view = frames.view();
+  const std::vector<PlanFramePlace> places = frames_that_yield(run.problem);
+  for (Index f = 0; f < std::ssize(places); ++f) {
+    if (places[f].building != b) continue;
+    Json& plane = planes[places[f].plane];
+    const double energy = value_of(quantity_named("hinge_energy", Owner::building), view, {f});
+    if (!std::isnan(energy)) plane["hinge_energy"] = energy;
+    put_hinges(plane, view, f);
+  }
+}
+
 Json plan_building_json(const PlanRun& run, std::size_t b) {
   const PlanBuilding& building = run.problem.buildings[b];
   const auto item = static_cast<Index>(b);
@@ -77,6 +94,7 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
     put_quantities(plane, PlanOwner::plane, run, floors_of(run.problem, item, p));
     json["planes"].push_back(std::move(plane));
   }
+  put_frames(json["planes"], run, item);
   return json;
 }
 

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bentur/io/results/internal/curve_names.h"
+#include "bentur/io/results/internal/place_list.h"
 #include "bentur/io/results/internal/variable_pass.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/structure/modes.h"
@@ -27,14 +31,14 @@ ResultDimension link_dimension(std::size_t size, bool stand_still) {
 /// Goes through all variables of a run, one after the other: `File` is a Teller of a `Run` that is const, or a Giver to
 /// one that is not, whose problem is known: of it the response alone is read.
 template <class File, class Run>
-class PlanVariables : private VariablePass<File> {
+class PlanVariables : private PlaceList<File, const PlanProblem> {
   using Pass = VariablePass<File>;
   using Pass::each, Pass::file_, Pass::fit, Pass::made, Pass::pass;
   static constexpr bool reads = File::reads;
 
  public:
   PlanVariables(File& file, Run& run)
-      : Pass(file),
+      : PlaceList<File, const PlanProblem>(file, run.problem),
         run_(run),
         length_(udunit(run.c.units.length)),
         force_(udunit(run.c.units.force)),
@@ -205,6 +209,104 @@ class PlanVariables : private VariablePass<File> {
       for (const PlanPlace& place : floors_of(run_.problem, b, p)) places.push_back(place);
     }
     quantities(PlanOwner::plane, {planes, floors}, places, "plane_", number, ", by the floor above, of " + owner);
+    hinges(b, number, owner);
+    breaking_columns(b, number, owner);
+    mechanisms(b, planes, floors, number, owner);
+  }
+
+  /// Where members of the frames of a building yield, and what they did there.
+  void hinges(Index b, const std::string& number, const std::string& owner) {
+    const std::vector<PlanPlace> places = hinges_of(run_.problem, b);
+    auto& histories = run_.response.histories;
+    fit(histories.hinge_moment, run_.problem.buildings.size());
+    fit(histories.hinge_rotation, run_.problem.buildings.size());
+    if (places.empty()) return;
+    const ResultDimension hinges = file_.dimension({"hinge" + number, places.size()});
+    const std::string of = " of the hinges of " + owner;
+    if constexpr (reads) {
+      if (hinges.size != places.size()) file_.source.fail("is not of this case");
+    } else {
+      hinges_told(b, hinges, places, number, of);
+    }
+    quantities(PlanOwner::hinge, {hinges}, places, "", number, of);
+    if (time_.size == 0) return;
+    pass({"hinge_moment" + number, {time_, hinges}, force_ + " " + length_, "moments, that at rest included," + of},
+         histories.hinge_moment[b]);
+    pass({"hinge_rotation" + number, {time_, hinges}, "rad", "rotations" + of}, histories.hinge_rotation[b]);
+  }
+
+  void hinges_told(Index b, const ResultDimension& hinges, const std::vector<PlanPlace>& places,
+                   const std::string& number, const std::string& of) {
+    std::vector<std::string> planes;
+    std::vector<HingePlace> ends;
+    Eigen::MatrixXd limits(std::ssize(places), 3);
+    for (std::size_t h = 0; h < places.size(); ++h) {
+      const PlanModel::Plane& plane = run_.problem.buildings[b].model.planes[places[h].plane];
+      planes.push_back(plane.name);
+      ends.push_back(plane.hinges.places[places[h].floor]);
+      limits.row(static_cast<Index>(h)) = plane.hinges.rotation_limits.row(places[h].floor);
+    }
+    made({"hinge_plane" + number, {hinges}, "", "planes" + of}, planes);
+    this->hinge_places(hinges, ends, number, of);
+    if (limits.array().isNaN().all()) return;
+    made({"hinge_limit" + number, {{"limit" + number, 3}, hinges}, "rad", "IO, LS, CP" + of}, limits);
+  }
+
+  void breaking_columns(Index b, const std::string& number, const std::string& owner) {
+    const std::vector<PlanPlace> places = breaking_columns_of(run_.problem, b);
+    if (places.empty()) return;
+    const std::string of = " of the columns that can break of " + owner;
+    const ResultDimension columns = file_.dimension({"breaking_column" + number, places.size()});
+    if constexpr (reads) {
+      if (columns.size != places.size()) file_.source.fail("is not of this case");
+    } else {
+      std::vector<std::string> planes;
+      std::vector<BreakingColumn> all;
+      for (const PlanPlace& at : places) {
+        const PlanModel::Plane& plane = run_.problem.buildings[b].model.planes[at.plane];
+        planes.push_back(plane.name);
+        all.push_back(plane.hinges.columns[at.floor]);
+      }
+      made({"breaking_column_plane" + number, {columns}, "", "planes" + of}, planes);
+      this->breaking_places(all, number, owner, force_);
+    }
+    quantities(PlanOwner::column, {columns}, places, "", number, of);
+  }
+
+  /// When hinges first let storeys of a frame sway without bending, and which; NaN and 0 of all others.
+  void mechanisms(Index b, const ResultDimension& planes, const ResultDimension& floors, const std::string& number,
+                  const std::string& owner) {
+    const auto& all = run_.problem.buildings[b].model.planes;
+    const auto has_hinges = [](const PlanModel::Plane& plane) { return plane.hinges.size() > 0; };
+    if (std::none_of(all.begin(), all.end(), has_hinges)) return;
+    std::vector<double> times(all.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<int> sways(all.size() * floors.size, 0);
+    auto& peaks = run_.response.buildings[b].planes;
+    if constexpr (!reads) {
+      for (std::size_t p = 0; p < all.size(); ++p) {
+        if (!peaks[p].frame.mechanism) continue;
+        times[p] = peaks[p].frame.mechanism->time;
+        for (const Index storey : peaks[p].frame.mechanism->storeys) {
+          sways[p * floors.size + static_cast<std::size_t>(storey)] = 1;
+        }
+      }
+    }
+    made({"mechanism_time" + number,
+          {planes},
+          "s",
+          "when hinges first let storeys of a frame sway without bending, of " + owner},
+         times);
+    made({"mechanism_storey" + number, {planes, floors}, "", "1 for each storey that did so then, of " + owner}, sways);
+    if constexpr (reads) {
+      for (std::size_t p = 0; p < times.size(); ++p) {
+        if (std::isnan(times[p])) continue;
+        BuildingPeaks::Mechanism& found = peaks[p].frame.mechanism.emplace();
+        found.time = times[p];
+        for (std::size_t j = 0; j < floors.size; ++j) {
+          if (sways[p * floors.size + j] != 0) found.storeys.push_back(static_cast<Index>(j));
+        }
+      }
+    }
   }
 
   void of_points() {

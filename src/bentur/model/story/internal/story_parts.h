@@ -62,6 +62,9 @@ void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
 
+/// The same of the frames of buildings in plan, and of their columns as tell_breaking().
+void tell_frames(const PlanRun& run, Story& told);
+
 /// Of frames with infill: where a strut pushes hardest on a column, and where infill failed first or lost most.
 void tell_infill(const RunResults& run, std::vector<Statement>& statements);
 

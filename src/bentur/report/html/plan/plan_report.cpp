@@ -85,6 +85,10 @@ class PlanPage {
       content += element("h3", say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}));
       content += floors(b, false) + floors(b, true) + foundation(b) + planes(b);
     }
+    for (const StoryTable& table : story_.tables) {
+      const SaidTable shown = said(table, say_);
+      content += element("h3", shown.heading) + html::table_of(shown);
+    }
     content += element("p", say_("plan.peaks_note"), "class=\"note\"");
     if (run_.response.energy) {
       const EnergyAudit& energy = *run_.response.energy;

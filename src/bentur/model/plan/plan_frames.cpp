@@ -1,0 +1,67 @@
+#include "bentur/model/plan/plan_frames.h"
+
+#include <algorithm>
+
+namespace bentur {
+
+using Eigen::Index;
+
+std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem) {
+  std::vector<PlanFramePlace> places;
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    const std::vector<PlanModel::Plane>& planes = problem.buildings[b].model.planes;
+    for (Index p = 0; p < std::ssize(planes); ++p) {
+      if (planes[p].hinges.size() > 0) places.push_back({b, p});
+    }
+  }
+  return places;
+}
+
+RunResults frames_of(const PlanRun& run) {
+  RunResults frames;
+  frames.c.title = run.c.title;
+  frames.c.units = run.c.units;
+  frames.c.analysis = run.c.analysis;
+  frames.problem.duration = run.problem.duration;
+  frames.response.status = run.response.status;
+  frames.response.collapse_no_contact = run.response.collapse_no_contact;
+  frames.response.points = run.response.points;  // by whose forces units are shown
+  frames.response.histories.time = run.response.histories.time;
+  double largest = 0;  // storey shear, likewise
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    for (const Eigen::VectorXd* const list : {&peaks.shear_x, &peaks.shear_y}) {
+      if (list->size() > 0) largest = std::max(largest, list->maxCoeff());
+    }
+  }
+  std::vector<Index> before(run.problem.buildings.size(), 0);  // hinges of the frames before it
+  for (const auto& [b, p] : frames_that_yield(run.problem)) {
+    const PlanModel& model = run.problem.buildings[b].model;
+    const PlanModel::Plane& plane = model.planes[p];
+    Building& building = frames.problem.buildings.emplace_back();
+    building.name = run.problem.buildings[b].name + ", " + plane.name;
+    building.model.elevations = model.elevations;
+    building.model.storey_heights = model.storey_heights;
+    building.model.floor_masses = model.floor_masses;
+    building.model.hinges = plane.hinges;
+    building.modes.omega = run.problem.buildings[b].modes.omega;
+    building.bays = plane.bays;
+    const PlanPeaks& of = run.response.buildings[b];
+    BuildingPeaks& peaks = frames.response.buildings.emplace_back(of.planes[p].frame);
+    peaks.drift_ratio = of.planes[p].drift_ratio;
+    peaks.storey_shear.setConstant(model.floors(), largest);
+    Histories& histories = frames.response.histories;
+    const Index hinges = std::ssize(plane.hinges.places);
+    const bool known = b < std::ssize(run.response.histories.hinge_moment) &&
+                       run.response.histories.hinge_moment[b].rows() >= before[b] + hinges;
+    const auto rows = [&](const std::vector<Eigen::MatrixXd>& list) {
+      return known ? Eigen::MatrixXd(list[b].middleRows(before[b], hinges)) : Eigen::MatrixXd();
+    };
+    histories.hinge_moment.push_back(rows(run.response.histories.hinge_moment));
+    histories.hinge_rotation.push_back(rows(run.response.histories.hinge_rotation));
+    histories.displacement.emplace_back(Eigen::MatrixXd::Zero(model.floors(), std::ssize(histories.time)));
+    before[b] += hinges;
+  }
+  return frames;
+}
+
+}  // namespace bentur

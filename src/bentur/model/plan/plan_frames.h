@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/run_results.h"
+
+namespace bentur {
+
+/// A frame of a building in plan that has hinges, or columns that can break.
+struct PlanFramePlace {
+  Eigen::Index building = 0, plane = 0;
+};
+[[nodiscard]] std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem);
+
+/// Each of these as a building of a row that is called "building, plane": what its hinges did, its columns that can
+/// break, their histories, and nothing else. The response may be one without histories.
+[[nodiscard]] RunResults frames_of(const PlanRun& run);
+
+}  // namespace bentur
