@@ -198,8 +198,9 @@ void expect_level(const Summary& plan, const Summary& row, double tolerance, boo
   ASSERT_EQ(plan.gap_needed_reversed.has_value(), row.gap_needed_reversed.has_value());
   const double reversed = row.gap_needed_reversed.value_or(0);
   EXPECT_NEAR(plan.gap_needed_reversed.value_or(0), reversed, tolerance * (1e-9 + reversed));
-  EXPECT_NEAR(plan.peak_left, turned ? row.peak_right : row.peak_left, tolerance * (1e-9 + row.peak_left));
-  EXPECT_NEAR(plan.peak_right, turned ? row.peak_left : row.peak_right, tolerance * (1e-9 + row.peak_right));
+  const double moves = tolerance * (1e-9 + std::max(row.peak_left, row.peak_right));
+  EXPECT_NEAR(plan.peak_left, turned ? row.peak_right : row.peak_left, moves);
+  EXPECT_NEAR(plan.peak_right, turned ? row.peak_left : row.peak_right, moves);
 }
 
 /// What the gaps watch, each floor of the row at both ends. @return how many
@@ -344,7 +345,11 @@ TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
       const auto row = read_case(entry.path(), diagnostics);
       if (!row) continue;  // a study
       std::optional<Response> wanted;
+      const bool framed = std::any_of(row->buildings.begin(), row->buildings.end(), [](const BuildingSpec& spec) {
+        return std::holds_alternative<PlaneFrame>(spec.structure);
+      });
       for (const auto& [points, map] : ways) {
+        if (framed && map != straight) break;  // those with hinges are turned below
         const auto twin = twin_of(*row, points, map);
         if (!twin) break;
         SCOPED_TRACE(testing::Message() << entry.path().filename().string() << ", points " << points << "\n" << map);
@@ -389,7 +394,7 @@ TEST(PlanTwins, OfFramesWithHinges) {
     Diagnostics diagnostics;
     const auto row = read_case(entry.path(), diagnostics);
     ASSERT_TRUE(row) << entry.path();
-    const SolveOptions options{.levels = true, .both_ways = true, .energy_audit = true};
+    const SolveOptions options{.levels = true, .energy_audit = true};
     std::optional<Response> wanted;
     for (const Eigen::Matrix2d& map : {Eigen::Matrix2d(Eigen::Matrix2d::Identity()), quarter}) {
       const auto twin = twin_of(*row, 2, map);

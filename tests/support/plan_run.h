@@ -43,4 +43,22 @@ inline const std::string wall_beside =
     "\n[[building]]\nname = \"W\"\nrigid = true\nelevations = [3.5]\n"
     "plan = { corner = [-0.52, 0], size = [0.5, 18] }\n";
 
+/// The text of examples/plan/twisting-pair.toml with two frames in the first building whose members yield: hinges of
+/// one lose strength, columns of the other break.
+inline std::string hinged_pair() {
+  const std::string before = "[[building.plane]]\nname = \"west";
+  const std::string members = "elastic_modulus = 3e7, bay_widths = [6, 5], ";
+  return twisting_pair(
+      before,
+      "[[building.plane]]\nname = \"middle\"\nalong = \"x\"\nat = 8\nframe = { " + members +
+          "columns = [{ width = 0.4, depth = 0.5, moment_capacity = [90, 110, 90], hardening = 0.01, rotation_limits = "
+          "[0.001, 0.002, 0.003], backbone = { plastic_rotation = 0.001, softening_rotation = 0.05, residual = 0.2 } "
+          "}], "
+          "beams = [{ width = 0.3, depth = 0.5, moment_capacity = [60, 80], line_load = 3 }] }\n" +
+          "[[building.plane]]\nname = \"across\"\nalong = \"y\"\nat = 3\nframe = { " + members +
+          "columns = [{ width = 0.4, depth = 0.4, shear_capacity = 60, residual_shear = 0.2, moment_capacity = 150 }], "
+          "beams = [{ width = 0.3, depth = 0.4, moment_capacity = 80 }] }\n" +
+          before);
+}
+
 }  // namespace bentur::test

@@ -147,6 +147,41 @@ TEST(PlanReading, WhatWasWrittenIsWhatIsRead) {
   expect_read_back(std::move(fallen));
 }
 
+TEST(PlanReading, FramesWithHingesAreWhatWasWritten) {
+  PlanRun run = test::plan_run(test::hinged_pair());
+  ASSERT_EQ(run.response.status, Status::done) << run.response.message;
+  const std::string bytes = histories_netcdf(run, "test");
+  const NetcdfReader file(bytes, "histories.nc");
+  const std::size_t times = file.dimension_size("time"), hinges = file.dimension_size("hinge_1");
+  EXPECT_EQ(hinges, 40U);  // of two frames of two storeys and two bays
+  EXPECT_EQ(file.at("hinge_rotation_1").shape, (std::vector<std::size_t>{times, hinges}));
+  EXPECT_EQ(file.texts("hinge_plane_1").front(), "middle");
+  EXPECT_EQ(file.texts("hinge_plane_1").back(), "across");
+  EXPECT_EQ(file.texts("breaking_column_plane_1"), (std::vector<std::string>(6, "across")));
+  const std::vector<double> peaks = file.numbers("hinge_peak_rotation_1");
+  EXPECT_LE(largest(file.numbers("hinge_rotation_1")), largest(peaks) * (1 + 1e-12));
+  EXPECT_GE(largest(file.numbers("hinge_rotation_1")), 0.9 * largest(peaks));
+  // What moments and rotations of the histories say at each instant, the law has told.
+  const auto& planes = run.response.buildings[0].planes;
+  long formed = 0;
+  for (const PlanPeaks::Plane& plane : planes) {
+    for (const BuildingPeaks::Hinge& hinge : plane.frame.hinges) formed += hinge.first_yield ? 1 : 0;
+  }
+  EXPECT_GT(formed, 5);
+  std::vector<std::string> kinds;
+  for (const Statement& one : plan_story(run).statements) kinds.push_back(one.kind);
+  const auto tells = [&](const char* kind) { return std::count(kinds.begin(), kinds.end(), kind); };
+  EXPECT_EQ(tells("hinges") + tells("hinges_none"), 2);
+  EXPECT_EQ(tells("columns_break") + tells("columns_whole"), 1);
+  EXPECT_EQ(plan_story(run).tables.front().kind, tells("columns_break") > 0 ? "broken_columns" : "hinges");
+  const std::string json = plan_summary_json(run, "0");
+  for (const char* const key : {"\"hinge_order\"", "\"rotation_demand\"", "\"mechanism\"", "\"breaking_columns\"",
+                                "\"hinge_energy\"", "\"peak_edge_drift_ratio\""}) {
+    EXPECT_NE(json.find(key), std::string::npos) << key;
+  }
+  expect_read_back(std::move(run));
+}
+
 /// A record that is not at hand has told the duration of a case that gives none.
 TEST(PlanReading, KnowsHowLongARecordWas) {
   PlanRun run = test::plan_run(test::twisting_pair("duration = 15.0"));

@@ -237,6 +237,21 @@ bool has_right_members(const PlaneFrame& frame) {
          std::all_of(frame.beams.begin(), frame.beams.end(), right);
 }
 
+/// Whether where they yield and break can be computed with; else it has been said. @param most of a list of capacities
+bool have_right_capacities(const std::vector<Section>& sections, std::size_t most) {
+  const auto list = [&](const std::vector<double>& capacities) {
+    return (capacities.size() <= 1 || capacities.size() == most) &&
+           std::all_of(capacities.begin(), capacities.end(), [](double one) { return one > 0; });
+  };
+  const auto share = [](double one) { return one >= 0 && one < 1; };
+  return std::all_of(sections.begin(), sections.end(), [&](const Section& one) {
+    const HingeBackbone& backbone = one.backbone;
+    return list(one.moment_capacity) && list(one.shear_capacity) && share(one.hardening) && share(one.residual_shear) &&
+           one.line_load >= 0 && share(backbone.residual) && backbone.plastic > 0 && backbone.softening > 0 &&
+           backbone.ultimate > 0;
+  });
+}
+
 /// What follows from columns, beams and infill together; what is wrong of a value alone has been said.
 void check_infills(const TableView& view, const PlaneFrame& frame) {
   const std::vector<TomlView> given = view.get("infill")->items();
@@ -268,13 +283,48 @@ void read_members(const TableView& view, double gravity, PlaneFrame& frame) {
 
 }  // namespace
 
+bool at_section(const std::optional<TomlView>& columns, const std::optional<TomlView>& beams,
+                const InvalidParameter& error) {
+  const std::string& parameter = error.parameter();
+  if (parameter == "line_load" && beams) {
+    for (const TomlView& beam : beams->items()) {
+      if (const auto load = beam.find("line_load")) {
+        load->error_value(error.rule());
+        return true;
+      }
+    }
+  }
+  const std::size_t open = parameter.find('['), close = parameter.find("].backbone.");
+  if (open == std::string::npos || close == std::string::npos) return false;
+  const auto& sections = parameter.substr(0, open) == "beams" ? beams : columns;
+  if (!sections) return false;
+  const std::vector<TomlView> given = sections->items();
+  const std::size_t level = std::stoul(parameter.substr(open + 1, close - open - 1));
+  const auto backbone = given[std::min(level, given.size() - 1)].find("backbone");
+  if (!backbone) return false;
+  if (const auto value = backbone->find(parameter.substr(parameter.rfind('.') + 1))) {
+    value->error_value(error.rule());
+  } else {
+    backbone->error(error.rule());
+  }
+  return true;
+}
+
 bool read_frame_of_plane(const TableView& view, const std::vector<double>& storey_heights, PlanPlane& plane) {
   PlaneFrame frame;
   frame.storey_heights = storey_heights;
   read_members(view, 1, frame);
-  if (!has_right_members(frame)) return false;
+  if (!has_right_members(frame) || !have_right_capacities(frame.columns, frame.bay_widths.size() + 1) ||
+      !have_right_capacities(frame.beams, 2)) {
+    return false;
+  }
   try {
     stand_frame(frame, plane);
+  } catch (const InvalidParameter& error) {
+    if (!at_section(view.find("columns"), view.find("beams"), error)) {
+      view.error(std::string("cannot be computed with: ") + error.what());
+    }
+    return false;
   } catch (const std::exception& error) {
     view.error(std::string("cannot be computed with: ") + error.what());
     return false;

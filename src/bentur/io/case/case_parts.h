@@ -58,6 +58,10 @@ struct CaseFiles {
 /// case_frame.cpp: [building.frame] into `building`. Gravity [length/s²] turns a unit weight into a density.
 void read_frame(const TomlView& frame, double gravity, ReadBuilding& building);
 
+/// Says of a load on a beam that it is too large, or of a backbone of hinges that it cannot be followed, at its key
+/// among the sections of a frame; false where the error is about something else.
+bool at_section(const std::optional<TomlView>& columns, const std::optional<TomlView>& beams,
+                const InvalidParameter& error);
 /// case_frame.cpp: what makes the stiffness of a frame that stands as a plane, into `plane`. @return whether it is
 /// known
 bool read_frame_of_plane(const TableView& frame, const std::vector<double>& storey_heights, PlanPlane& plane);

@@ -108,42 +108,6 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
 
 namespace {
 
-/// Says of the load on a beam that it is too large, at its key; false where the error is about something else.
-bool at_line_load(const TomlView& building, const InvalidParameter& error) {
-  const auto frame = building.find("frame");
-  const auto beams = frame ? frame->find("beams") : std::nullopt;
-  if (!beams || error.parameter() != "line_load") return false;
-  for (const TomlView& beam : beams->items()) {
-    if (const auto load = beam.find("line_load")) {
-      load->error_value(error.rule());
-      return true;
-    }
-  }
-  return false;
-}
-
-/// Says of a backbone of a frame's hinges that it cannot be followed, at its key; false as above.
-bool at_backbone(const TomlView& building, const InvalidParameter& error) {
-  const auto frame = building.find("frame");
-  const std::string& parameter = error.parameter();
-  const std::size_t open = parameter.find('['), close = parameter.find("].backbone.");
-  if (!frame || open == std::string::npos || close == std::string::npos) return false;
-  const auto sections = frame->find(parameter.substr(0, open));
-  if (!sections) return false;
-  const std::vector<TomlView> given = sections->items();
-  const std::size_t level = std::stoul(parameter.substr(open + 1, close - open - 1));
-  const TomlView& section = given[std::min(level, given.size() - 1)];
-  const std::string key = parameter.substr(parameter.rfind('.') + 1);
-  const auto backbone = section.find("backbone");
-  if (!backbone) return false;
-  if (const auto value = backbone->find(key)) {
-    value->error_value(error.rule());
-  } else {
-    backbone->error(error.rule());
-  }
-  return true;
-}
-
 /// What only shows once the structure is assembled (such as Rayleigh damping negative in some mode).
 void check_assembled(const std::vector<TomlView>& views, const Units& units, std::vector<ReadBuilding>& buildings) {
   for (std::size_t b = 0; b < buildings.size(); ++b) {
@@ -157,7 +121,8 @@ void check_assembled(const std::vector<TomlView>& views, const Units& units, std
         views[b].error("weighs more than can be computed with: are masses in the units of the case?");
       }
     } catch (const InvalidParameter& error) {
-      if (!at_line_load(views[b], error) && !at_backbone(views[b], error))
+      const auto frame = views[b].find("frame");
+      if (!frame || !at_section(frame->find("columns"), frame->find("beams"), error))
         views[b].error(std::string("cannot be computed with: ") + error.what());
     } catch (const std::exception& error) {
       views[b].error(std::string("cannot be computed with: ") + error.what());

@@ -58,7 +58,10 @@ RunResults frames_of(const PlanRun& run) {
     };
     histories.hinge_moment.push_back(rows(run.response.histories.hinge_moment));
     histories.hinge_rotation.push_back(rows(run.response.histories.hinge_rotation));
-    histories.displacement.emplace_back(Eigen::MatrixXd::Zero(model.floors(), std::ssize(histories.time)));
+    const Index samples = std::ssize(histories.time);
+    histories.displacement.emplace_back(
+        Eigen::MatrixXd::Zero(model.floors(), samples));  // of pictures: it stands still
+    for (auto* const list : {&histories.node_displacement, &histories.foundation}) list->emplace_back(0, samples);
     before[b] += hinges;
   }
   return frames;

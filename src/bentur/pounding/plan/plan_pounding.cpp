@@ -237,9 +237,9 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
       foundation = stacked(history(PlanOutput::foundation), history(PlanOutput::foundation_force));
     }
     const bool moves = !problem.buildings[b].is_rigid();
-    const MatrixXd nothing(0, std::ssize(histories.time));
-    histories.hinge_moment.push_back(moves ? history(PlanOutput::hinge_moment) : nothing);
-    histories.hinge_rotation.push_back(moves ? history(PlanOutput::hinge_rotation) : nothing);
+    const MatrixXd none(0, std::ssize(histories.time));
+    histories.hinge_moment.push_back(moves ? history(PlanOutput::hinge_moment) : none);
+    histories.hinge_rotation.push_back(moves ? history(PlanOutput::hinge_rotation) : none);
   }
   const Index count = std::ssize(places);
   const auto in_order = [&](const MatrixXd& rows) {

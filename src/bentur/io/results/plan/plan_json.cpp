@@ -65,9 +65,10 @@ Json soil_json(const PlanSoil& soil) {
 
 /// What the hinges did of those planes of a building that are frames with some, by their numbers.
 void put_frames(Json& planes, const PlanRun& run, Index b) {
+  const std::vector<PlanFramePlace> places = frames_that_yield(run.problem);
+  if (std::none_of(places.begin(), places.end(), [&](const PlanFramePlace& one) { return one.building == b; })) return;
   const RunResults frames = frames_of(run);
   const RunView view = frames.view();
-  const std::vector<PlanFramePlace> places = frames_that_yield(run.problem);
   for (Index f = 0; f < std::ssize(places); ++f) {
     if (places[f].building != b) continue;
     Json& plane = planes[places[f].plane];

@@ -20,6 +20,7 @@
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/story/hand_in.h"
 #include "bentur/model/story/plan_story.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
 #include "tests/support/plan_run.h"
 
@@ -86,8 +87,33 @@ TEST(PlanReport, IsOneToHandIn) {
   EXPECT_TRUE(has(page, "NOT met"));
 }
 
-/// Of a building without planes no drift is known: no number is told, whether it collapses or not.
-TEST(PlanReport, TellsNoDriftOfABuildingWithoutPlanes) {
+/// Of a building without planes the drift of its edges is told.
+TEST(PlanReport, TellsDriftsOfEdgesWhereThereAreNoPlanes) {
+  PlanRun run = twisting();
+  const PlanPeaks& peaks = run.response.buildings[1];
+  ASSERT_TRUE(run.problem.buildings[1].model.planes.empty());
+  ASSERT_EQ(peaks.edge_drift_ratio().size(), 2);
+  // Of the lowest storey they are the movements of its edges, which are told too.
+  const double height = run.problem.buildings[1].model.storey_heights[0];
+  EXPECT_NEAR(peaks.drift_south(0), peaks.south(0) / height, 1e-12 * peaks.drift_south(0));
+  EXPECT_NEAR(peaks.drift_north(0), peaks.north(0) / height, 1e-12 * peaks.drift_north(0));
+  EXPECT_NEAR(peaks.drift_west(0), peaks.west(0) / height, 1e-12 * peaks.drift_west(0));
+  EXPECT_NEAR(peaks.drift_east(0), peaks.east(0) / height, 1e-12 * peaks.drift_east(0));
+  EXPECT_EQ(run.response.buildings[0].edge_drift_ratio().size(), 0);  // its planes tell of theirs
+  EXPECT_TRUE(has(page_of(run), "Drift at an edge"));
+  const StoryTable checks = hand_in(run).checks;
+  const std::vector<std::string>& names = checks.columns.at(0).texts;
+  const auto last = std::find(names.rbegin(), names.rend(), "check.drift");
+  EXPECT_NE(checks.columns.at(3).texts.at(static_cast<std::size_t>(names.rend() - last) - 1), "–");
+  run.c.analysis.collapse_drift = 0.5 * peaks.edge_drift_ratio().maxCoeff();
+  const std::vector<Statement> told = plan_story(run).statements;
+  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const Statement& one) {
+    return one.kind == "drift_beyond" && one.buildings == std::vector<Eigen::Index>{1};
+  }));
+}
+
+/// Where no drift is known no number is told, whether it collapses or not.
+TEST(PlanReport, TellsNoDriftThatIsNotKnown) {
   PlanRun run = twisting();
   run.response.buildings[0].planes.clear();
   const auto row_of_drift = [&] {
@@ -206,6 +232,21 @@ TEST(PlanReport, SaysHowPlanesYield) {
   const std::string page = page_of(run);
   EXPECT_TRUE(has(page, "777"));
   EXPECT_TRUE(has(page, "Ductility"));
+}
+
+TEST(PlanReport, TellsOfHingesOfFrames) {
+  const PlanRun run = test::plan_run(test::hinged_pair());
+  const std::string page = page_of(run);
+  for (const char* const text : {"Walled, middle", "Walled, across", "moment_capacity"}) {
+    EXPECT_TRUE(has(page, text)) << text;
+  }
+  const std::vector<FigureKind> kinds = figure_kinds(run);
+  for (const std::string kind : {"hinges", "hinge-loop"}) {
+    EXPECT_TRUE(std::any_of(kinds.begin(), kinds.end(), [&](const auto& one) { return one.name == kind; })) << kind;
+    const Figure figure = make_figure(run, kind, {});
+    EXPECT_EQ(figure.panels.size(), 2U) << kind;
+    EXPECT_NE(figure.finding.find("Walled, middle"), std::string::npos) << figure.finding;
+  }
 }
 
 /// The report of results is that of the run.
