@@ -29,7 +29,8 @@ namespace {
 using Json = nlohmann::json;
 
 /// An open storey below a filled one, beside a stick.
-std::string filled_case(const std::string& panel) {
+/// `columns`: more of their section.
+std::string filled_case(const std::string& panel, const std::string& columns = "") {
   return R"(
 [units]
 length = "m"
@@ -43,7 +44,8 @@ damping = { mass_proportional = 0.03 }
 elastic_modulus = 2.6e7
 storey_heights = [3.0, 3.0]
 bay_widths = [4.0, 6.0]
-columns = [{ width = 0.4, depth = 0.4, density = 2.4 }]
+columns = [{ width = 0.4, depth = 0.4, density = 2.4)" +
+         columns + R"( }]
 beams = [{ width = 0.3, depth = 0.5, density = 2.4 }]
 floor_masses = 60
 infill = [{ stiffness = 5e4, yield = inf }, )" +
@@ -71,9 +73,9 @@ energy_audit = true
 )";
 }
 
-RunResults run_of(const std::string& panel) {
+RunResults run_of(const std::string& panel, const std::string& columns = "") {
   Diagnostics diagnostics;
-  std::optional<Case> c = read_case_text(filled_case(panel), "case.toml", diagnostics);
+  std::optional<Case> c = read_case_text(filled_case(panel, columns), "case.toml", diagnostics);
   for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
   Problem problem = make_problem(*c);
   SolveOptions options;
@@ -137,6 +139,54 @@ TEST(InfillResults, StandInTheSummaryAndItsTables) {
   EXPECT_TRUE(yielding_columns(lost().view(), floors_from_top(lost().problem, 1), 0).empty());
 }
 
+TEST(InfillResults, HaveTheCourseOfEveryStrut) {
+  const Histories& histories = lost().response.histories;
+  const std::vector<InfillPanel>& panels = lost().problem.buildings[0].model.infills;
+  for (Eigen::Index n = 0; n < 4; ++n) {
+    const InfillPanel& panel = panels[n];
+    const auto drift = 3 * histories.drift_ratio[0].row(panel.storey);
+    EXPECT_EQ(histories.infill_shortening[0].row(n), panel.cosine * drift);
+    const double most = histories.infill_force[0].row(n).cwiseAbs().maxCoeff();
+    EXPECT_LE(most, lost().response.buildings[0].infill.force(panel.storey) * (1 + 1e-12));
+    if (panel.storey > 0) continue;
+    const Eigen::VectorXd elastic = panel.stiffness / panel.cosine * drift;
+    EXPECT_LT((histories.infill_force[0].row(n).transpose() - elastic).cwiseAbs().maxCoeff(), 1e-12 * most);
+  }
+  EXPECT_EQ(histories.infill_force[1].rows(), 0);
+}
+
+TEST(InfillResults, SayHowFarStrutsPushColumnsBeyondWhatTheyBear) {
+  EXPECT_EQ(lost().response.buildings[0].infill.column_demand.size(), 0) << "no column has a capacity";
+  const RunResults run = run_of(weak, ", shear_capacity = 150.0");
+  const BuildingPeaks::Infill& infill = run.response.buildings[0].infill;
+  ASSERT_EQ(infill.column_demand.size(), 2);
+  // At samples Q + F of every column and panel beside it, as Q = G x while none has broken.
+  const Histories& histories = run.response.histories;
+  const StructuralModel& model = run.problem.buildings[0].model;
+  Eigen::Vector2d most = Eigen::Vector2d::Zero();
+  for (std::size_t c = 0; c < model.hinges.columns.size(); ++c) {
+    const BreakingColumn& column = model.hinges.columns[c];
+    ASSERT_FALSE(run.response.buildings[0].columns[c].break_time);
+    for (std::size_t n = 0; n < model.infills.size(); ++n) {
+      const InfillPanel& panel = model.infills[n];
+      const bool beside = panel.bay + 1 == column.line || panel.bay + 2 == column.line;
+      if (panel.storey + 1 != column.storey || !beside) continue;
+      const Eigen::RowVectorXd sum = model.hinges.rows.row(static_cast<Eigen::Index>(c)) * histories.displacement[0] +
+                                     panel.cosine * histories.infill_force[0].row(static_cast<Eigen::Index>(n));
+      most(panel.storey) = std::max(most(panel.storey), sum.cwiseAbs().maxCoeff() / column.capacity);
+    }
+  }
+  for (Eigen::Index storey : {0, 1}) {
+    EXPECT_LE(most(storey), infill.column_demand(storey) * (1 + 1e-12));
+    EXPECT_GT(most(storey), 0.95 * infill.column_demand(storey));
+    EXPECT_GT(infill.column_demand(storey), infill.shear(storey) / 150) << "on one side";
+  }
+  const Statement* beyond = statement(run_story(run), "infill_columns");
+  ASSERT_EQ(beyond != nullptr, infill.column_demand.maxCoeff() > 1);
+  EXPECT_EQ(statement(run_story(run_of(weak, ", shear_capacity = 1e4")), "infill_columns"), nullptr);
+  EXPECT_NE(report_html(run, {.language = "id", .version = "1"}).find("kali kapasitas gesernya"), std::string::npos);
+}
+
 TEST(InfillResults, AreReadBackFromTheHistories) {
   const RunResults read = read_run(NetcdfReader(histories_netcdf(lost(), "1"), "histories.nc"));
   int compared = 0;
@@ -148,7 +198,13 @@ TEST(InfillResults, AreReadBackFromTheHistories) {
       ++compared;
     }
   }
-  EXPECT_EQ(compared, 12);
+  EXPECT_EQ(compared, 14);
+  const Histories &of = lost().response.histories, &again = read.response.histories;
+  ASSERT_EQ(again.infill_force[0].rows(), 4);
+  EXPECT_EQ(again.infill_force[0], of.infill_force[0]);
+  EXPECT_EQ(again.infill_shortening[0], of.infill_shortening[0]);
+  EXPECT_EQ(read.problem.buildings[0].model.infills[3].bay, 1);
+  EXPECT_EQ(read.problem.buildings[0].model.infills[3].storey, 1);
 }
 
 TEST(InfillResults, AreASentenceWhenStrengthIsLost) {

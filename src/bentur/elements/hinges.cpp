@@ -57,6 +57,7 @@ HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters
   }
   if (!of_.backbones.empty()) require_size("backbones", of_.backbones.size(), static_cast<std::size_t>(n));
   check_backbones();
+  wears_ = std::any_of(of_.backbones.begin(), of_.backbones.end(), [](const HingeBackbone& of) { return of.wears(); });
   hardened_ = of_.stiffness;
   hardened_.diagonal() += of_.hardening;
 }
@@ -107,10 +108,12 @@ VectorXd HingeLaw::hardened_rotations(const CoupledState& state, VectorXd rotati
   return (state.memory.col(stage).array() > 0.0).select(0.0, rotations);
 }
 
-/// How far s (M − Hθ), beyond the cap s M, may rise on side s. (H-14), (H-18)
+/// How far s (M − Hθ), beyond the cap s M, may rise on side s. (H-14), (H-18), (H-21)
 double HingeLaw::line(const CoupledState& state, Index h, double s) const {
   if (stage_of(state, h) != virgin) return softened_line(state, h, s);
   const double given = s > 0 ? of_.upper(h) : of_.lower(h);
+  const double left = left_by_wear(state, h, s);
+  if (left < 1.0) return given - (1.0 - left) * (s > 0 ? backbone(h)->clockwise : backbone(h)->anticlockwise);
   if (!breaks(h) || whole(state, h)) return given;
   return 0.5 * (of_.kept(h) * (of_.upper(h) + of_.lower(h)) + s * (of_.upper(h) - of_.lower(h)));
 }
@@ -153,7 +156,8 @@ VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformat
 
 CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   const Index n = size();
-  CoupledState state{0.0, MatrixXd::Zero(n, columns)};
+  CoupledState state{0.0, MatrixXd::Zero(n, wears_ ? columns : without_wear)};
+  if (wears_) state.memory(Eigen::all, {left_above, left_below, left_before}).setOnes();
   for (const Column time : {first_yield, mechanism_at, broke_at, cap_at, snapped_at, failed_at}) {
     state.memory.col(time).setConstant(nothing);
   }
@@ -165,6 +169,7 @@ CoupledState HingeLaw::begin(const VectorXd& deformation) const {
     state = unloaded;
     redistribute(state, VectorXd::Zero(n), deformation, 0.0, {});
   }
+  wear(state, 0.0, deformation);
   const std::vector<char> free = moving_freely(state);
   for (Index h = 0; h < n; ++h) state.memory(h, side) = free[h] != 0 ? 1.0 : 0.0;
   return state;
@@ -345,6 +350,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     if (memory(side) != 0.0) {
       const Index k = std::lower_bound(flows.at().begin(), flows.at().end(), h) - flows.at().begin();
       if (state.memory(h, side) != memory(side)) memory(flow_began) = time;
+      set_out(now, h, memory(side));
       memory(begins) = memory(side) * weighed(k) > no_slope * fastest ? 0.0 : 1.0;
       continue;
     }
@@ -353,6 +359,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     const double size = of_others.cwiseAbs().sum() + std::abs(motion.speed(h));
     memory(begins) = sides[n] * (falls > no_slope * size ? 1.0 : 2.0);
   }
+  if (wear(now, time, motion.deformation)) return settle(now, time, motion, nullptr);
   return now;
 }
 
@@ -392,7 +399,8 @@ HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const 
                 .flows = static_cast<int>(memory(side)),
                 .broke = std::nullopt,
                 .released = memory(released),
-                .strength_left = share_left(state, hinge),
+                .strength_left = share_left(state, hinge) *
+                                 std::min(left_by_wear(state, hinge, 1.0), left_by_wear(state, hinge, -1.0)),
                 .cap = std::nullopt,
                 .failed = std::nullopt,
                 .snapped = std::nullopt};

@@ -50,7 +50,7 @@ class HingeLaw : public CoupledLaw {
     std::optional<double> broke;        ///< [s]
     /// Energy lost when it did, or when it snapped or failed [force·length], that of what is at rest included.
     double released = 0;
-    double strength_left = 1;           ///< share of what it could bear when it came to its cap (H-18)
+    double strength_left = 1;           ///< share of what it could bear at its cap, less wear (H-18), (H-21)
     std::optional<double> cap, failed;  ///< when it came to its cap, and when it had nothing left [s]
     std::optional<double> snapped;      ///< when it lost at once what it had to lose [s]
   };
@@ -85,11 +85,19 @@ class HingeLaw : public CoupledLaw {
     begins,        // order of the zero that its guard begins the branch with; of a resting one times its line's side
     stage,         // of its backbone
     worn,          // from the cap on: how far it has turned at most, or has been worn by a snap [rad]
-    back,          // Hθ at the cap [force·length]
+    at_cap_above,  // what it could bear at the cap, beyond what wear had left of it then [force·length]
+    at_cap_below,  //
     cap_side,      // on which it came to it
     cap_at,        // [s]; NaN: it has not
     snapped_at,    //
     failed_at,     //
+    without_wear,  // so many columns where nothing wears
+    left_above = without_wear,  // what wear has left of its strength on either side [-]
+    left_below,                 //
+    way,                        // the side on which it flowed last; 0: it has not
+    left_before,                // of the other side when that began
+    lost_before,                // dissipated() when that began
+    lost_then,                  // dissipated() when what is left was told
     columns
   };
   /// Of a backbone (H-17): up to the cap, beyond it, on what it keeps for good, without anything.
@@ -129,6 +137,12 @@ class HingeLaw : public CoupledLaw {
   [[nodiscard]] std::vector<Eigen::Index> losing_most(const CoupledState& state, const HingeSides& sides,
                                                       const Eigen::VectorXd& way) const;
 
+  // What repetition wears out (hinges/wear.cpp).
+  [[nodiscard]] double left_by_wear(const CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] double dissipated(const CoupledState& state, Eigen::Index hinge) const;
+  void set_out(CoupledState& state, Eigen::Index hinge, double side) const;
+  bool wear(CoupledState& state, double time, const Eigen::VectorXd& deformation) const;
+
   // Backbones (hinges/backbones.cpp, hinges/redistribution.cpp).
   void check_backbones() const;
   [[nodiscard]] const HingeBackbone* backbone(Eigen::Index hinge) const;
@@ -144,6 +158,7 @@ class HingeLaw : public CoupledLaw {
   [[nodiscard]] double stage_end(const CoupledState& state, Eigen::Index hinge, double side) const;
   [[nodiscard]] bool end_stage(CoupledState& state, Eigen::Index hinge, double side, double time) const;
   void sync(CoupledState& state, Eigen::Index hinge, double side) const;
+  void harden_no_more(CoupledState& state, Eigen::Index hinge, double side) const;
   [[nodiscard]] Fall fall_of(const CoupledState& state, Eigen::Index hinge, bool fails, double borne) const;
   void redistribute(CoupledState& state, Eigen::VectorXd from, const Eigen::VectorXd& to, double time,
                     std::vector<Fall> falls) const;
@@ -155,6 +170,7 @@ class HingeLaw : public CoupledLaw {
 
   Parameters of_;
   Eigen::MatrixXd hardened_;  ///< K_hh + H
+  bool wears_ = false;        ///< a hinge does
   FlowingSets sets_;
 };
 

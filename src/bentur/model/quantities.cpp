@@ -162,6 +162,7 @@ std::deque<Quantity>& list() {
       {"infill_strength_left", floor, "1", "N_c/N_c⁰", "largest force that a strut of the infill can still reach at the end over that at first, of the weakest", {"Infill left", "Sisa dinding pengisi"}, InfillSource{&BuildingPeaks::Infill::strength_left}, {}, "%", 100},
       {"infill_energy", floor, "F L", "E_i", "energy that the infill has dissipated", {"Energy of the infill", "Energi dinding pengisi"}, InfillSource{&BuildingPeaks::Infill::energy}},
       {"infill_failed_time", floor, "s", "t_u", "when a panel of the infill first failed", {"Infill fails at", "Dinding pengisi gagal saat"}, InfillSource{&BuildingPeaks::Infill::failed_time}},
+      {"infill_column_demand", floor, "1", "max |Q + N cos θ|/V", "largest shear of a column beside a strut, with what the strut pushes across it, over its capacity", {"Of the column's capacity", "Dari kapasitas kolom"}, InfillSource{&BuildingPeaks::Infill::column_demand}},
       // Hinges, in the order of the frame's members.
       {"peak_moment", hinge, "F L", "max |M|", "largest moment at the hinge, that at rest included", {"Moment", "Momen"}, &BuildingPeaks::Hinge::peak_moment},
       {"peak_rotation", hinge, "rad", "max |θ|", "largest rotation of the hinge", {"Rotation", "Rotasi"}, &BuildingPeaks::Hinge::peak_rotation, {}, "mrad", 1e3},

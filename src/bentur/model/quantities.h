@@ -112,6 +112,8 @@ void add_quantity(const Quantity& quantity);
 [[nodiscard]] bool is_of_forces(const Quantity& quantity);
 /// Whether it is told only of frames that have infill.
 [[nodiscard]] bool is_of_infill(const Quantity& quantity);
+/// Whether it is one of those, and told of this building: what columns bear only where one has a shear capacity.
+[[nodiscard]] bool is_of_infill(const Quantity& quantity, const Building& building);
 /// Whether it is told only of buildings that have hinges, or of hinges.
 [[nodiscard]] bool is_of_hinges(const Quantity& quantity);
 /// Whether it is told only of hinges that lose strength.

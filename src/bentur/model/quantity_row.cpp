@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bentur/core/errors.h"
+#include "bentur/structure/frame/infill.h"
 
 namespace bentur {
 
@@ -51,7 +52,7 @@ std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool 
     for (const Owner owner : {Owner::floor, Owner::building, Owner::hinge, Owner::column}) {
       for (const Quantity* quantity : quantities_of(owner)) {
         if (is_of_yielding(*quantity) && !is_of_yielding(*quantity, building)) continue;
-        if (is_of_infill(*quantity) && building.model.infills.empty()) continue;
+        if (is_of_infill(*quantity) && !is_of_infill(*quantity, building)) continue;
         if (is_of_foundation(*quantity) && !building.model.foundation) continue;
         if ((is_of_hinges(*quantity) && hinges == 0) || (is_of_breaking(*quantity) && columns == 0)) continue;
         if (is_of_weakening(*quantity) && building.model.hinges.backbones.empty()) continue;
@@ -86,7 +87,8 @@ bool same_places(const Problem& a, const Problem& b) {
            x.model.foundation.has_value() == y.model.foundation.has_value() &&
            x.model.hinges.places.size() == y.model.hinges.places.size() &&
            x.model.hinges.columns.size() == y.model.hinges.columns.size() &&
-           x.model.infills.empty() == y.model.infills.empty();
+           x.model.infills.empty() == y.model.infills.empty() &&
+           struts_on_columns(x.model).empty() == struts_on_columns(y.model).empty();
   };
   const auto left = [&](const ContactPoint& x, const ContactPoint& y) {
     return x.left == y.left && struck_column(a, x).has_value() == struck_column(b, y).has_value();

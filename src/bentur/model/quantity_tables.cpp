@@ -9,6 +9,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/internal/quantity_column.h"
+#include "bentur/structure/frame/infill.h"
 
 namespace bentur {
 
@@ -70,6 +71,12 @@ std::vector<TableColumn> struck_column_columns(const RunView& r, const std::vect
 bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
 
 bool is_of_infill(const Quantity& quantity) { return std::holds_alternative<InfillSource>(quantity.source); }
+
+bool is_of_infill(const Quantity& quantity, const Building& building) {
+  const auto* source = std::get_if<InfillSource>(&quantity.source);
+  if (source == nullptr || building.model.infills.empty()) return false;
+  return source->list != &BuildingPeaks::Infill::column_demand || !struts_on_columns(building.model).empty();
+}
 
 bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
 

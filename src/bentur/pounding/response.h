@@ -74,6 +74,9 @@ struct BuildingPeaks {
     Eigen::VectorXd strength_left;  ///< of a strut at the end, over its largest force at first [-]
     Eigen::VectorXd energy;         ///< dissipated [force·length]
     Eigen::VectorXd failed_time;    ///< when the first panel failed [s]; NaN: none has
+    /// max |Q + N cos θ| over V of the columns with a shear capacity beside its struts [-], Q what they bear as part of
+    /// the frame; NaN where there is none, empty where none of the building has one
+    Eigen::VectorXd column_demand = {};
   };
   Infill infill = {};
   Yielding yielding = {};
@@ -149,6 +152,9 @@ struct Histories {
   std::vector<Eigen::MatrixXd> node_displacement, column_forces;
   /// Per building, hinges × samples: M + M₀ [force·length] and θ [rad]; no rows where it has none.
   std::vector<Eigen::MatrixXd> hinge_moment, hinge_rotation;
+  /// Per building, panels of infill × samples: N [force] of the strut at work and what its diagonal has been shortened
+  /// by [length], > 0 of the one that drifts to the right shorten; no rows where it has none.
+  std::vector<Eigen::MatrixXd> infill_force = {}, infill_shortening = {};
   /// Per building on soil its foundation's sway [length] and rocking [rad], and the force and moment that the springs
   /// and dashpots below take [force], [force·length], 4 × samples; no rows where there is none.
   std::vector<Eigen::MatrixXd> foundation;

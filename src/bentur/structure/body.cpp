@@ -1,5 +1,7 @@
 #include "bentur/structure/body.h"
 
+#include "bentur/structure/frame/infill.h"
+
 namespace bentur {
 namespace {
 
@@ -62,6 +64,19 @@ Body body_of(const Building& building) {
   for (Index e = 0; e < std::ssize(building.elements); ++e) {
     if (building.elements[e].infill) of_infill(*building.elements[e].infill, e) = 1.0;
   }
+  // What a strut adds to the shear that a column beside it bears.
+  const MatrixXd breaking_rows = hinges.rows.bottomRows(breaking);
+  const MatrixXd of_breaking = of_hinges(hinges.stiffness.bottomRows(breaking), forces);
+  const std::vector<StrutOnColumn> pushes = struts_on_columns(model);
+  MatrixXd on_columns = MatrixXd::Zero(std::ssize(pushes), model.dofs());
+  MatrixXd of_pushes = MatrixXd::Zero(std::ssize(pushes), forces);
+  Eigen::VectorXd before_pushes = Eigen::VectorXd::Zero(std::ssize(pushes));
+  for (Index n = 0; n < std::ssize(pushes); ++n) {
+    const auto& [panel, column] = pushes[n];
+    on_columns.row(n) = infill.row(panel) + breaking_rows.row(column);
+    of_pushes.row(n) = of_infill.row(panel) + of_breaking.row(column);
+    before_pushes(n) = hinges.at_rest(hinge_count + column);
+  }
 
   Body body{.name = building.name,
             .modes = building.modes,
@@ -114,8 +129,8 @@ Body body_of(const Building& building) {
        .course = Course::along},
       {.kind = OutputKind::breaking_shear,
        .count = breaking,
-       .rows = hinges.rows.bottomRows(breaking),
-       .forces = of_hinges(hinges.stiffness.bottomRows(breaking), forces),
+       .rows = breaking_rows,
+       .forces = of_breaking,
        .at_rest = hinges.at_rest.tail(breaking),
        .has_peak = true},
       {.kind = OutputKind::infill_force, .count = panels, .rows = infill, .forces = of_infill, .has_peak = true},
@@ -124,6 +139,12 @@ Body body_of(const Building& building) {
        .rows = springs,
        .rates = dashpots,
        .course = Course::along},
+      {.kind = OutputKind::infill_push,
+       .count = std::ssize(pushes),
+       .rows = on_columns,
+       .forces = of_pushes,
+       .at_rest = before_pushes,
+       .has_peak = true},
   };
   if (hinges.size() > 0 && columns > 0) {
     body.outputs[static_cast<std::size_t>(OutputKind::column_force)].forces = of_hinges(-hinges.column_forces, forces);

@@ -23,6 +23,7 @@ enum class OutputKind {
   breaking_shear,    ///< Q + Q₀ of columns that break [force]
   infill_force,      ///< of panels of infill, across: k δ while they are whole [force]
   foundation_force,  ///< force [force] and moment [force·length] of the springs and dashpots below
+  infill_push,       ///< Q + Q₀ + F of struts_on_columns() [force]
 };
 
 /// The outputs of one kind, a row each, in the order of the places where they are: floors or storeys from the lowest

@@ -61,6 +61,10 @@ void HingeLaw::check_backbones() const {
     if (!(of->ultimate > of->plastic)) {
       throw InvalidParameter(name + ".ultimate", fmt::format("{}", of->ultimate), "must be beyond the cap");
     }
+    if (!(of->wear > 0)) throw InvalidParameter(name + ".wear", fmt::format("{}", of->wear), "must be > 0");
+    if (!(of->wear_exponent >= 1 && of->wear_exponent <= 2)) {
+      throw InvalidParameter(name + ".wear_exponent", fmt::format("{}", of->wear_exponent), "must be in [1, 2]");
+    }
     const double hardens = of_.hardening(h) * of->plastic;
     const double least = std::min(of->clockwise, of->anticlockwise);
     if (!(hardens < least)) {
@@ -75,17 +79,16 @@ void HingeLaw::check_backbones() const {
   }
 }
 
-/// What it could bear on a side when it came to its cap, moment at rest included.
+/// What it could bear on a side when it came to its cap, moment at rest included, less what it has worn by since.
 double HingeLaw::strength_at_cap(const CoupledState& state, Index h, double s) const {
-  const HingeBackbone& of = *backbone(h);
-  return (s > 0 ? of.clockwise : of.anticlockwise) + s * state.memory(h, back);
+  return left_by_wear(state, h, s) * state.memory(h, s > 0 ? at_cap_above : at_cap_below);
 }
 
 /// The share of that which it keeps for good.
 double HingeLaw::level(const CoupledState& state, Index h) const {
   const HingeBackbone& of = *backbone(h);
   const double s = state.memory(h, cap_side);
-  return of.residual * (s > 0 ? of.clockwise : of.anticlockwise) / strength_at_cap(state, h, s);
+  return of.residual * (s > 0 ? of.clockwise : of.anticlockwise) / state.memory(h, s > 0 ? at_cap_above : at_cap_below);
 }
 
 /// The rotation at which it is down to that.
@@ -144,6 +147,22 @@ double HingeLaw::stage_end(const CoupledState& state, Index h, double s) const {
   return std::numeric_limits<double>::infinity();
 }
 
+/// What hardening stored is lost, as it hardens no more. Of the side on which it does not flow with what had been left
+/// when that began, since that is what wears it.
+void HingeLaw::harden_no_more(CoupledState& state, Index h, double s) const {
+  const HingeBackbone& of = *backbone(h);
+  auto memory = state.memory.row(h);
+  const double back = of_.hardening(h) * memory(rotation);
+  for (const double to : {1.0, -1.0}) {
+    const double left = !of.wears() ? 1.0 : to == s ? left_by_wear(state, h, to) : memory(left_before);
+    memory(to > 0 ? at_cap_above : at_cap_below) =
+        std::max(0.0, (to > 0 ? of.clockwise : of.anticlockwise) + to * back / left);
+  }
+  memory(lost) += 0.5 * back * memory(rotation);
+  memory(cap_side) = s;
+  memory(stage) = softened;
+}
+
 /// A hinge that turns along side s has come to where its stage ends. Returns whether it fails, so that what it still
 /// bears has to go.
 bool HingeLaw::end_stage(CoupledState& state, Index h, double s, double time) const {
@@ -151,13 +170,9 @@ bool HingeLaw::end_stage(CoupledState& state, Index h, double s, double time) co
   auto memory = state.memory.row(h);
   const double turned = s * memory(rotation);
   if (stage_of(state, h) == virgin) {
-    // What hardening stored is lost, as it hardens no more.
-    memory(back) = of_.hardening(h) * memory(rotation);
-    memory(lost) += 0.5 * memory(back) * memory(rotation);
-    memory(cap_side) = s;
+    harden_no_more(state, h, s);
     memory(cap_at) = time;
     memory(worn) = turned;
-    memory(stage) = softened;
     return false;
   }
   if (turned >= of.ultimate * (1.0 - at_end)) return true;

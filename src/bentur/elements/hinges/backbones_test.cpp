@@ -162,11 +162,102 @@ TEST(HingeBackbone, SoftensAloneWhereAnotherCanUnload) {
   EXPECT_NEAR(moment(law, state, at, 1), 10 - 80 * 0.02, 1e-9);
 }
 
+HingeLaw worn_law(double wear, double exponent) {
+  HingeParameters of = one(0.3);
+  of.backbones[0].wear = wear;
+  of.backbones[0].wear_exponent = exponent;
+  return HingeLaw(of);
+}
+
+TEST(HingeBackbone, WearsByThreeCyclesAsByHand) {
+  for (const double exponent : {1.0, 1.5}) {
+    for (const bool pauses : {false, true}) {
+      const double most = 10 * capacity * plastic;  // γ M_y θ_c
+      const HingeLaw law = worn_law(10, exponent);
+      CoupledState state = law.begin(VectorXd::Zero(1));
+      VectorXd at = VectorXd::Zero(1);
+      const auto to = [&](double delta) {
+        const VectorXd next = VectorXd::Constant(1, delta);
+        state = driven(law, state, at, next);
+        at = next;
+      };
+      double left[2] = {1, 1}, lost = 0, theta = 0;
+      for (int half = 0; half < 6; ++half) {
+        const double s = half % 2 == 0 ? 1 : -1, goes_to = s * 0.03;
+        const double bears = left[half % 2] * capacity, loses = bears * std::abs(goes_to - theta);
+        if (pauses) {  // and goes on from there: the excursion is one
+          const double middle = theta + 0.4 * (goes_to - theta), there = s * bears + (stiffness + hardening) * middle;
+          to(there);
+          to(there - s * 4);
+        }
+        to(s * bears + (stiffness + hardening) * goes_to);
+        theta = goes_to;
+        lost += loses;
+        EXPECT_NEAR(law.record(state, 0).rotation, theta, 1e-12) << half;
+        EXPECT_NEAR(moment(law, state, at, 0), s * bears + hardening * theta, 1e-11) << half;
+        EXPECT_NEAR(law.record(state, 0).lost, lost, 1e-12) << half;
+        left[1 - half % 2] *= 1 - std::pow(loses / (most - lost), exponent);
+      }
+      EXPECT_FALSE(law.record(state, 0).cap);
+      // Beyond the cap what is left of both sides goes on from there: C⁺ w⁺, C⁻ w⁻.
+      const double above = left[0] * capacity, far = 0.1, share = 1 - (far - plastic) / softening;
+      const double lost_before = lost, peak = above + hardening * plastic, there = share * peak + stiffness * far;
+      to(there);
+      lost += above * (plastic - theta) + hardening * plastic * plastic / 2 + (1 + share) / 2 * peak * (far - plastic);
+      EXPECT_NEAR(law.record(state, 0).lost, lost, 1e-12);
+      EXPECT_NEAR(moment(law, state, at, 0), share * peak, 1e-11);
+      const double before = left[1], since = lost - lost_before;
+      to(there - 0.5);
+      left[1] *= 1 - std::pow(since / (most - lost), exponent);
+      EXPECT_NEAR(law.record(state, 0).strength_left, share * std::min(left[0], left[1]), 1e-12);
+      const double below = left[1] / before * (before * capacity - hardening * plastic);
+      to(-share * below + stiffness * 0.05);
+      EXPECT_NEAR(moment(law, state, at, 0), -share * below, 1e-11);
+      EXPECT_NEAR(law.record(state, 0).rotation, 0.05, 1e-12);
+    }
+  }
+}
+
+TEST(HingeBackbone, FailsWhereItTurnsWithAllThatItCanLoseUsedUp) {
+  for (const double side : {1.0, -1.0}) {
+    const HingeLaw law = worn_law(0.5, 1);
+    const VectorXd zero = VectorXd::Zero(1);
+    const double theta = 0.02, bears = capacity + hardening * theta;
+    const VectorXd far = VectorXd::Constant(1, side * (bears + stiffness * theta));
+    const CoupledState there = driven(law, law.begin(zero), zero, far);
+    EXPECT_FALSE(law.record(there, 0).failed) << "not while it flows";
+    const CoupledState state = driven(law, there, far, 0.9 * far);
+    const HingeLaw::Record is = law.record(state, 0);
+    EXPECT_TRUE(is.failed);
+    EXPECT_FALSE(is.cap);
+    EXPECT_EQ(is.strength_left, 0);
+    EXPECT_NEAR(moment(law, state, 0.9 * far, 0), 0, 1e-12);
+    EXPECT_NEAR(is.released, bears * bears / (2 * stiffness), 1e-12);
+    EXPECT_NEAR(is.lost, capacity * theta + hardening * theta * theta / 2 + is.released, 1e-12);
+  }
+}
+
+TEST(HingeBackbone, OfNoWearIsAsItWas) {
+  const HingeLaw law(one(0.3)), long_lived = worn_law(1e18, 1);
+  VectorXd at = VectorXd::Zero(1);
+  CoupledState state = law.begin(at), other = long_lived.begin(at);
+  for (const double delta : {14.0, -20.0, 30.0, -18.0, 25.0}) {
+    const VectorXd to = VectorXd::Constant(1, delta);
+    state = driven(law, state, at, to);
+    other = driven(long_lived, other, at, to);
+    at = to;
+    EXPECT_EQ(law.record(state, 0).rotation, long_lived.record(other, 0).rotation) << delta;
+    EXPECT_EQ(law.record(state, 0).lost, long_lived.record(other, 0).lost) << delta;
+  }
+}
+
 TEST(HingeBackbone, RefusesWhatCannotBeFollowed) {
   for (const auto& [key, change] : {std::pair<std::string, HingeBackbone>{"softening", {10, 10, 0, 0.05, 0.1}},
                                     {"residual", {10, 10, 0, 0.05, 0.2, 1}},
                                     {"plastic", {10, 10, 0, 6, 20}},
-                                    {"ultimate", {10, 10, 0, 0.05, 0.2, 0, 0.04}}}) {
+                                    {"ultimate", {10, 10, 0, 0.05, 0.2, 0, 0.04}},
+                                    {"wear", {10, 10, 0, 0.05, 0.2, 0, 1, 0}},
+                                    {"wear_exponent", {10, 10, 0, 0.05, 0.2, 0, 1, 5, 2.5}}}) {
     HingeParameters of = one(0.3);
     of.backbones = {change};
     try {

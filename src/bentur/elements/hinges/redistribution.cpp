@@ -65,6 +65,7 @@ void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double tim
     if (lambda(i) == 0.0) continue;
     const double s = lines.side[i];
     auto memory = state.memory.row(h);
+    set_out(state, h, s);
     memory(rotation) += s * lambda(i);
     if (std::find(broken.begin(), broken.end(), h) != broken.end()) continue;
     const double lost_here = line(state, h, s) * lambda(i);
@@ -283,6 +284,7 @@ void HingeLaw::redistribute(CoupledState& state, VectorXd from, const VectorXd& 
       const double bears = line_of(h, side), falls_by = falling[h] != nullptr ? part * falling[h]->drop(side) : 0.0;
       const double softens = std::min(0.0, slope_of(h, side)) * turned;
       const double lost_here = (bears - 0.5 * falls_by + 0.5 * softens) * turned;
+      set_out(state, h, side);
       memory(rotation) += side * turned;
       memory(lost) += lost_here;
       const bool slips = breaks(h);

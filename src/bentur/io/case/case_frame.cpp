@@ -50,6 +50,12 @@ void read_backbone(const TableView& view, HingeBackbone& backbone) {
   if (table->has("ultimate_rotation") && std::isfinite(backbone.plastic) && backbone.ultimate <= backbone.plastic) {
     table->get("ultimate_rotation")->error_value("must be beyond plastic_rotation");
   }
+  backbone.wear = table->number("strength_wear").value_or(backbone.wear);
+  if (!table->has("strength_wear")) table->refuse({"wear_exponent"}, "goes with strength_wear, which is not given");
+  backbone.wear_exponent = table->number("wear_exponent").value_or(1);
+  if (!(backbone.wear_exponent >= 1 && backbone.wear_exponent <= 2)) {
+    table->get("wear_exponent")->error_value("must be in [1, 2]");
+  }
 }
 
 /// Where its ends yield. @param lines of columns; 0: it is a beam

@@ -22,8 +22,8 @@ using PartOf = std::conditional_t<File::reads, Part, const Part>;
 template <class File, class Run>
 class RunList : private PlaceList<File, PartOf<File, Problem>> {
   using List = PlaceList<File, PartOf<File, Problem>>;
-  using List::breaking_places, List::each, List::file_, List::fit, List::hinge_places, List::made, List::mechanism,
-      List::pass, List::problem_, List::single;
+  using List::breaking_places, List::each, List::file_, List::fit, List::hinge_places, List::infill_places, List::made,
+      List::mechanism, List::pass, List::problem_, List::single;
   using List::gaps, List::links, List::places, List::points;
 
  public:
@@ -135,6 +135,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     column_forces("", time_, histories_.column_forces, b);
     hinges(b, number, owner);
     breaking_columns(b, number, owner);
+    infill(b, number, owner);
     modes(building, floors, number, owner);
     foundation("", time_, histories_.foundation, b);
   }
@@ -216,6 +217,19 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     if (columns.size == 0) return;
     quantities(Owner::column, columns, breaking_columns_of(problem_, static_cast<Eigen::Index>(b)), number,
                " of the columns that can break of " + owner);
+  }
+
+  /// What struts did, sample by sample.
+  void infill(std::size_t b, const std::string& number, const std::string& owner) {
+    for (auto* list : {&histories_.infill_force, &histories_.infill_shortening}) fit(*list, problem_.buildings.size());
+    if (!file_.has("infill_panel_storey" + number, !problem_.buildings[b].model.infills.empty())) return;
+    const ResultDimension panels = infill_places(problem_.buildings[b].model.infills, number, owner);
+    if (time_.size == 0) return;
+    const std::string signs = ", < 0 where the storey drifts to the left, of the panels of infill of " + owner;
+    pass({"infill_panel_force" + number, {time_, panels}, force_, "force of the strut at work" + signs},
+         histories_.infill_force[b]);
+    pass({"infill_panel_shortening" + number, {time_, panels}, length_, "shortening of its diagonal" + signs},
+         histories_.infill_shortening[b]);
   }
 
   /// None of a building that moves with the ground.

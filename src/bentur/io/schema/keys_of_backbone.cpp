@@ -41,6 +41,12 @@ Key wear(std::string_view name, Label label, std::string_view doc) {
   return Key::number(name, dimension::none, Range::positive, label, doc).optional("none");
 }
 
+Key wear_exponent() {
+  return Key::number("wear_exponent", dimension::none, Range::positive, {"Exponent of wear", "Eksponen keausan"},
+                     "c, in [1, 2]")
+      .by_default(1);
+}
+
 }  // namespace
 
 const KeyTable& backbone_side_keys() {
@@ -68,7 +74,10 @@ const KeyTable& hinge_backbone_keys() {
        Key::number("ultimate_rotation", dimension::none, Range::positive, {"Ultimate rotation", "Rotasi batas"},
                    "beyond the cap, at which it fails and bears nothing any more: b of ASCE 41")
            .counted_in("rad")
-           .optional("none")}};
+           .optional("none"),
+       wear("strength_wear", {"Wear of strength", "Keausan kekuatan"},
+            "γ: strength is lost as γ M_y θ_c are dissipated, M_y the lesser capacity and θ_c `plastic_rotation`"),
+       wear_exponent().goes_with("strength_wear")}};
   return table;
 }
 
@@ -141,9 +150,7 @@ const KeyTable& backbone_keys() {
                              "γ of the peaks that it heads for, which move outward; not of `\"bilinear\"`"));
     made.keys.push_back(
         wear("unloading_wear", {"Wear of unloading", "Keausan pelepasan beban"}, "γ of the stiffness of unloading"));
-    made.keys.push_back(Key::number("wear_exponent", dimension::none, Range::positive,
-                                    {"Exponent of wear", "Eksponen keausan"}, "c, in [1, 2]")
-                            .by_default(1));
+    made.keys.push_back(wear_exponent());
     return made;
   }();
   return table;

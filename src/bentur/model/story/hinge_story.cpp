@@ -110,7 +110,9 @@ void tell_weakened(const Building& building, Index b, const BuildingPeaks& peaks
     if (left < (worst < 0 ? 1 : *peaks.hinges[worst].strength_left)) worst = h;
   }
   if (worst < 0) return;
-  const std::string kind = failed > 0 ? "hinges_failed" : released > 0 ? "hinges_snapped" : "hinges_weaker";
+  const bool capped = peaks.hinges[worst].cap_time.has_value();
+  std::string kind = failed > 0 ? "hinges_failed" : released > 0 ? "hinges_snapped" : "hinges_weaker";
+  if (!capped) kind = failed > 0 ? "hinges_worn_out" : "hinges_worn";
   Statement statement{.kind = kind, .severity = Severity::warning, .buildings = {b}};
   statement.values = {text_of("building", building.name), count_of("count", count)};
   if (failed > 0) {
@@ -118,7 +120,8 @@ void tell_weakened(const Building& building, Index b, const BuildingPeaks& peaks
   } else {
     statement.values.push_back(value_in("left", 100 * *peaks.hinges[worst].strength_left, "%"));
   }
-  statement.values.push_back(value_in("time", *peaks.hinges[worst].cap_time, "s"));
+  const std::optional<double> time = capped ? peaks.hinges[worst].cap_time : peaks.hinges[worst].failed_time;
+  if (time) statement.values.push_back(value_in("time", *time, "s"));
   add_place(building.model.hinges.places[worst], statement.values);
   statements.push_back(std::move(statement));
 }

@@ -60,6 +60,15 @@ void tell_infill(const RunResults& run, std::vector<Statement>& statements) {
               hardest);
     Index storey = -1;
     if (std::optional<Statement> loss = lost_infill(infill, storey)) of_storey(std::move(*loss), storey);
+    Index worst = -1;
+    for (Index j = 0; j < infill.column_demand.size(); ++j) {
+      if (infill.column_demand(j) > (worst < 0 ? 1.0 : infill.column_demand(worst))) worst = j;
+    }
+    if (worst < 0) continue;
+    of_storey({.kind = "infill_columns",
+               .severity = Severity::warning,
+               .values = {value_in("demand", infill.column_demand(worst))}},
+              worst);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "bentur/elements/hinges.h"
 #include "bentur/structure/body.h"
+#include "bentur/structure/frame/infill.h"
 
 namespace bentur {
 namespace {
@@ -46,9 +47,11 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
   return yielding;
 }
 
-/// What infill did, of a building whose drifts are known; `across`: max |F| of each panel.
+/// What infill did, of a building whose drifts are known; `across`: max |F| of each panel, `on_columns`: max |Q + F| of
+/// struts_on_columns().
 BuildingPeaks::Infill infill_of(const Building& building, const std::vector<ElementFound>& members,
-                                const Eigen::VectorXd& across, const Eigen::VectorXd& drift_ratios) {
+                                const Eigen::VectorXd& across, const Eigen::VectorXd& on_columns,
+                                const Eigen::VectorXd& drift_ratios) {
   BuildingPeaks::Infill infill;
   const StructuralModel& model = building.model;
   if (model.infills.empty()) return infill;
@@ -68,6 +71,12 @@ BuildingPeaks::Infill infill_of(const Building& building, const std::vector<Elem
     }
     infill.strength_left(f) = std::fmin(infill.strength_left(f), 1.0);
     infill.energy(f) = std::fmax(infill.energy(f), 0.0);
+  }
+  const std::vector<StrutOnColumn> pushes = struts_on_columns(model);
+  if (!pushes.empty()) infill.column_demand.setConstant(model.floors(), open);
+  for (std::size_t n = 0; n < pushes.size(); ++n) {
+    double& most = infill.column_demand(model.first_storey() + model.infills[pushes[n].panel].storey);
+    most = std::fmax(most, on_columns(static_cast<Eigen::Index>(n)) / model.hinges.columns[pushes[n].column].capacity);
   }
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (!building.elements[i].infill) continue;
@@ -126,7 +135,8 @@ BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& 
   peaks.column_forces = peak(OutputKind::column_force);
   peaks.foundation = peak(OutputKind::foundation);
   take_hinge_peaks(building.model.hinges, peak(OutputKind::hinge_moment), peak(OutputKind::breaking_shear), peaks);
-  peaks.infill = infill_of(building, solution.members[b], peak(OutputKind::infill_force), peaks.drift_ratio);
+  peaks.infill = infill_of(building, solution.members[b], peak(OutputKind::infill_force), peak(OutputKind::infill_push),
+                           peaks.drift_ratio);
   if (building.storeys_yield()) peaks.yielding = yielding_of(building, solution.members[b], peaks);
   return peaks;
 }
@@ -200,6 +210,19 @@ void take_lists(const Problem& problem, Solution& solution, Eigen::MatrixXd Outp
     const auto take = [&](OutputKind kind, std::vector<Eigen::MatrixXd>& list) {
       list.push_back(std::move(of_kind(solution, b, kind).*of));
     };
+    if (of == &OutputsFound::history) {
+      const std::vector<InfillPanel>& panels = problem.buildings[b].model.infills;
+      Eigen::MatrixXd& force =
+          to.infill_force.emplace_back(std::move(of_kind(solution, b, OutputKind::infill_force).*of));
+      Eigen::MatrixXd& shortening = to.infill_shortening.emplace_back(force.rows(), force.cols());
+      const StructuralModel& model = problem.buildings[b].model;
+      for (std::size_t n = 0; n < panels.size() && force.size() > 0; ++n) {
+        const auto row = static_cast<Eigen::Index>(n), f = model.first_storey() + panels[n].storey;
+        force.row(row) /= panels[n].cosine;
+        shortening.row(row) =
+            panels[n].cosine * model.storey_heights[f] * (of_kind(solution, b, OutputKind::drift_ratio).*of).row(f);
+      }
+    }
     take(OutputKind::displacement, to.displacement);
     take(OutputKind::drift_ratio, to.drift_ratio);
     take(OutputKind::storey_shear, to.storey_shear);

@@ -83,6 +83,26 @@ TEST_P(FilledFrame, StopsBeyondTheCapWhereItsSpeedHasBeenUsedUp) {
   EXPECT_NEAR(peaks.storey_shear(0), std::max(last, at_cap), within(last));
 }
 
+TEST_P(FilledFrame, PushesOnItsColumnsBesideWhatTheyBear) {
+  // Plastic to 3 Δ_y. By symmetry each column bears half of what the frame does, and all that a strut pushes.
+  const double reach = 3 * at_yield, work = 0.5 * yield_force * at_yield + yield_force * 2 * at_yield;
+  const double alone_bears = 0.5 * bare() * reach, together = alone_bears + yield_force;
+  for (const double capacity : {1.25 * alone_bears, 2 * together}) {
+    PlaneFrame frame = portal({.yield = yield_force});
+    frame.columns[0].shear_capacity = {capacity};
+    Problem problem = pushed({.yield = yield_force}, reach, work, 0.1);
+    problem.buildings[0] = building_of(frame);
+    const BuildingPeaks peaks = run(problem).buildings[0];
+    EXPECT_NEAR(peaks.displacement(0), reach, within(reach));
+    EXPECT_NEAR(peaks.infill.column_demand(0), together / capacity, within(2));
+    EXPECT_EQ(peaks.infill.column_demand(0) > 1, capacity < together);
+    for (const BuildingPeaks::Breaking& column : peaks.columns) {
+      EXPECT_NEAR(column.peak_shear, alone_bears, within(together));
+      EXPECT_FALSE(column.break_time) << "by its own shear alone";
+    }
+  }
+}
+
 TEST_P(FilledFrame, LosesWhatItsBackboneTakesUpAndSwingsBackAlone) {
   // Perfectly plastic to 3 Δ_y, where the run ends before it comes back to rest.
   const Backbone plastic = {.yield = yield_force};

@@ -89,4 +89,23 @@ Eigen::MatrixXd infill_stiffness(const std::vector<InfillPanel>& panels, Index f
   return stiffness;
 }
 
+std::vector<StrutOnColumn> struts_on_columns(const StructuralModel& model) {
+  std::vector<StrutOnColumn> found;
+  const std::vector<BreakingColumn>& columns = model.hinges.columns;
+  for (Index panel = 0; panel < std::ssize(model.infills); ++panel) {
+    const InfillPanel& of = model.infills[panel];
+    for (const Index line : {of.bay + 1, of.bay + 2}) {
+      Index lowest = -1, highest = -1;
+      for (Index c = 0; c < std::ssize(columns); ++c) {
+        if (columns[c].storey != of.storey + 1 || columns[c].line != line) continue;
+        if (lowest < 0 || columns[c].piece < columns[lowest].piece) lowest = c;
+        if (highest < 0 || columns[c].piece > columns[highest].piece) highest = c;
+      }
+      if (lowest >= 0) found.push_back({panel, lowest});
+      if (highest != lowest) found.push_back({panel, highest});
+    }
+  }
+  return found;
+}
+
 }  // namespace bentur

@@ -20,4 +20,10 @@ namespace bentur {
 /// What panels add to K of the floors' sways, floors × floors [force/length].
 [[nodiscard]] Eigen::MatrixXd infill_stiffness(const std::vector<InfillPanel>& panels, Eigen::Index floors);
 
+/// A column that breaks, or the lowest or highest piece of one that is struck, beside a panel whose struts push on it.
+struct StrutOnColumn {
+  Eigen::Index panel = 0, column = 0;  ///< of StructuralModel::infills, of Hinges::columns
+};
+[[nodiscard]] std::vector<StrutOnColumn> struts_on_columns(const StructuralModel& model);
+
 }  // namespace bentur

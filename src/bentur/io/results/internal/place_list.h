@@ -123,6 +123,29 @@ class PlaceList : protected VariablePass<File> {
     return columns;
   }
 
+  /// Panels of infill, which `all` is fitted to.
+  template <class Panels>
+  ResultDimension infill_places(Panels& all, const std::string& number, const std::string& owner) {
+    const std::string of = " of the panels of infill of " + owner;
+    const ResultDimension panels = this->file_.dimension({"infill_panel" + number, all.size()});
+    this->fit(all, panels.size);
+    if (panels.size == 0) return panels;
+    std::vector<int> storeys, bays;
+    for (const InfillPanel& panel : all) {
+      storeys.push_back(static_cast<int>(panel.storey) + 1);
+      bays.push_back(static_cast<int>(panel.bay) + 1);
+    }
+    this->made({"infill_panel_storey" + number, {panels}, "", "storeys" + of}, storeys);
+    this->made({"infill_panel_bay" + number, {panels}, "", "bays" + of}, bays);
+    if constexpr (File::reads) {
+      for (std::size_t n = 0; n < all.size(); ++n) {
+        all[n].storey = storeys[n] - 1;
+        all[n].bay = bays[n] - 1;
+      }
+    }
+    return panels;
+  }
+
   Problem& problem_;
 };
 
