@@ -74,6 +74,22 @@ std::string foundation_table(const PlanRun& run, Index building, const Words& sa
   return "\n" + say("plan.foundation") + "\n\n" + with_columns(Table(), std::move(columns));
 }
 
+std::string bearing_table(const PlanRun& run, Index building, const Words& say) {
+  const std::vector<PlanPlace> places = bearings_of(run.problem, building);
+  if (places.empty()) return {};
+  const PlanModel& model = run.problem.buildings[building].model;
+  std::vector<double> x, y;
+  for (const PlanModel::Bearing& one : model.bearings) {
+    x.push_back(model.footprint.corner.x() + one.at.x());
+    y.push_back(model.footprint.corner.y() + one.at.y());
+  }
+  Table table;
+  table.add("x", run.c.units.length, x);
+  table.add("y", run.c.units.length, y);
+  return "\n" + say("plan.bearings") + "\n\n" +
+         with_columns(std::move(table), table_columns(PlanOwner::bearing, false, run, places, say.number()));
+}
+
 /// The links of each [[link]] of the case, from the top down.
 std::string link_tables(const PlanRun& run, const Words& say) {
   std::string text;
@@ -120,7 +136,7 @@ std::string plan_summary_text(const PlanRun& run, const Words& say) {
     text += "\n" + say("cli.peaks", {{"building", problem.buildings[b].name}}) + "\n\n";
     text += floor_table(run, b, false, say) + "\n" + floor_table(run, b, true, say);
     if (problem.buildings[b].is_rigid()) text += "  " + say("cli.moves") + "\n";
-    text += foundation_table(run, b, say) + plane_table(run, b, say);
+    text += foundation_table(run, b, say) + bearing_table(run, b, say) + plane_table(run, b, say);
   }
   text += "\n" + say("cli.storeys") + "\n\n" + story_text(gaps, story, say, Told::remarks);
   if (run.response.energy) {

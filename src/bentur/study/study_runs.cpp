@@ -228,7 +228,8 @@ std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions
   if (const auto& collapse = response.collapse) {  // none of a plan's quantities says so
     return RunResult{run,
                      RunStatus::failed,
-                     fmt::format("storey {} of {} collapses at {:.6g} s", collapse->storey + 1,
+                     fmt::format("storey {} of {} collapses at {:.6g} s",
+                                 chosen.problem.buildings[collapse->building].model.storey_number(collapse->storey),
                                  chosen.problem.buildings[collapse->building].name, collapse->time),
                      {}};
   }

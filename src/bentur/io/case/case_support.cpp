@@ -16,13 +16,15 @@ Impedance read_impedance(const TableView& view, const std::string& key) {
 }
 
 /// Numbers of a law of bearings, from the table that they stand in.
-void read_bearings(const TableView& view, const LawEntryOf<Bearings>& law, IsolationSpec& spec) {
-  spec.law = law.name;
+ReadBearings read_bearings(const TableView& view, const LawEntryOf<Bearings>& law) {
+  ReadBearings read{.law = &law, .numbers = {}, .is_whole = true};
   for (const Key& key : law.keys) {
     const std::string name(key.name);
     if (key.is_required() && !view.key(name).is_required() && !view.has(name)) view.error_missing(name);
-    if (const auto number = view.number(key.name)) spec.numbers.emplace(name, *number);
+    if (const auto number = view.number(key.name)) read.numbers.emplace(name, *number);
+    read.is_whole = read.is_whole && (!key.is_required() || read.numbers.contains(name));
   }
+  return read;
 }
 
 void read_isolation(const TomlView& given, ReadBuilding& building) {
@@ -32,18 +34,10 @@ void read_isolation(const TomlView& given, ReadBuilding& building) {
   IsolationSpec spec;
   spec.mass = view.number("mass").value_or(0);
   spec.damping = view.number("damping").value_or(0);
-  const auto& own = bearing_laws().front();
-  if (const auto other = view.exactly_one("law")) {
-    if (const auto numbers = view.table(*other)) read_bearings(*numbers, *find_entry(bearing_laws(), *other), spec);
-    for (const Key& key : own.keys) {
-      view.refuse({std::string(key.name)}, fmt::format("follows from {} and the weight above it", *other));
-    }
-  } else {
-    read_bearings(view, own, spec);
-    const bool yields = spec.numbers["characteristic_strength"] > 0;
-    if (yields && !view.has("yield_displacement")) view.error_missing("yield_displacement");
-    if (!yields) view.refuse({"yield_displacement"}, "goes with characteristic_strength > 0");
-  }
+  view.refuse({"bearing", "centre", "inertia"}, "goes with plan, which is not given");
+  ReadBearings read = read_bearings(view);
+  spec.law = read.law->name;
+  spec.numbers = std::move(read.numbers);
   building.spec.isolation = spec;
 }
 
@@ -78,6 +72,25 @@ void read_soil(const TomlView& given_soil, ReadBuilding& building) {
 }
 
 }  // namespace
+
+ReadBearings read_bearings(const TableView& view) {
+  const auto& own = bearing_laws().front();
+  const auto other = view.exactly_one("law");
+  if (!other) {
+    ReadBearings read = read_bearings(view, own);
+    const bool yields = read.numbers["characteristic_strength"] > 0;
+    if (yields && !view.has("yield_displacement")) view.error_missing("yield_displacement");
+    if (!yields) view.refuse({"yield_displacement"}, "goes with characteristic_strength > 0");
+    read.is_whole = read.is_whole && (!yields || read.numbers.contains("yield_displacement"));
+    return read;
+  }
+  ReadBearings read{.law = find_entry(bearing_laws(), *other), .numbers = {}};
+  if (const auto numbers = view.table(*other)) read = read_bearings(*numbers, *read.law);
+  for (const Key& key : own.keys) {
+    view.refuse({std::string(key.name)}, fmt::format("follows from {} and the weight above it", *other));
+  }
+  return read;
+}
 
 std::optional<PlanSoil> read_soil_in_plan(const TomlView& given, const Footprint& footprint) {
   const auto table = TableView::of(given, soil_keys());

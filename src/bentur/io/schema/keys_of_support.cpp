@@ -16,6 +16,22 @@ const std::vector<KeyTable>& bearing_tables() {
   return tables;
 }
 
+/// Of all laws and a dashpot. @param weight what W is, in place of what the laws say of all bearings as one
+void add_bearing_laws(KeyTable& made, std::string_view otherwise, std::string_view dashpot, std::string_view weight) {
+  const auto& laws = bearing_laws();
+  for (Key key : laws.front().keys) {
+    if (key.is_required()) key.optional(otherwise);
+    made.keys.push_back(key);
+  }
+  made.keys.push_back(
+      Key::number("damping", dimension::dashpot, Range::not_negative, {"Damping", "Redaman"}, dashpot).by_default(0));
+  for (std::size_t i = 1; i < laws.size(); ++i) {
+    made.keys.push_back(
+        Key::sub_table(laws[i].name, bearing_tables()[i - 1], laws[i].label, weight.empty() ? laws[i].doc : weight)
+            .one_of("law", Need::optional));
+  }
+}
+
 }  // namespace
 
 const KeyTable& isolation_keys() {
@@ -25,18 +41,33 @@ const KeyTable& isolation_keys() {
         "bearings below a slab",
         {Key::number("mass", dimension::mass, Range::positive, {"Slab above the bearings", "Pelat di atas bantalan"},
                      "of the slab; the lower halves of a frame's lowest columns join it")}};
-    const auto& laws = bearing_laws();
-    for (Key key : laws.front().keys) {
-      if (key.is_required()) key.optional("needed without another law of bearings");
-      made.keys.push_back(key);
-    }
-    made.keys.push_back(Key::number("damping", dimension::dashpot, Range::not_negative, {"Damping", "Redaman"},
-                                    "of a dashpot beside them")
-                            .by_default(0));
-    for (std::size_t i = 1; i < laws.size(); ++i) {
-      made.keys.push_back(Key::sub_table(laws[i].name, bearing_tables()[i - 1], laws[i].label, laws[i].doc)
-                              .one_of("law", Need::optional));
-    }
+    add_bearing_laws(made, "needed without another law of bearings, but in plan", "of a dashpot beside them", "");
+    made.keys.push_back(Key::sub_table("bearing", bearing_keys(), {"Bearings", "Bantalan"},
+                                       "of buildings in plan: bearings and where they stand, in place of the above")
+                            .list()
+                            .optional("needed in plan"));
+    made.keys.push_back(Key::number("centre", dimension::length, Range::finite, {"Centre of mass", "Pusat massa"},
+                                    "of buildings in plan: of the slab, from the corner")
+                            .list("x and y", 2)
+                            .optional("the middle of the footprint"));
+    made.keys.push_back(Key::number("inertia", dimension::mass_inertia, Range::positive, {"Inertia", "Inersia"},
+                                    "of buildings in plan: of the slab, about the vertical through its centre of mass")
+                            .optional("of an even slab on the footprint"));
+    return made;
+  }();
+  return table;
+}
+
+const KeyTable& bearing_keys() {
+  static const KeyTable table = [] {
+    KeyTable made = {"building.isolation.bearing",
+                     "bearings of one kind; numbers are those of one of them, along x and along y",
+                     {Key::number("at", dimension::length, Range::finite, {"At", "Letak"},
+                                  "from the corner: one pair, or a list of one for each bearing of this kind")
+                          .matrix("x and y", true)}};
+    add_bearing_laws(made, "needed without another law of bearings", "of a dashpot beside it",
+                     "in place of stiffness, strength and displacement: Q = μW, stiffness W/R, W its share of all "
+                     "weight above, the slab's too");
     return made;
   }();
   return table;

@@ -104,6 +104,18 @@ Source of_foundation(Index i) {
             list(i) = value;
           }};
 }
+Source of_bearings(VectorXd PlanPeaks::Bearings::*list, bool yields = false) {
+  return {[=](const PlanRun& run, const PlanPlace& at) {
+            const auto& bearings = run.problem.buildings[at.item].model.bearings;
+            if (yields && !bearings[static_cast<std::size_t>(at.plane)].law) return none;
+            return entry(run.response.buildings[at.item].bearings.*list, at.plane);
+          },
+          [=](PlanRun& run, const PlanPlace& at, double value) {
+            VectorXd& kept = run.response.buildings[at.item].bearings.*list;
+            kept.conservativeResize(std::ssize(run.problem.buildings[at.item].model.bearings));
+            kept(at.plane) = std::isnan(value) ? 0 : value;
+          }};
+}
 Source of_friction(double PlanFriction::*member) {
   return {[member](const PlanRun& run, const PlanPlace& at) {
             return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : none;
@@ -237,7 +249,8 @@ struct Line {
 };
 
 constexpr PlanOwner floor = PlanOwner::floor, plane_ = PlanOwner::plane, building = PlanOwner::building,
-                    point = PlanOwner::point, gap = PlanOwner::gap, impact = PlanOwner::impact;
+                    bearing = PlanOwner::bearing, point = PlanOwner::point, gap = PlanOwner::gap,
+                    impact = PlanOwner::impact;
 constexpr PlanQuantity::When moving = PlanQuantity::When::of_what_moves, known = PlanQuantity::When::where_known,
                              lossy = PlanQuantity::When::where_strength_goes;
 
@@ -293,6 +306,14 @@ std::deque<Line> list() {
       {building, {"peak_rocking_x", Owner::building, "rad", "max |ψ_x|", "largest rocking of the foundation that moves what is above along x", {"Rocking x", "Guling x"}, {}, "/soil/peak_rocking_x", "mrad", 1e3}, of_foundation(2), known},
       {building, {"peak_rocking_y", Owner::building, "rad", "max |ψ_y|", "largest rocking of the foundation that moves what is above along y", {"Rocking y", "Guling y"}, {}, "/soil/peak_rocking_y", "mrad", 1e3}, of_foundation(3), known},
       {building, {"peak_twist", Owner::building, "rad", "max |θ_b|", "largest twist of the foundation about the vertical", {"Twist", "Puntir"}, {}, "/soil/peak_twist", "mrad", 1e3}, of_foundation(4), known},
+      // Bearings below a slab.
+      {bearing, {"peak_displacement_x", of, "L", "max |Δ_x|", "largest displacement of the bearing along x", {"Along x", "Sepanjang x"}, {}}, of_bearings(&PlanPeaks::Bearings::x)},
+      {bearing, {"peak_displacement_y", of, "L", "max |Δ_y|", "largest displacement of the bearing along y", {"Along y", "Sepanjang y"}, {}}, of_bearings(&PlanPeaks::Bearings::y)},
+      {bearing, {"peak_force_x", of, "F", "max |F_x|", "largest force of the bearing along x, without its dashpot", {"Force x", "Gaya x"}, {}}, of_bearings(&PlanPeaks::Bearings::force_x)},
+      {bearing, {"peak_force_y", of, "F", "max |F_y|", "largest force of the bearing along y, without its dashpot", {"Force y", "Gaya y"}, {}}, of_bearings(&PlanPeaks::Bearings::force_y)},
+      {bearing, {"residual_x", of, "L", "|Δ_x,r|", "displacement along x at the end at which the bearing would rest without force", {"Residual x", "Sisa x"}, {}}, of_bearings(&PlanPeaks::Bearings::residual_x, true), known},
+      {bearing, {"residual_y", of, "L", "|Δ_y,r|", "displacement along y at the end at which the bearing would rest without force", {"Residual y", "Sisa y"}, {}}, of_bearings(&PlanPeaks::Bearings::residual_y, true), known},
+      {bearing, {"hysteretic_energy", of, "F L", "E_h", "energy that the bearing dissipated by yielding along x and y", {"Dissipated", "Diserap"}, {}}, of_bearings(&PlanPeaks::Bearings::hysteretic_energy, true), known},
   };
   for (const Quantity* const quantity : quantities_of(Owner::hinge)) {
     all.push_back({PlanOwner::hinge, *quantity, of_row_frame(*quantity), is_of_weakening(*quantity) ? lossy : PlanQuantity::When::always});
@@ -413,7 +434,15 @@ std::vector<PlanPlace> planes_from_top(const PlanProblem& problem, Index buildin
   std::vector<PlanPlace> places;
   for (Index plane = 0; plane < std::ssize(problem.buildings[building].model.planes); ++plane) {
     const std::vector<PlanPlace> storeys = floors_of(problem, building, plane);
-    places.insert(places.end(), storeys.rbegin(), storeys.rend());
+    places.insert(places.end(), storeys.rbegin(), storeys.rend() - problem.buildings[building].model.first_storey());
+  }
+  return places;
+}
+
+std::vector<PlanPlace> bearings_of(const PlanProblem& problem, Index building) {
+  std::vector<PlanPlace> places;
+  for (Index n = 0; n < std::ssize(problem.buildings[building].model.bearings); ++n) {
+    places.push_back({.item = building, .plane = n});
   }
   return places;
 }

@@ -51,6 +51,9 @@ struct PlanQuantity {
 /// The storeys of its planes, one plane after the other, each from the top down.
 [[nodiscard]] std::vector<PlanPlace> planes_from_top(const PlanProblem& problem, Eigen::Index building);
 
+/// The bearings below a building, none without a slab.
+[[nodiscard]] std::vector<PlanPlace> bearings_of(const PlanProblem& problem, Eigen::Index building);
+
 /// A contact by its place among those of all gaps.
 struct PlanContactPlace {
   std::size_t gap = 0;

@@ -92,7 +92,8 @@ bool same_places(const PlanProblem& a, const PlanProblem& b) {
   const auto alike = [&](const PlanBuilding& x, const PlanBuilding& y) {
     return x.model.floors() == y.model.floors() && x.model.planes.size() == y.model.planes.size() &&
            x.is_rigid() == y.is_rigid() && x.model.soil.has_value() == y.model.soil.has_value() &&
-           yields(x) == yields(y) && loses_strength(x) == loses_strength(y) && hinges_weaken(x) == hinges_weaken(y) &&
+           x.model.slab.has_value() == y.model.slab.has_value() && yields(x) == yields(y) &&
+           loses_strength(x) == loses_strength(y) && hinges_weaken(x) == hinges_weaken(y) &&
            std::equal(x.model.planes.begin(), x.model.planes.end(), y.model.planes.begin(), same_hinges);
   };
   const auto same_gap = [](const PlanGap& x, const PlanGap& y) {

@@ -31,8 +31,9 @@ bool is_backed(const PlanProblem& problem, std::size_t gap, Index building) {
 /// over what the footprint takes up there [%].
 double largest_eccentricity(const PlanModel& model, const Plan& plan) {
   double most = 0;
-  for (Index floor = 0; floor < model.floors(); ++floor) {
-    const PlanPoint apart = model.centres[static_cast<std::size_t>(floor)] - centre_of_rigidity(plan, floor);
+  const Index first = model.first_storey();  // above a slab
+  for (Index floor = first; floor < model.floors(); ++floor) {
+    const PlanPoint apart = model.centres[static_cast<std::size_t>(floor)] - centre_of_rigidity(plan, floor - first);
     most = std::max(most, in_percent * apart.cwiseAbs().cwiseQuotient(plan.footprint.size).maxCoeff());
   }
   return most;

@@ -368,7 +368,7 @@ void check_planes(const PlanRun& run, Checks& checks) {
     if (building.is_rigid()) continue;
     std::optional<double> most;
     for (const PlanPeaks::Plane& plane : run.response.buildings[b].planes) {
-      if (plane.drift_ratio.size() > 0) most = std::fmax(most.value_or(0), plane.drift_ratio.maxCoeff());
+      for (const double ratio : plane.drift_ratio) most = std::fmax(most.value_or(0), ratio);  // a slab has none
     }
     const Eigen::VectorXd edges = run.response.buildings[b].edge_drift_ratio();
     if (edges.size() > 0) most = std::fmax(most.value_or(0), edges.maxCoeff());
@@ -380,7 +380,7 @@ void check_planes(const PlanRun& run, Checks& checks) {
 std::vector<Statement> unchecked_of(const PlanRun& run, bool needs_seismicity) {
   const std::vector<PlanBuilding>& buildings = run.problem.buildings;
   const auto no_gravity = [&](Index b) { return !buildings[b].has_gravity_loads(); };
-  const auto no_soil = [&](Index b) { return !buildings[b].model.soil; };
+  const auto no_soil = [&](Index b) { return !buildings[b].model.soil && !buildings[b].model.slab; };
   std::vector<Statement> statements;
   tell_codes(run.c, statements);
   if (needs_seismicity) tell("unchecked.screening", statements);

@@ -244,12 +244,14 @@ std::string plane_name(const PlanRun& run, Index b, std::size_t plane) {
 
 /// That a storey drifts beyond what stands for collapse. @param name of what does
 Statement drift_beyond(const PlanRun& run, Index b, const std::string& name, Index storey, double drift) {
-  return {.kind = "drift_beyond",
-          .severity = Severity::danger,
-          .buildings = {b},
-          .level = run.problem.buildings[b].model.elevations[storey],
-          .values = {text_of("building", name), count_of("storey", storey + 1), value_in("drift", percent * drift, "%"),
-                     value_in("limit", percent * run.c.analysis.collapse_drift, "%")}};
+  return {
+      .kind = "drift_beyond",
+      .severity = Severity::danger,
+      .buildings = {b},
+      .level = run.problem.buildings[b].model.elevations[storey],
+      .values = {text_of("building", name), count_of("storey", run.problem.buildings[b].model.storey_number(storey)),
+                 value_in("drift", percent * drift, "%"),
+                 value_in("limit", percent * run.c.analysis.collapse_drift, "%")}};
 }
 
 /// The same of the edges of buildings without planes.
@@ -286,6 +288,7 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
         }
       }
     }
+    const PlanModel& model = run.problem.buildings[b].model;
     if (drifts && !run.problem.buildings[b].has_gravity_loads()) {
       statements.push_back(drift_beyond(run, b, plane_name(run, b, drifts->first), drifts->second, drift));
     }
@@ -295,7 +298,7 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
         {.kind = "storey_yields",
          .buildings = {b},
          .values = {text_of("building", plane_name(run, b, yields->first)), value_in("ductility", ductility),
-                    count_of("storey", yields->second + 1), value_in("alone", alone(yields->second)),
+                    count_of("storey", model.storey_number(yields->second)), value_in("alone", alone(yields->second)),
                     word_of("comparison", "story.ductility_alone")}});
   }
 }
@@ -320,7 +323,7 @@ void tell_lost_strength(const PlanRun& run, std::vector<Statement>& statements) 
     statement.buildings = {b};
     statement.level = run.problem.buildings[b].model.elevations[storey];
     statement.values.push_back(text_of("building", plane_name(run, b, plane)));
-    statement.values.push_back(count_of("storey", storey + 1));
+    statement.values.push_back(count_of("storey", run.problem.buildings[b].model.storey_number(storey)));
     statements.push_back(std::move(statement));
   }
 }
@@ -328,7 +331,10 @@ void tell_lost_strength(const PlanRun& run, std::vector<Statement>& statements) 
 void tell_collapse(const PlanRun& run, std::vector<Statement>& statements) {
   story::tell_collapse(
       run.response.collapse, run.response.collapse_no_contact, run.problem.collapse_drift,
-      [&](const Collapse& one) { return std::pair(run.problem.buildings[one.building].name, one.storey + 1); },
+      [&](const Collapse& one) {
+        const PlanBuilding& building = run.problem.buildings[one.building];
+        return std::pair(building.name, building.model.storey_number(one.storey));
+      },
       statements);
 }
 
@@ -384,13 +390,19 @@ void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, In
 
 Statement model_statement(const PlanRun& run) {
   bool yields = false;
-  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings that move, those with gravity loads, those on soil
+  std::size_t counted = 0, loaded = 0,
+              moved = 0;  // buildings that move, those with gravity loads, those on soil or bearings
   for (const PlanBuilding& building : run.problem.buildings) {
     counted += building.is_rigid() ? 0 : 1;
     loaded += building.has_gravity_loads() ? 1 : 0;
-    moved += building.model.soil ? 1 : 0;
+    moved += building.model.soil || building.model.slab ? 1 : 0;
   }
+  const bool by_axes = std::any_of(run.problem.buildings.begin(), run.problem.buildings.end(), [](const auto& one) {
+    const auto& bearings = one.model.bearings;
+    return std::any_of(bearings.begin(), bearings.end(), [](const auto& bearing) { return bearing.law != nullptr; });
+  });
   std::vector<std::vector<StoryValue>> left_out = gravity_left_out(loaded, counted);
+  if (by_axes) left_out.push_back({word_of("what", "remarks.bearings_by_axes")});
   if (moved < counted) left_out.push_back({word_of("what", moved == 0 ? "remarks.no_soil" : "remarks.soil_of")});
   for (const PlanPeaks& peaks : run.response.buildings) {
     for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;

@@ -52,6 +52,10 @@ Figure frame_hinges_figure(const PlanRun& run, const FigureOptions& options) {
 Figure frame_loop_figure(const PlanRun& run, const FigureOptions& options) {
   return hinge_loop_figure(frames_of(run), of_frames(options));
 }
+bool has_bearings(const PlanRun& run) {
+  const std::vector<Eigen::MatrixXd>& all = run.response.histories.bearing;
+  return std::any_of(all.begin(), all.end(), [](const Eigen::MatrixXd& one) { return one.rows() > 0; });
+}
 bool has_energy(const PlanRun& run) { return run.response.energy && run.response.energy->histories.input.size() > 0; }
 
 const PlanKind plan_kinds[] = {
@@ -66,6 +70,8 @@ const PlanKind plan_kinds[] = {
     {"force", "contact forces at one level of a gap", has_force, force_figure, always<PlanRun>, true},
     {"friction-cone", "force along the joint over contact force, between the limits of friction", has_friction,
      friction_figure},
+    {"bearing-loop", "force of the bearing of each building that moves most over its displacement", has_bearings,
+     bearing_loop_figure},
     {"soil-loop", "force and moment of the soil over sway, rocking and twist of foundations", has_soil,
      soil_loop_figure},
     {"hinges", "hinges on the frames by how far they turned, numbered in the order in which they formed", has_hinges,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "bentur/core/number_text.h"
@@ -19,6 +20,41 @@ Panel loop_panel(const Eigen::MatrixXd& all, Index along, Index force, double fa
 }
 
 }  // namespace
+
+Figure bearing_loop_figure(const PlanRun& run, const FigureOptions& options) {
+  Figure figure{.title = "Force of bearings over their displacement, without dashpots",
+                .columns = 2,
+                .width = options.width * page_over_column};
+  for (Index b = 0; b < std::ssize(run.response.histories.bearing); ++b) {
+    const Eigen::MatrixXd& all = run.response.histories.bearing[b];
+    if (all.rows() == 0) continue;
+    const PlanBuilding& building = run.problem.buildings[b];
+    const PlanPeaks::Bearings& peaks = run.response.buildings[b].bearings;
+    const Index count = std::ssize(building.model.bearings);
+    Index most = 0;
+    (void)(peaks.x.array().square() + peaks.y.array().square()).maxCoeff(&most);
+    for (Index i = 0; i < 2; ++i) {
+      Panel panel = loop_panel(all, 2 * most + i, 2 * (count + most) + i, shown_factor(run, "F"));
+      panel.title = building.name + ", " + word(options, "bearing {}", std::to_string(most + 1));
+      panel.x.label = with_unit(word(options, "Displacement along {}", i == 0 ? "x" : "y"), run.c.units.length);
+      panel.y.label = with_unit(word(options, "Force of the bearings V"), shown_unit(run, "F"));
+      const double moved = (i == 0 ? peaks.x : peaks.y)(most);
+      const HystereticLaw* const law = building.model.bearings[static_cast<std::size_t>(most)].law.get();
+      if (law != nullptr && moved > law->yield_deformation()) {
+        const double yield = law->yield_deformation();
+        panel.rules = {{.at = yield, .vertical = true, .label = word(options, "yield"), .line = Line::dotted},
+                       {.at = -yield, .vertical = true, .line = Line::dotted}};
+      }
+      figure.panels.push_back(std::move(panel));
+    }
+    figure.finding += (figure.finding.empty() ? "" : "; ") + building.name + ": " +
+                      word(options, "force up to {}, displacement up to {}",
+                           shown_value(run, std::max(peaks.force_x(most), peaks.force_y(most)), "F"),
+                           shown_value(run, std::max(peaks.x(most), peaks.y(most)), "L"));
+  }
+  if (figure.panels.empty()) throw NoFigure("no building shown stands on bearings: building.isolation puts one there");
+  return figure;
+}
 
 Figure soil_loop_figure(const PlanRun& run, const FigureOptions& options) {
   constexpr double round_off = 1e-9;

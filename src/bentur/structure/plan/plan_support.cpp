@@ -188,6 +188,7 @@ void carry_planes(const MatrixXd& to, Index slabs, PlanModel& model) {
     plane.shears = below_slab(slabs, plane.shears * to);
     plane.pushes = below_slab(slabs, plane.pushes.transpose()).transpose().eval();
     plane.laws.insert(plane.laws.begin(), static_cast<std::size_t>(slabs), nullptr);
+    if (plane.hinges.size() > 0) plane.hinges.rows = (plane.hinges.rows * to).eval();
   }
 }
 
@@ -236,6 +237,10 @@ void put_on_bearings(const PlanIsolation& isolation, PlanBuilding& building) {
   check(isolation);
   PlanModel& model = building.model;
   check_held(isolation, model);
+  for (const PlanModel::Plane& plane : model.planes) {
+    if (plane.hinges.size() == 0) continue;
+    throw InvalidParameter("isolation", plane.name, "must not stand below frames with hinges");
+  }
   const FixedBase fixed = fixed_base(building);
   const Index above = model.dofs(), dofs = above + 3;
   const MatrixXd to = relative_to_slab(model, isolation.centre);

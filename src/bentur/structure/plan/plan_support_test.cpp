@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,68 @@ TEST(PlanSoils, WhatIsOutOfRangeIsRefused) {
   EXPECT_EQ(refused([](PlanSoil& soil) { soil.twist->stiffness = -1; }), "soil.twist.stiffness");
   EXPECT_EQ(refused([](PlanSoil& soil) { soil.inertia_y = 0; }), "soil.foundation.inertia_y");
   EXPECT_EQ(refused([](PlanSoil& soil) { soil.twist_inertia = 0; }), "soil.foundation.twist_inertia");
+}
+
+/// One storey on three elastic bearings, all centres elsewhere: six frequencies of the matrices by hand.
+TEST(PlanBearings, EccentricOnesHaveTheFrequenciesOfTheirMatrices) {
+  Plan plan{.footprint = {.corner = {3, -2}, .size = {8, 6}}, .storey_heights = {3.5}, .masses = {60}};
+  plan.centres_of_mass = {{4.5, 2.6}};
+  plan.rigidity = PlanRigidity{.centres = {{3.7, 3.2}}, .x = {4e4}, .y = {5e4}, .torsion = {6e5}};
+  PlanIsolation isolation{.mass = 40, .centre = {4.1, 3.3}, .inertia = 350};
+  isolation.bearings = {{.at = {1, 1}, .bearing = {.stiffness = 900}},
+                        {.at = {7, 0.5}, .bearing = {.stiffness = 500}},
+                        {.at = {2, 5.5}, .bearing = {.stiffness = 1400}}};
+  const PlanBuilding made = make_plan_building("A", plan_model(plan), ModalDamping{{0}}, false, {}, isolation);
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(6, 6);
+  const auto add = [&](double stiffness, const Eigen::RowVector3d& slab, const Eigen::RowVector3d& floor) {
+    Eigen::RowVectorXd row(6);
+    row << slab, floor;
+    k += stiffness * row.transpose() * row;
+  };
+  const Eigen::RowVector3d none(0, 0, 0);
+  const auto bearing = [&](double x, double y, double stiffness) {
+    add(stiffness, {1, 0, -(y - 3.3)}, none);
+    add(stiffness, {0, 1, x - 4.1}, none);
+  };
+  bearing(1, 1, 900);
+  bearing(7, 0.5, 500);
+  bearing(2, 5.5, 1400);
+  add(4e4, {-1, 0, 3.2 - 3.3}, {1, 0, -(3.2 - 2.6)});
+  add(5e4, {0, -1, -(3.7 - 4.1)}, {0, 1, 3.7 - 4.5});
+  add(6e5, {0, 0, -1}, {0, 0, 1});
+  VectorXd mass(6);
+  mass << 40, 40, 350, 60, 60, 60 * (64 + 36) / 12.0;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solved(k, mass.asDiagonal().toDenseMatrix());
+  ASSERT_EQ(made.modes.omega.size(), 6);
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double omega = std::sqrt(solved.eigenvalues()(i));
+    EXPECT_NEAR(made.modes.omega(i), omega, 1e-12 * made.modes.omega(5));
+  }
+  EXPECT_EQ(made.model.elevations, (std::vector<double>{0, 3.5}));
+  EXPECT_EQ(made.model.first_storey(), 1);
+}
+
+TEST(PlanBearings, WhatCannotStandIsRefused) {
+  const auto refused = [](auto change) -> std::string {
+    PlanIsolation isolation{.mass = 40, .centre = {4, 3}, .inertia = 300};
+    isolation.bearings = {{.at = {1, 1}, .bearing = {.stiffness = 900}}, {.at = {7, 5}, .bearing = {.stiffness = 900}}};
+    std::optional<PlanSoil> soil;
+    change(isolation, soil);
+    try {
+      (void)make_plan_building("A", plan_model(eccentric()), ModalDamping{{0}}, false, soil, isolation);
+    } catch (const InvalidParameter& error) {
+      return error.parameter();
+    }
+    return "nothing";
+  };
+  EXPECT_EQ(refused([](auto&, auto&) {}), "nothing");
+  EXPECT_EQ(refused([](auto& one, auto&) { one.mass = 0; }), "isolation.mass");
+  EXPECT_EQ(refused([](auto& one, auto&) { one.inertia = -1; }), "isolation.inertia");
+  EXPECT_EQ(refused([](auto& one, auto&) { one.bearings.clear(); }), "isolation.bearing");
+  EXPECT_EQ(refused([](auto& one, auto&) { one.bearings[1].at = one.bearings[0].at; }), "isolation.bearing");
+  EXPECT_EQ(refused([](auto& one, auto&) { one.bearings[1].bearing.stiffness = 0; }), "isolation.bearing[1].stiffness");
+  EXPECT_EQ(refused([](auto& one, auto&) { one.bearings[0].damping = -1; }), "isolation.bearing[0].damping");
+  EXPECT_EQ(refused([](auto&, auto& soil) { soil = soil_times(1); }), "isolation");
 }
 
 }  // namespace

@@ -23,25 +23,6 @@ std::optional<PlanPoint> read_pair(const TableView& table, const char* key) {
   return given ? read_pair(*given, table.key(key).range) : std::nullopt;
 }
 
-/// One pair for all, or a list of one each; empty (and an error) unless all are right.
-std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::size_t storeys) {
-  const auto given = table.get(key);
-  if (!given) return {};
-  const Range range = table.key(key).range;
-  const bool nested = given->is(TomlValue::Kind::list) && given->size() > 0 && given->item(0).is(TomlValue::Kind::list);
-  if (!nested) {
-    const auto one = read_pair(*given, range);
-    return one ? std::vector<PlanPoint>{*one} : std::vector<PlanPoint>{};
-  }
-  if (!given->is_list_of("pairs", {storeys, "one per storey"})) return {};
-  std::vector<PlanPoint> pairs;
-  for (const TomlView& item : given->items()) {
-    const auto one = read_pair(item, range);
-    if (one) pairs.push_back(*one);
-  }
-  return pairs.size() == given->size() ? pairs : std::vector<PlanPoint>{};
-}
-
 /// The corners of a polygon, at the list or the corner that is wrong.
 bool read_polygon(const TableView& table, Footprint& footprint) {
   const TomlView given = *table.find("polygon");
@@ -236,7 +217,7 @@ void stand(const TomlView& generic, const GenericPlan& little, bool is_known, Pl
 
 void read_floors(const TableView& building, const Units& units, ReadPlanBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"calibrate_period", "width", "isolation", "frame", "stick", "matrices", "modal"},
+  building.refuse({"calibrate_period", "width", "frame", "stick", "matrices", "modal"},
                   "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
@@ -276,7 +257,19 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
   if (read.told.spec.p_delta && plan.gravity_loads.empty()) {
     for (const double mass : plan.masses) plan.gravity_loads.push_back(mass * units.gravity);
   }
-  if (const auto soil = building.find("soil")) plan.soil = read_soil_in_plan(*soil, plan.footprint);
+  const auto isolation = building.find("isolation");
+  if (isolation) {
+    building.refuse({"soil"}, "and isolation exclude one another: a slab on bearings stands on firm ground");
+    if (known) plan.isolation = read_isolation(*isolation, plan, units.gravity);
+    known = known && plan.isolation;
+    const auto yields = [](const PlanPlane& plane) { return plane.hinges.size() > 0; };
+    if (std::any_of(plan.planes.begin(), plan.planes.end(), yields)) {
+      isolation->error("does not go with frames as planes whose hinges yield");
+      known = false;
+    }
+    read.told.elevations.insert(read.told.elevations.begin(), 0.0);
+  }
+  if (const auto soil = building.find("soil"); soil && !isolation) plan.soil = read_soil_in_plan(*soil, plan.footprint);
   if (const auto damping = building.get("damping")) {
     read.spec.damping = read_damping(*damping, read.told.modes);
   } else {
@@ -287,7 +280,9 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
     const auto yields = [](const PlanPlane& plane) {
       return !plane.storeys.yield_forces.empty() || plane.storeys.backbone;
     };
-    if (std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
+    if (read.spec.tangent_damping && isolation) {
+      word->error_value("does not go with isolation: bearings have dashpots of their own");
+    } else if (std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
       word->error_value("needs planes that can yield: plane.yield_forces or plane.backbone");
     }
   }
@@ -296,6 +291,24 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
 }
 
 }  // namespace
+
+std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::size_t count) {
+  const auto given = table.get(key);
+  if (!given) return {};
+  const Range range = table.key(key).range;
+  const bool nested = given->is(TomlValue::Kind::list) && given->size() > 0 && given->item(0).is(TomlValue::Kind::list);
+  if (!nested) {
+    const auto one = read_pair(*given, range);
+    return one ? std::vector<PlanPoint>{*one} : std::vector<PlanPoint>{};
+  }
+  if (!given->is_list_of("pairs", count > 0 ? Length{count, "one per storey"} : Length{})) return {};
+  std::vector<PlanPoint> pairs;
+  for (const TomlView& item : given->items()) {
+    const auto one = read_pair(item, range);
+    if (one) pairs.push_back(*one);
+  }
+  return pairs.size() == given->size() ? pairs : std::vector<PlanPoint>{};
+}
 
 std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, const Units& units) {
   std::vector<ReadPlanBuilding> buildings;

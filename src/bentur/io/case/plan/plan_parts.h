@@ -23,6 +23,14 @@ struct ReadPlanBuilding {
 [[nodiscard]] std::vector<PlanBuilding> make_buildings(const PlanCase& c,
                                                        const std::vector<ReadPlanBuilding>& buildings);
 
+/// plan_buildings.cpp: one pair for all, or a list of one each; empty (and an error) unless all are right.
+/// @param count how many of a list; 0: any number from one
+[[nodiscard]] std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::size_t count);
+
+/// plan_isolation.cpp: [building.isolation] of a building whose floors are known; nothing (and an error) where it says
+/// too little to go on. @param gravity [length/s²], of what lies on bearings that need it
+[[nodiscard]] std::optional<PlanIsolation> read_isolation(const TomlView& given, const Plan& plan, double gravity);
+
 /// plan_gaps.cpp: the pairs that may touch, in the order of their buildings.
 [[nodiscard]] std::vector<PlanGapSpec> read_plan_gaps(const TomlView& root,
                                                       const std::vector<ReadPlanBuilding>& buildings);

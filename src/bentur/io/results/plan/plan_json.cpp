@@ -78,6 +78,22 @@ void put_frames(Json& planes, const PlanRun& run, Index b) {
   }
 }
 
+Json isolation_json(const PlanRun& run, Index b) {
+  const PlanModel& model = run.problem.buildings[b].model;
+  const Index slab = 3 * *model.slab;
+  Json bearings = Json::array();
+  for (const PlanPlace& place : bearings_of(run.problem, b)) {
+    const PlanModel::Bearing& bearing = model.bearings[place.plane];
+    const double stiffness = bearing.shears.row(0).norm() / bearing.drifts.row(0).norm();
+    Json json = {{"at", {bearing.at.x(), bearing.at.y()}}, {"initial_stiffness", stiffness}};
+    if (bearing.law) json["yield_displacement"] = bearing.law->yield_deformation();
+    put_quantities(json, PlanOwner::bearing, run, {place});
+    bearings.push_back(std::move(json));
+  }
+  return {
+      {"mass", model.mass(slab, slab)}, {"inertia", model.mass(slab + 2, slab + 2)}, {"bearings", std::move(bearings)}};
+}
+
 Json plan_building_json(const PlanRun& run, std::size_t b) {
   const PlanBuilding& building = run.problem.buildings[b];
   const auto item = static_cast<Index>(b);
@@ -89,6 +105,7 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
   if (building.is_rigid()) return json;
   if (const auto& soil = building.model.soil) json["soil"] = soil_json(*soil);
   put_quantities(json, PlanOwner::building, run, {{item}});
+  if (building.model.slab) json["isolation"] = isolation_json(run, item);
   json["planes"] = Json::array();
   for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
     Json plane = {{"name", building.model.planes[p].name}};
@@ -177,7 +194,7 @@ Json plan_statements_json(const PlanProblem& problem, const std::vector<Statemen
 
 Json plan_collapse_json(const PlanRun& run, const Collapse& collapse) {
   return {{"building", run.problem.buildings.at(static_cast<std::size_t>(collapse.building)).name},
-          {"storey", collapse.storey + 1},
+          {"storey", run.problem.buildings[collapse.building].model.storey_number(collapse.storey)},
           {"time", collapse.time}};
 }
 

@@ -124,6 +124,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     quantities(PlanOwner::floor, {floors}, floors_of(run_.problem, b), "", number, of);
     quantities(PlanOwner::building, {}, {{b}}, "", number, " of " + owner);
     foundation(b, number, owner);
+    bearings(b, number, owner);
     planes(b, floors, number, owner);
   }
 
@@ -149,6 +150,42 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     row(7, "soil_moment_x", moment, "moment against rocking along x of the springs and dashpots under the foundation");
     row(8, "soil_moment_y", moment, "moment against rocking along y of the springs and dashpots under the foundation");
     row(9, "soil_torque", moment, "torque of the springs and dashpots under the foundation");
+  }
+
+  /// Places, numbers and histories of the bearings below a slab.
+  void bearings(Index b, const std::string& number, const std::string& owner) {
+    auto& list = run_.response.histories.bearing;
+    fit(list, run_.problem.buildings.size());
+    const PlanModel& model = run_.problem.buildings[b].model;
+    const auto count = static_cast<Index>(model.bearings.size());
+    if (count == 0) return;
+    const ResultDimension bearing = file_.dimension({"bearing" + number, model.bearings.size()});
+    if constexpr (reads) {
+      if (bearing.size != model.bearings.size()) file_.source.fail("is not of this case");
+    } else {
+      std::vector<double> x, y;
+      for (const PlanModel::Bearing& one : model.bearings) {
+        x.push_back(model.footprint.corner.x() + one.at.x());
+        y.push_back(model.footprint.corner.y() + one.at.y());
+      }
+      made({"bearing_x" + number, {bearing}, length_, "x of the bearings of " + owner}, x);
+      made({"bearing_y" + number, {bearing}, length_, "y of the bearings of " + owner}, y);
+    }
+    quantities(PlanOwner::bearing, {bearing}, bearings_of(run_.problem, b), "bearing_", number, " of " + owner);
+    if (time_.size == 0) return;
+    if constexpr (reads) list[b].resize(4 * count, static_cast<Index>(time_.size));
+    const auto rows = [&](Index first, const char* name, const std::string& units, const char* what) {
+      Eigen::MatrixXd values(count, static_cast<Index>(time_.size));
+      for (Index n = 0; n < count; ++n) values.row(n) = list[b].row(first + 2 * n);
+      made({name + number, {time_, bearing}, units, fmt::format("{} of the bearings of {}", what, owner)}, values);
+      if constexpr (reads) {
+        for (Index n = 0; n < count; ++n) list[b].row(first + 2 * n) = values.row(n);
+      }
+    };
+    rows(0, "bearing_displacement_x", length_, "displacement along x");
+    rows(1, "bearing_displacement_y", length_, "displacement along y");
+    rows(2 * count, "bearing_force_x", force_, "force along x, without dashpots,");
+    rows(2 * count + 1, "bearing_force_y", force_, "force along y, without dashpots,");
   }
 
   /// What nobody tells of a wall.

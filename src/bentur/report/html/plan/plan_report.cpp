@@ -83,7 +83,7 @@ class PlanPage {
     }
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       content += element("h3", say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}));
-      content += floors(b, false) + floors(b, true) + foundation(b) + planes(b);
+      content += floors(b, false) + floors(b, true) + foundation(b) + bearings(b) + planes(b);
     }
     for (const StoryTable& table : story_.tables) {
       const SaidTable shown = said(table, say_);
@@ -244,6 +244,22 @@ class PlanPage {
     HtmlTable table;
     html::add_columns(table, std::move(columns));
     return element("p", say_("plan.foundation")) + table.markup();
+  }
+
+  /// What bearings below a slab do; empty without one.
+  [[nodiscard]] Html bearings(Index b) const {
+    const std::vector<PlanPlace> places = bearings_of(run_.problem, b);
+    if (places.empty()) return {};
+    std::vector<double> x, y;
+    for (const PlanModel::Bearing& one : run_.problem.buildings[b].model.bearings) {
+      x.push_back(run_.problem.buildings[b].model.footprint.corner.x() + one.at.x());
+      y.push_back(run_.problem.buildings[b].model.footprint.corner.y() + one.at.y());
+    }
+    HtmlTable table;
+    table.add("x", length_, x);
+    table.add("y", length_, y);
+    html::add_columns(table, table_columns(PlanOwner::bearing, false, run_, places, say_.number()));
+    return element("p", say_("plan.bearings")) + table.markup();
   }
 
   [[nodiscard]] Html planes(Index b) const {

@@ -33,6 +33,7 @@ namespace bentur {
 [[nodiscard]] Figure force_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure orbit_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure friction_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure bearing_loop_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure soil_loop_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure energy_figure(const PlanRun& run, const FigureOptions& options);
 
