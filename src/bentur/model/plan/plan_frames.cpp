@@ -34,7 +34,8 @@ RunResults frames_of(const PlanRun& run) {
     }
   }
   std::vector<Index> before(run.problem.buildings.size(), 0);  // hinges of the frames before it
-  for (const auto& [b, p] : frames_that_yield(run.problem)) {
+  for (const PlanFramePlace& place : frames_that_yield(run.problem)) {
+    const Index b = place.building, p = place.plane;
     const PlanModel& model = run.problem.buildings[b].model;
     const PlanModel::Plane& plane = model.planes[p];
     Building& building = frames.problem.buildings.emplace_back();
