@@ -337,10 +337,10 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     if constexpr (reads) {
       for (std::size_t p = 0; p < times.size(); ++p) {
         if (std::isnan(times[p])) continue;
-        BuildingPeaks::Mechanism& found = peaks[p].frame.mechanism.emplace();
-        found.time = times[p];
+        peaks[p].frame.mechanism = BuildingPeaks::Mechanism{.time = times[p], .storeys = {}};
+        std::vector<Index>& storeys = peaks[p].frame.mechanism->storeys;
         for (std::size_t j = 0; j < floors.size; ++j) {
-          if (sways[p * floors.size + j] != 0) found.storeys.push_back(static_cast<Index>(j));
+          if (sways[p * floors.size + j] != 0) storeys.push_back(static_cast<Index>(j));
         }
       }
     }
