@@ -145,7 +145,9 @@ TEST(InfillResults, HaveTheCourseOfEveryStrut) {
   for (Eigen::Index n = 0; n < 4; ++n) {
     const InfillPanel& panel = panels[n];
     const auto drift = 3 * histories.drift_ratio[0].row(panel.storey);
-    EXPECT_EQ(histories.infill_shortening[0].row(n), panel.cosine * drift);
+    const Eigen::RowVectorXd apart = histories.infill_shortening[0].row(n) - panel.cosine * drift;
+    EXPECT_LT(apart.cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_GT(drift.maxCoeff(), 1e-3);
     const double most = histories.infill_force[0].row(n).cwiseAbs().maxCoeff();
     EXPECT_LE(most, lost().response.buildings[0].infill.force(panel.storey) * (1 + 1e-12));
     if (panel.storey > 0) continue;
@@ -157,7 +159,15 @@ TEST(InfillResults, HaveTheCourseOfEveryStrut) {
 
 TEST(InfillResults, SayHowFarStrutsPushColumnsBeyondWhatTheyBear) {
   EXPECT_EQ(lost().response.buildings[0].infill.column_demand.size(), 0) << "no column has a capacity";
-  const RunResults run = run_of(weak, ", shear_capacity = 150.0");
+  const RunResults safe = run_of(weak, ", shear_capacity = 1e4");
+  EXPECT_EQ(statement(run_story(safe), "infill_columns"), nullptr);
+  // Between what columns bear as part of the frame, by which none breaks, and that with what struts push.
+  const BuildingPeaks& bear = safe.response.buildings[0];
+  double alone = 0;
+  for (const BuildingPeaks::Breaking& column : bear.columns) alone = std::max(alone, column.peak_shear);
+  const double capacity = 0.5 * (alone + 1e4 * bear.infill.column_demand.maxCoeff());
+  ASSERT_GT(capacity, 1.1 * alone);
+  const RunResults run = run_of(weak, ", shear_capacity = " + std::to_string(capacity));
   const BuildingPeaks::Infill& infill = run.response.buildings[0].infill;
   ASSERT_EQ(infill.column_demand.size(), 2);
   // At samples Q + F of every column and panel beside it, as Q = G x while none has broken.
@@ -179,11 +189,10 @@ TEST(InfillResults, SayHowFarStrutsPushColumnsBeyondWhatTheyBear) {
   for (Eigen::Index storey : {0, 1}) {
     EXPECT_LE(most(storey), infill.column_demand(storey) * (1 + 1e-12));
     EXPECT_GT(most(storey), 0.95 * infill.column_demand(storey));
-    EXPECT_GT(infill.column_demand(storey), infill.shear(storey) / 150) << "on one side";
+    EXPECT_GT(infill.column_demand(storey), infill.shear(storey) / capacity) << "on one side";
   }
-  const Statement* beyond = statement(run_story(run), "infill_columns");
-  ASSERT_EQ(beyond != nullptr, infill.column_demand.maxCoeff() > 1);
-  EXPECT_EQ(statement(run_story(run_of(weak, ", shear_capacity = 1e4")), "infill_columns"), nullptr);
+  EXPECT_GT(infill.column_demand.maxCoeff(), 1);
+  ASSERT_NE(statement(run_story(run), "infill_columns"), nullptr);
   EXPECT_NE(report_html(run, {.language = "id", .version = "1"}).find("kali kapasitas gesernya"), std::string::npos);
 }
 
