@@ -22,7 +22,7 @@ BEYOND = {
             infill-count length-of-list link-length plan-polygon-pairs matrices-not-square modal-damping-length modal-lengths
             modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
-            plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing plan-link-not-facing
+            plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
             plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
             plan-polygon-crosses plan-polygon-link plan-polygon-not-convex plan-polygon-overlap""",
         "order of numbers": """
@@ -52,6 +52,7 @@ BEYOND = {
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone generic-of-plan-in-row plan-generic-and-rigidity plan-generic-yields
+            isolation-of-plan-in-row plan-isolation-of-row plan-soil-twist soil-of-plan-in-row
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             plan-friction-of-law plan-gap-width plan-link-without-place
             plan-size-without-corner matrices-damping-none

@@ -145,6 +145,18 @@ TEST(PlanReading, WhatWasWrittenIsWhatIsRead) {
                                              "[analysis]\ncollapse_drift = 1e-3\n"));
   EXPECT_EQ(fallen.response.status, Status::collapsed);
   expect_read_back(std::move(fallen));
+  // One on soil beside one on bearings, one of which yields.
+  const std::string soil =
+      "soil = { half_space = { shear_wave_velocity = 180, density = 1.9, poisson = 0.4, radius = 8 }, "
+      "foundation = { mass = 200, inertia = 3000 } }\n";
+  const std::string bearings =
+      "isolation = { mass = 90, bearing = [{ at = [[1, 1], [8, 3]], stiffness = 4e3 }, "
+      "{ at = [4, 17], stiffness = 3e3, characteristic_strength = 30, yield_displacement = 0.01 }] }\n";
+  const std::string frame = "name = \"Frame\"\n";
+  PlanRun carried = test::plan_run(test::with(test::twisting_pair(name, name + soil), frame, frame + bearings), 0.01);
+  EXPECT_EQ(carried.response.buildings[0].foundation.size(), 5);
+  EXPECT_EQ(carried.response.buildings[1].bearings.x.size(), 3);
+  expect_read_back(std::move(carried));
 }
 
 TEST(PlanReading, FramesWithHingesAreWhatWasWritten) {
