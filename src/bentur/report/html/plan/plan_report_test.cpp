@@ -237,7 +237,7 @@ TEST(PlanReport, SaysHowPlanesYield) {
 TEST(PlanReport, TellsOfHingesOfFrames) {
   const PlanRun run = test::plan_run(test::hinged_pair());
   const std::string page = page_of(run);
-  for (const char* const text : {"Walled, middle", "Walled, across", "moment_capacity"}) {
+  for (const char* const text : {"Walled, middle", "Walled, across", "Moment capacity"}) {
     EXPECT_TRUE(has(page, text)) << text;
   }
   const std::vector<FigureKind> kinds = figure_kinds(run);
