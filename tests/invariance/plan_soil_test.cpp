@@ -1,9 +1,11 @@
 // Rows of sticks on soil stood in plan, along x and, turned, along y.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "bentur/io/case/case_toml.h"
 #include "tests/support/plan_run.h"
@@ -87,6 +89,58 @@ TEST(PlanSoils, ATwinIsTheRow) {
       EXPECT_NEAR(base(turned ? 3 : 2), row.buildings[0].foundation(1), 1e-9 * row.buildings[0].foundation(1));
       expect_histories(p.response, turned);
     }
+  }
+}
+
+/// Two planes with half of the row's frame each, whose hinges follow a base that sways and rocks.
+TEST(PlanSoils, FramesWithHingesAreTheRows) {
+  const auto frame = [](const char* modulus, double columns, double beams, const std::string& heights) {
+    return fmt::format(
+        "{{ elastic_modulus = {}, {}bay_widths = [5], columns = [{{ area = 0.16, inertia = 2.1e-3, moment_capacity = "
+        "{}, "
+        "hardening = 0.02 }}], beams = [{{ area = 0.15, inertia = 3.1e-3, moment_capacity = {}, hardening = 0.02 }}]",
+        modulus, heights, columns, beams);
+  };
+  for (const std::string gravity : {"", "p_delta = true\n"}) {
+    const std::string a = "[[building]]\nname = \"A\"\ndamping = 0.04\n" + gravity,
+                      b = "[[building]]\nname = \"B\"\ndamping = 0.05\n";
+    Diagnostics d;
+    const auto c = read_case_text(
+        units + a + "frame = " + frame("3e7", 90, 70, "storey_heights = [3.5, 3.2], ") +
+            ", floor_masses = [40, 30], mass_matrix = \"lumped\" }\nsoil = { " + soil + " }\n" + b +
+            "stick = { storey_heights = [3.5, 3.2], masses = [20, 18], stiffnesses = [30e3, 25e3] }\n" + gap + shaken,
+        "row.toml", d);
+    ASSERT_TRUE(c) << d.errors().front().text();
+    const Response row = solve(make_problem(*c));
+    const std::string half = frame("1.5e7", 45, 35, "") + " }\n";
+    const PlanRun p = plan_run(
+        units + "[plan]\nclearance = 0.02\n" + contact + a +
+        "plan = { corner = [0, 0], size = [10, 14], storey_heights = [3.5, 3.2], masses = [40, 30] }\nsoil = { " +
+        soil + ", twist = { stiffness = 3e6, damping = 100 } }\n" +
+        "[[building.plane]]\nalong = \"x\"\nat = 1\nframe = " + half +
+        "[[building.plane]]\nalong = \"x\"\nat = 13\nframe = " + half +
+        "[[building.plane]]\nalong = \"y\"\nat = 5\nstiffnesses = 1e7\n" + b +
+        "plan = { corner = [10.005, 0], size = [10, 14], storey_heights = [3.5, 3.2], masses = [20, 18] }\n"
+        "rigidity = { centre = [5, 7], x = [30e3, 25e3], y = 1e7, torsion = 1e9 }\n" +
+        shaken);
+    ASSERT_EQ(p.response.status, Status::done) << p.response.message;
+    EXPECT_LE(p.response.energy->relative_residual(), 1e-11);
+    for (std::size_t i = 0; i < 2; ++i) {
+      expect_alike(p.response.buildings[i].x, row.buildings[i].displacement, "displacement");
+      expect_alike(p.response.buildings[i].shear_x, row.buildings[i].storey_shear, "shear");
+    }
+    const VectorXd& base = p.response.buildings[0].foundation;
+    EXPECT_NEAR(base(0), row.buildings[0].foundation(0), 1e-9 * row.buildings[0].foundation(0));
+    EXPECT_NEAR(base(2), row.buildings[0].foundation(1), 1e-9 * row.buildings[0].foundation(1));
+    const std::vector<BuildingPeaks::Hinge>&found = p.response.buildings[0].planes[0].frame.hinges,
+          &wanted = row.buildings[0].hinges;
+    ASSERT_EQ(found.size(), wanted.size());
+    double turned = 0;
+    for (std::size_t h = 0; h < found.size(); ++h) {
+      EXPECT_NEAR(found[h].peak_rotation, wanted[h].peak_rotation, 1e-10) << h;
+      turned = std::max(turned, wanted[h].peak_rotation);
+    }
+    EXPECT_GT(turned, 1e-3);
   }
 }
 

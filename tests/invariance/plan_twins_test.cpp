@@ -382,33 +382,7 @@ TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
   std::printf("%d twins, %d walls, %d impacts, %d watched\n", twins, walls, impacts, watched);
 }
 
-constexpr Impedance soft_sway{4e4, 300}, soft_rocking{3e6, 9e3};
-constexpr double foundation_mass = 20, foundation_inertia = 90;
-
-void stand_on_soil(Case& row) {
-  for (BuildingSpec& building : row.buildings) {
-    if (!std::holds_alternative<PlaneFrame>(building.structure)) continue;
-    building.soil = SoilSpec{{soft_sway, soft_rocking, foundation_mass, foundation_inertia}, {}};
-  }
-}
-
-void stand_on_soil(PlanCase& plan) {
-  for (PlanBuildingSpec& building : plan.buildings) {
-    auto* const of = std::get_if<Plan>(&building.structure);
-    if (of == nullptr) continue;
-    of->soil = PlanSoil{.sway_x = soft_sway,
-                        .sway_y = soft_sway,
-                        .rocking_x = soft_rocking,
-                        .rocking_y = soft_rocking,
-                        .twist = Impedance{1e7, 0},
-                        .mass = foundation_mass,
-                        .inertia_x = foundation_inertia,
-                        .inertia_y = foundation_inertia,
-                        .twist_inertia = foundation_inertia};
-  }
-}
-
-/// The reference cases of frames with hinges that a plan can have: seen from both ends, along y, and on soil.
+/// The reference cases of frames with hinges that a plan can have: seen from both ends, and along y.
 TEST(PlanTwins, OfFramesWithHinges) {
   const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference" / "hinges";
   if (!fs::exists(folder)) GTEST_SKIP();
@@ -422,20 +396,11 @@ TEST(PlanTwins, OfFramesWithHinges) {
     ASSERT_TRUE(row) << entry.path();
     const SolveOptions options{.levels = true, .energy_audit = true};
     std::optional<Response> wanted;
-    std::optional<bool> wanted_soil;
-    for (const auto& [map, on_soil] : {std::pair(Eigen::Matrix2d(Eigen::Matrix2d::Identity()), false),
-                                       {quarter, false},
-                                       {Eigen::Matrix2d(Eigen::Matrix2d::Identity()), true}}) {
-      auto twin = twin_of(*row, 2, map);
+    for (const Eigen::Matrix2d& map : {Eigen::Matrix2d(Eigen::Matrix2d::Identity()), quarter}) {
+      const auto twin = twin_of(*row, 2, map);
       if (!twin) break;
-      SCOPED_TRACE(testing::Message() << entry.path().filename().string() << "\n" << map << (on_soil ? " soil" : ""));
-      if (wanted_soil != on_soil) {
-        Case of_row = *row;
-        if (on_soil) stand_on_soil(of_row);
-        wanted = solve(make_problem(of_row), ExactSolver{}, options);
-        wanted_soil = on_soil;
-      }
-      if (on_soil) stand_on_soil(*twin);
+      SCOPED_TRACE(testing::Message() << entry.path().filename().string() << "\n" << map);
+      if (!wanted) wanted = solve(make_problem(*row), ExactSolver{}, options);
       const PlanProblem problem = make_plan_problem(*twin);
       const PlanResponse plan = solve(problem, ExactSolver{}, options);
       const bool integrated = std::any_of(row->gaps.begin(), row->gaps.end(), is_integrated_law);
@@ -452,8 +417,8 @@ TEST(PlanTwins, OfFramesWithHinges) {
     }
   }
   std::printf("%d twins, %d hinges formed, %d mechanisms\n", twins, formed, mechanisms);
-  EXPECT_GE(twins, 6);
-  EXPECT_GT(formed, 30);
+  EXPECT_GE(twins, 4);
+  EXPECT_GT(formed, 20);
 }
 
 /// Two sticks under gravity that yield, with so much on the left one and collapse at so much drift; and their twin.

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,7 +10,6 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/elements/bearing_laws.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
@@ -82,19 +80,6 @@ void read_rigid(const TableView& table, ReadBuilding& building);
 void read_gravity(const TableView& table, ReadBuilding& building);
 /// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TableView& table, double gravity, ReadBuilding& building);
-
-/// case_support.cpp: [building.soil] of a building in plan; nothing (and an error) where it says too little to go on.
-[[nodiscard]] std::optional<PlanSoil> read_soil_in_plan(const TomlView& given, const Footprint& footprint);
-
-/// A law of bearings and its numbers.
-struct ReadBearings {
-  const LawEntryOf<Bearings>* law = nullptr;
-  std::map<std::string, double, std::less<>> numbers = {};
-  bool is_whole = false;  ///< all numbers that it needs are there and right
-};
-
-/// case_support.cpp: the law that a table says in its own keys, or in a table that has its name.
-[[nodiscard]] ReadBearings read_bearings(const TableView& view);
 
 /// case_columns.cpp: `columns` of a stick or a generic building.
 void read_storey_columns(const TableView& view, std::size_t storeys, BuildingSpec& spec);

@@ -84,10 +84,10 @@ const KeyTable& link_keys() {
                      {"Tolerance of levels", "Toleransi elevasi"},
                      "how far apart in height those two floors may be, as in a gap")
              .optional("as in a gap"),
-         Key::number(
-             "at", dimension::length, Range::level, {"Place along the joint", "Letak sepanjang celah"},
-             "of buildings in plan: the coordinate along their joint, the x or y that its middle runs along, within the part "
-             "where they face each other")
+         Key::number("at", dimension::length, Range::level, {"Place along the joint", "Letak sepanjang celah"},
+                     "of buildings in plan: the coordinate along their joint, the x or y that its middle runs along, "
+                     "within the part "
+                     "where they face each other")
              .optional("needed in plan"),
          Key::choice("along", {"x", "y"}, {"Along", "Sejajar"}, "of buildings in plan: the axis that it acts along")
              .optional("across the joint")}};

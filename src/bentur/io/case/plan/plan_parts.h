@@ -1,8 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "bentur/elements/bearing_laws.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/model/plan/plan_case.h"
 
@@ -26,6 +31,19 @@ struct ReadPlanBuilding {
 /// plan_buildings.cpp: one pair for all, or a list of one each; empty (and an error) unless all are right.
 /// @param count how many of a list; 0: any number from one
 [[nodiscard]] std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::size_t count);
+
+/// case_support.cpp: [building.soil] of a building in plan; nothing (and an error) where it says too little to go on.
+[[nodiscard]] std::optional<PlanSoil> read_soil_in_plan(const TomlView& given, const Footprint& footprint);
+
+/// A law of bearings and its numbers.
+struct ReadBearings {
+  const LawEntryOf<Bearings>* law = nullptr;
+  std::map<std::string, double, std::less<>> numbers = {};
+  bool is_whole = false;  ///< all numbers that it needs are there and right
+};
+
+/// case_support.cpp: the law that a table says in its own keys, or in a table that has its name.
+[[nodiscard]] ReadBearings read_bearings(const TableView& view);
 
 /// plan_isolation.cpp: [building.isolation] of a building whose floors are known; nothing (and an error) where it says
 /// too little to go on. @param gravity [length/s²], of what lies on bearings that need it

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "bentur/io/results/result_variable.h"
@@ -12,6 +14,10 @@ namespace bentur {
 /// `time`, `component` of the ground motion, `elevation_N` and `plane_N` of building N (1 the first of the case),
 /// `gap`, `point`, `impact`. The values look into `run`, which must outlive them.
 [[nodiscard]] ResultFile plan_file(const PlanRun& run, std::string_view version);
+
+/// Contact points and links, which have a place where they `stand_still`.
+[[nodiscard]] ResultDimension point_dimension(std::size_t size, bool stand_still);
+[[nodiscard]] ResultDimension link_dimension(std::size_t size, bool stand_still);
 
 /// Where gaps and contact points of a problem are; their elevations and places where a unit of length is given.
 [[nodiscard]] PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length,

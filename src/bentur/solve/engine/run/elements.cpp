@@ -327,28 +327,11 @@ void Elements::accumulate(const Expansion& motion, double time, double end) {
   accumulate_rubbing(motion, time, end);
 }
 
-/// Of the opening of bodies that are apart, over a step up to a state.
-void Elements::note_touch(Touch& touch, const Opening& of, const Step& step, const State& state) {
-  if (monitor_.stays(of.at) || deformation(of.at, state) < of.surface) {
-    touch = {};
-    return;
-  }
-  Polynomial beyond = step.motion.deformation(of.at);
-  beyond[0] -= of.surface;
-  const auto zero = last_zero(beyond, step.end);
-  // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
-  // it has been negative since the start of the step, or before.
-  const bool leaves = of.leaves_band || value(beyond, step.end) > of.band;
-  if (!zero && leaves && touch.time >= 0.0) return;
-  const double s = zero.value_or(leaves ? 0.0 : step.end);
-  touch = {step.time + s * step.motion.h(), first_derivative(beyond, s) / step.motion.h()};
-}
-
 void Elements::note_touches(const Expansion& motion, double time, double end, const State& state) {
   for (Index i = idle_; i < count(); ++i) {
     if (!awaits(i)) continue;
-    note_touch(touches_[i], {i, surface(branches_[i]), tolerances_[i], leaves_band_[i] != 0}, {motion, time, end},
-               state);
+    const Opening opening{i, i, surface(branches_[i]), tolerances_[i], leaves_band_[i] != 0};
+    note_touch(opening, motion, time, end, state);
   }
   for (std::size_t n = 0; n < rubbing_.size(); ++n) {
     const Rub of = rub(n);
@@ -356,7 +339,7 @@ void Elements::note_touches(const Expansion& motion, double time, double end, co
     if (normal.bodies != Bodies::apart) continue;
     const double at = surface(normal), band = tolerances_[of.at];
     const bool leaves = value(motion.deformation(of.at), 1.0) - at > band;  // were the step not cut
-    note_touch(touches_[of.log], {of.at, at, 0.5 * band, leaves}, {motion, time, end}, state);
+    note_touch({of.at, of.log, at, 0.5 * band, leaves}, motion, time, end, state);
   }
   if (end * motion.h() > 0.0) coupled_.go_on();
 }

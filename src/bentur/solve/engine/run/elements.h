@@ -202,16 +202,11 @@ class Elements {
   };
   /// Where it is zero, and how far beyond round-off may go.
   struct Opening {
-    Eigen::Index at = 0;  ///< element
+    Eigen::Index at = 0, log = 0;  ///< as of a Rub
     double surface = 0, band = 0;
     bool leaves_band = false;  ///< in the step last looked at
   };
-  /// [0, end] of an expanded step that began at `time`.
-  struct Step {
-    const Expansion& motion;
-    double time = 0, end = 0;
-  };
-  void note_touch(Touch& touch, const Opening& of, const Step& step, const State& state);
+  void note_touch(const Opening& of, const Expansion& motion, double time, double end, const State& state);
   [[nodiscard]] CoupledElements::Bands bands() const;
   [[nodiscard]] Eigen::VectorXd acceleration(const State& state, const std::vector<GroundInput>& inputs) const;
 

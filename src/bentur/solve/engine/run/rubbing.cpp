@@ -1,4 +1,4 @@
-// Impacts of contacts that rub.
+// Impacts of contacts that rub, and when any began.
 #include "bentur/contact/laws/rubbing.h"
 
 #include <algorithm>
@@ -37,6 +37,24 @@ void Elements::accumulate_rubbing(const Expansion& motion, double time, double e
                          {coupled_.branch(of.coupled), of.law->slides(state), motion.deformation(of.at + 1),
                           of.law->tangential_stiffness()});
   }
+}
+
+/// Of the opening of bodies that are apart, over a step up to a state.
+void Elements::note_touch(const Opening& of, const Expansion& motion, double time, double end, const State& state) {
+  Touch& touch = touches_[of.log];
+  if (monitor_.stays(of.at) || deformation(of.at, state) < of.surface) {
+    touch = {};
+    return;
+  }
+  Polynomial beyond = motion.deformation(of.at);
+  beyond[0] -= of.surface;
+  const auto zero = last_zero(beyond, end);
+  // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
+  // it has been negative since the start of the step, or before.
+  const bool leaves = of.leaves_band || value(beyond, end) > of.band;
+  if (!zero && leaves && touch.time >= 0.0) return;
+  const double s = zero.value_or(leaves ? 0.0 : end);
+  touch = {time + s * motion.h(), first_derivative(beyond, s) / motion.h()};
 }
 
 /// What follows from a guard of an element of several deformations.
