@@ -95,11 +95,13 @@ TEST(PlanSoils, ATwinIsTheRow) {
 /// Two planes with half of the row's frame each, whose hinges follow a base that sways and rocks.
 TEST(PlanSoils, FramesWithHingesAreTheRows) {
   const auto frame = [](const char* modulus, double columns, double beams, const std::string& heights) {
+    const char* mass = heights.empty() ? "" : ", mass = 0";  // of a row's members alone
     return fmt::format(
-        "{{ elastic_modulus = {}, {}bay_widths = [5], columns = [{{ area = 0.16, inertia = 2.1e-3, moment_capacity = "
-        "{}, "
-        "hardening = 0.02 }}], beams = [{{ area = 0.15, inertia = 3.1e-3, moment_capacity = {}, hardening = 0.02 }}]",
-        modulus, heights, columns, beams);
+        "{{ elastic_modulus = {}, {}bay_widths = [5], columns = [{{ area = 0.16, inertia = 2.1e-3, hardening = 0.02, "
+        "moment_capacity = {}{} }}], beams = [{{ area = 0.15, inertia = 3.1e-3, hardening = 0.02, moment_capacity = "
+        "{}{} "
+        "}}]",
+        modulus, heights, columns, mass, beams, mass);
   };
   for (const std::string gravity : {"", "p_delta = true\n"}) {
     const std::string a = "[[building]]\nname = \"A\"\ndamping = 0.04\n" + gravity,
