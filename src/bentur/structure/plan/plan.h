@@ -29,7 +29,7 @@ struct PlanPlane {
   /// Of a frame its stiffness against the sways of all floors along the line, floors × floors [force/length] (P-23);
   /// the stiffnesses above are what its storeys have alone. Empty: springs of storeys.
   Eigen::MatrixXd sway_stiffness = {};
-  Hinges hinges = {};             ///< of a frame that yields or breaks, over these sways (P-27)
+  Hinges hinges = {};             ///< of a frame that yields or breaks, over these sways (P-30)
   std::vector<double> bays = {};  ///< of a frame its widths [length], left to right, of pictures alone
 };
 
@@ -61,7 +61,7 @@ struct PlanSoil {
   double twist_inertia = 0;             ///< about the vertical [mass·length²] > 0
 };
 
-/// One bearing: its law holds along x and along y, each by itself (P-28).
+/// One bearing: its law holds along x and along y, each by itself (P-29).
 struct PlanBearing {
   PlanPoint at = PlanPoint::Zero();  ///< from the footprint's corner [length]
   Bearings bearing = {};             ///< with a stiffness > 0

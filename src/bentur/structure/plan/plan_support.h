@@ -14,7 +14,7 @@ void soften(const std::vector<double>& loads, PlanModel& model);
 /// gravity loads.
 void put_on_soil(const PlanSoil& soil, PlanBuilding& building);
 
-/// Puts it on bearings below a slab (P-28), which becomes its first floor.
+/// Puts it on bearings below a slab (P-29), which becomes its first floor.
 /// @throws InvalidParameter when a value is out of its range, bearings do not hold the slab or the building does not
 /// stand on them under its gravity loads.
 void put_on_bearings(const PlanIsolation& isolation, PlanBuilding& building);
