@@ -94,7 +94,7 @@ std::optional<PlanIsolation> read_isolation(const TomlView& given, const Plan& p
     known = known && !places.empty() && read.is_whole;
     for (const PlanPoint& at : places) {
       isolation.bearings.push_back({.at = at, .bearing = {}, .damping = kind->number("damping").value_or(0)});
-      kinds.push_back({*kind, read});
+      kinds.push_back({list->item(i), read});
     }
   }
   if (!known || isolation.mass <= 0) return std::nullopt;
