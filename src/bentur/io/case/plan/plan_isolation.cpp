@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/QR>
-#include <numeric>
+#include <algorithm>
 
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
@@ -92,6 +92,10 @@ std::optional<PlanIsolation> read_isolation(const TomlView& given, const Plan& p
     const ReadBearings read = read_bearings(*kind);
     const std::vector<PlanPoint> places = read_pairs(*kind, "at", 0);
     known = known && !places.empty() && read.is_whole;
+    if (!std::all_of(places.begin(), places.end(), [&](const PlanPoint& at) { return plan.footprint.contains(at); })) {
+      kind->find("at")->error("is outside the footprint");
+      known = false;
+    }
     for (const PlanPoint& at : places) {
       isolation.bearings.push_back({.at = at, .bearing = {}, .damping = kind->number("damping").value_or(0)});
       kinds.push_back({list->item(i), read});
