@@ -48,29 +48,20 @@ BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Pla
   return member == first ? BuildingPeaks::Yielding{} : yielding;
 }
 
-/// x of one after the other, then y likewise.
-VectorXd every_second(const VectorXd& pairs, Index first) {
-  VectorXd picked(pairs.size() / 2);
-  for (Index i = 0; i < picked.size(); ++i) picked(i) = pairs(2 * i + first);
-  return picked;
-}
-
-/// What bearings did, whose elements begin at `member`.
+/// What bearings did, whose elements begin at `member`; x and y of one after the other in `moved` and `forces`.
 PlanPeaks::Bearings bearings_of(const PlanModel& model, const VectorXd& moved, const VectorXd& forces,
                                 const std::vector<ElementFound>& members, std::size_t member) {
   const Index count = std::ssize(model.bearings);
-  PlanPeaks::Bearings found{.x = every_second(moved, 0),
-                            .y = every_second(moved, 1),
-                            .force_x = every_second(forces, 0),
-                            .force_y = every_second(forces, 1)};
+  const auto x = Eigen::seqN(0, count, 2), y = Eigen::seqN(1, count, 2);
+  PlanPeaks::Bearings found{.x = moved(x), .y = moved(y), .force_x = forces(x), .force_y = forces(y)};
   found.residual_x = found.residual_y = found.hysteretic_energy = VectorXd::Zero(count);
   for (Index n = 0; n < count; ++n) {
     if (!model.bearings[n].law) continue;
-    const ElementFound &x = members[member], &y = members[member + 1];
+    const ElementFound &along_x = members[member], &along_y = members[member + 1];
     member += 2;
-    found.residual_x(n) = x.residual;
-    found.residual_y(n) = y.residual;
-    found.hysteretic_energy(n) = x.energy_lost + y.energy_lost;
+    found.residual_x(n) = along_x.residual;
+    found.residual_y(n) = along_y.residual;
+    found.hysteretic_energy(n) = along_x.energy_lost + along_y.energy_lost;
   }
   return found;
 }

@@ -20,8 +20,7 @@ bool are_twins(const ModalSystem& system, const RelationGroup& group, const Moda
   };
   if (&left == &right || left.size != right.size || left.modes != right.modes) return false;
   if (left.size > left.modes + system.components()) return false;  // what yields has laws of its own
-  if (left.damping.has_value() != right.damping.has_value() || left.damping != right.damping) return false;
-  if (!same(system.omega_squared) || !same(system.two_sigma)) return false;
+  if (left.damping != right.damping || !same(system.omega_squared) || !same(system.two_sigma)) return false;
   for (Index c = 0; c < system.components(); ++c) {
     if (!same(system.gamma.col(c))) return false;
   }
