@@ -159,6 +159,7 @@ struct BuildingElement {
   std::shared_ptr<const HystereticLaw> law;
   Eigen::Index storey = 0;                  ///< where it is, 0 the lowest
   std::optional<Eigen::Index> infill = {};  ///< of a panel its number among StructuralModel::infills
+  bool damped = true;                       ///< damping of the building has a part that goes with its stiffness
 };
 
 /// What of a building yields by several deformations at once: the hinges of a frame. Its forces act beside those of K.

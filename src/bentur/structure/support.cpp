@@ -271,6 +271,7 @@ Building make_building(std::string name, StructuralModel model, const Damping& d
   building.modal_damping =
       moves_below ? modal_damping(MatrixDamping{structure.damping}, building.modes) : fixed_damping;
   building.elements = storey_elements(whole, storey_laws);
+  for (BuildingElement& element : building.elements) element.damped = element.storey >= whole.first_storey();
   add_infill(whole, building.elements);
   building.coupled = hinge_elements(whole);
   building.model = std::move(structure.model);

@@ -7,6 +7,8 @@
 
 #include "bentur/contact/laws/restitution.h"
 #include "bentur/elements/peak_oriented.h"
+#include "bentur/structure/stick.h"
+#include "bentur/structure/support.h"
 #include "tests/support/free_masses.h"
 #include "tests/support/yielding_buildings.h"
 
@@ -274,6 +276,29 @@ TEST_P(YieldingStorey, FollowsThePeakOrientedRules) {
   EXPECT_NEAR(is.residual_drift_ratio(0), second_zero, within(10 * mu * yield));
   const double work = 0.5 * mass * v * v, kept = 0.5 * slope * slope * turn * turn / stiffness;
   EXPECT_NEAR(is.hysteretic_energy(0), work - kept, within(10 * work));
+}
+
+/// Damping that follows the stiffness of storeys does so of the structure's alone: bearings below have no part of it to
+/// lose. Where no storey comes to yield nothing follows anything.
+TEST(YieldingBearings, LoseNoDampingThatTheyNeverHad) {
+  const auto run = [](double tangent) {
+    const StructuralModel model =
+        stick_model({.storey_heights = {3, 3}, .masses = {20, 15}, .stiffnesses = {9e3, 7e3}});
+    const Support support{.isolation = Isolation{.mass = 25, .bearings = bilinear_bearings(400, 30, 0.005)}};
+    Building building = make_building("A", model, StiffnessProportionalDamping{0.004}, support,
+                                      {bilinear_law(9e3, 1e6), bilinear_law(7e3, 1e6)});
+    building.tangent_damping = tangent;
+    Problem problem = alone(std::move(building), 8);
+    problem.motion = HarmonicMotion{.period = 0.7, .displacement_amplitude = 0.05};
+    return solve(problem);
+  };
+  const Response follows = run(0.004), stays = run(0);
+  const BuildingPeaks &a = follows.buildings[0], &b = stays.buildings[0];
+  ASSERT_GT(b.yielding.ductility(0), 5);
+  ASSERT_LT(b.yielding.ductility(1), 1);
+  EXPECT_EQ(a.displacement, b.displacement);
+  EXPECT_EQ(a.storey_shear, b.storey_shear);
+  EXPECT_EQ(a.yielding.hysteretic_energy, b.yielding.hysteretic_energy);
 }
 
 }  // namespace

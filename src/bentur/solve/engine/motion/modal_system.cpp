@@ -201,7 +201,8 @@ ModalSystem::ModalSystem(const System& of) {
   for (Index b = 0; b < std::ssize(blocks); ++b) {
     Index force = ground_of(b) + ways;
     for (const BuildingElement& element : of.bodies[b].elements) {
-      add_member(b, element.row, element.law->initial_stiffness(), of.bodies[b].tangent_damping, force++);
+      add_member(b, element.row, element.law->initial_stiffness(), element.damped ? of.bodies[b].tangent_damping : 0.0,
+                 force++);
     }
   }
   alone = std::ssize(elements);
