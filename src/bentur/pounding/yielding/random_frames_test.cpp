@@ -254,7 +254,7 @@ double held_at_peak(const Problem& problem, const Response& response) {
 /// BENTUR_RANDOM_FRAMES=FIRST:COUNT runs others than those that the tests always run.
 std::pair<unsigned, unsigned> seeds(Kind kind) {
 #ifdef BENTUR_SANITIZED
-  unsigned first = 1, count = kind == Kind::yields || kind == Kind::breaks ? 4 : 3;
+  unsigned first = 1, count = kind == Kind::yields || kind == Kind::breaks ? 4 : 2;
 #else
   unsigned first = 1, count = kind == Kind::yields || kind == Kind::breaks ? 20 : 12;
 #endif
