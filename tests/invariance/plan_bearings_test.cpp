@@ -103,6 +103,65 @@ TEST(PlanBearings, FourAreTheRowsBearings) {
   }
 }
 
+/// A row's frame with hinges on bearings, stood as two of half of it.
+TEST(PlanBearings, FramesWithHingesAreTheRows) {
+  const auto frame = [](const char* modulus, double columns, double beams, const std::string& heights) {
+    const char* mass = heights.empty() ? "" : ", mass = 0";  // of a row's members alone
+    return fmt::format(
+        "frame = {{ elastic_modulus = {}, {}bay_widths = [5], columns = [{{ area = 0.16, inertia = 2.1e-3, "
+        "hardening = 0.02, moment_capacity = {}{} }}], beams = [{{ area = 0.15, inertia = 3.1e-3, hardening = 0.02, "
+        "moment_capacity = {}{} }}]",
+        modulus, heights, columns, mass, beams, mass);
+  };
+  const std::string b = "[[building]]\nname = \"B\"\ndamping = 0.05\n", half = frame("1.5e7", 25, 20, "") + " }\n";
+  for (const std::string gravity : {"", "p_delta = true\n"}) {
+    SCOPED_TRACE(gravity);
+    const std::string a = "[[building]]\nname = \"A\"\ndamping = 0.04\n" + gravity;
+    Diagnostics d;
+    const auto c = read_case_text(
+        units + a + frame("3e7", 50, 40, "storey_heights = [3.5, 3.2], ") +
+            ", floor_masses = [40, 30], mass_matrix = \"lumped\" }\nisolation = { mass = 35, stiffness = 3000, "
+            "characteristic_strength = 60, yield_displacement = 0.01 }\n" +
+            b + "stick = { storey_heights = [3.5, 3.2], masses = [20, 18], stiffnesses = [30e3, 25e3] }\n" +
+            "[[gap]]\nbetween = [\"A\", \"B\"]\nwidth = 0.05\n" + contact + shaken,
+        "row.toml", d);
+    ASSERT_TRUE(c) << d.errors().front().text();
+    const Response row = solve(make_problem(*c));
+    const PlanRun p =
+        plan_run(units + "[plan]\nclearance = 0.1\n" + contact + a +
+                 "plan = { corner = [0, 0], size = [10, 14], storey_heights = [3.5, 3.2], masses = [40, 30] }\n" +
+                 "isolation = { mass = 35, bearing = [{ at = [[1, 2], [9, 2], [1, 12], [9, 12]], stiffness = 750, "
+                 "characteristic_strength = 15, yield_displacement = 0.01, yield_sides = 8 }] }\n" +
+                 "[[building.plane]]\nalong = \"x\"\nat = 1\n" + half + "[[building.plane]]\nalong = \"x\"\nat = 13\n" +
+                 half + "[[building.plane]]\nalong = \"y\"\nat = 5\nstiffnesses = 1e7\n" + b +
+                 "plan = { corner = [10.05, 0], size = [10, 14], storey_heights = [3.5, 3.2], masses = [20, 18] }\n"
+                 "rigidity = { centre = [5, 7], x = [30e3, 25e3], y = 1e7, torsion = 1e9 }\n" +
+                 shaken);
+    ASSERT_EQ(p.response.status, Status::done) << p.response.message;
+    EXPECT_LE(p.response.energy->relative_residual(), 1e-11);
+    EXPECT_GT(p.response.impacts.size(), 4U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      expect_alike(p.response.buildings[i].x, row.buildings[i].displacement, "displacement");
+      expect_alike(p.response.buildings[i].shear_x, row.buildings[i].storey_shear, "shear");
+    }
+    const PlanPeaks& found = p.response.buildings[0];
+    const BuildingPeaks& wanted = row.buildings[0];
+    const double lost = wanted.yielding.hysteretic_energy(0);
+    EXPECT_NEAR(found.bearings.hysteretic_energy.sum(), lost, 1e-9 * lost);
+    const std::vector<BuildingPeaks::Hinge>& hinges = found.planes[0].frame.hinges;
+    ASSERT_EQ(hinges.size(), wanted.hinges.size());
+    double turned = 0;
+    for (std::size_t h = 0; h < hinges.size(); ++h) {
+      EXPECT_NEAR(hinges[h].peak_rotation, wanted.hinges[h].peak_rotation, 1e-10) << h;
+      EXPECT_NEAR(hinges[h].peak_moment, 0.5 * wanted.hinges[h].peak_moment, 1e-9 * wanted.hinges[h].peak_moment) << h;
+      turned = std::max(turned, wanted.hinges[h].peak_rotation);
+    }
+    EXPECT_GT(turned, 1e-3);
+    const VectorXd shear = found.planes[0].shear + found.planes[1].shear;
+    expect_alike(shear.tail(2), wanted.storey_shear.tail(2), "shear of planes");
+  }
+}
+
 struct Random {
   std::mt19937 engine;
   double any(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine); }
@@ -112,6 +171,7 @@ struct Random {
 std::string eccentric(unsigned seed, bool quarter, const std::string& solver) {
   Random random{std::mt19937(seed)};
   const auto any = [&](double from, double to) { return random.any(from, to); };
+  const int sides = seed % 2 == 0 ? 12 : 4;
   const double w = any(9, 13), h = any(10, 15), gap = any(0.02, 0.05), shift = any(-4, 4), other = any(9, 14);
   const auto local = [&](double width, double height, double x, double y) {
     (void)width;
@@ -138,10 +198,11 @@ std::string eccentric(unsigned seed, bool quarter, const std::string& solver) {
           ", bearing = [\n{ at = [" + local(w, h, any(0, 3), any(0, 3)) + ", " + local(w, h, any(w - 3, w), any(0, 3)) +
           "], stiffness = " + std::to_string(any(400, 900)) +
           ", characteristic_strength = " + std::to_string(any(5, 20)) +
-          ", yield_displacement = 0.008 },\n{ at = " + local(w, h, any(0, 3), any(h - 3, h)) +
-          ", friction_pendulum = { coefficient = 0.04, radius = 1.5, yield_displacement = 0.002 } },\n{ at = " +
-          local(w, h, any(w - 3, w), any(h - 3, h)) + ", stiffness = " + std::to_string(any(400, 1500)) +
-          ", damping = 30 }] }\n";
+          ", yield_displacement = 0.008, yield_sides = " + std::to_string(sides) +
+          " },\n{ at = " + local(w, h, any(0, 3), any(h - 3, h)) +
+          ", friction_pendulum = { coefficient = 0.04, radius = 1.5, yield_displacement = 0.002 }, yield_sides = " +
+          std::to_string(sides) + " },\n{ at = " + local(w, h, any(w - 3, w), any(h - 3, h)) +
+          ", stiffness = " + std::to_string(any(400, 1500)) + ", damping = 30 }] }\n";
   text += "[[building]]\nname = \"B\"\ndamping = 0.05\n" + plan(w + gap, shift, 10, other, "[80, 70]") +
           rigidity(10, other);
   return text +

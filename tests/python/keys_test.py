@@ -70,7 +70,7 @@ BEYOND = {
             hinge-backbone-hardens hinge-backbone-steep infill-no-room infill-ultimate
             initial-overlap-restitution link-level-tolerance matrices-damping-not-semidefinite
             matrices-mass-diagonal matrices-not-definite matrices-not-symmetric modal-not-orthogonal
-            plan-frame-loads plan-isolation-and-hinges plan-isolation-outside
+            plan-frame-loads plan-isolation-outside
             modal-shape-of-zeros output-step-tiny p-delta-critical rayleigh-negative-ratio
             section-overflow spectrum-table-short suite-factor-bounds suite-misfit suite-no-factor
             suite-table-ends suite-too-few weight-beyond-all""",

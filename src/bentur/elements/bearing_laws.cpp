@@ -59,7 +59,7 @@ Bearings bilinear_bearings(double stiffness, double strength, double yield_displ
   require_positive("yield_displacement", yield_displacement);
   const double k = stiffness + strength / yield_displacement;
   const double yield = strength + stiffness * yield_displacement;
-  return {.stiffness = k, .law = std::make_shared<KinematicHardening>(k, yield, stiffness / k)};
+  return {.stiffness = k, .law = std::make_shared<KinematicHardening>(k, yield, stiffness / k), .strength = strength};
 }
 
 const std::vector<LawEntryOf<Bearings>>& bearing_laws() {

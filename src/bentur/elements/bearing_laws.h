@@ -11,6 +11,7 @@ namespace bentur {
 struct Bearings {
   double stiffness = 0;                           ///< [force/length] > 0
   std::shared_ptr<const HystereticLaw> law = {};  ///< null: they are linear
+  double strength = 0;                            ///< Q of that law [force]
 };
 
 /// Bearings that yield: (L-1) with k = stiffness + Q/Δ_y, r = stiffness/k, V_y = Q + stiffness Δ_y; linear where Q = 0.

@@ -6,6 +6,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/elements/hinges.h"
 #include "bentur/elements/hinges/rate_problem.h"
+#include "tests/support/driven.h"
 
 namespace bentur::hinge_backbones {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::driven;
 
 constexpr double stiffness = 100, hardening = 2, capacity = 10, plastic = 0.05, softening = 0.2;
 constexpr double at_cap = capacity + hardening * plastic;
@@ -25,33 +27,6 @@ HingeParameters one(double residual, double ultimate = std::numeric_limits<doubl
                      .rows = MatrixXd::Identity(1, 1)};
   of.backbones = {{capacity, capacity, 0, plastic, softening, residual, ultimate}};
   return of;
-}
-
-/// Moves as δ goes straight to `to`, event by event.
-CoupledState driven(const HingeLaw& law, CoupledState state, VectorXd from, const VectorXd& to) {
-  CoupledMotion motion{from, to - from, VectorXd::Zero(from.size()), 1e-9};
-  state = law.settle(state, state.since, motion);
-  for (double done = 0;;) {
-    const CoupledBranch branch = law.branch(state);
-    double first = 2;
-    std::size_t which = 0;
-    for (std::size_t g = 0; g < branch.guards.size(); ++g) {
-      const CoupledGuard& guard = branch.guards[g];
-      if (guard.deformation < 0 || guard.zeros > 0) continue;  // δ̇ does not turn
-      const VectorXd row = branch.set->row(guard.deformation, from.size());
-      const double slope = guard.sense * row.dot(to - from);
-      const double now = guard.constant + guard.sense * row.dot(from + done * (to - from));
-      const double at = slope < 0 ? done + std::max(0.0, now) / -slope : 2;
-      if (at < first) {
-        first = at;
-        which = g;
-      }
-    }
-    motion.deformation = from + std::min(first, 1.0) * (to - from);
-    if (first > 1.0) return law.at(state, motion.deformation);
-    state = law.next(state, branch, which, state.since + 1e-3, motion);
-    done = first;
-  }
 }
 
 double moment(const HingeLaw& law, const CoupledState& state, const VectorXd& deformation, Index h) {

@@ -1,4 +1,5 @@
 #include "bentur/elements/bearing_laws.h"
+#include "bentur/elements/hinges/polygon_yield.h"
 #include "bentur/io/schema/case_keys.h"
 
 namespace bentur {
@@ -68,6 +69,12 @@ const KeyTable& bearing_keys() {
     add_bearing_laws(made, "needed without another law of bearings", "of a dashpot beside it",
                      "in place of stiffness, strength and displacement: Q = μW, stiffness W/R, W its share of all "
                      "weight above, the slab's too");
+    made.keys.push_back(
+        Key::whole("yield_sides", PolygonYield::least_sides, PolygonYield::most_sides,
+                   {"Sides of its yield surface", "Sisi permukaan leleh"},
+                   "a multiple of 4, of the polygon that the part of its force which yields stays within: 4: along x "
+                   "and along y, each by itself; n: a circle as near as 1/cos(π/n)")
+            .by_default(PolygonYield::least_sides));
     return made;
   }();
   return table;

@@ -399,7 +399,7 @@ Statement model_statement(const PlanRun& run) {
   }
   const bool by_axes = std::any_of(run.problem.buildings.begin(), run.problem.buildings.end(), [](const auto& one) {
     const auto& bearings = one.model.bearings;
-    return std::any_of(bearings.begin(), bearings.end(), [](const auto& bearing) { return bearing.law != nullptr; });
+    return std::any_of(bearings.begin(), bearings.end(), [](const auto& bearing) { return bearing.elements() > 0; });
   });
   std::vector<std::vector<StoryValue>> left_out = gravity_left_out(loaded, counted);
   if (by_axes) left_out.push_back({word_of("what", "remarks.bearings_by_axes")});

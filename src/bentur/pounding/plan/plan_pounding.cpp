@@ -15,7 +15,6 @@
 #include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/pounding/internal/progress_of_parts.h"
 #include "bentur/pounding/internal/summaries.h"
-#include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/structure/plan/plan_body.h"
 
 namespace bentur {
@@ -48,15 +47,23 @@ BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Pla
   return member == first ? BuildingPeaks::Yielding{} : yielding;
 }
 
-/// What bearings did, whose elements begin at `member`; x and y of one after the other in `moved` and `forces`.
+/// What bearings did, whose elements begin at `member`; x and y of one after the other in `moved` and `forces`. The
+/// states of those that yield within a polygon begin at `state`, which is moved on past them.
 PlanPeaks::Bearings bearings_of(const PlanModel& model, const VectorXd& moved, const VectorXd& forces,
-                                const std::vector<ElementFound>& members, std::size_t member) {
+                                const std::vector<ElementFound>& members, std::size_t member,
+                                const std::vector<CoupledState>& states, std::size_t& state) {
   const Index count = std::ssize(model.bearings);
   const auto x = Eigen::seqN(0, count, 2), y = Eigen::seqN(1, count, 2);
   PlanPeaks::Bearings found{.x = moved(x), .y = moved(y), .force_x = forces(x), .force_y = forces(y)};
   found.residual_x = found.residual_y = found.hysteretic_energy = VectorXd::Zero(count);
   for (Index n = 0; n < count; ++n) {
-    if (!model.bearings[n].law) continue;
+    if (const auto& polygon = model.bearings[n].polygon) {
+      const Yielded yielded = yielded_of(*polygon, states[state++]);
+      found.residual_x(n) = yielded.residual.x();
+      found.residual_y(n) = yielded.residual.y();
+      found.hysteretic_energy(n) = yielded.energy;
+    }
+    if (model.bearings[n].elements() == 0) continue;
     const ElementFound &along_x = members[member], &along_y = members[member + 1];
     member += 2;
     found.residual_x(n) = along_x.residual;
@@ -67,16 +74,18 @@ PlanPeaks::Bearings bearings_of(const PlanModel& model, const VectorXd& moved, c
 }
 
 /// What the hinges of the frames of a building did, whose states begin at `state`, which is moved on past them.
-void take_frames(const PlanModel& model, const VectorXd& moments, const VectorXd& shears,
+void take_frames(const PlanBuilding& building, const VectorXd& moments, const VectorXd& shears,
                  const std::vector<CoupledState>& states, std::size_t& state, PlanPeaks& peaks) {
+  const PlanModel& model = building.model;
   Index hinge = 0, column = 0;
+  auto element = building.coupled.begin();
   for (std::size_t p = 0; p < model.planes.size(); ++p) {
     const Hinges& hinges = model.planes[p].hinges;
     if (hinges.size() == 0) continue;
     BuildingPeaks& frame = peaks.planes[p].frame;
     const Index turning = std::ssize(hinges.places), breaking = std::ssize(hinges.columns);
     take_hinge_peaks(hinges, moments.segment(hinge, turning), shears.segment(column, breaking), frame);
-    take_hinges(hinges, model.storey_heights, *element_of(hinges).law, states[state++], frame);
+    take_hinges(hinges, model.storey_heights, *(element++)->law, states[state++], frame);
     peaks.planes[p].yielding.residual_drift_ratio = std::move(frame.yielding.residual_drift_ratio);
     frame.yielding = {};
     hinge += turning;
@@ -120,8 +129,9 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
       }
     }
   }
-  peaks.bearings =
-      bearings_of(building.model, peak(PlanOutput::bearing_movement), peak(PlanOutput::bearing_force), members, member);
+  take_frames(building, peak(PlanOutput::hinge_moment), peak(PlanOutput::breaking_shear), states, state, peaks);
+  peaks.bearings = bearings_of(building.model, peak(PlanOutput::bearing_movement), peak(PlanOutput::bearing_force),
+                               members, member, states, state);
   if (building.model.planes.empty()) {
     peaks.drift_south = part(PlanOutput::edge_drift, 0);
     peaks.drift_north = part(PlanOutput::edge_drift, 1);
@@ -131,7 +141,6 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
       list->head(building.model.first_storey()).setConstant(nothing);
     }
   }
-  take_frames(building.model, peak(PlanOutput::hinge_moment), peak(PlanOutput::breaking_shear), states, state, peaks);
   return peaks;
 }
 
@@ -155,10 +164,11 @@ bool is_mirrored(const PlanProblem& problem) {
          std::all_of(problem.buildings.begin(), problem.buildings.end(), [&](const PlanBuilding& building) {
            const auto& bearings = building.model.bearings;
            return std::all_of(bearings.begin(), bearings.end(), [&](const auto& one) { return odd(one.law); }) &&
-                  std::all_of(building.model.planes.begin(), building.model.planes.end(), [&](const auto& plane) {
-                    return std::all_of(plane.laws.begin(), plane.laws.end(), odd) &&
-                           (plane.hinges.size() == 0 || element_of(plane.hinges).law->is_odd());
-                  });
+                  std::all_of(
+                      building.model.planes.begin(), building.model.planes.end(),
+                      [&](const auto& plane) { return std::all_of(plane.laws.begin(), plane.laws.end(), odd); }) &&
+                  std::all_of(building.coupled.begin(), building.coupled.end(),
+                              [](const CoupledElement& one) { return one.law->is_odd(); });
          });
 }
 

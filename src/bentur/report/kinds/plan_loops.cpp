@@ -39,9 +39,9 @@ Figure bearing_loop_figure(const PlanRun& run, const FigureOptions& options) {
       panel.x.label = with_unit(word(options, "Displacement along {}", i == 0 ? "x" : "y"), run.c.units.length);
       panel.y.label = with_unit(word(options, "Force of the bearings V"), shown_unit(run, "F"));
       const double moved = (i == 0 ? peaks.x : peaks.y)(most);
-      const HystereticLaw* const law = building.model.bearings[static_cast<std::size_t>(most)].law.get();
-      if (law != nullptr && moved > law->yield_deformation()) {
-        const double yield = law->yield_deformation();
+      const PlanModel::Bearing& bearing = building.model.bearings[static_cast<std::size_t>(most)];
+      if (bearing.elements() > 0 && moved > bearing.law->yield_deformation()) {
+        const double yield = bearing.law->yield_deformation();
         panel.rules = {{.at = yield, .vertical = true, .label = word(options, "yield"), .line = Line::dotted},
                        {.at = -yield, .vertical = true, .line = Line::dotted}};
       }

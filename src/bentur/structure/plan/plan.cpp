@@ -12,6 +12,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/structure/modes.h"
 #include "bentur/structure/plan/plan_support.h"
 #include "bentur/structure/sway.h"
@@ -245,6 +246,17 @@ void add_cantilever(const Plan& plan, PlanModel& model) {
   }
 }
 
+std::vector<CoupledElement> coupled_of(const PlanModel& model) {
+  std::vector<CoupledElement> coupled;
+  for (const PlanModel::Plane& plane : model.planes) {
+    if (plane.hinges.size() > 0) coupled.push_back(element_of(plane.hinges));
+  }
+  for (const PlanModel::Bearing& bearing : model.bearings) {
+    if (bearing.polygon) coupled.push_back({bearing.polygon->directions * bearing.drifts, bearing.polygon->law});
+  }
+  return coupled;
+}
+
 }  // namespace
 
 void stand_frame(PlaneFrame frame, PlanPlane& plane) {
@@ -403,6 +415,7 @@ PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping
   }
   if (soil) put_on_soil(*soil, building);
   if (isolation) put_on_bearings(*isolation, building);
+  building.coupled = coupled_of(building.model);
   return building;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bentur/elements/bearing_laws.h"
+#include "bentur/elements/hinges/polygon_yield.h"
 #include "bentur/structure/building.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/frame/plane_frame.h"
@@ -61,10 +62,11 @@ struct PlanSoil {
   double twist_inertia = 0;             ///< about the vertical [mass·length²] > 0
 };
 
-/// One bearing: its law holds along x and along y, each by itself (P-29).
+/// One bearing: its law holds along x and along y, each by itself (P-29), or within a polygon (P-31).
 struct PlanBearing {
   PlanPoint at = PlanPoint::Zero();  ///< from the footprint's corner [length]
   Bearings bearing = {};             ///< with a stiffness > 0
+  int sides = PolygonYield::least_sides;           ///< of the polygon that its force stays within, as polygon_yield()'s
   double damping = 0;                ///< of a dashpot beside it along x and along y [force·s/length] ≥ 0
 };
 
@@ -135,6 +137,9 @@ struct PlanModel {
     Eigen::MatrixXd shears;                    ///< 2 × dofs [force/length]
     Eigen::MatrixXd pushes;                    ///< as a plane's on the slab, 3 × 2
     std::shared_ptr<const HystereticLaw> law;  ///< of each direction; null: it stays elastic
+    std::optional<PolygonYield> polygon = {};  ///< of both at once, in place of that law in each
+    /// Elements of one direction that it is.
+    [[nodiscard]] Eigen::Index elements() const { return law && !polygon ? 2 : 0; }
   };
   std::vector<Bearing> bearings = {};
   std::optional<Eigen::Index> slab = {};  ///< the floor on bearings: no height
@@ -172,6 +177,8 @@ struct PlanBuilding {
   Modes modes;
   Eigen::MatrixXd modal_damping;  ///< Φᵀ C Φ [1/s]
   double tangent_damping = 0;     ///< as Building's [s]
+  /// Hinges of frames, plane by plane, then bearings that yield within a polygon.
+  std::vector<CoupledElement> coupled = {};
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
   /// Gravity loads act (P-Δ), so that it may collapse.
   [[nodiscard]] bool has_gravity_loads() const { return model.softening.size() > 0; }

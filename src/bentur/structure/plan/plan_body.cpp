@@ -3,8 +3,6 @@
 #include <array>
 #include <utility>
 
-#include "bentur/structure/frame/frame_hinges.h"
-
 namespace bentur {
 namespace {
 
@@ -40,7 +38,6 @@ MatrixXd stacked(std::initializer_list<MatrixXd> parts, Index columns) {
 /// What of planes and bearings yields, storeys of planes first, and the rows by which both are told.
 struct PlaneRows {
   std::vector<BuildingElement> elements = {};
-  std::vector<CoupledElement> coupled = {};
   MatrixXd drifts = {}, shears = {};                     ///< planes · storeys × dofs
   MatrixXd shear_of_forces = {}, storey_of_forces = {};  ///< × forces of elements
   MatrixXd bearing_moves = {}, bearing_forces = {};      ///< 2 · bearings × dofs
@@ -48,10 +45,12 @@ struct PlaneRows {
   Outputs moments = {}, rotations = {}, breaking = {};   ///< of hinges, and of columns that break
 };
 
-/// Storey shears of a frame by the forces of its hinges: what these push on all floors above with.
-MatrixXd shears_of_hinges(const Hinges& hinges) {
-  MatrixXd shears = hinges.frame_rows.transpose();
-  for (Index j = shears.rows() - 1; j-- > 0;) shears.row(j) += shears.row(j + 1);
+/// Storey shears of a frame by the forces of its hinges: what these push on all floors above with. A building has
+/// `storeys`, with those below the frame, where there is none.
+MatrixXd shears_of_hinges(const Hinges& hinges, Index storeys) {
+  MatrixXd shears = MatrixXd::Zero(storeys, hinges.size());
+  shears.bottomRows(hinges.frame_rows.cols()) = hinges.frame_rows.transpose();
+  for (Index j = storeys - 1; j-- > storeys - hinges.frame_rows.cols();) shears.row(j) += shears.row(j + 1);
   return shears;
 }
 
@@ -78,14 +77,14 @@ PlaneRows rows_of_planes(const PlanModel& model) {
     for (Index j = 0; j < floors; ++j) {
       if (plane.laws[j]) rows.elements.push_back({plane.drifts.row(j).transpose(), plane.laws[j], j});
     }
-    if (plane.hinges.size() == 0) continue;
-    rows.coupled.push_back(element_of(plane.hinges));
     forces += plane.hinges.size();
   }
   for (const PlanModel::Bearing& bearing : model.bearings) {
-    for (Index i = 0; bearing.law && i < 2; ++i) {
-      rows.elements.push_back({bearing.drifts.row(i).transpose(), bearing.law, *model.slab});
+    for (Index i = 0; i < bearing.elements(); ++i) {
+      rows.elements.push_back(
+          {.row = bearing.drifts.row(i).transpose(), .law = bearing.law, .storey = *model.slab, .damped = false});
     }
+    if (bearing.polygon) forces += bearing.polygon->directions.rows();
   }
   Index force = 0, of_hinges = std::ssize(rows.elements);
   forces += of_hinges;
@@ -98,7 +97,7 @@ PlaneRows rows_of_planes(const PlanModel& model) {
   Index at = 0;
   for (const PlanModel::Plane& plane : model.planes) {
     const Hinges& hinges = plane.hinges;
-    const MatrixXd of_frame = hinges.size() > 0 ? shears_of_hinges(hinges) : MatrixXd();
+    const MatrixXd of_frame = hinges.size() > 0 ? shears_of_hinges(hinges, floors) : MatrixXd();
     for (Index j = 0; j < floors; ++j, ++at) {
       if (j < model.first_storey()) continue;  // a slab is in no plane
       rows.drifts.row(at) = plane.drifts.row(j) / model.storey_heights[j];
@@ -129,10 +128,15 @@ PlaneRows rows_of_planes(const PlanModel& model) {
     const PlanModel::Bearing& bearing = model.bearings[n];
     rows.bearing_moves.middleRows<2>(2 * n) = bearing.drifts;
     rows.bearing_forces.middleRows<2>(2 * n) = bearing.shears;
-    for (Index i = 0; bearing.law && i < 2; ++i) {
+    for (Index i = 0; i < bearing.elements(); ++i) {
       rows.bearing_of_forces(2 * n + i, force) = 1;
       rows.storey_of_forces.block<3, 1>(0, force++) = bearing.pushes.col(i);
     }
+    if (!bearing.polygon) continue;
+    const MatrixXd along = bearing.polygon->directions.transpose();
+    rows.bearing_of_forces.block(2 * n, of_hinges, 2, along.cols()) = along;
+    rows.storey_of_forces.block(0, of_hinges, 3, along.cols()) = bearing.pushes * along;
+    of_hinges += along.cols();
   }
   rows.rotations.rows.resize(0, 0);
   return rows;
@@ -176,7 +180,7 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
             .stiffness = model.stiffness,
             .load = model.load * axes,
             .elements = planes.elements,
-            .coupled = planes.coupled,
+            .coupled = building.coupled,
             .tangent_damping = building.tangent_damping};
   const auto add = [&](Outputs outputs) {
     outputs.kind = OutputKind::displacement;

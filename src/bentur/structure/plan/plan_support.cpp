@@ -151,6 +151,10 @@ PlanModel::Bearing bearing_over_dofs(const PlanBearing& bearing, const PlanPoint
   const PlanPoint arm = bearing.at - slab;
   PlanModel::Bearing made{
       .at = bearing.at, .drifts = MatrixXd::Zero(2, dofs), .shears = {}, .pushes = {}, .law = bearing.bearing.law};
+  if (made.law && bearing.sides > PolygonYield::least_sides) {
+    made.polygon = polygon_yield(bearing.bearing.stiffness, bearing.bearing.strength, made.law->yield_deformation(),
+                                 bearing.sides);
+  }
   made.drifts.leftCols<3>() << 1, 0, -arm.y(), 0, 1, arm.x();
   made.shears = bearing.bearing.stiffness * made.drifts;
   made.pushes = made.drifts.leftCols<3>().transpose();
@@ -237,10 +241,6 @@ void put_on_bearings(const PlanIsolation& isolation, PlanBuilding& building) {
   check(isolation);
   PlanModel& model = building.model;
   check_held(isolation, model);
-  for (const PlanModel::Plane& plane : model.planes) {
-    if (plane.hinges.size() == 0) continue;
-    throw InvalidParameter("isolation", plane.name, "must not stand below frames with hinges");
-  }
   const FixedBase fixed = fixed_base(building);
   const Index above = model.dofs(), dofs = above + 3;
   const MatrixXd to = relative_to_slab(model, isolation.centre);

@@ -262,11 +262,6 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
     building.refuse({"soil"}, "and isolation exclude one another: a slab on bearings stands on firm ground");
     if (known) plan.isolation = read_isolation(*isolation, plan, units.gravity);
     known = known && plan.isolation;
-    const auto yields = [](const PlanPlane& plane) { return plane.hinges.size() > 0; };
-    if (std::any_of(plan.planes.begin(), plan.planes.end(), yields)) {
-      isolation->error("does not go with frames as planes whose hinges yield");
-      known = false;
-    }
     read.told.elevations.insert(read.told.elevations.begin(), 0.0);
   }
   if (const auto soil = building.find("soil"); soil && !isolation) plan.soil = read_soil_in_plan(*soil, plan.footprint);

@@ -31,6 +31,21 @@ std::vector<double> weights_on(const PlanIsolation& isolation, const Plan& plan,
   return {weights.begin(), weights.end()};
 }
 
+/// Sides of the polygon within which bearings of a kind yield; nothing where they are no such number.
+std::optional<int> read_sides(const TableView& kind, const ReadBearings& read) {
+  const auto sides = static_cast<int>(kind.whole("yield_sides").value_or(PolygonYield::least_sides));
+  if (sides % 4 != 0) {
+    kind.find("yield_sides")->error_value("must be a multiple of 4: x and y are alike");
+    return std::nullopt;
+  }
+  const bool is_linear = read.law == &bearing_laws().front() && !kind.has("characteristic_strength");
+  if (sides > PolygonYield::least_sides && is_linear) {
+    kind.find("yield_sides")->error_value("needs bearings that yield: characteristic_strength or friction_pendulum");
+    return std::nullopt;
+  }
+  return sides;
+}
+
 /// The kind of each bearing, with the table that says it.
 struct Kind {
   TomlView table;
@@ -96,8 +111,13 @@ std::optional<PlanIsolation> read_isolation(const TomlView& given, const Plan& p
       kind->find("at")->error("is outside the footprint");
       known = false;
     }
+    const std::optional<int> sides = read_sides(*kind, read);
+    known = known && sides;
     for (const PlanPoint& at : places) {
-      isolation.bearings.push_back({.at = at, .bearing = {}, .damping = kind->number("damping").value_or(0)});
+      isolation.bearings.push_back({.at = at,
+                                    .bearing = {},
+                                    .sides = sides.value_or(PolygonYield::least_sides),
+                                    .damping = kind->number("damping").value_or(0)});
       kinds.push_back({list->item(i), read});
     }
   }

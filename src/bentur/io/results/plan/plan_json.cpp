@@ -87,6 +87,7 @@ Json isolation_json(const PlanRun& run, Index b) {
     const double stiffness = bearing.shears.row(0).norm() / bearing.drifts.row(0).norm();
     Json json = {{"at", {bearing.at.x(), bearing.at.y()}}, {"initial_stiffness", stiffness}};
     if (bearing.law) json["yield_displacement"] = bearing.law->yield_deformation();
+    if (bearing.polygon) json["yield_sides"] = 2 * bearing.polygon->directions.rows();
     put_quantities(json, PlanOwner::bearing, run, {place});
     bearings.push_back(std::move(json));
   }
