@@ -15,7 +15,7 @@
 #include "tests/support/driven.h"
 #include "tests/support/led_element.h"
 
-namespace bentur {
+namespace bentur::polygon_yields {
 namespace {
 
 using Eigen::Vector2d;
@@ -175,4 +175,4 @@ TEST(BearingsInAPlane, RefusesWhatIsNoPolygon) {
 }
 
 }  // namespace
-}  // namespace bentur
+}  // namespace bentur::polygon_yields
