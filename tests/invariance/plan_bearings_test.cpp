@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bentur/io/case/case_toml.h"
+#include "bentur/model/plan/plan_frames.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur::plan_bearings {
@@ -157,6 +158,8 @@ TEST(PlanBearings, FramesWithHingesAreTheRows) {
       turned = std::max(turned, wanted.hinges[h].peak_rotation);
     }
     EXPECT_GT(turned, 1e-3);
+    const StructuralModel told = frames_of(p).problem.buildings[0].model;  // by which hinges are drawn and told
+    EXPECT_EQ(told.elevations[told.hinges.places[0].level - 1 + told.first_storey()], 3.5);
     const VectorXd shear = found.planes[0].shear + found.planes[1].shear;
     expect_alike(shear.tail(2), wanted.storey_shear.tail(2), "shear of planes");
   }

@@ -43,6 +43,7 @@ RunResults frames_of(const PlanRun& run) {
     building.model.elevations = model.elevations;
     building.model.storey_heights = model.storey_heights;
     building.model.floor_masses = model.floor_masses;
+    building.model.slab = model.slab;
     building.model.hinges = plane.hinges;
     building.modes.omega = run.problem.buildings[b].modes.omega;
     building.bays = plane.bays;
