@@ -10,6 +10,7 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/plan/plan_frames.h"
+#include "bentur/model/story/plan_story.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur::plan_bearings {
@@ -149,6 +150,11 @@ TEST(PlanBearings, FramesWithHingesAreTheRows) {
     const BuildingPeaks& wanted = row.buildings[0];
     const double lost = wanted.yielding.hysteretic_energy(0);
     EXPECT_NEAR(found.bearings.hysteretic_energy.sum(), lost, 1e-9 * lost);
+    const Story story = plan_story(p);
+    const auto yields = std::find_if(story.statements.begin(), story.statements.end(),
+                                     [](const Statement& one) { return one.kind == "bearings_yield"; });
+    ASSERT_NE(yields, story.statements.end());
+    EXPECT_NEAR(std::get<double>(yields->values[1].value), wanted.yielding.ductility(0), 1e-8);
     const std::vector<BuildingPeaks::Hinge>& hinges = found.planes[0].frame.hinges;
     ASSERT_EQ(hinges.size(), wanted.hinges.size());
     double turned = 0;

@@ -64,6 +64,8 @@ void tell_hinges(const RunResults& run, Story& told);
 
 /// The same of the frames of buildings in plan, and of their columns as tell_breaking().
 void tell_frames(const PlanRun& run, Story& told);
+/// Planes, edges and bearings of buildings in plan that yield or drift too far, and their frames.
+void tell_yielding(const PlanRun& run, Story& told);
 
 /// Of frames with infill: where a strut pushes hardest on a column, and where infill failed first or lost most.
 void tell_infill(const RunResults& run, std::vector<Statement>& statements);
