@@ -171,6 +171,47 @@ TEST(PlanBearings, FramesWithHingesAreTheRows) {
   }
 }
 
+/// Storeys that yield above bearings that yield: damping follows the stiffness of those alone.
+TEST(PlanBearings, DampingThatFollowsStiffnessIsTheRows) {
+  const std::string a = "[[building]]\nname = \"A\"\ndamping = { stiffness_proportional = 0.03 }\n"
+                        "damping_stiffness = \"tangent\"\n",
+                    b = "[[building]]\nname = \"B\"\ndamping = 0.05\n",
+                    plane =
+                        "[[building.plane]]\nalong = \"x\"\nstiffnesses = [6e3, 4.5e3]\nyield_forces = [70, 40]\n"
+                        "hardening = 0.05\nat = ";
+  Diagnostics d;
+  const auto c = read_case_text(
+      units + a +
+          "stick = { storey_heights = [3.5, 3.2], masses = [40, 30], stiffnesses = [12e3, 9e3], yield_forces = "
+          "[140, 80], hardening = 0.05 }\nisolation = { mass = 35, stiffness = 3000, characteristic_strength = 60, "
+          "yield_displacement = 0.01 }\n" +
+          b +
+          "stick = { storey_heights = [3.5, 3.2], masses = [20, 18], stiffnesses = [30e3, 25e3] }\n[[gap]]\nbetween = "
+          "[\"A\", \"B\"]\nwidth = 0.05\n" +
+          contact + shaken,
+      "row.toml", d);
+  ASSERT_TRUE(c) << d.errors().front().text();
+  const Response row = solve(make_problem(*c));
+  const BuildingPeaks& wanted = row.buildings[0];
+  ASSERT_GT(wanted.yielding.ductility(0), 2);
+  ASSERT_GT(wanted.yielding.ductility(1), 1.1);
+  const PlanRun p = plan_run(
+      units + "[plan]\nclearance = 0.1\n" + contact + a +
+      "plan = { corner = [0, 0], size = [10, 14], storey_heights = [3.5, 3.2], masses = [40, 30] }\n" + plane + "1\n" +
+      plane + "13\n[[building.plane]]\nalong = \"y\"\nat = 5\nstiffnesses = 1e7\n" +
+      "[building.isolation]\nmass = 35\nbearing = [{ at = [[1, 2], [9, 2], [1, 12], [9, 12]], stiffness = 750, "
+      "characteristic_strength = 15, yield_displacement = 0.01 }]\n" +
+      b +
+      "plan = { corner = [10.05, 0], size = [10, 14], storey_heights = [3.5, 3.2], masses = [20, 18] }\n"
+      "rigidity = { centre = [5, 7], x = [30e3, 25e3], y = 1e7, torsion = 1e9 }\n" +
+      shaken);
+  ASSERT_EQ(p.response.status, Status::done) << p.response.message;
+  EXPECT_LE(p.response.energy->relative_residual(), 1e-11);
+  expect_alike(p.response.buildings[0].x, wanted.displacement, "displacement");
+  expect_alike(p.response.buildings[0].shear_x, wanted.storey_shear, "shear");
+  EXPECT_NEAR(p.response.buildings[0].planes[0].yielding.ductility(1), wanted.yielding.ductility(1), 1e-8);
+}
+
 struct Random {
   std::mt19937 engine;
   double any(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine); }

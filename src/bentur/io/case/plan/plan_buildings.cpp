@@ -275,9 +275,7 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
     const auto yields = [](const PlanPlane& plane) {
       return !plane.storeys.yield_forces.empty() || plane.storeys.backbone;
     };
-    if (read.spec.tangent_damping && isolation) {
-      word->error_value("does not go with isolation: bearings have dashpots of their own");
-    } else if (std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
+    if (std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
       word->error_value("needs planes that can yield: plane.yield_forces or plane.backbone");
     }
   }
