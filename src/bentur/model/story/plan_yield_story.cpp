@@ -76,26 +76,23 @@ void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
   }
 }
 
-/// The largest ductility of the bearings of each building, along x or along y.
+/// The largest ductility of the bearings of each building, along x or along y. Results do not keep what they do without
+/// contact.
 void tell_bearings(const PlanRun& run, std::vector<Statement>& statements) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
-    const auto ductility = [&](const PlanPeaks& peaks) {
-      double most = 0;
-      for (Index n = 0; n < peaks.bearings.x.size(); ++n) {
-        const HystereticLaw* const law = building.model.bearings[n].law.get();
-        if (law == nullptr) continue;
-        most = std::max(most, std::max(peaks.bearings.x(n), peaks.bearings.y(n)) / law->yield_deformation());
-      }
-      return most;
-    };
-    const double most = ductility(run.response.buildings[b]);
-    if (!(most > 1)) continue;
-    const double alone = ductility(run.response.buildings_no_contact[b]);
-    statements.push_back({.kind = "bearings_yield",
-                          .buildings = {b},
-                          .values = {text_of("building", building.name), value_in("ductility", most),
-                                     value_in("alone", alone), word_of("comparison", "story.ductility_alone")}});
+    const PlanPeaks::Bearings& peaks = run.response.buildings[b].bearings;
+    double ductility = 1;
+    for (Index n = 0; n < peaks.x.size(); ++n) {
+      const HystereticLaw* const law = building.model.bearings[n].law.get();
+      if (law == nullptr) continue;
+      ductility = std::max(ductility, std::max(peaks.x(n), peaks.y(n)) / law->yield_deformation());
+    }
+    if (!(ductility > 1)) continue;
+    statements.push_back(
+        {.kind = "bearings_yield",
+         .buildings = {b},
+         .values = {text_of("building", building.name), value_in("ductility", ductility), text_of("comparison", "")}});
   }
 }
 

@@ -64,10 +64,10 @@ struct PlanSoil {
 
 /// One bearing: its law holds along x and along y, each by itself (P-29), or within a polygon (P-31).
 struct PlanBearing {
-  PlanPoint at = PlanPoint::Zero();  ///< from the footprint's corner [length]
-  Bearings bearing = {};             ///< with a stiffness > 0
-  int sides = PolygonYield::least_sides;           ///< of the polygon that its force stays within, as polygon_yield()'s
-  double damping = 0;                ///< of a dashpot beside it along x and along y [force·s/length] ≥ 0
+  PlanPoint at = PlanPoint::Zero();       ///< from the footprint's corner [length]
+  Bearings bearing = {};                  ///< with a stiffness > 0
+  int sides = PolygonYield::least_sides;  ///< of the polygon that its force stays within, as polygon_yield()'s
+  double damping = 0;                     ///< of a dashpot beside it along x and along y [force·s/length] ≥ 0
 };
 
 /// Bearings below a slab: one more floor, at the base, the first of all lists.
