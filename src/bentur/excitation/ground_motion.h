@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -32,6 +34,11 @@ using GroundMotion = std::variant<NoMotion, SampledMotion, HarmonicMotion>;
 
 /// Largest |a_g| [length/s²].
 [[nodiscard]] double peak_acceleration(const GroundMotion& motion);
+
+/// Largest |w₁ a₁ + w₂ a₂| [length/s²] of two motions that begin together, w₁ and w₂ [-]; nothing where both move and
+/// have no common course: one is sampled and the other harmonic, or their periods differ.
+[[nodiscard]] std::optional<double> peak_acceleration(const std::array<GroundMotion, 2>& motions,
+                                                      const std::array<double, 2>& weights);
 
 /// Angular frequency ν [rad/s] of the motion between its samples: 0 for piecewise-linear ones.
 [[nodiscard]] double angular_frequency(const GroundMotion& motion);

@@ -62,5 +62,41 @@ TEST(GroundMotion, PeakOfARecordIsItsLargestSizeWhereverItStands) {
   EXPECT_EQ(peak_acceleration(NoMotion{}), 0);
 }
 
+TEST(GroundMotion, PeakOfTwoThatActAtOnce) {
+  using Both = std::array<GroundMotion, 2>;
+  const SampledMotion a{0.1, {1, -7, 3}};
+  const auto peak = [](const Both& motions, double first, double second) {
+    return peak_acceleration(motions, {first, second});
+  };
+  // One alone, where the other does not move or has no part in it.
+  EXPECT_EQ(peak({a, NoMotion{}}, 0.5, 1), 3.5);
+  EXPECT_EQ(peak({NoMotion{}, a}, 0.5, -1), 7);
+  EXPECT_EQ(peak({a, SampledMotion{0.1, {50, 50, 50}}}, 1, 0), 7);
+  EXPECT_EQ(peak({NoMotion{}, NoMotion{}}, 1, 1), 0);
+  // Sample by sample: 1 + 2, -7 + 12, 3 - 6.
+  EXPECT_EQ(peak({a, SampledMotion{0.1, {1, 6, -3}}}, 1, 2), 5);
+  EXPECT_EQ(peak({SampledMotion{0.1, {1, 6, -3}}, a}, 2, 1), 5);
+  // At a sample of either, on the straight line of the other: at 0.15 s -2 - 4.
+  EXPECT_DOUBLE_EQ(*peak({SampledMotion{0.1, {0, 0, -4}}, SampledMotion{0.05, {0, 0, 0, -4, 0}}}, 1, 1), 6);
+  EXPECT_DOUBLE_EQ(*peak({SampledMotion{0.05, {0, 0, 0, -4, 0}}, SampledMotion{0.1, {0, 0, -4}}}, 1, 1), 6);
+  // Where one ends first, the other goes on without it; where both end at once, neither is left.
+  EXPECT_EQ(peak({SampledMotion{0.1, {0, 5}}, SampledMotion{0.1, {0, -5, 1}}}, 1, 1), 5);
+  EXPECT_EQ(peak({SampledMotion{0.1, {0, 5}}, SampledMotion{0.1, {0, -5}}}, 1, 1), 0);
+  EXPECT_DOUBLE_EQ(*peak({SampledMotion{0.3, {0, 5}}, SampledMotion{0.1, {0, 0, 0, -5}}}, 1, 1), 10.0 / 3);
+}
+
+TEST(GroundMotion, PeakOfTwoHarmonicOnes) {
+  const HarmonicMotion sine{.period = 0.4, .displacement_amplitude = 0.03};
+  HarmonicMotion other{.period = 0.4, .displacement_amplitude = 0.04};
+  const double omega = 2 * pi / 0.4;
+  const auto peak = [&] { return peak_acceleration({sine, other}, {1, -1}); };
+  EXPECT_NEAR(peak().value(), 0.01 * omega * omega, 1e-14);  // in step
+  other.phase = HarmonicMotion::Phase::cosine;
+  EXPECT_NEAR(peak().value(), 0.05 * omega * omega, 1e-13);  // a quarter of a period apart
+  other.period = 0.5;
+  EXPECT_EQ(peak(), std::nullopt);
+  EXPECT_EQ(peak_acceleration({sine, SampledMotion{0.1, {1, 2}}}, {1, 1}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace bentur

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -84,6 +85,29 @@ TEST(PlanNetcdf, HoldsTheRunAndItsHistories) {
   EXPECT_EQ(file.at("energy_input").shape, (std::vector<std::size_t>{times}));
   EXPECT_EQ(file.numbers("impact_point").size(), run.response.impacts.size());
   EXPECT_EQ(largest(file.numbers("impact_tangential_impulse")) > 0, true);
+}
+
+/// What the ground does along x and y is what a wall does, which the solver has followed.
+TEST(PlanNetcdf, TheGroundAlongBothAxesIsThatOfAWall) {
+  const TemporaryFolder folder;  // of another step than the first component
+  std::ofstream record(folder.path() / "other.txt");
+  for (int n = 0; n < 500; ++n) record << std::sin(0.11 * n) * std::exp(-0.004 * n) << "\n";
+  record.close();
+  const std::string other = "\n[excitation.y]\nkind = \"record\"\nfile = \"" + (folder.path() / "other.txt").string() +
+                            "\"\nformat = \"one-column\"\nunit = \"m/s2\"\npga = 2.1\ntime_step = 0.017\n";
+  for (const std::string& text : {test::twisting_pair(), test::twisting_pair() + other}) {
+    const PlanRun run = test::plan_run(text + test::wall_beside, 0);
+    ASSERT_EQ(run.response.status, Status::done) << run.response.message;
+    const NetcdfReader file(histories_netcdf(run, "test"), "histories.nc");
+    const double x = file.numbers("peak_ground_acceleration_x").at(0);
+    const double y = file.numbers("peak_ground_acceleration_y").at(0);
+    EXPECT_NEAR(file.numbers("peak_acceleration_x_3").at(0) / x, 1, 1e-12);
+    EXPECT_NEAR(file.numbers("peak_acceleration_y_3").at(0) / y, 1, 1e-12);
+    EXPECT_EQ(file.attribute("peak_ground_acceleration_y", "units"), "m s-2");
+    if (text.ends_with(other)) continue;
+    EXPECT_NEAR(x, 3.4 * std::cos(std::numbers::pi / 6), 1e-14);
+    EXPECT_NEAR(y, 3.4 * 0.5, 1e-14);
+  }
 }
 
 TEST(PlanNetcdf, WithoutSamplesHoldsWhatHasNoTime) {

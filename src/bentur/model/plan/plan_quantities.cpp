@@ -116,6 +116,11 @@ Source of_bearings(VectorXd PlanPeaks::Bearings::*list, bool yields = false) {
             kept(at.plane) = std::isnan(value) ? 0 : value;
           }};
 }
+/// Of the ground along x, 0, or y.
+Source of_ground(Index i) {
+  return {[i](const PlanRun& run, const PlanPlace&) { return run.response.peak_ground_acceleration(i); },
+          [i](PlanRun& run, const PlanPlace&, double value) { run.response.peak_ground_acceleration(i) = value; }};
+}
 Source of_friction(double PlanFriction::*member) {
   return {[member](const PlanRun& run, const PlanPlace& at) {
             return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : none;
@@ -332,6 +337,8 @@ std::deque<Line> list() {
     if (Source source = of_row(*quantity); source.value) all.push_back({PlanOwner::link, *quantity, std::move(source)});
   }
   for (const Quantity* const quantity : quantities_of(Owner::gap)) all.push_back({gap, *quantity, of_row(*quantity)});
+  all.push_back({PlanOwner::run, {"peak_ground_acceleration_x", Owner::run, "L s-2", "PGA_x", "peak ground acceleration along x as applied", {}, {}, "/excitation/peak_ground_acceleration_x"}, of_ground(0)});
+  all.push_back({PlanOwner::run, {"peak_ground_acceleration_y", Owner::run, "L s-2", "PGA_y", "peak ground acceleration along y as applied", {}, {}, "/excitation/peak_ground_acceleration_y"}, of_ground(1)});
   for (const Quantity* const quantity : quantities_of(Owner::impact)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({impact, *quantity, std::move(source)});
   }

@@ -12,11 +12,11 @@ namespace bentur {
 
 /// What quantities of buildings in plan are one of; of a plane one for each storey. Of a building: its foundation.
 /// Hinges and columns that break are those of frames.
-enum class PlanOwner { floor, plane, building, bearing, point, gap, impact, link, hinge, column };
+enum class PlanOwner { floor, plane, building, bearing, point, gap, impact, link, hinge, column, run };
 
-/// Number of the building, of the contact among those of all gaps, of the gap, of the impact, or of the link; of the
-/// floor, or the floor above the storey, or of the hinge or the column that breaks of its frame; and of the plane, or
-/// the bearing.
+/// Number of the building, of the contact among those of all gaps, of the gap, of the impact, or of the link (0 of the
+/// run); of the floor, or the floor above the storey, or of the hinge or the column that breaks of its frame; and of
+/// the plane, or the bearing.
 struct PlanPlace {
   Eigen::Index item = 0, floor = 0, plane = 0;
 };

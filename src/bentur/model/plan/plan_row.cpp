@@ -81,6 +81,7 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
     }
     if (one.owner == PlanOwner::gap) add(one, std::ssize(problem.gaps));
     if (one.owner == PlanOwner::link) add(one, std::ssize(problem.links));
+    if (one.owner == PlanOwner::run) add(one, 1);
   }
   return parts;
 }

@@ -412,6 +412,10 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const Solve
   response.energy = std::move(solution.energy);
   check_response(problem, solver, solution.checks, response);
   add_reversed(problem, solver, options, mirrored, response);
+  for (Index i = 0; i < 2; ++i) {
+    response.peak_ground_acceleration(i) =
+        peak_acceleration(problem.motions, {problem.axes(i, 0), problem.axes(i, 1)}).value_or(nothing);
+  }
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }

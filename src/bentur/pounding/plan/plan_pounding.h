@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "bentur/pounding/plan/plan_problem.h"
 #include "bentur/pounding/pounding.h"
 
@@ -77,6 +79,8 @@ struct PlanResponse {
   std::optional<Collapse> collapse_no_contact = {};  ///< of the response with contact switched off
   long steps = 0, events = 0;
   double wall_time = 0;  ///< of the solution alone [s]
+  /// Of the ground along x and along y as applied [length/s²]; NaN: not known, as peak_acceleration() of two has it.
+  Eigen::Vector2d peak_ground_acceleration = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::vector<PlanPeaks> buildings;
   std::vector<PlanPeaks> buildings_no_contact;  ///< the same with contact switched off
   std::vector<PointSummary> points;             ///< of all gaps, as their contacts

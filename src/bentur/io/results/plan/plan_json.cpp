@@ -246,6 +246,7 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
                {"buildings", std::move(buildings)},
                {"gaps", std::move(gaps)},
                {"impacts", std::move(impacts)}};
+  put_quantities(json, PlanOwner::run, run, {PlanPlace{}});
   for (std::size_t i = 0; i < run.problem.links.size(); ++i) json["links"].push_back(plan_link_json(run, i));
   if (run.response.collapse) json["collapse"] = plan_collapse_json(run, *run.response.collapse);
   if (run.response.collapse_no_contact) {

@@ -64,6 +64,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     for (Index b = 0; b < std::ssize(buildings); ++b) of_building(b);
     of_points();
     of_links();
+    quantities(PlanOwner::run, {}, {PlanPlace{}});
     of_impacts();
     energy();
   }
