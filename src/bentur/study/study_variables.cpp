@@ -95,7 +95,9 @@ class StudyList {
   void planes(std::size_t b) {
     const auto& all = facts_.plan->buildings[b].model.planes;
     planes_.push_back(plane_dimension(b, all.size()));
-    if (!all.empty()) add(plane_names(planes_.back(), facts_.plan->buildings[b]));
+    if (all.empty()) return;
+    add(plane_names(planes_.back(), facts_.plan->buildings[b]));
+    if (!facts_.planes_turn) add(plane_angles(planes_.back(), facts_.plan->buildings[b], b));
   }
 
   /// What varies, along its axis or run by run.

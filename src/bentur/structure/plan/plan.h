@@ -127,7 +127,8 @@ struct PlanModel {
     Eigen::MatrixXd shears;  ///< V_j of what stays elastic, storeys × dofs [force/length]
     std::vector<std::shared_ptr<const HystereticLaw>> laws;  ///< null: that storey stays elastic
     Hinges hinges = {};  ///< of a frame, over the dofs; `frame_rows` and its like over the sways of its floors
-    std::vector<double> bays = {};  ///< as PlanPlane's
+    std::vector<double> bays = {};                                                            ///< as PlanPlane's
+    [[nodiscard]] PlanPoint direction() const { return pushes.rightCols<1>().topRows<2>(); }  ///< of its line, length 1
   };
   std::vector<Plane> planes;
   /// A bearing as rows over the dofs: how far it is moved along x and y, and the forces of what stays elastic.

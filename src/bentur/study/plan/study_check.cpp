@@ -236,7 +236,11 @@ class Trial {
       return;
     }
     for (std::size_t b = 0; b < first.buildings.size(); ++b) {
-      facts_.floors_move |= first.buildings[b].model.elevations != problem.buildings[b].model.elevations;
+      const PlanModel &a = first.buildings[b].model, &other = problem.buildings[b].model;
+      facts_.floors_move |= a.elevations != other.elevations;
+      for (std::size_t p = 0; p < a.planes.size(); ++p) {
+        facts_.planes_turn |= a.planes[p].direction() != other.planes[p].direction();
+      }
     }
     for (Eigen::Index i = 0; i < contact_count(first); ++i) {
       const PlanContactPlace a = contact_at(first, i), b = contact_at(problem, i);

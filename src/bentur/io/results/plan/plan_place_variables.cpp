@@ -1,6 +1,8 @@
 // Where planes, gaps, contact points and links of a problem are.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "bentur/io/results/internal/variable_pass.h"
@@ -29,6 +31,20 @@ ResultVariable plane_names(const ResultDimension& planes, const PlanBuilding& bu
   for (const PlanModel::Plane& plane : building.model.planes) names.push_back(plane.name);
   return {planes.coordinates, {planes}, "", fmt::format("names of the planes of building \"{}\"", building.name), {},
           std::move(names)};
+}
+
+ResultVariable plane_angles(const ResultDimension& planes, const PlanBuilding& building, std::size_t number) {
+  std::vector<double> angles;
+  for (const PlanModel::Plane& plane : building.model.planes) {
+    const PlanPoint along = plane.direction();
+    angles.push_back(std::atan2(along.y(), along.x()) * 180 / std::numbers::pi);
+  }
+  return {fmt::format("plane_angle_{}", number + 1),
+          {planes},
+          "degree",
+          fmt::format("angle with x, counter-clockwise, of the planes of building \"{}\"", building.name),
+          {},
+          std::move(angles)};
 }
 
 namespace {

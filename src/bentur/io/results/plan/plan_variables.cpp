@@ -231,6 +231,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
       }
     } else {
       file_.tell(plane_names(planes, run_.problem.buildings[b]));
+      file_.tell(plane_angles(planes, run_.problem.buildings[b], b));
     }
     std::vector<PlanPlace> places;
     for (Index p = 0; p < std::ssize(all); ++p) {

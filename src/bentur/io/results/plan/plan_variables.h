@@ -22,9 +22,12 @@ namespace bentur {
 /// Where gaps and contact points of a problem are; their elevations and places where a unit of length is given.
 [[nodiscard]] PlaceVariables plan_place_variables(const PlanProblem& problem, const std::string& length,
                                                   const std::string& link_length);
-/// The planes of a building, which is number `building` of the case, from 0; and what they are called.
+/// The planes of a building, which is number `building` of the case, from 0; what they are called, and the direction of
+/// their lines.
 [[nodiscard]] ResultDimension plane_dimension(std::size_t building, std::size_t planes);
 [[nodiscard]] ResultVariable plane_names(const ResultDimension& planes, const PlanBuilding& building);
+[[nodiscard]] ResultVariable plane_angles(const ResultDimension& planes, const PlanBuilding& building,
+                                          std::size_t number);
 
 /// Whether a file is one of a run of buildings in plan, with histories.
 [[nodiscard]] bool is_plan_run(const ResultSource& source);
