@@ -169,6 +169,62 @@ print(json.dumps({"columns": ["-".join(c) for c in sample.columns], "rows": samp
                 self.assertAlmostEqual(value, other, delta=1e-12 * max(1, other))
 
 
+class PlanDemands(Exchange):
+    def test_are_those_of_single_runs_along_both_axes(self):
+        text = (SOURCE / "examples/plan/twisting-pair.toml").read_text()
+        text = text.replace("../../data/el-centro-1940-ns.csv", str(SOURCE / "data/el-centro-1940-ns.csv"))
+        west = '[[building.plane]]\nname = "west frame"'
+        self.assertIn(west, text)
+        text = text.replace(west, "yield_forces = [700, 500]\nhardening = 0.05\n\n" + west)  # of the north frame, along x
+        (self.folder / "case.toml").write_text(text)
+        study = self.study('case = "case.toml"\n[[vary]]\nparameter = "excitation.pga"\nvalues = [2.0, 4.0]\n')
+        self.bentur("sweep", study, "-o", self.folder / "sweep.nc")
+        pga = 'pga = 3.4'
+        self.assertIn(pga, text)
+        for building, place in (("Walled", 0), ("Frame", 1)):
+            made = self.bentur("export", "pelicun", self.folder / "sweep.nc", "--building", building)
+            head, units, *rows = list(csv.reader(made.stdout.splitlines()))
+            self.assertEqual(len(rows), 2)
+            for row, value in zip(rows, ("2.0", "4.0")):
+                (self.folder / "one.toml").write_text(text.replace(pga, "pga = " + value))
+                run = json.loads(self.bentur("run", self.folder / "one.toml", "--json").stdout)
+                told = run["buildings"][place]
+                expected = {}
+                for direction, axis, sides in ((1, "x", ("south", "north")), (2, "y", ("west", "east"))):
+                    expected[f"1-PFA-0-{direction}"] = run["excitation"][f"peak_ground_acceleration_{axis}"]
+                    planes = [one for one in told["planes"] if one["name"].startswith(sides)]
+                    for floor in range(2):
+                        expected[f"1-PFA-{floor + 1}-{direction}"] = told[f"peak_acceleration_{axis}"][floor]
+                        drifts = [one["peak_drift_ratio"][floor] for one in planes] or [
+                            told["peak_edge_drift_ratio"][side][floor] for side in sides]
+                        expected[f"1-PID-{floor + 1}-{direction}"] = max(drifts)
+                        left = [abs(one["residual_drift_ratio"][floor]) for one in planes if "residual_drift_ratio" in one]
+                        if left:
+                            expected[f"1-RID-{floor + 1}-{direction}"] = max(left)
+                self.assertEqual(set(head[1:-1]), set(expected))
+                self.assertEqual("1-RID-1-1" in expected, building == "Walled")
+                for name, number in zip(head[1:-1], row[1:-1]):
+                    self.assertEqual(float(number), expected[name], name)
+                self.assertEqual(row[-1], "0")
+            self.assertEqual(units[1:], ["mps2" if "PFA" in name else "unitless" for name in head[1:]])
+
+    def test_what_cannot_be_told_is_an_error(self):
+        text = (SOURCE / "examples/plan/twisting-pair.toml").read_text()
+        text = text.replace("../../data/el-centro-1940-ns.csv", str(SOURCE / "data/el-centro-1940-ns.csv"))
+        along_y = re.findall(r'\[\[building\.plane\]\]\nname = "(?:west|east) frame"\n(?:.+\n)+', text)
+        self.assertEqual(len(along_y), 2)
+        for plane in along_y:
+            text = text.replace(plane, "")
+        text = text.replace('[[building]]\nname = "Frame"',
+                            '[building.rigidity]\ncentre = [6, 9]\nx = 0\ny = 8e4\ntorsion = 0\n\n[[building]]\nname = "Frame"')
+        (self.folder / "case.toml").write_text(text)
+        study = self.study('case = "case.toml"\n[[vary]]\nparameter = "plan.contact.friction"\nvalues = [0.3]\n')
+        self.bentur("sweep", study, "-o", self.folder / "sweep.nc")
+        walled = ("export", "pelicun", self.folder / "sweep.nc", "--building", "Walled")
+        self.assertIn('has no drifts along y of building "Walled"', self.bentur(*walled, status=2).stderr)
+        self.assertIn('tidak punya simpangan sepanjang y dari bangunan "Walled"', self.bentur(*walled, "--lang", "id", status=2).stderr)
+
+
 class FragilityFunctions(Exchange):
     def test_give_back_median_and_dispersion(self):
         self.case()

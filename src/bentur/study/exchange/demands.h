@@ -24,7 +24,10 @@ struct DemandRequest {
 ///   1-RID-j-1    drift ratio left after unloading, its size, where storeys can yield [-]
 ///   1-ERROR      1 of a run that collapses or whose numbers failed: pelicun leaves it out of the sample
 ///
-/// A cell is empty where the number is not known. Direction 1 is that of the row of buildings.
+/// A cell is empty where the number is not known; a storey of which no run has a number, as of a slab on bearings, has
+/// no column. Direction 1 is that of the row of buildings. Of buildings in plan directions 1 and 2 are x and y: their
+/// floors' accelerations are those of the centres of mass, and drifts the largest of the planes whose lines are mostly
+/// along the axis (at 45 degrees both), or of a building without planes of the two edges parallel to it.
 /// Source: documentation of pelicun 3 (demand sample, event-type-location-direction).
 struct Demands {
   std::string csv;
