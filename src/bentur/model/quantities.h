@@ -15,8 +15,8 @@
 
 namespace bentur {
 
-/// What the values of a quantity belong to: one value for the run, or one each.
-enum class Owner { run, building, floor, point, gap, impact, link, hinge, column };
+/// What the values of a quantity belong to: one value for the run, or one each. Bearings are those of plans alone.
+enum class Owner { run, building, floor, point, gap, impact, link, hinge, column, bearing };
 
 /// The units in which people are told of a run: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);

@@ -16,7 +16,7 @@ struct RowPart {
   std::string name;   ///< file_name(), "peak_force"; of buildings and floors with their number, "peak_displacement_1"
   std::string units;  ///< as UDUNITS reads it; "1" where there is none
   std::string long_name;      ///< for a legend
-  Owner owner = Owner::run;   ///< one value, or one for each floor, hinge, point, gap or link
+  Owner owner = Owner::run;   ///< one value, or one for each floor, hinge, bearing, point, gap or link
   bool of_planes = false;     ///< of floors: for each plane in plan one for each floor above a storey of it
   Eigen::Index building = 0;  ///< where it is of one
   Eigen::Index count = 1;     ///< how many values
@@ -25,7 +25,8 @@ struct RowPart {
   const PlanQuantity* in_plan = nullptr;  ///< whose words `quantity` is, of buildings in plan
 
   [[nodiscard]] bool is_of_building() const {
-    return owner == Owner::floor || owner == Owner::building || owner == Owner::hinge || owner == Owner::column;
+    return owner == Owner::floor || owner == Owner::building || owner == Owner::hinge || owner == Owner::column ||
+           owner == Owner::bearing;
   }
 };
 

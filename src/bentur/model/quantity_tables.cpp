@@ -108,11 +108,12 @@ bool is_of_forces(const Quantity& quantity) {
 bool is_of_columns(const Quantity& quantity) { return std::holds_alternative<ColumnSource>(quantity.source); }
 
 std::string file_name(const Quantity& quantity) {
-  const std::string_view prefix = quantity.owner == Owner::link     ? "link_"
-                                  : quantity.owner == Owner::impact ? "impact_"
-                                  : quantity.owner == Owner::hinge  ? "hinge_"
-                                  : quantity.owner == Owner::column ? "breaking_column_"
-                                                                    : "";
+  const std::string_view prefix = quantity.owner == Owner::link      ? "link_"
+                                  : quantity.owner == Owner::impact  ? "impact_"
+                                  : quantity.owner == Owner::hinge   ? "hinge_"
+                                  : quantity.owner == Owner::column  ? "breaking_column_"
+                                  : quantity.owner == Owner::bearing ? "bearing_"
+                                                                     : "";
   return std::string(prefix) + std::string(quantity.key);
 }
 

@@ -220,7 +220,7 @@ std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions
   ReadPlan chosen = read_chosen_plan(study_, root_of(run), *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
   if (!same_places(chosen.problem, *facts_.plan)) {
-    throw NotACase("other numbers of floors, planes or contact points");
+    throw NotACase("other numbers of floors, planes, bearings or contact points");
   }
   options.limits = run_limits(chosen.c.analysis);
   options.levels = true;

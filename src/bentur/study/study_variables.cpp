@@ -71,6 +71,7 @@ class StudyList {
     if (facts_.plan) {
       for (const PlanBuilding& building : facts_.plan->buildings) floors(building.name, building.model.elevations);
       for (std::size_t b = 0; b < facts_.plan->buildings.size(); ++b) planes(b);
+      for (std::size_t b = 0; b < facts_.plan->buildings.size(); ++b) bearings(b);
       places_ = plan_place_variables(*facts_.plan, point_length, facts_.links_move ? "" : length);
     } else {
       for (const Building& building : facts_.problem.buildings) floors(building.name, building.model.elevations);
@@ -98,6 +99,16 @@ class StudyList {
     if (all.empty()) return;
     add(plane_names(planes_.back(), facts_.plan->buildings[b]));
     if (!facts_.planes_turn) add(plane_angles(planes_.back(), facts_.plan->buildings[b], b));
+  }
+
+  void bearings(std::size_t b) {
+    const PlanBuilding& building = facts_.plan->buildings[b];
+    const std::size_t count = building.model.bearings.size();
+    bearings_.push_back(bearing_dimension(b, count, !facts_.bearings_move));
+    if (count == 0 || facts_.bearings_move) return;
+    for (ResultVariable& one : bearing_places(bearings_.back(), building, b, udunit(facts_.units.length))) {
+      add(std::move(one));
+    }
   }
 
   /// What varies, along its axis or run by run.
@@ -183,6 +194,7 @@ class StudyList {
       variable.dimensions.push_back(
           {fmt::format("breaking_column_{}", part.building + 1), static_cast<std::size_t>(part.count)});
     }
+    if (part.owner == Owner::bearing) variable.dimensions.push_back(bearings_[part.building]);
     if (part.owner == Owner::gap) variable.dimensions.push_back(places_.gaps);
     if (part.owner == Owner::point) variable.dimensions.push_back(places_.points);
     if (part.owner == Owner::link) variable.dimensions.push_back(places_.links);
@@ -227,7 +239,7 @@ class StudyList {
   bool is_grid_;
   StudyFile file_;
   std::vector<std::string> buildings_;
-  std::vector<ResultDimension> floors_, planes_;  // of each building
+  std::vector<ResultDimension> floors_, planes_, bearings_;  // of each building
   PlaceVariables places_;
   std::string coordinates_;
 };

@@ -312,13 +312,13 @@ std::deque<Line> list() {
       {building, {"peak_rocking_y", Owner::building, "rad", "max |ψ_y|", "largest rocking of the foundation that moves what is above along y", {"Rocking y", "Guling y"}, {}, "/soil/peak_rocking_y", "mrad", 1e3}, of_foundation(3), known},
       {building, {"peak_twist", Owner::building, "rad", "max |θ_b|", "largest twist of the foundation about the vertical", {"Twist", "Puntir"}, {}, "/soil/peak_twist", "mrad", 1e3}, of_foundation(4), known},
       // Bearings below a slab.
-      {bearing, {"peak_displacement_x", of, "L", "max |Δ_x|", "largest displacement of the bearing along x", {"Along x", "Sepanjang x"}, {}}, of_bearings(&PlanPeaks::Bearings::x)},
-      {bearing, {"peak_displacement_y", of, "L", "max |Δ_y|", "largest displacement of the bearing along y", {"Along y", "Sepanjang y"}, {}}, of_bearings(&PlanPeaks::Bearings::y)},
-      {bearing, {"peak_force_x", of, "F", "max |F_x|", "largest force of the bearing along x, without its dashpot", {"Force x", "Gaya x"}, {}}, of_bearings(&PlanPeaks::Bearings::force_x)},
-      {bearing, {"peak_force_y", of, "F", "max |F_y|", "largest force of the bearing along y, without its dashpot", {"Force y", "Gaya y"}, {}}, of_bearings(&PlanPeaks::Bearings::force_y)},
-      {bearing, {"residual_x", of, "L", "|Δ_x,r|", "displacement along x at the end at which the bearing would rest without force", {"Residual x", "Sisa x"}, {}}, of_bearings(&PlanPeaks::Bearings::residual_x, true), known},
-      {bearing, {"residual_y", of, "L", "|Δ_y,r|", "displacement along y at the end at which the bearing would rest without force", {"Residual y", "Sisa y"}, {}}, of_bearings(&PlanPeaks::Bearings::residual_y, true), known},
-      {bearing, {"hysteretic_energy", of, "F L", "E_h", "energy that the bearing dissipated by yielding along x and y", {"Dissipated", "Diserap"}, {}}, of_bearings(&PlanPeaks::Bearings::hysteretic_energy, true), known},
+      {bearing, {"peak_displacement_x", Owner::bearing, "L", "max |Δ_x|", "largest displacement of the bearing along x", {"Along x", "Sepanjang x"}, {}}, of_bearings(&PlanPeaks::Bearings::x)},
+      {bearing, {"peak_displacement_y", Owner::bearing, "L", "max |Δ_y|", "largest displacement of the bearing along y", {"Along y", "Sepanjang y"}, {}}, of_bearings(&PlanPeaks::Bearings::y)},
+      {bearing, {"peak_force_x", Owner::bearing, "F", "max |F_x|", "largest force of the bearing along x, without its dashpot", {"Force x", "Gaya x"}, {}}, of_bearings(&PlanPeaks::Bearings::force_x)},
+      {bearing, {"peak_force_y", Owner::bearing, "F", "max |F_y|", "largest force of the bearing along y, without its dashpot", {"Force y", "Gaya y"}, {}}, of_bearings(&PlanPeaks::Bearings::force_y)},
+      {bearing, {"residual_x", Owner::bearing, "L", "|Δ_x,r|", "displacement along x at the end at which the bearing would rest without force", {"Residual x", "Sisa x"}, {}}, of_bearings(&PlanPeaks::Bearings::residual_x, true), known},
+      {bearing, {"residual_y", Owner::bearing, "L", "|Δ_y,r|", "displacement along y at the end at which the bearing would rest without force", {"Residual y", "Sisa y"}, {}}, of_bearings(&PlanPeaks::Bearings::residual_y, true), known},
+      {bearing, {"hysteretic_energy", Owner::bearing, "F L", "E_h", "energy that the bearing dissipated by yielding along x and y", {"Dissipated", "Diserap"}, {}}, of_bearings(&PlanPeaks::Bearings::hysteretic_energy, true), known},
   };
   for (const Quantity* const quantity : quantities_of(Owner::hinge)) {
     all.push_back({PlanOwner::hinge, *quantity, of_row_frame(*quantity), is_of_weakening(*quantity) ? lossy : PlanQuantity::When::always});

@@ -30,6 +30,11 @@ bool loses_strength(const PlanBuilding& building) {
   });
 }
 
+bool bearings_yield(const PlanBuilding& building) {
+  return std::any_of(building.model.bearings.begin(), building.model.bearings.end(),
+                     [](const PlanModel::Bearing& bearing) { return bearing.law != nullptr; });
+}
+
 bool rubs(const PlanProblem& problem) {
   return std::any_of(problem.gaps.begin(), problem.gaps.end(), [](const PlanGap& gap) {
     return std::any_of(gap.contacts.begin(), gap.contacts.end(),
@@ -55,6 +60,7 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
       if (owner == PlanOwner::floor) return floors;
       if (owner == PlanOwner::plane) return planes * floors;
       if (owner == PlanOwner::building) return building.model.soil ? 1 : 0;  // of foundations alone
+      if (owner == PlanOwner::bearing) return std::ssize(building.model.bearings);
       if (owner == PlanOwner::hinge) return hinges;
       return owner == PlanOwner::column ? columns : 0;
     };
@@ -66,6 +72,8 @@ std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units) {
       const bool of_planes = one.owner == PlanOwner::plane;
       const bool of_residuals = one.told.key == "residual_drift_ratio" && has_hinges(building);
       if (of_planes && one.when == When::where_known && !yields(building) && !of_residuals) continue;
+      const bool of_yield = one.owner == PlanOwner::bearing && one.when == When::where_known;
+      if (of_yield && !bearings_yield(building)) continue;
       const bool weakens = of_planes ? loses_strength(building) : hinges_weaken(building);
       if (one.when == When::where_strength_goes && !weakens) continue;
       RowPart& part = add(one, count_of(one.owner));
@@ -93,8 +101,9 @@ bool same_places(const PlanProblem& a, const PlanProblem& b) {
   const auto alike = [&](const PlanBuilding& x, const PlanBuilding& y) {
     return x.model.floors() == y.model.floors() && x.model.planes.size() == y.model.planes.size() &&
            x.is_rigid() == y.is_rigid() && x.model.soil.has_value() == y.model.soil.has_value() &&
-           x.model.slab.has_value() == y.model.slab.has_value() && yields(x) == yields(y) &&
-           loses_strength(x) == loses_strength(y) && hinges_weaken(x) == hinges_weaken(y) &&
+           x.model.slab.has_value() == y.model.slab.has_value() && x.model.bearings.size() == y.model.bearings.size() &&
+           bearings_yield(x) == bearings_yield(y) && yields(x) == yields(y) && loses_strength(x) == loses_strength(y) &&
+           hinges_weaken(x) == hinges_weaken(y) &&
            std::equal(x.model.planes.begin(), x.model.planes.end(), y.model.planes.begin(), same_hinges);
   };
   const auto same_gap = [](const PlanGap& x, const PlanGap& y) {
@@ -113,9 +122,11 @@ void fill_row(const std::vector<RowPart>& parts, const PlanRun& run, std::span<d
   for (const RowPart& part : parts) {
     const PlanOwner owner = part.in_plan->owner;
     const Index floors = part.is_of_building() ? run.problem.buildings[part.building].model.floors() : 1;
-    if (owner == PlanOwner::hinge || owner == PlanOwner::column) {
+    if (owner == PlanOwner::hinge || owner == PlanOwner::column || owner == PlanOwner::bearing) {
       const std::vector<PlanPlace> places = owner == PlanOwner::hinge ? hinges_of(run.problem, part.building)
-                                                                      : breaking_columns_of(run.problem, part.building);
+                                            : owner == PlanOwner::column
+                                                ? breaking_columns_of(run.problem, part.building)
+                                                : bearings_of(run.problem, part.building);
       for (Index i = 0; i < part.count; ++i) row[part.first + i] = part.in_plan->value(run, places[i]);
       continue;
     }

@@ -13,8 +13,9 @@ namespace bentur {
 /// planes after their floors.
 [[nodiscard]] std::vector<RowPart> row_parts(const PlanProblem& problem, const Units& units);
 
-/// Whether floors, planes, hinges, contacts, gaps and links of two problems are as many, the same buildings are walls
-/// or stand on soil, and the same planes can yield, so that their rows are alike.
+/// Whether floors, planes, hinges, bearings, contacts, gaps and links of two problems are as many, the same buildings
+/// are walls or stand on soil, and the same planes and some of the same building's bearings can yield, so that their
+/// rows are alike.
 [[nodiscard]] bool same_places(const PlanProblem& a, const PlanProblem& b);
 
 /// Fills `row` with the values of one run; what does not exist is NaN.

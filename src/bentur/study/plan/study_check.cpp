@@ -230,8 +230,8 @@ class Trial {
     const PlanProblem& first = *facts_.plan;
     if (!same_places(first, problem)) {
       because_of(axis, choices,
-                 "which buildings meet, the numbers of floors, planes and contact points, and which of them can yield "
-                 "or rub, must be the same in all runs");
+                 "which buildings meet, the numbers of floors, planes, bearings and contact points, and which of them "
+                 "can yield or rub, must be the same in all runs");
       ++errors_;
       return;
     }
@@ -240,6 +240,9 @@ class Trial {
       facts_.floors_move |= a.elevations != other.elevations;
       for (std::size_t p = 0; p < a.planes.size(); ++p) {
         facts_.planes_turn |= a.planes[p].direction() != other.planes[p].direction();
+      }
+      for (std::size_t n = 0; n < a.bearings.size(); ++n) {
+        facts_.bearings_move |= a.footprint.corner + a.bearings[n].at != other.footprint.corner + other.bearings[n].at;
       }
     }
     for (Eigen::Index i = 0; i < contact_count(first); ++i) {

@@ -28,6 +28,7 @@ struct StudyFacts {
   bool floors_move = false;                    ///< elevations of floors differ between runs
   bool points_move = false;                    ///< places of contact points differ between runs
   bool links_move = false;                     ///< elevations of links do
+  bool bearings_move = false;                  ///< places of bearings do
   bool planes_turn = false;                    ///< directions of planes do
   RecordIntensities intensities;               ///< with [ida]
 };

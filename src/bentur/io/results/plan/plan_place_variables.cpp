@@ -47,6 +47,30 @@ ResultVariable plane_angles(const ResultDimension& planes, const PlanBuilding& b
           std::move(angles)};
 }
 
+ResultDimension bearing_dimension(std::size_t building, std::size_t bearings, bool stand_still) {
+  return {fmt::format("bearing_{}", building + 1), bearings,
+          stand_still ? fmt::format("bearing_x_{0} bearing_y_{0}", building + 1) : ""};
+}
+
+std::vector<ResultVariable> bearing_places(const ResultDimension& bearings, const PlanBuilding& building,
+                                           std::size_t number, const std::string& length) {
+  std::vector<ResultVariable> places;
+  for (const Index i : {0, 1}) {
+    std::vector<double> values;
+    for (const PlanModel::Bearing& one : building.model.bearings) {
+      values.push_back(building.model.footprint.corner(i) + one.at(i));
+    }
+    const char axis = i == 0 ? 'x' : 'y';
+    places.push_back({fmt::format("bearing_{}_{}", axis, number + 1),
+                      {bearings},
+                      length,
+                      fmt::format("{} of the bearings of building \"{}\"", axis, building.name),
+                      {},
+                      std::move(values)});
+  }
+  return places;
+}
+
 namespace {
 
 /// Which buildings the links join, along which coordinate, and where. @param length empty: they have no place

@@ -150,19 +150,15 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     const PlanModel& model = run_.problem.buildings[b].model;
     const auto count = static_cast<Index>(model.bearings.size());
     if (count == 0) return;
-    const ResultDimension bearing = file_.dimension({"bearing" + number, model.bearings.size()});
+    const ResultDimension bearing = file_.dimension(bearing_dimension(b, model.bearings.size(), true));
     if constexpr (reads) {
       if (bearing.size != model.bearings.size()) file_.source.fail("is not of this case");
     } else {
-      std::vector<double> x, y;
-      for (const PlanModel::Bearing& one : model.bearings) {
-        x.push_back(model.footprint.corner.x() + one.at.x());
-        y.push_back(model.footprint.corner.y() + one.at.y());
+      for (ResultVariable& one : bearing_places(bearing, run_.problem.buildings[b], b, length_)) {
+        file_.tell(std::move(one));
       }
-      made({"bearing_x" + number, {bearing}, length_, "x of the bearings of " + owner}, x);
-      made({"bearing_y" + number, {bearing}, length_, "y of the bearings of " + owner}, y);
     }
-    quantities(PlanOwner::bearing, {bearing}, bearings_of(run_.problem, b), "bearing_", number, " of " + owner);
+    quantities(PlanOwner::bearing, {bearing}, bearings_of(run_.problem, b), "", number, " of " + owner);
     if (time_.size == 0) return;
     if constexpr (reads) list[b].resize(4 * count, static_cast<Index>(time_.size));
     const auto rows = [&](Index first, const char* name, const std::string& units, const char* what) {

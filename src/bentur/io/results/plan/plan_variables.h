@@ -29,6 +29,11 @@ namespace bentur {
 [[nodiscard]] ResultVariable plane_angles(const ResultDimension& planes, const PlanBuilding& building,
                                           std::size_t number);
 
+/// The bearings below a building, which have a place where they `stand_still`; and where they are.
+[[nodiscard]] ResultDimension bearing_dimension(std::size_t building, std::size_t bearings, bool stand_still);
+[[nodiscard]] std::vector<ResultVariable> bearing_places(const ResultDimension& bearings, const PlanBuilding& building,
+                                                         std::size_t number, const std::string& length);
+
 /// Whether a file is one of a run of buildings in plan, with histories.
 [[nodiscard]] bool is_plan_run(const ResultSource& source);
 
