@@ -131,6 +131,30 @@ void let_push(const std::vector<ModalSystem::Block>& blocks, Index components, M
   if (relation.right_size > 0) relation.right_push.segment(blocks[relation.right].modes, components).setZero();
 }
 
+/// ModalSystem::coupling. An element feels nothing of one between two other bodies.
+MatrixXd couplings(const ModalSystem& system) {
+  const auto& elements = system.elements;
+  const Index count = std::ssize(elements);
+  std::vector<std::vector<Index>> of_body(system.blocks.size());
+  for (Index i = 0; i < count; ++i) {
+    const ModalSystem::Relation& at = elements[i].relation;
+    of_body[at.left].push_back(i);
+    if (at.right != at.left) of_body[at.right].push_back(i);
+  }
+  MatrixXd coupling = MatrixXd::Zero(count, count);
+  VectorXd pushed = VectorXd::Zero(system.size);
+  for (Index i = 0; i < count; ++i) {
+    const ModalSystem::Relation& at = elements[i].relation;
+    system.push(i, -1.0, pushed);
+    for (const Index body : {at.left, at.right}) {
+      for (const Index j : of_body[body]) coupling(i, j) = elements[j].relation.along(pushed);
+    }
+    pushed.segment(at.left_begin, at.left_size).setZero();
+    pushed.segment(at.right_begin, at.right_size).setZero();
+  }
+  return coupling;
+}
+
 }  // namespace
 
 void ModalSystem::Block::Group::evaluate(const Coordinates& q, const Coordinates& v, const Coordinates& a,
@@ -230,13 +254,7 @@ ModalSystem::ModalSystem(const System& of) {
   ground_counts =
       std::any_of(elements.begin(), elements.end(), [&](const auto& e) { return has_ground(e.relation); }) ||
       std::any_of(watched.begin(), watched.end(), has_ground);
-  const Index count = std::ssize(elements);
-  coupling = MatrixXd::Zero(count, count);
-  for (Index i = 0; i < count; ++i) {
-    VectorXd pushed = VectorXd::Zero(size);
-    push(i, -1.0, pushed);
-    for (Index j = 0; j < count; ++j) coupling(i, j) = elements[j].relation.along(pushed);
-  }
+  coupling = couplings(*this);
 }
 
 double ModalSystem::rate(const ElementForces& forces) const {

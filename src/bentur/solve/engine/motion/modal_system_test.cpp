@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 
+#include "tests/support/random_yielding.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::engine {
@@ -67,6 +68,25 @@ TEST(ModalSystem, WhatSoftensWithinTheStiffnessThatIsThereDoesNotRaiseTheRate) {
   EXPECT_EQ(system.rate(forces), system.rate({}));
   forces.linear[1].stiffness = 50;
   EXPECT_GT(system.rate(forces), system.rate({}));
+}
+
+// Against all pairs, one after the other: rows of two to four buildings with links and storeys that yield.
+TEST(ModalSystem, ElementsOfOtherBodiesAreNotCoupled) {
+  int coupled = 0, apart = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const ModalSystem system(system_of(test::YieldingGenerator(seed).make().problem));
+    for (Eigen::Index i = 0; i < std::ssize(system.elements); ++i) {
+      Eigen::VectorXd pushed = Eigen::VectorXd::Zero(system.size);
+      system.push(i, -1.0, pushed);
+      for (Eigen::Index j = 0; j < std::ssize(system.elements); ++j) {
+        const double expected = system.elements[j].relation.along(pushed);
+        EXPECT_EQ(system.coupling(i, j), expected);
+        ++(expected == 0.0 ? apart : coupled);
+      }
+    }
+  }
+  EXPECT_GT(coupled, 100);
+  EXPECT_GT(apart, 100);
 }
 
 TEST(ModalSystem, GroundHasNoPartInTheSpeedOfTheBuildings) {
