@@ -45,6 +45,15 @@ RelationGroup& GuardMonitor::group_of(Index element) {
   return *std::prev(after);
 }
 
+std::pair<std::size_t, std::size_t> GuardMonitor::groups_of(Index first, Index end) const {
+  const auto from = [this](Index element) {
+    const auto found = std::lower_bound(groups_.begin(), groups_.end(), element,
+                                        [](const RelationGroup& group, Index i) { return group.first < i; });
+    return static_cast<std::size_t>(found - groups_.begin());
+  };
+  return {from(first), from(end)};
+}
+
 bool GuardMonitor::enter(Index i, const Branch& branch) {
   const Sides sides = sides_of(branch);
   const bool endless = branch.guard_count == 0;
@@ -91,16 +100,15 @@ void GuardMonitor::limit(std::size_t g) {
 Index GuardMonitor::quiet(const StepBuffer& buffer, Index count, Index from, Index end) {
   const Index first = buffer.size();
   if (count == 1) return look(buffer.q(first), buffer.q(first + 1), buffer.rise(first), from, end) ? 1 : 0;
-  const auto asked = [&](const RelationGroup& group) { return group.first >= from && group.first < end; };
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
+  const auto [asked, after] = groups_of(from, end);
+  for (std::size_t g = asked; g < after; ++g) {
     RelationGroup& group = groups_[g];
-    if (!asked(group)) continue;
     limit(g);
     group.rows.compare(count, buffer.q(first) + group.begin, buffer.rise(first) + group.begin, stride_);
   }
   for (Index n = 0; n < count; ++n) {
     bool quiet = true;
-    for (const RelationGroup& group : groups_) quiet = quiet && (!asked(group) || group.rows.share(n) < 1.0);
+    for (std::size_t g = asked; g < after; ++g) quiet = quiet && groups_[g].rows.share(n) < 1.0;
     if (!quiet && !look(buffer.q(first + n), buffer.q(first + n + 1), buffer.rise(first + n), from, end)) return n;
   }
   return count;
@@ -108,8 +116,9 @@ Index GuardMonitor::quiet(const StepBuffer& buffer, Index count, Index from, Ind
 
 bool GuardMonitor::look(const double* q, const double* q_end, const double* rise, Index from, Index end) {
   bool all = true;
-  for (RelationGroup& group : groups_) {
-    if (group.first < from || group.first >= end) continue;
+  const auto [asked, after] = groups_of(from, end);
+  for (std::size_t g = asked; g < after; ++g) {
+    RelationGroup& group = groups_[g];
     (void)group.look(q, q_end, rise);
     for (Index n = 0; n < group.count; ++n) {
       const Index i = group.first + n;

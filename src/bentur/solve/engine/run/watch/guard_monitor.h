@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "bentur/elements/law.h"
@@ -38,6 +39,8 @@ class GuardMonitor {
   enum class Sides { none, upper, lower, both };
   [[nodiscard]] static Sides sides_of(const Branch& branch);
   [[nodiscard]] RelationGroup& group_of(Eigen::Index element);
+  /// Those that begin with one of the elements [first, end), as [first, end) too.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> groups_of(Eigen::Index first, Eigen::Index end) const;
   void limit(std::size_t group);
 
   std::vector<RelationGroup> groups_;
