@@ -8,32 +8,59 @@
 namespace bentur::engine {
 namespace {
 
+using Eigen::Index;
+
+constexpr Index four = 4;  // rows that stand side by side
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+Index FreeRun::Side::place(const Eigen::Ref<const Eigen::MatrixXd>& of) {
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(four, rows.cols());
+  whole.topRows(of.rows()) = of;
+  for (Index at = 0; at < rows.rows(); at += four) {
+    const auto same = [&](Index n) { return rows.row(at + n) == whole.row(n) || rows.row(at + n) == -whole.row(n); };
+    if (same(0) && same(1) && same(2) && same(3)) return at;
+  }
+  rows.conservativeResize(rows.rows() + four, Eigen::NoChange);
+  rows.bottomRows(four) = whole;
+  return rows.rows() - four;
+}
+
 FreeRun::FreeRun(const Setup& setup) : Run(setup, setup.system.switched, {}, setup.system.watched_free) {
   for (const Reach& nearest : idle().nearest()) result_.reaches.push_back({{0, nearest.reach}});
   result_.speeds.resize(result_.reaches.size(), 0.0);
+  for (const ModalSystem::Block& block : system_.blocks) sides_.emplace_back(block);
   for (const RelationGroup& group : idle().groups()) {
-    const auto of = [&](Eigen::Index n) -> const ModalSystem::Relation& {
-      return system_.elements[system_.opening(group.first + n)].relation;
-    };
-    Eigen::MatrixXd left(group.count, of(0).left_size);
-    Eigen::MatrixXd right(group.count, of(0).right_size);
-    for (Eigen::Index n = 0; n < group.count; ++n) {
-      left.row(n) = of(n).left_row;
-      right.row(n) = of(n).right_row;
-    }
-    const auto sizes = [](const Eigen::MatrixXd& rows) {
-      return BoundedOutputs(rows, rows.cols(), kernels::Peaks::of_abs);
-    };
-    sides_.push_back({group.first, group.count, of(0).left_begin, of(0).right_begin, sizes(left), sizes(right)});
+    for (Index first = 0; first < group.count; first += four)
+      add_meeting(group.first + first, std::min(four, group.count - first));
   }
+  for (Side& side : sides_) {
+    if (side.rows.rows() > 0) side.sizes.emplace(side.rows, side.rows.cols(), kernels::Peaks::of_abs);
+  }
+  no_side_.setZero(four * (StepBuffer::most + 1));
+}
+
+/// Of points between the same bodies.
+void FreeRun::add_meeting(Index first, Index count) {
+  const auto of = [&](Index n) -> const ModalSystem::Relation& {
+    return system_.elements[system_.opening(first + n)].relation;
+  };
+  const bool alone = of(0).right_size == 0;
+  Meeting meeting{.first = first, .count = count, .left = of(0).left, .right = alone ? -1 : of(0).right};
+  Eigen::MatrixXd left(count, of(0).left_size);
+  Eigen::MatrixXd right(count, of(0).right_size);
+  for (Index n = 0; n < count; ++n) {
+    left.row(n) = of(n).left_row;
+    right.row(n) = of(n).right_row;
+  }
+  meeting.left_at = sides_[meeting.left].place(left);
+  if (!alone) meeting.right_at = sides_[meeting.right].place(right);
+  meetings_.push_back(meeting);
 }
 
 /// How far a point reaches in a segment; a reach that is no number may be any.
-void FreeRun::note(Eigen::Index i, long segment, double reach) {
+void FreeRun::note(Index i, long segment, double reach) {
   auto& reaches = result_.reaches[i];
   if (reach <= reaches.back().reach) return;
   if (std::isnan(reach)) reach = unbounded;
@@ -42,32 +69,39 @@ void FreeRun::note(Eigen::Index i, long segment, double reach) {
 }
 
 /// At `count` ends of steps only, whose speeds follow one another: what it is for needs no more.
-void FreeRun::note_speeds(const double* v, Eigen::Index count) {
-  for (Sides& sides : sides_) {
-    sides.left.take_ends(count - 1, v + sides.left_begin, system_.size);
-    sides.right.take_ends(count - 1, v + sides.right_begin, system_.size);
-    for (Eigen::Index n = 0; n < sides.count; ++n) {
-      double& largest = result_.speeds[sides.first + n];
-      for (Eigen::Index i = 0; i < count; ++i) {
-        largest = std::max(largest, sides.left.end_value(n, i) + sides.right.end_value(n, i));
-      }
-    }
+void FreeRun::note_speeds(const double* v, Index count) {
+  for (Side& side : sides_) {
+    if (side.sizes) side.sizes->take_ends(count - 1, v + side.begin, system_.size);
+  }
+  for (Meeting& meeting : meetings_) {
+    const double* right = meeting.right < 0 ? no_side_.data() : sides_[meeting.right].sizes->values(meeting.right_at);
+    kernels::raise_sums(count, sides_[meeting.left].sizes->values(meeting.left_at), right, meeting.speeds.data());
   }
 }
 
 /// Notes how far the points reach in all steps of a buffer that has been taken in.
 void FreeRun::note_reaches(const RelationGroup& group, const StepBuffer& buffer) {
-  for (Eigen::Index n = 0; n < group.count; ++n) {
-    const double needed = group.rows.peak(n);
-    const auto& reaches = result_.reaches[group.first + n];
-    for (Eigen::Index step = 0; step < buffer.size(); ++step) {
-      // What rises in between as a part of the gap needed. Where that is none, of this point or of another one of the
-      // group, no part of it says anything.
-      double beyond = group.rows.between(step) * needed;
-      if (!std::isfinite(beyond)) beyond = group.rows.rise(n, buffer.rise(step) + group.begin);
-      const double reach = group.rows.larger_value(n, step) + beyond;
-      if (!(reach <= reaches.back().reach)) note(group.first + n, buffer.step(step).segment, reach);
+  for (Index first = 0; first < group.count; first += four) {
+    const Index end = std::min(first + four, group.count);
+    Eigen::Vector4d known = Eigen::Vector4d::Zero();
+    for (Index step = 0;; ++step) {
+      for (Index n = first; n < end; ++n) known(n - first) = result_.reaches[group.first + n].back().reach;
+      step = kernels::first_beyond(step, buffer.size(), group.rows.values(first), group.rows.betweens(),
+                                   group.rows.peak.data() + first, known.data());
+      if (step == buffer.size()) break;
+      for (Index n = first; n < end; ++n) note_reach(group, n, buffer, step);
     }
+  }
+}
+
+void FreeRun::note_reach(const RelationGroup& group, Index n, const StepBuffer& buffer, Index step) {
+  // What rises in between as a part of the gap needed. Where that is none, of this point or of another one of the
+  // group, no part of it says anything.
+  double beyond = group.rows.between(step) * group.rows.peak(n);
+  if (!std::isfinite(beyond)) beyond = group.rows.rise(n, buffer.rise(step) + group.begin);
+  const double reach = group.rows.larger_value(n, step) + beyond;
+  if (!(reach <= result_.reaches[group.first + n].back().reach)) {
+    note(group.first + n, buffer.step(step).segment, reach);
   }
 }
 
@@ -81,10 +115,13 @@ void FreeRun::take_buffer(const StepBuffer& buffer) {
 void FreeRun::approximated() {
   note_speeds(state_.v.data(), 1);
   note_speeds(next_.v.data(), 1);
-  for (Eigen::Index i = 0; i < std::ssize(result_.reaches); ++i) note(i, segment(), idle().nearest()[i].reach);
+  for (Index i = 0; i < std::ssize(result_.reaches); ++i) note(i, segment(), idle().nearest()[i].reach);
 }
 
 FreeResult FreeRun::take_result() {
+  for (const Meeting& meeting : meetings_) {
+    for (Index n = 0; n < meeting.count; ++n) result_.speeds[meeting.first + n] = meeting.speeds(n);
+  }
   for (const Reach& nearest : idle().nearest()) result_.needed.push_back(nearest.reach);
   return std::move(result_);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bentur/solve/engine/run/run.h"
@@ -38,16 +39,32 @@ class FreeRun final : public Run {
   void note(Eigen::Index point, long segment, double reach);
   void note_speeds(const double* v, Eigen::Index count);
   void note_reaches(const RelationGroup& group, const StepBuffer& buffer);
+  void note_reach(const RelationGroup& group, Eigen::Index point, const StepBuffer& buffer, Eigen::Index step);
+  void add_meeting(Eigen::Index first, Eigen::Index count);
 
-  /// Both sides of points between the same bodies, as rows over their coordinates.
-  struct Sides {
-    Eigen::Index first = 0, count = 0;  ///< points
-    Eigen::Index left_begin = 0, right_begin = 0;
-    BoundedOutputs left, right;
+  /// Rows of points over the coordinates of a body on one side of them, in fours that differ by more than signs: what
+  /// several of its neighbours meet is told once.
+  struct Side {
+    explicit Side(const ModalSystem::Block& block) : begin(block.begin), rows(0, block.moving_size) {}
+    /// Where the four are that these rows are the first of; they are added where there are none.
+    Eigen::Index place(const Eigen::Ref<const Eigen::MatrixXd>& of);
+
+    Eigen::Index begin = 0;
+    Eigen::MatrixXd rows;
+    std::optional<BoundedOutputs> sizes;
+  };
+  /// Four points from `first` on, of which only `count` are some, and where their rows are.
+  struct Meeting {
+    Eigen::Index first = 0, count = 0;
+    Eigen::Index left = 0, right = 0;  ///< bodies; no right one: −1
+    Eigen::Index left_at = 0, right_at = 0;
+    Eigen::Vector4d speeds = Eigen::Vector4d::Zero();  ///< largest so far
   };
 
   FreeResult result_;
-  std::vector<Sides> sides_;
+  std::vector<Side> sides_;  ///< per body
+  std::vector<Meeting> meetings_;
+  Eigen::VectorXd no_side_;  ///< values of one that is not there
 };
 
 }  // namespace bentur::engine

@@ -95,6 +95,59 @@ TEST(Shortcuts, TheSpeedsOfPointsAreThoseOfTheirFloors) {
   }
 }
 
+// What two buildings need and how fast they come to each other is the same in a row as alone, where no side is shared:
+// to the bit, as they fly by themselves.
+TEST(Shortcuts, SidesThatSeveralGapsShareTellEachTheSame) {
+  std::vector<Building> buildings;
+  for (unsigned b = 0; b < 4; ++b) {
+    const Eigen::MatrixXd mass =
+        Eigen::Map<const Eigen::VectorXd>(random_numbers(6, b).data(), 6).cwiseAbs().asDiagonal();
+    const Eigen::MatrixXd any = Eigen::Map<const Eigen::MatrixXd>(random_numbers(36, 10 + b).data(), 6, 6);
+    const Eigen::MatrixXd stiffness = 300 * any * any.transpose();
+    buildings.push_back(matrix_building(mass + 0.1 * Eigen::MatrixXd::Identity(6, 6), stiffness, 0.01 * stiffness));
+  }
+  // Of four points at a time the first ones are alike, and then some or none of the others.
+  const std::vector<std::vector<int>> floors{{0, 1, 2, 3, 4, 5}, {0, 1, 2, 5, 4, 3}, {0, 1, 2, 5, 4}};
+  const SampledMotion motion{0.02, random_numbers(400, 5)};
+  const auto free_result = [&](const Problem& problem) {
+    const Ready ready(problem);
+    engine::FreeRun run(ready.setup());
+    EXPECT_EQ(run.to_end({}), Status::done);
+    return run.take_result();
+  };
+  Problem row = pair(buildings[0], buildings[1], {}, 8);
+  for (std::size_t b = 2; b < 4; ++b) {
+    row.buildings.push_back(buildings[b]);
+    row.delays.push_back(0.0);
+    row.initial_displacement.push_back(Eigen::VectorXd::Zero(6));
+    row.initial_velocity.push_back(Eigen::VectorXd::Zero(6));
+  }
+  row.motion = motion;
+  for (int left = 0; left < 3; ++left) {
+    for (const int floor : floors[left]) row.points.push_back(contact(9, 1, floor, left));
+  }
+  const engine::FreeResult together = free_result(row);
+  std::size_t point = 0;
+  for (std::size_t left = 0; left < 3; ++left) {
+    std::vector<ContactPoint> points;
+    for (const int floor : floors[left]) points.push_back(contact(9, 1, floor));
+    Problem two = pair(buildings[left], buildings[left + 1], points, 8);
+    two.motion = motion;
+    const engine::FreeResult alone = free_result(two);
+    for (std::size_t n = 0; n < points.size(); ++n, ++point) {
+      SCOPED_TRACE(point);
+      EXPECT_GT(alone.speeds[n], 0.0);
+      EXPECT_EQ(together.speeds[point], alone.speeds[n]);
+      EXPECT_NEAR(together.needed[point], alone.needed[n], 1e-14 * alone.needed[n]);
+      ASSERT_EQ(together.reaches[point].size(), alone.reaches[n].size());
+      for (std::size_t i = 0; i < alone.reaches[n].size(); ++i) {
+        EXPECT_EQ(together.reaches[point][i].segment, alone.reaches[n][i].segment);
+        EXPECT_EQ(together.reaches[point][i].reach, alone.reaches[n][i].reach);
+      }
+    }
+  }
+}
+
 // Like buildings that move alike need no gap, which nothing is looked into for; with another start, delay or neighbour
 // they do, as those that differ by a part in 10¹² and are looked into all the way.
 TEST(Shortcuts, TwinsNeedAGapWhereTheyMoveApart) {

@@ -288,6 +288,28 @@ void raise_peaks(Peaks of, const PackedRows& rows, const double* offset, Index c
 }
 
 BENTUR_FOR_ALL_PROCESSORS
+void raise_sums(Index count, const double* values, const double* others, double* largest) {
+  Four high = load(largest);
+  for (Index n = 0; n < four * count; n += four) high = max(load(values + n) + load(others + n), high);
+  store(largest, high);
+}
+
+BENTUR_FOR_ALL_PROCESSORS
+Index first_beyond(Index step, Index count, const double* values, const double* between, const double* of,
+                   const double* known) {
+  const Four part = load(of);
+  const Four most = load(known);
+  const auto below = [&](Index n, Four beyond) __attribute__((always_inline)) -> Bits {
+    return load(values + four * n) + beyond <= most;  // not what cannot be compared
+  };
+  for (; step < count; ++step) {
+    const Four beyond = all(between[step]) * part;
+    if (!every(below(step, beyond) & below(step + 1, beyond))) break;
+  }
+  return step;
+}
+
+BENTUR_FOR_ALL_PROCESSORS
 void largest_shares(Index n, Index count, const double* values, const double* inverse, double* share) {
   const auto most = [&](Index i) __attribute__((always_inline)) {
     Four result = all(0.0);

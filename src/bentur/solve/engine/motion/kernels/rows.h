@@ -97,6 +97,15 @@ bool reach_of_samples(const PackedRows& weights, const double* offset, int count
 void raise_peaks(Peaks of, const PackedRows& weights, const double* offset, Index count, const double* x, Index stride,
                  double* peak, double* values);
 
+/// Raises `largest` of four rows by the sums of such values of four rows and of four others, at `count` vectors.
+void raise_sums(Index count, const double* values, const double* others, double* largest);
+
+/// The first of `count` steps between two vectors of such values of four rows, from `step` on, in which one of them may
+/// come further than `known`: than at either end by so many times `of` as `between` has for that step. `count` where
+/// none may.
+[[nodiscard]] Index first_beyond(Index step, Index count, const double* values, const double* between, const double* of,
+                                 const double* known);
+
 /// For each of the vectors of such values of n rows, the largest value as a part of a limit, the limits given by what
 /// is inverse to them; rows of zeros have no say.
 void largest_shares(Index n, Index count, const double* values, const double* inverse, double* share);

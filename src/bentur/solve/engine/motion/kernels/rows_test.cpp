@@ -233,6 +233,43 @@ TEST(Kernels, SumsAreDotProducts) {
   }
 }
 
+TEST(Kernels, SumsOfTwoSidesRaiseTheirLargest) {
+  constexpr std::size_t count = 7;
+  const Numbers left = random_numbers(4 * count, 31), right = random_numbers(4 * count, 32);
+  Numbers largest{-9, 0.5, 100, -9}, expected = largest;
+  raise_sums(count, left.data(), right.data(), largest.data());
+  for (std::size_t n = 0; n < left.size(); ++n) expected[n % 4] = std::max(expected[n % 4], left[n] + right[n]);
+  EXPECT_EQ(largest, expected);
+}
+
+TEST(Kernels, TheFirstStepBeyondIsThatOfAnyOfFour) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr Index count = 40;
+  Numbers values = random_numbers(4 * (count + 1), 33), between = random_numbers(count, 34);
+  for (double& b : between) b = std::abs(b) < 0.1 ? infinity : 0.1 * std::abs(b);
+  values[4 * 23 + 1] = std::numeric_limits<double>::quiet_NaN();
+  const Numbers of{1, 3, 0, 2};  // 0 · ∞ is no number
+  Index found = 0;
+  for (const double most : {0.0, 1.8, 2.2, 2.5, 9.0}) {
+    const Numbers known{most, 1.2 * most, 0.9 * most, most};
+    for (Index from = 0; from <= count; ++from) {
+      Index step = from;
+      const auto beyond = [&](Index n) {
+        for (std::size_t r = 0; r < 4; ++r) {
+          const auto at = 4 * static_cast<std::size_t>(n) + r;
+          const double rise = between[static_cast<std::size_t>(n)] * of[r];
+          if (!(values[at] + rise <= known[r] && values[at + 4] + rise <= known[r])) return true;
+        }
+        return false;
+      };
+      while (step < count && !beyond(step)) ++step;
+      EXPECT_EQ(first_beyond(from, count, values.data(), between.data(), of.data(), known.data()), step);
+      found += step > from && step < count ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 30);
+}
+
 TEST(Kernels, GroupsAreOpenWhereOneOfFourComesNear) {
   const Numbers x{1, 1, 1, 1, /**/ 0, 0, 0, 0}, y{0.5, 0.5, 0.5, 0.5, /**/ 0, 0, 0, 3};
   const Numbers peak{2, 2, 2, 2, /**/ 3, 3, 3, 3};

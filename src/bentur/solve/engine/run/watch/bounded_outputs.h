@@ -45,10 +45,11 @@ class BoundedOutputs {
     const double* at = values_.data() + place(quantity, step);
     return std::max(at[0], at[4]);
   }
-  /// The value of a quantity (its size) at an end: that of step n is n + 1.
-  [[nodiscard]] double end_value(Eigen::Index quantity, Eigen::Index end) const {
-    return values_.data()[place(quantity, end)];
-  }
+  /// What four quantities from a multiple of four on (their sizes) were at all ends, one after the other: that of step
+  /// n is n + 1.
+  [[nodiscard]] const double* values(Eigen::Index quantity) const { return values_.data() + place(quantity, 0); }
+  /// between() of all steps.
+  [[nodiscard]] const double* betweens() const { return betweens_.data(); }
 
   /// Takes two vectors in, and returns whether the reach of all quantities between them stays below their peaks.
   /// Fours whose reach `before` in a whole that this is a part of was below are not looked at. `before` may be `reach`.
