@@ -109,7 +109,9 @@ void FreeRun::take_buffer(const StepBuffer& buffer) {
   Run::take_buffer(buffer);
   if (buffer.size() == 0) return;
   note_speeds(buffer.v(0), buffer.size() + 1);
-  for (const RelationGroup& group : idle().groups()) note_reaches(group, buffer);
+  for (std::size_t g = 0; g < idle().groups().size(); ++g) {
+    if (!idle().moved_alike(g)) note_reaches(idle().groups()[g], buffer);
+  }
 }
 
 void FreeRun::approximated() {

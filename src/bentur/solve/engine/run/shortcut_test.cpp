@@ -37,6 +37,13 @@ struct Ready {
   [[nodiscard]] engine::Run::Setup setup() const { return {system, given, laws, solver, grid, plan}; }
 };
 
+engine::FreeResult free_result(const Problem& problem) {
+  const Ready ready(problem);
+  engine::FreeRun run(ready.setup());
+  EXPECT_EQ(run.to_end({}), Status::done);
+  return run.take_result();
+}
+
 /// From the first instant on it looks at every gap.
 Response whole_run(const Problem& problem) {
   const Ready ready(problem);
@@ -109,12 +116,6 @@ TEST(Shortcuts, SidesThatSeveralGapsShareTellEachTheSame) {
   // Of four points at a time the first ones are alike, and then some or none of the others.
   const std::vector<std::vector<int>> floors{{0, 1, 2, 3, 4, 5}, {0, 1, 2, 5, 4, 3}, {0, 1, 2, 5, 4}};
   const SampledMotion motion{0.02, random_numbers(400, 5)};
-  const auto free_result = [&](const Problem& problem) {
-    const Ready ready(problem);
-    engine::FreeRun run(ready.setup());
-    EXPECT_EQ(run.to_end({}), Status::done);
-    return run.take_result();
-  };
   Problem row = pair(buildings[0], buildings[1], {}, 8);
   for (std::size_t b = 2; b < 4; ++b) {
     row.buildings.push_back(buildings[b]);
@@ -174,6 +175,52 @@ TEST(Shortcuts, TwinsNeedAGapWhereTheyMoveApart) {
       EXPECT_NEAR(needed, looked.points[n].gap_needed, 1e-12);
       EXPECT_NEAR(needed, seen, 1e-4 * seen + 1e-15);
       EXPECT_EQ(needed > 1e-6, moves_apart > 0) << needed;
+    }
+  }
+}
+
+// Nothing is noted of them as long as they move alike, be it that the wave has come to none of them yet; then all that
+// is noted of two that differ by next to nothing.
+TEST(Shortcuts, TwinsReachNothingUntilTheyMoveApart) {
+  Eigen::MatrixXd mass = Eigen::Vector3d(2, 3, 1).asDiagonal();
+  Eigen::MatrixXd stiffness(3, 3);
+  stiffness << 400, -200, 0, -200, 400, -200, 0, -200, 200;
+  for (const double delay : {0.0, 0.123}) {
+    for (const int at_rest : {0, 70}) {
+      SCOPED_TRACE(testing::Message() << delay << " s, " << at_rest);
+      const auto found = [&](double stiffer) {
+        Building one = matrix_building(mass, stiffness, 0.0 * mass),
+                 other = matrix_building(mass, stiffer * stiffness, 0.0 * mass);
+        Problem problem = pair(one, other, {contact(9, 1, 0), contact(9, 1, 1), contact(9, 1, 2)}, 8);
+        SampledMotion motion{0.05, random_numbers(200, 5)};
+        std::fill_n(motion.acceleration.begin(), at_rest, 0.0);
+        problem.motion = motion;
+        problem.delays[1] = delay;
+        return free_result(problem);
+      };
+      const engine::FreeResult twins = found(1.0), others = found(1.0 + 1e-12);
+      for (std::size_t n = 0; n < 3; ++n) {
+        const auto& reaches = twins.reaches[n];
+        if (delay == 0.0 || at_rest > 0) {
+          EXPECT_EQ(reaches.front().reach, 0.0);
+        }
+        if (delay == 0.0) {
+          EXPECT_EQ(twins.needed[n], 0.0);
+          EXPECT_EQ(reaches.size(), 1);
+          continue;
+        }
+        EXPECT_GT(twins.needed[n], 1e-3);
+        EXPECT_NEAR(twins.needed[n], others.needed[n], 1e-9);
+        ASSERT_GT(reaches.size(), 2);
+        EXPECT_GE(reaches.back().reach, twins.needed[n]);
+        for (const double part : {0.1, 0.5, 0.9}) {
+          const std::vector<double> widths{part * twins.needed[n]};
+          engine::FreeResult one, other;
+          one.needed = {twins.needed[n]}, one.reaches = {reaches};
+          other.needed = {others.needed[n]}, other.reaches = {others.reaches[n]};
+          EXPECT_EQ(engine::first_contact(one, widths), engine::first_contact(other, widths));
+        }
+      }
     }
   }
 }

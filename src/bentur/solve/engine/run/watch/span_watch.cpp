@@ -44,10 +44,12 @@ SpanWatch::SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::R
       acceleration_(start_.q),
       rise_(start_.q),
       acceleration_rise_(start_.q) {
+  moved_alike_.assign(groups_.size(), 0);
   for (RelationGroup& group : groups_) {
     const auto& [left, right] = std::pair{relations_[group.first].left, relations_[group.first].right};
     bodies_.push_back(left == right ? std::vector{left} : std::vector{left, right});
     twins_.push_back(are_twins(system, group, relations_.data() + group.first) ? 1 : 0);
+    together_.push_back(grid.moves_together(left, right) ? 1 : 0);
     for (Index n = 0; n < group.count; ++n) {
       nearest_[group.first + n].reach = std::max(0.0, relations_[group.first + n].along(system.initial_q));
       group.rows.peak(n) = nearest_[group.first + n].reach;
@@ -85,6 +87,8 @@ void SpanWatch::take(const StepBuffer& buffer) {
   const auto start = [&](Index step) { return grid_->start(buffer.step(step).segment) + buffer.step(step).offset; };
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     RelationGroup& group = groups_[g];
+    moved_alike_[g] = move_alike(buffer, g) ? 1 : 0;
+    if (moved_alike(g)) continue;
     group.rows.raise(steps, buffer.q(0) + group.begin, buffer.rise(0) + group.begin, system_->size);
     for (Index n = 0; n < group.count; ++n) {
       const double peak = group.rows.peak(n);
@@ -104,23 +108,35 @@ void SpanWatch::take(const StepBuffer& buffer) {
         search(group, buffer.curves(blocks[first.left], step), buffer.curves(blocks[first.right], step), start(step));
         continue;
       }
-      if (!moves_alike(buffer, step, g)) keep(buffer, step, g, start(step));
+      const bool alike = twins_[g] != 0 && are_alike(buffer, step, g) && are_driven_alike(buffer, step, g);
+      if (!alike) keep(buffer, step, g, start(step));
     }
   }
 }
 
-/// Whether two like bodies fly alike: δ stays what it is at the start.
-bool SpanWatch::moves_alike(const StepBuffer& buffer, Index step, std::size_t g) const {
-  if (twins_[g] == 0) return false;
+/// Whether the bodies of a group have the same coordinates and speeds.
+bool SpanWatch::are_alike(const StepBuffer& buffer, Index instant, std::size_t g) const {
   const ModalSystem::Block &left = system_->blocks[bodies_[g][0]], &right = system_->blocks[bodies_[g][1]];
   const auto same = [&](const double* x) {
     return std::equal(x + left.begin, x + left.begin + left.size, x + right.begin);
   };
+  return same(buffer.q(instant)) && same(buffer.v(instant));
+}
+
+bool SpanWatch::are_driven_alike(const StepBuffer& buffer, Index step, std::size_t g) const {
+  if (together_[g] != 0) return true;
   const GroundInput* inputs = buffer.inputs(step);
   const Index ways = system_->components();
-  const bool driven_alike =
-      std::equal(inputs + bodies_[g][0] * ways, inputs + (bodies_[g][0] + 1) * ways, inputs + bodies_[g][1] * ways);
-  return driven_alike && same(buffer.q(step)) && same(buffer.v(step));
+  return std::equal(inputs + bodies_[g][0] * ways, inputs + (bodies_[g][0] + 1) * ways, inputs + bodies_[g][1] * ways);
+}
+
+/// Whether two like bodies fly alike all the way: from one state by one sequence of sums, to one state.
+bool SpanWatch::move_alike(const StepBuffer& buffer, std::size_t g) const {
+  if (twins_[g] == 0 || !are_alike(buffer, 0, g) || !are_alike(buffer, buffer.size(), g)) return false;
+  for (Index step = 0; step < buffer.size(); ++step) {
+    if (buffer.step(step).flights == nullptr || !are_driven_alike(buffer, step, g)) return false;
+  }
+  return true;
 }
 
 /// A flight, which has just been looked at for a group.

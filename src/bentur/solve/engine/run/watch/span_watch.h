@@ -29,6 +29,8 @@ class SpanWatch {
 
   /// Takes in where a run has been.
   void take(const StepBuffer& buffer);
+  /// Whether two like bodies moved alike all the way there: the δ of such a group were zero.
+  [[nodiscard]] bool moved_alike(std::size_t group) const { return moved_alike_[group] != 0; }
   /// Takes in [0, end] of an expanded step from one state to another, which began at `time` [s].
   void take(const Expansion& motion, double end, const State& from, const State& to, double time);
 
@@ -68,7 +70,9 @@ class SpanWatch {
     State middle, end;
   };
 
-  [[nodiscard]] bool moves_alike(const StepBuffer& buffer, Eigen::Index step, std::size_t group) const;
+  [[nodiscard]] bool are_alike(const StepBuffer& buffer, Eigen::Index instant, std::size_t group) const;
+  [[nodiscard]] bool are_driven_alike(const StepBuffer& buffer, Eigen::Index step, std::size_t group) const;
+  [[nodiscard]] bool move_alike(const StepBuffer& buffer, std::size_t group) const;
   void keep(const StepBuffer& buffer, Eigen::Index step, std::size_t group, double time);
   [[nodiscard]] bool settled(const Unsettled& flight) const;
   void replay(const Stretch& stretch, const State& from, Tools& tools);
@@ -85,6 +89,8 @@ class SpanWatch {
   std::vector<Reach> nearest_;
   std::vector<std::vector<Eigen::Index>> bodies_;  ///< of each group, one or two
   std::vector<char> twins_;                        ///< of each group: are_twins()
+  std::vector<char> together_;                     ///< of each group: whether the ground moves its bodies together
+  std::vector<char> moved_alike_;                  ///< of each group
   double rate_;                                    ///< growth bound of a power series in flight [1/s]
   std::vector<Unsettled> unsettled_;
   std::vector<double> kept_;
