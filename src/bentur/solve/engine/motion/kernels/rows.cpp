@@ -54,19 +54,52 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* offset, const dou
   return !any(beyond_peak);
 }
 
-/// The largest size of a cubic on [0, 1] by its values and slopes at both ends.
-BENTUR_INLINE Four largest_size(Four start, Four end, Four slope, Four slope_end) {
+/// The largest value (or size) of a cubic on [0, 1] by its values and slopes at both ends.
+template <Peaks of>
+BENTUR_INLINE Four largest_of_cubic(Four start, Four end, Four slope, Four slope_end) {
   // start + s (slope + s (b + s a)), whose slope is zero where s (2 b + 3 a s) = −slope.
   const Four a = all(2.0) * (start - end) + (slope + slope_end);
   const Four b = all(3.0) * (end - start) - (slope + slope) - slope_end;
   const Four spread = root(max(b * b - all(3.0) * a * slope, all(0.0)));
   const Four both = b < all(0.0) ? b - spread : b + spread;
-  const auto size_at = [&](Four s) __attribute__((always_inline)) {
+  const auto at = [&](Four s) __attribute__((always_inline)) {
     s = s > all(0.0) ? s : all(0.0);  // what is no number too
     s = s < all(1.0) ? s : all(1.0);
-    return abs(start + s * (slope + s * (b + s * a)));
+    return measure<of>(start + s * (slope + s * (b + s * a)));
   };
-  return max(max(abs(start), abs(end)), max(size_at(-both / (all(3.0) * a)), size_at(-slope / both)));
+  return max(max(measure<of>(start), measure<of>(end)), max(at(-both / (all(3.0) * a)), at(-slope / both)));
+}
+
+template <Peaks of>
+BENTUR_INLINE bool reach(const PackedRows& rows, const double* offset, const CubicCurves& curves, double* peak,
+                         const double* reach_before, double* reach) {
+  Bits beyond_peak{};
+  for (Index r = 0; r < rows.rows(); r += four) {
+    const Four before = load(peak + r);
+    const Four so_far = load(reach_before + r);
+    store(reach + r, so_far);
+    if (every(so_far <= before)) continue;
+    const double* weights = rows.from(r);
+    Ends at{load(offset + r), load(offset + r), all(0.0)};
+    Four slope = all(0.0);
+    Four slope_end = all(0.0);
+    for (const Run& run : rows.runs(r)) {
+      for (Index j = run.begin; j < run.end; ++j) {
+        const Four weight = load(weights + four * j);
+        at.start += weight * all(curves.start[j]);
+        at.end += weight * all(curves.end[j]);
+        slope += weight * all(curves.slope[j]);
+        slope_end += weight * all(curves.slope_end[j]);
+        at.beyond += abs(weight) * all(curves.rise[j]);
+      }
+    }
+    const Four high = max(before, max(measure<of>(at.start), measure<of>(at.end)));
+    const Four most = largest_of_cubic<of>(at.start, at.end, slope, slope_end) + at.beyond;
+    store(peak + r, high);
+    store(reach + r, most);
+    beyond_peak |= ~(most <= high);
+  }
+  return !any(beyond_peak);
 }
 
 /// Rows r to r + 4 groups - 1 of raise_peaks().
@@ -199,35 +232,10 @@ bool reach_of_rows(Peaks of, const PackedRows& rows, const double* offset, const
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-bool reach_of_cubics(const PackedRows& rows, const double* offset, const CubicCurves& curves, double* peak,
-                     const double* reach_before, double* reach) {
-  Bits beyond_peak{};
-  for (Index r = 0; r < rows.rows(); r += four) {
-    const Four before = load(peak + r);
-    const Four so_far = load(reach_before + r);
-    store(reach + r, so_far);
-    if (every(so_far <= before)) continue;
-    const double* weights = rows.from(r);
-    Ends at{load(offset + r), load(offset + r), all(0.0)};
-    Four slope = all(0.0);
-    Four slope_end = all(0.0);
-    for (const Run& run : rows.runs(r)) {
-      for (Index j = run.begin; j < run.end; ++j) {
-        const Four weight = load(weights + four * j);
-        at.start += weight * all(curves.start[j]);
-        at.end += weight * all(curves.end[j]);
-        slope += weight * all(curves.slope[j]);
-        slope_end += weight * all(curves.slope_end[j]);
-        at.beyond += abs(weight) * all(curves.rise[j]);
-      }
-    }
-    const Four high = max(before, max(abs(at.start), abs(at.end)));
-    const Four most = largest_size(at.start, at.end, slope, slope_end) + at.beyond;
-    store(peak + r, high);
-    store(reach + r, most);
-    beyond_peak |= ~(most <= high);
-  }
-  return !any(beyond_peak);
+bool reach_of_cubics(Peaks of, const PackedRows& rows, const double* offset, const CubicCurves& curves, double* peak,
+                     const double* before, double* reach_now) {
+  if (of == Peaks::of_abs) return reach<Peaks::of_abs>(rows, offset, curves, peak, before, reach_now);
+  return reach<Peaks::of_values>(rows, offset, curves, peak, before, reach_now);
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -299,7 +307,7 @@ Index first_beyond(Index step, Index count, const double* values, const double* 
                    const double* known) {
   const Four part = load(of);
   const Four most = load(known);
-  const auto below = [&](Index n, Four beyond) __attribute__((always_inline)) -> Bits {
+  const auto below = [&](Index n, Four beyond) __attribute__((always_inline))->Bits {
     return load(values + four * n) + beyond <= most;  // not what cannot be compared
   };
   for (; step < count; ++step) {

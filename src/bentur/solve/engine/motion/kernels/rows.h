@@ -78,8 +78,8 @@ bool reach_of_rows(Peaks of, const PackedRows& weights, const double* offset, co
 struct CubicCurves {
   const double *start, *end, *slope, *slope_end, *rise;
 };
-/// The same by these, of sizes.
-bool reach_of_cubics(const PackedRows& weights, const double* offset, const CubicCurves& curves, double* peak,
+/// The same by these.
+bool reach_of_cubics(Peaks of, const PackedRows& weights, const double* offset, const CubicCurves& curves, double* peak,
                      const double* before, double* reach);
 
 /// How low and how high each row can come so.

@@ -59,7 +59,10 @@ TEST(Kernels, RowsAreMatrixProductsToTheBit) {
 }
 
 // Against the cubics themselves at many places, with turning points of every kind: none, one, two, and lines.
-TEST(Kernels, CubicsReachAsFarAsTheirLargestSizes) {
+class Cubics : public testing::TestWithParam<Peaks> {};
+
+TEST_P(Cubics, ReachAsFarAsTheirLargest) {
+  const auto measured = [](double x) { return GetParam() == Peaks::of_abs ? std::abs(x) : x; };
   constexpr Index rows = 8, columns = 4;
   int settled = 0, between = 0;
   for (unsigned seed = 1; seed <= 400; ++seed) {
@@ -73,11 +76,12 @@ TEST(Kernels, CubicsReachAsFarAsTheirLargestSizes) {
       if (seed % 5 == 2) at[2 * columns] = 8 * at[2 * columns];
     }
     const PackedRows packed(Eigen::Map<const Eigen::MatrixXd>(w.data(), rows, columns), columns);
-    Numbers peak(rows, 9.0), reach(rows, std::numeric_limits<double>::infinity());
+    const double before = GetParam() == Peaks::of_abs ? 9.0 : 6.0;
+    Numbers peak(rows, before), reach(rows, std::numeric_limits<double>::infinity());
     const double* start = of.data();
     const double *end = start + columns, *slope = end + columns, *slope_end = slope + columns;
-    const bool found = reach_of_cubics(packed, offset.data(), {start, end, slope, slope_end, rise.data()}, peak.data(),
-                                       reach.data(), reach.data());
+    const bool found = reach_of_cubics(GetParam(), packed, offset.data(), {start, end, slope, slope_end, rise.data()},
+                                       peak.data(), reach.data(), reach.data());
     bool below = true;
     for (Index r = 0; r < rows; ++r) {
       const auto row = [&](const double* x) {
@@ -89,19 +93,19 @@ TEST(Kernels, CubicsReachAsFarAsTheirLargestSizes) {
       for (Index j = 0; j < columns; ++j) beyond += std::abs(packed(r, j)) * rise[static_cast<std::size_t>(j)];
       const auto at = static_cast<std::size_t>(r);
       const double a = offset[at] + row(start), b = offset[at] + row(end), da = row(slope), db = row(slope_end);
-      const double ends = std::max(std::abs(a), std::abs(b));
-      double largest = 0.0;
+      const double ends = std::max(measured(a), measured(b));
+      double largest = ends;
       constexpr int places = 4000;
       for (int i = 0; i <= places; ++i) {
         const double s = static_cast<double>(i) / places, rest = 1 - s;
-        largest = std::max(largest, std::abs(a * rest * rest * (1 + 2 * s) + b * s * s * (3 - 2 * s) +
+        largest = std::max(largest, measured(a * rest * rest * (1 + 2 * s) + b * s * s * (3 - 2 * s) +
                                              da * s * rest * rest - db * s * s * rest));
       }
       // No less; and no more than a parabola has beyond the nearest of the places.
       const double size = std::abs(a) + std::abs(b) + std::abs(da) + std::abs(db);
       EXPECT_GE(reach[at], largest + beyond - 1e-14 * size);
       EXPECT_LE(reach[at], largest + beyond + 12 * size / (8.0 * places * places) + 1e-14 * size);
-      EXPECT_NEAR(peak[at], std::max(9.0, ends), 1e-14 * size);
+      EXPECT_NEAR(peak[at], std::max(before, ends), 1e-14 * size);
       below = below && reach[at] <= peak[at];
       between += largest > ends + 1e-6 ? 1 : 0;
     }
@@ -111,6 +115,8 @@ TEST(Kernels, CubicsReachAsFarAsTheirLargestSizes) {
   EXPECT_GT(settled, 20);
   EXPECT_GT(between, 400);
 }
+
+INSTANTIATE_TEST_SUITE_P(Kernels, Cubics, testing::Values(Peaks::of_abs, Peaks::of_values));
 
 TEST(Kernels, PackedRowsAreFilledUpWithZeros) {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Random(6, 3);

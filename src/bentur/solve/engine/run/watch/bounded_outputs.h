@@ -58,9 +58,9 @@ class BoundedOutputs {
     return kernels::reach_of_rows(of_, weights_, offset.data(), start, end, rise, peak.data(), before, reach);
   }
 
-  /// The same of sizes between two ends with cubics in between.
+  /// The same of two ends with cubics in between.
   [[nodiscard]] bool settled(const kernels::CubicCurves& curves, const double* before, double* reach) {
-    return kernels::reach_of_cubics(weights_, offset.data(), curves, peak.data(), before, reach);
+    return kernels::reach_of_cubics(of_, weights_, offset.data(), curves, peak.data(), before, reach);
   }
 
   Eigen::VectorXd peak;

@@ -28,7 +28,7 @@ bool are_twins(const ModalSystem& system, const RelationGroup& group, const Moda
                      [](const ModalSystem::Relation& relation) { return relation.left_row == -relation.right_row; });
 }
 
-State zero_state(Index size) { return {Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)}; }
+Eigen::VectorXd at_zero(Index size) { return Eigen::VectorXd::Zero(size); }
 
 }  // namespace
 
@@ -40,10 +40,11 @@ SpanWatch::SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::R
       groups_(relation_groups(relations_)),
       nearest_(relations.size()),
       rate_(system.rate({})),
-      start_(zero_state(system.size)),
-      acceleration_(start_.q),
-      rise_(start_.q),
-      acceleration_rise_(start_.q) {
+      start_{{at_zero(system.size), at_zero(system.size)}, at_zero(system.size)},
+      end_(start_),
+      rise_(at_zero(system.size)),
+      acceleration_rise_(rise_),
+      slopes_(Eigen::MatrixXd::Zero(system.size, 4)) {
   moved_alike_.assign(groups_.size(), 0);
   for (RelationGroup& group : groups_) {
     const auto& [left, right] = std::pair{relations_[group.first].left, relations_[group.first].right};
@@ -149,7 +150,7 @@ void SpanWatch::keep(const StepBuffer& buffer, Index step, std::size_t g, double
     const ModalSystem::Block& block = system_->blocks[bodies_[g][n]];
     std::copy_n(buffer.inputs(step) + bodies_[g][n] * system_->components(), system_->components(),
                 flight.stretch.inputs[n].begin());
-    for (const double* x : {buffer.q(step), buffer.v(step)}) {
+    for (const double* x : {buffer.q(step), buffer.v(step), buffer.acceleration(step)}) {
       kept_.insert(kept_.end(), x + block.begin, x + block.begin + block.padded_size);
     }
   }
@@ -201,55 +202,77 @@ bool SpanWatch::settled(const Unsettled& flight) const {
 void SpanWatch::settle(Series& series, Expansion& motion, const GoOn& go_on) {
   for (const Unsettled& flight : unsettled_) {
     if (settled(flight)) continue;
+    if (!go_on(1)) return;
     Tools tools{series, motion, go_on, {}};
-    const double* kept = kept_.data() + flight.at + groups_[flight.stretch.group].reach.size();
+    const RelationGroup& group = groups_[flight.stretch.group];
+    const double* before = kept_.data() + flight.at;
+    const double* kept = before + group.reach.size();
     for (std::size_t n = 0; n < bodies_[flight.stretch.group].size(); ++n) {
       const Index b = bodies_[flight.stretch.group][n];
       const ModalSystem::Block& block = system_->blocks[b];
-      for (Eigen::VectorXd* x : {&start_.q, &start_.v}) {
+      for (Eigen::VectorXd* x : {&start_.state.q, &start_.state.v, &start_.acceleration}) {
         std::copy_n(kept, block.padded_size, x->data() + block.begin);
         kept += block.padded_size;
       }
-      tools.loads[n] = system_->load_of(b, start_.q.data(), loads_[n]);
+      tools.loads[n] = system_->load_of(b, start_.state.q.data(), loads_[n]);
     }
-    replay(flight.stretch, start_, tools);
+    if (settled_by_cubics(flight.stretch, start_, before, end_, reach_, tools)) continue;
+    replay(flight.stretch, start_, reach_.data(), tools);
   }
   unsettled_.clear();
   kept_.clear();
 }
 
+/// Goes over a flight, and returns whether cubics (T-8) show that no δ goes further.
+bool SpanWatch::settled_by_cubics(const Stretch& stretch, const Place& from, const double* before, Place& to,
+                                  Eigen::VectorXd& reach, Tools& tools) {
+  const Flight& by = (*stretch.flights)[stretch.halvings];
+  RelationGroup& group = groups_[stretch.group];
+  const auto slope = [this](Index n) { return slopes_.col(n).data(); };
+  for (std::size_t n = 0; n < bodies_[stretch.group].size(); ++n) {
+    const Index b = bodies_[stretch.group][n];
+    const GroundInput* inputs = stretch.inputs[n].data();
+    by.advance(b, inputs,
+               {from.state.q.data(), from.state.v.data(), to.state.q.data(), to.state.v.data(), to.acceleration.data(),
+                rise_.data(), acceleration_rise_.data(), tools.loads[n]});
+    by.fit_cubics(
+        b, inputs,
+        {from.state.q.data(), from.state.v.data(), from.acceleration.data(), to.state.q.data(), to.state.v.data(),
+         to.acceleration.data(), rise_.data(), acceleration_rise_.data(), slope(0), slope(1), slope(2), slope(3)});
+  }
+  reach.resize(group.rows.size());
+  const auto at = [begin = group.begin](const double* x) { return x + begin; };
+  const bool settled =
+      group.rows.settled({at(from.state.q.data()), at(to.state.q.data()), at(slope(0)), at(slope(1)), at(rise_.data())},
+                         before, reach.data());
+  note_ends(group, from.state.q.data(), to.state.q.data(), stretch.time, stretch.time + by.length());
+  return settled;
+}
+
 /// Goes over a stretch again: it is halved until one power series spans a part, and what lets no δ go further is left
 /// out on the way, so that a fast mode costs no more than the logarithm of its frequency.
-void SpanWatch::replay(const Stretch& stretch, const State& from, Tools& tools) {
-  if (!tools.go_on(1)) return;
-  while (halvings_.size() < stretch.flights->size()) {
-    halvings_.push_back({zero_state(system_->size), zero_state(system_->size)});
-  }
-  RelationGroup& group = groups_[stretch.group];
+void SpanWatch::replay(const Stretch& stretch, const Place& from, const double* before, Tools& tools) {
+  while (halvings_.size() < stretch.flights->size()) halvings_.push_back({start_, start_, {}});
   const std::vector<Index>& bodies = bodies_[stretch.group];
   Halving& at = halvings_[stretch.halvings];
   if (stretch.halvings + 1 >= stretch.flights->size()) {
     const double length = (*stretch.flights)[stretch.halvings].length();
     for (std::size_t n = 0; n < bodies.size(); ++n) {
-      tools.series.expand_block(bodies[n], from, stretch.inputs[n].data(), length, rate_, tools.motion);
-      (void)tools.motion.find_end(at.end, acceleration_);
+      tools.series.expand_block(bodies[n], from.state, stretch.inputs[n].data(), length, rate_, tools.motion);
+      (void)tools.motion.find_end(at.end.state, at.end.acceleration);
     }
-    take(group, tools.motion, 1.0, from, at.end, stretch.time);
+    take(groups_[stretch.group], tools.motion, 1.0, from.state, at.end.state, stretch.time);
     return;
   }
-  const Flight& half = (*stretch.flights)[stretch.halvings + 1];
+  const double half = (*stretch.flights)[stretch.halvings + 1].length();
   Stretch part{stretch.group, stretch.flights, stretch.halvings + 1, stretch.time, stretch.inputs};
-  const State* start = &from;
-  for (State* end : {&at.middle, &at.end}) {
-    for (std::size_t n = 0; n < bodies.size(); ++n) {
-      half.advance(bodies[n], part.inputs[n].data(),
-                   {start->q.data(), start->v.data(), end->q.data(), end->v.data(), acceleration_.data(), rise_.data(),
-                    acceleration_rise_.data(), tools.loads[n]});
-    }
-    if (!group.look(start->q.data(), end->q.data(), rise_.data())) replay(part, *start, tools);
+  const Place* start = &from;
+  for (Place* end : {&at.middle, &at.end}) {
+    if (!tools.go_on(1)) return;
+    if (!settled_by_cubics(part, *start, before, *end, at.reach, tools)) replay(part, *start, at.reach.data(), tools);
     start = end;
-    part.time += half.length();
-    for (std::size_t n = 0; n < bodies.size(); ++n) system_->advance(part.inputs[n].data(), half.length());
+    part.time += half;
+    for (std::size_t n = 0; n < bodies.size(); ++n) system_->advance(part.inputs[n].data(), half);
   }
 }
 

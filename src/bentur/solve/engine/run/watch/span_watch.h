@@ -52,8 +52,8 @@ class SpanWatch {
     double time = 0;  ///< of its start [s]
     Inputs inputs;    ///< there
   };
-  /// One in which a δ may have gone further. kept_ has, from `at` on, the reach of each relation of the group, and q
-  /// and v of its bodies at the start.
+  /// One in which a δ may have gone further. kept_ has, from `at` on, the reach of each relation of the group, and q, v
+  /// and q̈ of its bodies at the start.
   struct Unsettled {
     Stretch stretch;
     std::size_t at = 0;
@@ -65,9 +65,14 @@ class SpanWatch {
     const GoOn& go_on;
     std::array<const double*, 2> loads;  ///< constant, on the coordinates of each body; null: none
   };
-  /// Scratch of one halving: the instants at the middle and the end.
+  struct Place {
+    State state;
+    Eigen::VectorXd acceleration;  ///< q̈
+  };
+  /// Scratch of one halving: the instants at the middle and the end, reach of a half.
   struct Halving {
-    State middle, end;
+    Place middle, end;
+    Eigen::VectorXd reach;
   };
 
   [[nodiscard]] bool are_alike(const StepBuffer& buffer, Eigen::Index instant, std::size_t group) const;
@@ -75,7 +80,9 @@ class SpanWatch {
   [[nodiscard]] bool move_alike(const StepBuffer& buffer, std::size_t group) const;
   void keep(const StepBuffer& buffer, Eigen::Index step, std::size_t group, double time);
   [[nodiscard]] bool settled(const Unsettled& flight) const;
-  void replay(const Stretch& stretch, const State& from, Tools& tools);
+  [[nodiscard]] bool settled_by_cubics(const Stretch& stretch, const Place& from, const double* before, Place& to,
+                                       Eigen::VectorXd& reach, Tools& tools);
+  void replay(const Stretch& stretch, const Place& from, const double* before, Tools& tools);
   void take(RelationGroup& group, const Expansion& motion, double end, const State& from, const State& to, double time);
   void note(const RelationGroup& group, Eigen::Index n, double time);
   void note_ends(const RelationGroup& group, const double* start, const double* end, double start_time,
@@ -94,10 +101,11 @@ class SpanWatch {
   double rate_;                                    ///< growth bound of a power series in flight [1/s]
   std::vector<Unsettled> unsettled_;
   std::vector<double> kept_;
-  std::vector<Halving> halvings_;                            ///< scratch
-  State start_;                                              ///< scratch
-  Eigen::VectorXd acceleration_, rise_, acceleration_rise_;  ///< scratch
-  std::array<Eigen::VectorXd, 2> loads_;                     ///< scratch
+  std::vector<Halving> halvings_;                     ///< scratch
+  Place start_, end_;                                 ///< scratch
+  Eigen::VectorXd reach_, rise_, acceleration_rise_;  ///< scratch
+  Eigen::MatrixXd slopes_;                            ///< scratch: of q and q̈ at both ends
+  std::array<Eigen::VectorXd, 2> loads_;              ///< scratch
 };
 
 }  // namespace bentur::engine
