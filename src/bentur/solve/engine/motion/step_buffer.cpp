@@ -17,6 +17,9 @@ constexpr double jump_slack = 1e-14;  // of ground accelerations: less is round-
 FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double duration, bool exact)
     : flights(exact ? make_flights(system, grid) : FlightTable(grid.kinds())) {
   if (flights.front().empty()) return;
+  const std::size_t ways = system.nu.size();
+  const auto periods = static_cast<std::size_t>(duration / grid.start(1, 0));
+  inputs.reserve((periods + 1) * grid.kinds() * system.blocks.size() * ways);
   std::vector<GroundInput> ground;
   for (long period = 0;; ++period) {
     for (std::size_t kind = 0; kind < flights.size(); ++kind, ++segments) {
@@ -27,13 +30,21 @@ FlightPlan::FlightPlan(const ModalSystem& system, const TimeGrid& grid, double d
       }
       grid.input(period, kind, ground);
       bool jumps_here = false;
-      std::size_t component = 0;
-      for (const GroundInput& input : ground) {
-        inputs.push_back(flights[kind].front().input(input, system.nu[component]));
-        if (++component == system.nu.size()) component = 0;
-        if (segments == 0) continue;
-        const kernels::FlightInput& before = inputs[inputs.size() - 1 - ground.size()];
-        jumps_here = jumps_here || std::abs(input.value - before.end) > jump_slack * before.largest;
+      for (std::size_t body = 0; body < system.blocks.size(); ++body) {
+        if (const std::size_t like = grid.first_with(body); like < body) {
+          const std::size_t end = inputs.size();
+          inputs.resize(end + ways);
+          std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(end - (body - like) * ways), ways,
+                      inputs.begin() + static_cast<std::ptrdiff_t>(end));
+          continue;
+        }
+        for (std::size_t c = 0; c < ways; ++c) {
+          const GroundInput& input = ground[body * ways + c];
+          inputs.push_back(flights[kind].front().input(input, system.nu[c]));
+          if (segments == 0) continue;
+          const kernels::FlightInput& before = inputs[inputs.size() - 1 - ground.size()];
+          jumps_here = jumps_here || std::abs(input.value - before.end) > jump_slack * before.largest;
+        }
       }
       if (jumps_here) jumps.push_back(segments);
     }

@@ -90,12 +90,16 @@ TimeGrid::TimeGrid(const System& system, bool fine)
         (void)take(std::max(within, 0.0));
       }
     }
-    delays_.push_back({static_cast<long>(steps), 0});
+    delays_.push_back({static_cast<long>(steps)});
   }
   std::sort(offsets_.begin(), offsets_.end());
   for (std::size_t b = 0; b < phases.size(); ++b) {
     delays_[b].offset =
         static_cast<std::size_t>(std::find(offsets_.begin(), offsets_.end(), phases[b]) - offsets_.begin());
+    const auto first = std::find_if(
+        delays_.begin(), delays_.begin() + static_cast<std::ptrdiff_t>(b),
+        [&](const Delay& one) { return one.periods == delays_[b].periods && one.offset == delays_[b].offset; });
+    delays_[b].first = static_cast<std::size_t>(first - delays_.begin());
   }
 }
 
@@ -117,6 +121,10 @@ void TimeGrid::input(long period, std::size_t kind, std::vector<GroundInput>& in
   inputs.resize(delays_.size() * steps_.size());
   GroundInput* at = inputs.data();
   for (std::size_t b = 0; b < delays_.size(); ++b) {
+    if (delays_[b].first < b) {
+      at = std::copy_n(inputs.data() + delays_[b].first * steps_.size(), steps_.size(), at);
+      continue;
+    }
     const bool before_phase = kind < delays_[b].offset;
     const double within = offsets_[kind] - offsets_[delays_[b].offset] + (before_phase ? period_ : 0.0);
     const long of_body = period - delays_[b].periods - (before_phase ? 1 : 0);

@@ -42,10 +42,8 @@ class TimeGrid {
     return static_cast<double>(period) * period_ + offsets_[kind];
   }
 
-  /// Whether the ground moves under two bodies at the same times.
-  [[nodiscard]] bool moves_together(std::size_t body, std::size_t other) const {
-    return delays_[body] == delays_[other];
-  }
+  /// The first of the bodies under which the ground moves when it moves under this one.
+  [[nodiscard]] std::size_t first_with(std::size_t body) const { return delays_[body].first; }
   /// Inputs of each body, one per component, from the start of the segment on.
   void input(long segment, std::vector<GroundInput>& inputs) const;
   void input(long period, std::size_t kind, std::vector<GroundInput>& inputs) const;
@@ -54,7 +52,7 @@ class TimeGrid {
   struct Delay {
     long periods = 0;        ///< whole ones of the grid
     std::size_t offset = 0;  ///< index into offsets_
-    [[nodiscard]] bool operator==(const Delay&) const = default;
+    std::size_t first = 0;   ///< body with the same
   };
   [[nodiscard]] GroundInput input_at(std::size_t component, long period, double within) const;
 

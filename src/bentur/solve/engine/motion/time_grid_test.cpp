@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
+#include "bentur/solve/engine/motion/step_buffer.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::engine {
@@ -29,7 +31,7 @@ void expect_delayed(const Problem& problem, double slack) {
     grid.input(m, inputs);
     const double start = grid.start(m), length = grid.length(static_cast<std::size_t>(m) % grid.kinds());
     ASSERT_NEAR(grid.start(m + 1), start + length, 1e-13);
-    for (std::size_t b = 0; b < 2; ++b) {
+    for (std::size_t b = 0; b < inputs.size(); ++b) {
       for (const double part : {0.25, 0.75}) {
         const double t = start + part * length;
         ASSERT_NEAR(inputs[b].value + inputs[b].slope * part * length,
@@ -61,6 +63,38 @@ TEST(TimeGrid, OtherDelaysMakeTwoSegmentsOfAStep) {
     const Problem problem = delayed_record(0.01, delay);
     EXPECT_EQ(TimeGrid(system_of(problem)).kinds(), 2U);
     expect_delayed(problem, 1e-11);
+  }
+}
+
+// What is worked out once is what each of them feels, in the grid and in the plan of its flights.
+TEST(TimeGrid, BodiesThatTheGroundMovesTogetherShareTheirInputs) {
+  Problem problem = delayed_record(0.01, 0.0123);
+  for (const double delay : {0.0, 0.05, 0.0123}) {
+    problem.buildings.push_back(test::oscillator(1, 5));
+    problem.delays.push_back(delay);
+    problem.initial_displacement.emplace_back(Eigen::VectorXd::Zero(1));
+    problem.initial_velocity.emplace_back(Eigen::VectorXd::Zero(1));
+  }
+  expect_delayed(problem, 1e-11);
+  const System given = system_of(problem);
+  const TimeGrid grid(given);
+  const std::vector<std::size_t> first{0, 1, 0, 3, 1};
+  for (std::size_t b = 0; b < first.size(); ++b) EXPECT_EQ(grid.first_with(b), first[b]);
+  const ModalSystem system(given);
+  const FlightPlan plan(system, grid, 0.5, true);
+  ASSERT_GT(plan.segments, 90);
+  ASSERT_EQ(plan.inputs.size(), static_cast<std::size_t>(plan.segments) * first.size());
+  std::vector<GroundInput> inputs;
+  for (long m = 0; m < plan.segments; ++m) {
+    grid.input(m, inputs);
+    const Flight& flight = plan.flights[static_cast<std::size_t>(m) % grid.kinds()].front();
+    for (std::size_t b = 0; b < first.size(); ++b) {
+      const kernels::FlightInput own = flight.input(inputs[b], 0.0);
+      const kernels::FlightInput& planned = plan.inputs[static_cast<std::size_t>(m) * first.size() + b];
+      EXPECT_EQ(planned.value, own.value);
+      EXPECT_EQ(planned.slope, own.slope);
+      EXPECT_EQ(planned.end, own.end);
+    }
   }
 }
 

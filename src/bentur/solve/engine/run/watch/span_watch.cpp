@@ -50,7 +50,7 @@ SpanWatch::SpanWatch(const ModalSystem& system, const std::vector<ModalSystem::R
     const auto& [left, right] = std::pair{relations_[group.first].left, relations_[group.first].right};
     bodies_.push_back(left == right ? std::vector{left} : std::vector{left, right});
     twins_.push_back(are_twins(system, group, relations_.data() + group.first) ? 1 : 0);
-    together_.push_back(grid.moves_together(left, right) ? 1 : 0);
+    together_.push_back(grid.first_with(left) == grid.first_with(right) ? 1 : 0);
     for (Index n = 0; n < group.count; ++n) {
       nearest_[group.first + n].reach = std::max(0.0, relations_[group.first + n].along(system.initial_q));
       group.rows.peak(n) = nearest_[group.first + n].reach;
