@@ -62,13 +62,13 @@ PlanPeaks::Bearings bearings_of(const PlanModel& model, const VectorXd& moved, c
       found.residual_x(n) = yielded.residual.x();
       found.residual_y(n) = yielded.residual.y();
       found.hysteretic_energy(n) = yielded.energy;
+    } else if (model.bearings[n].law) {
+      const ElementFound &along_x = members[member], &along_y = members[member + 1];
+      member += 2;
+      found.residual_x(n) = along_x.residual;
+      found.residual_y(n) = along_y.residual;
+      found.hysteretic_energy(n) = along_x.energy_lost + along_y.energy_lost;
     }
-    if (model.bearings[n].elements() == 0) continue;
-    const ElementFound &along_x = members[member], &along_y = members[member + 1];
-    member += 2;
-    found.residual_x(n) = along_x.residual;
-    found.residual_y(n) = along_y.residual;
-    found.hysteretic_energy(n) = along_x.energy_lost + along_y.energy_lost;
   }
   return found;
 }
