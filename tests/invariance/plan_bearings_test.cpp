@@ -11,6 +11,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/story/plan_story.h"
+#include "tests/invariance/portal.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur::plan_bearings {
@@ -19,6 +20,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using test::plan_run;
+using test::portal;
 
 const std::string units = "units = { length = \"m\", force = \"kN\" }\n";
 const std::string shaken =
@@ -107,21 +109,14 @@ TEST(PlanBearings, FourAreTheRowsBearings) {
 
 /// A row's frame with hinges on bearings, stood as two of half of it.
 TEST(PlanBearings, FramesWithHingesAreTheRows) {
-  const auto frame = [](const char* modulus, double columns, double beams, const std::string& heights) {
-    const char* mass = heights.empty() ? "" : ", mass = 0";  // of a row's members alone
-    return fmt::format(
-        "frame = {{ elastic_modulus = {}, {}bay_widths = [5], columns = [{{ area = 0.16, inertia = 2.1e-3, "
-        "hardening = 0.02, moment_capacity = {}{} }}], beams = [{{ area = 0.15, inertia = 3.1e-3, hardening = 0.02, "
-        "moment_capacity = {}{} }}]",
-        modulus, heights, columns, mass, beams, mass);
-  };
-  const std::string b = "[[building]]\nname = \"B\"\ndamping = 0.05\n", half = frame("1.5e7", 25, 20, "") + " }\n";
+  const std::string b = "[[building]]\nname = \"B\"\ndamping = 0.05\n",
+                    half = "frame = " + portal("1.5e7", 25, 20, "") + " }\n";
   for (const std::string gravity : {"", "p_delta = true\n"}) {
     SCOPED_TRACE(gravity);
     const std::string a = "[[building]]\nname = \"A\"\ndamping = 0.04\n" + gravity;
     Diagnostics d;
     const auto c = read_case_text(
-        units + a + frame("3e7", 50, 40, "storey_heights = [3.5, 3.2], ") +
+        units + a + "frame = " + portal("3e7", 50, 40, "storey_heights = [3.5, 3.2], ") +
             ", floor_masses = [40, 30], mass_matrix = \"lumped\" }\nisolation = { mass = 35, stiffness = 3000, "
             "characteristic_strength = 60, yield_displacement = 0.01 }\n" +
             b + "stick = { storey_heights = [3.5, 3.2], masses = [20, 18], stiffnesses = [30e3, 25e3] }\n" +

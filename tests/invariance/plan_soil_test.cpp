@@ -1,5 +1,4 @@
 // Rows of sticks on soil stood in plan, along x and, turned, along y.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "bentur/io/case/case_toml.h"
+#include "tests/invariance/portal.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur::plan_soils {
@@ -15,6 +15,7 @@ namespace {
 
 using Eigen::VectorXd;
 using test::plan_run;
+using test::portal;
 
 const std::string units = "units = { length = \"m\", force = \"kN\" }\n";
 const std::string shaken =
@@ -94,27 +95,18 @@ TEST(PlanSoils, ATwinIsTheRow) {
 
 /// Two planes with half of the row's frame each, whose hinges follow a base that sways and rocks.
 TEST(PlanSoils, FramesWithHingesAreTheRows) {
-  const auto frame = [](const char* modulus, double columns, double beams, const std::string& heights) {
-    const char* mass = heights.empty() ? "" : ", mass = 0";  // of a row's members alone
-    return fmt::format(
-        "{{ elastic_modulus = {}, {}bay_widths = [5], columns = [{{ area = 0.16, inertia = 2.1e-3, hardening = 0.02, "
-        "moment_capacity = {}{} }}], beams = [{{ area = 0.15, inertia = 3.1e-3, hardening = 0.02, moment_capacity = "
-        "{}{} "
-        "}}]",
-        modulus, heights, columns, mass, beams, mass);
-  };
   for (const std::string gravity : {"", "p_delta = true\n"}) {
     const std::string a = "[[building]]\nname = \"A\"\ndamping = 0.04\n" + gravity,
                       b = "[[building]]\nname = \"B\"\ndamping = 0.05\n";
     Diagnostics d;
     const auto c = read_case_text(
-        units + a + "frame = " + frame("3e7", 90, 70, "storey_heights = [3.5, 3.2], ") +
+        units + a + "frame = " + portal("3e7", 90, 70, "storey_heights = [3.5, 3.2], ") +
             ", floor_masses = [40, 30], mass_matrix = \"lumped\" }\nsoil = { " + soil + " }\n" + b +
             "stick = { storey_heights = [3.5, 3.2], masses = [20, 18], stiffnesses = [30e3, 25e3] }\n" + gap + shaken,
         "row.toml", d);
     ASSERT_TRUE(c) << d.errors().front().text();
     const Response row = solve(make_problem(*c));
-    const std::string half = frame("1.5e7", 45, 35, "") + " }\n";
+    const std::string half = portal("1.5e7", 45, 35, "") + " }\n";
     const PlanRun p = plan_run(
         units + "[plan]\nclearance = 0.02\n" + contact + a +
         "plan = { corner = [0, 0], size = [10, 14], storey_heights = [3.5, 3.2], masses = [40, 30] }\nsoil = { " +
