@@ -234,8 +234,7 @@ CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation
       memory(lost) += 0.5 * slope(state, h, s) * turned * turned;
       sync(now, h, s);
     }
-    if (!(turned > no_flow * width(h) / of_.stiffness(h, h))) continue;
-    note_flow(now, h, s, memory(flow_began));
+    note_flow(now, h, s, turned, memory(flow_began));
   }
   return now;
 }

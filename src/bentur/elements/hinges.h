@@ -42,10 +42,11 @@ class HingeLaw : public CoupledLaw {
   /// What one hinge has done up to the last event, or to at().
   struct Record {
     double rotation = 0;                ///< θ [rad]
-    double peak_rotation = 0;           ///< max |θ| [rad]
+    double peak_rotation = 0;           ///< max |θ| at events [rad]; one that is free turns beyond it in between
     double lost = 0;                    ///< ∫ (M − H θ) dθ [force·length] ≥ 0
     std::optional<double> first_yield;  ///< [s]
-    int half_cycles = 0;                ///< stretches of flow in one direction; elastic excursions do not part them
+    int half_cycles = 0;                ///< stretches of flow in one direction before it fails; elastic excursions
+                                        ///< do not part them
     int flows = 0;                      ///< −1, 0 or 1: the side on which it flows now
     std::optional<double> broke;        ///< [s]
     /// Energy lost when it did, or when it snapped or failed [force·length], that of what is at rest included.
@@ -166,7 +167,7 @@ class HingeLaw : public CoupledLaw {
   void snap(CoupledState& state, const Eigen::VectorXd& deformation, double time,
             const std::vector<Eigen::Index>& hinges) const;
   void rest_off_lines(CoupledState& state, const Eigen::VectorXd& deformation) const;
-  void note_flow(CoupledState& state, Eigen::Index hinge, double side, double began) const;
+  void note_flow(CoupledState& state, Eigen::Index hinge, double side, double turned, double began) const;
 
   Parameters of_;
   Eigen::MatrixXd hardened_;  ///< K_hh + H

@@ -123,8 +123,12 @@ class HystereticLaw : public Law {
  public:
   /// k of the line it begins on [force/length] > 0.
   [[nodiscard]] virtual double initial_stiffness() const noexcept = 0;
-  /// Δ_y, where that line ends [length] > 0.
+  /// Δ_y, where that line ends on the side Δ > 0 [length] > 0.
   [[nodiscard]] virtual double yield_deformation() const noexcept = 0;
+  /// The same on the side Δ < 0 [length] > 0.
+  [[nodiscard]] virtual double yield_deformation_below() const noexcept { return yield_deformation(); }
+  /// Both are not the same, so that a ductility demand needs the extrema of both sides.
+  [[nodiscard]] bool yields_unevenly() const noexcept { return yield_deformation() != yield_deformation_below(); }
   /// Where it would come to rest if it were unloaded slowly from here, Δ − V/k_u [length].
   [[nodiscard]] virtual double residual(const LawState& state, double deformation) const noexcept = 0;
   /// Nothing of a law that keeps its strength.

@@ -21,6 +21,7 @@ struct ContactPoint {
   Eigen::Index right_floor = 0;  ///< the same of the right building
   double elevation = 0;          ///< [length]
   double width = 0;              ///< w [length] ≥ 0
+  double beyond = 0;  ///< of w, what edges that are not parallel add to the width of the gap here [length] ≥ 0
   std::shared_ptr<const ContactLaw> law;
   double column_shear_capacity = 0;   ///< of a struck column [force]; 0: not given
   double column_moment_capacity = 0;  ///< of a struck column [force·length]; 0: not given
@@ -35,6 +36,7 @@ struct WatchedFloor {
   std::optional<Eigen::Index> facing_floor;  ///< of the other building; nothing: a column between two floors
   double elevation = 0;                      ///< [length]
   double width = 0;                          ///< w [length] ≥ 0
+  double beyond = 0;                         ///< as ContactPoint::beyond [length] ≥ 0
   Eigen::VectorXd left_row, right_row;       ///< [-, or length on rotations]
 };
 

@@ -105,8 +105,9 @@ struct PointSummary {
   std::optional<double> gap_needed_reversed = {};
   /// max |x| of both faces in the free response, relative to the own base [length]; NaN where not asked for.
   double peak_left = not_known, peak_right = not_known;
-  int impacts = 0;
+  int impacts = 0;                             ///< but for those that settle
   int slow_starts = 0;                         ///< of these, Impact::slow_start
+  int settling = 0;                            ///< Impact::settling, in the totals below with all others
   double contact_duration = 0;                 ///< [s]
   double peak_force = 0;                       ///< [force]
   std::optional<double> peak_force_time = {};  ///< [s]

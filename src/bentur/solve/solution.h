@@ -16,7 +16,9 @@ struct Impact {
   double start = 0;          ///< [s]
   double end = 0;            ///< [s]; the end of the analysis where `open_ended`
   bool open_ended = false;   ///< still closed when the analysis ended
-  bool slow_start = false;   ///< began so slowly that its law was told of a larger closing speed
+  bool from_rest = false;    ///< began below 10⁻⁶ of the speeds at the point: its closing speed is round-off
+  bool slow_start = false;   ///< and its law divides by that speed, which is then 10⁻⁹ of those at least
+  bool settling = false;     ///< without time, slower than 2⁻¹³ of the speeds so far: a bounce on the way to rest
   double closing_speed = 0;  ///< −ġ at the start [length/s]; 0 where it is below 10⁻⁹ of the speeds at the point
   double separation_speed = 0;  ///< ġ at the end [length/s]
   double peak_force = 0;        ///< [force]
@@ -33,7 +35,7 @@ struct Impact {
   double friction_loss = 0;          ///< work of F_t that it does not give back [force·length]
   /// Separation speed over closing speed [-]; nothing where that is not known or means nothing.
   [[nodiscard]] std::optional<double> restitution() const {
-    if (open_ended || !(closing_speed > 0)) return std::nullopt;
+    if (open_ended || from_rest || !(closing_speed > 0)) return std::nullopt;
     return separation_speed / closing_speed;
   }
 };
@@ -54,7 +56,7 @@ struct Reach {
 /// What an element did that is no contact.
 struct ElementFound {
   double peak_force = 0, peak_tension = 0;  ///< max F and max −F of joints, dashpots included [force] ≥ 0
-  Reach closing = {}, opening = {};         ///< how far δ and −δ of joints went
+  Reach closing = {}, opening = {};         ///< how far δ and −δ went, of joints and of members that yield unevenly
   double energy_lost = 0;                   ///< [force·length]
   double residual = 0;                      ///< δ that would be left without force, of members [length]
   std::optional<StrengthLoss> loss = {};    ///< of members that can lose strength
@@ -100,6 +102,7 @@ struct SelfMeasures {
   double momentum = 0;  ///< over contacts: of the states before and after, and the impulses that are reported
   double opening = 0;   ///< of the bodies at instants at which they begin or cease to touch: from zero
   double forces = 0;    ///< at the end: inertia, damping, stiffness and elements by the bodies' own matrices
+  double peaks = 0;     ///< of any sample beyond the peak of the continuous response
 };
 
 /// What a solver found.

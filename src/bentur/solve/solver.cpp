@@ -44,6 +44,45 @@ double worst_opening(const System& system, const Elements& elements, const std::
   return worst;
 }
 
+/// How far any sample lies beyond the peak that is found of it, as a part of the largest peak of its kind [-].
+double beyond_peaks(const Solution& solution) {
+  if (solution.samples.time.empty()) return 0.0;
+  double worst = 0.0;
+  const auto compare = [&worst](const auto& samples, double peak, double scale) {
+    if (samples.size() > 0 && scale > 0.0) worst = std::max(worst, (samples.maxCoeff() - peak) / scale);
+  };
+  for (const std::vector<OutputsFound>& body : solution.outputs) {
+    for (const OutputsFound& output : body) {
+      if (output.peak.size() == 0) continue;
+      const double scale = output.peak.maxCoeff();
+      for (Eigen::Index i = 0; i < output.history.rows(); ++i) {
+        compare(output.history.row(i).cwiseAbs(), output.peak(i), scale);
+      }
+    }
+  }
+  std::vector<double> pushed(solution.samples.force.rows(), 0.0), pulled = pushed;
+  double hardest = 0.0;
+  for (const Impact& impact : solution.impacts) {
+    pushed[impact.point] = std::max(pushed[impact.point], impact.peak_force);
+    pulled[impact.point] = std::max(pulled[impact.point], impact.peak_tension);
+    hardest = std::max({hardest, impact.peak_force, impact.peak_tension});
+  }
+  for (Eigen::Index i = 0; i < solution.samples.force.rows(); ++i) {
+    compare(solution.samples.force.row(i), pushed[i], hardest);
+    compare(-solution.samples.force.row(i), pulled[i], hardest);
+  }
+  for (Eigen::Index i = 0; i < solution.samples.joint_force.rows(); ++i) {
+    const ElementFound& joint = solution.joints[i];
+    const double force = std::max(joint.peak_force, joint.peak_tension);
+    const double moved = std::max(joint.closing.reach, joint.opening.reach);
+    compare(solution.samples.joint_force.row(i), joint.peak_force, force);
+    compare(-solution.samples.joint_force.row(i), joint.peak_tension, force);
+    compare(solution.samples.joint_deformation.row(i), joint.closing.reach, moved);
+    compare(-solution.samples.joint_deformation.row(i), joint.opening.reach, moved);
+  }
+  return worst;
+}
+
 std::vector<Contact> without_widths(std::vector<Contact> contacts) {
   for (Contact& contact : contacts) contact.width = 0.0;
   return contacts;
@@ -96,11 +135,18 @@ void report(const System& system, const ModalSystem& modal, Status status, Run& 
   solution.outputs.resize(system.bodies.size());
   solution.members.resize(system.bodies.size());
   Eigen::Index element = modal.members;
+  const std::vector<Reach>& spans = run.spans().nearest();
+  std::size_t span = 2 * system.joints.size();
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     solution.outputs[b].resize(system.bodies[b].outputs.size());
     run.watch().report(b, solution.outputs[b]);
     solution.members[b].resize(system.bodies[b].elements.size());
-    for (ElementFound& member : solution.members[b]) {
+    for (std::size_t i = 0; i < solution.members[b].size(); ++i) {
+      ElementFound& member = solution.members[b][i];
+      if (system.bodies[b].elements[i].law->yields_unevenly()) {
+        member.closing = spans[span++];
+        member.opening = spans[span++];
+      }
       member.residual = run.elements().residual(element, run.state());
       member.loss = run.elements().loss(element, run.state());
       member.energy_lost = run.elements().energy_lost(element++, run.state());
@@ -111,7 +157,6 @@ void report(const System& system, const ModalSystem& modal, Status status, Run& 
   for (std::size_t i = 0; i < solution.joints.size(); ++i) {
     const Eigen::Index joint = modal.joint(static_cast<Eigen::Index>(i));
     const Elements::Account& account = run.elements().account(joint);
-    const std::vector<Reach>& spans = run.spans().nearest();
     solution.joints[i] = {.peak_force = account.peak_force,
                           .peak_tension = account.peak_tension,
                           .closing = spans[i],
@@ -211,7 +256,8 @@ Solution FreeSolution::solve(const std::vector<Contact>& contacts, const std::ve
   if (run.energy()) solution.energy = run.energy()->finish();
   solution.checks = {run.momentum().worst(),
                      engine::worst_opening(parts.system, run.elements(), scales.displacement, solution),
-                     engine::force_imbalance(parts.system, parts.modal, run.state(), run.inputs(), run.elements())};
+                     engine::force_imbalance(parts.system, parts.modal, run.state(), run.inputs(), run.elements()),
+                     engine::beyond_peaks(solution)};
   return solution;
 }
 

@@ -126,6 +126,7 @@ Body body_of(const Building& building) {
       {.kind = OutputKind::hinge_rotation,
        .count = hinge_count,
        .forces = of_hinges(-MatrixXd::Identity(hinge_count, hinge_count + breaking), forces),
+       .has_peak = !hinges.backbones.empty(),  // of others their law knows it
        .course = Course::along},
       {.kind = OutputKind::breaking_shear,
        .count = breaking,

@@ -15,10 +15,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// That it has flowed along side s, since `began`.
-void HingeLaw::note_flow(CoupledState& state, Index h, double s, double began) const {
+/// That it has flowed along side s by `turned` > 0 since `began`.
+void HingeLaw::note_flow(CoupledState& state, Index h, double s, double turned, double began) const {
   auto memory = state.memory.row(h);
   memory(peak) = std::max(memory(peak), std::abs(memory(rotation)));
+  if (!(turned > no_flow * width(h) / of_.stiffness(h, h))) return;
+  if (nothing_left(state, h)) return;  // it moves, but yields no more
   if (std::isnan(memory(first_yield))) memory(first_yield) = began;
   if (memory(last_side) != s) memory(half_cycles) += 1.0;
   memory(last_side) = s;
@@ -72,7 +74,7 @@ void HingeLaw::load(CoupledState& state, const VectorXd& deformation, double tim
     memory(lost) += lost_here;
     left -= lost_here;
     if (breaks(h)) continue;
-    note_flow(state, h, s, time);
+    note_flow(state, h, s, lambda(i), time);
   }
   // What remains is what those that broke have lost, each by the mean of its forces before and after.
   const VectorXd theta = state.memory.col(rotation), after = borne(state, deformation);
@@ -287,14 +289,16 @@ void HingeLaw::redistribute(CoupledState& state, VectorXd from, const VectorXd& 
       set_out(state, h, side);
       memory(rotation) += side * turned;
       memory(lost) += lost_here;
+      memory(peak) = std::max(memory(peak), std::abs(memory(rotation)));
       const bool slips = breaks(h);
       if (falling[h] != nullptr) {
         const double at_rest = slips ? 0.5 * (of_.lower(h) - of_.upper(h)) : backbone(h)->at_rest;
         memory(released) += lost_here + at_rest * side * turned;
       }
       if (slips) continue;
-      note_flow(state, h, side, time);
-      if (falling[h] == nullptr) sync(state, h, side);
+      if (falling[h] != nullptr) continue;  // it gives way to what acts on it, this way and that
+      note_flow(state, h, side, turned, time);
+      sync(state, h, side);
     }
     from = part < 1.0 ? VectorXd(from + part * (to - from)) : to;
     for (Fall& fall : falls) {

@@ -185,7 +185,8 @@ double BackboneLaw::met(const Past& past, double s, double size, double force, d
 
 /// β of (L-6), above 1 where nothing is left.
 double BackboneLaw::worn(double energy, double gamma, double lost) const noexcept {
-  const double unit = of_.positive.yield * yield_deformation();
+  const double yield = of_.one_sided ? of_.positive.yield : std::min(of_.positive.yield, of_.negative.yield);
+  const double unit = yield * yield / of_.stiffness;
   if (std::isinf(gamma) || energy <= nothing_lost * unit) return 0.0;
   const double left = gamma * unit - lost;
   return left > 0 ? std::pow(energy / left, of_.deterioration.exponent) : 2.0;

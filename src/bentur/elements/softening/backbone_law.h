@@ -24,7 +24,7 @@ struct Backbone {
 };
 
 /// How fast repetition wears an element out [IbarraMedinaKrawinkler2005]: energies γ F_y δ_y that can be lost, F_y and
-/// δ_y of the upper side; infinite: not at all. What was lost since there was no force last, E_i, gives
+/// δ_y of the weaker side; infinite: not at all. What was lost since there was no force last, E_i, gives
 ///   β = (E_i/(γ F_y δ_y − Σ E))^c,                                                                    (L-6)
 /// and F_y and the slope to the cap become (1 − β) of what they were, the line beyond the cap falls by β of its force
 /// at δ = 0, the peak that it heads for moves out by β, the stiffness of unloading falls by β.
@@ -73,14 +73,17 @@ class BackboneLaw final : public HystereticLaw {
 
   [[nodiscard]] std::string_view name() const noexcept override { return word_of(of_.reloading); }
   [[nodiscard]] LawParameters parameters() const override;
+  [[nodiscard]] const Parameters& made_of() const { return of_; }
   [[nodiscard]] Branch branch(const LawState& state) const noexcept override;
   [[nodiscard]] LawState next(const LawState& state, std::size_t guard, double time, double deformation,
                               double speed) const noexcept override;
   [[nodiscard]] double stored_energy(const LawState& state, double deformation) const noexcept override;
   [[nodiscard]] bool is_odd() const noexcept override { return !of_.one_sided && of_.positive == of_.negative; }
   [[nodiscard]] double initial_stiffness() const noexcept override { return of_.stiffness; }
-  /// That of the upper side.
   [[nodiscard]] double yield_deformation() const noexcept override { return of_.positive.yield / of_.stiffness; }
+  [[nodiscard]] double yield_deformation_below() const noexcept override {
+    return (of_.one_sided ? of_.positive : of_.negative).yield / of_.stiffness;
+  }
   [[nodiscard]] double residual(const LawState& state, double deformation) const noexcept override;
   [[nodiscard]] std::optional<StrengthLoss> loss(const LawState& state, double deformation) const noexcept override;
 

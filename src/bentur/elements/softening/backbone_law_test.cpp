@@ -281,10 +281,12 @@ TEST(BackboneLaw, AnswersAsOpenSeesAlongGivenHistories) {
       for (Backbone* side : {&of.positive, &of.negative}) {
         in >> side->yield >> side->cap >> side->plastic >> side->softening >> side->residual >> side->ultimate;
       }
+      // OpenSees's energies are γ F_y δ_y of the positive side, here of the weaker one.
+      const double of_weaker = of.positive.yield / std::min(of.positive.yield, of.negative.yield);
       Deterioration& wear = of.deterioration;
       for (double* gamma : {&wear.strength, &wear.cap, &wear.reloading, &wear.unloading}) {
         in >> *gamma;
-        if (*gamma == 0) *gamma = Deterioration::none;
+        *gamma = *gamma == 0 ? Deterioration::none : *gamma * of_weaker * of_weaker;
       }
       in >> wear.exponent >> of.pinching_force >> of.pinching_deformation;
       ASSERT_TRUE(in) << name;

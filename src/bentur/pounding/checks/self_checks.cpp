@@ -172,7 +172,7 @@ void Checks::impacts() {
   const double slack = exact_bound * problem_.duration;
   for (const Impact& one : response_.impacts) {
     PointSummary& point = found.at(one.point);
-    ++point.impacts;
+    ++(one.settling ? point.settling : point.impacts);
     point.impulse += one.impulse;
     point.peak_force = std::max(point.peak_force, one.peak_force);
     double& last = ended[one.point];
@@ -184,7 +184,8 @@ void Checks::impacts() {
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     const PointSummary& told = response_.points[i];
-    if (told.impacts == found[i].impacts && told.peak_force == found[i].peak_force &&
+    if (told.impacts == found[i].impacts && told.settling == found[i].settling &&
+        told.peak_force == found[i].peak_force &&
         std::abs(told.impulse - found[i].impulse) <= round_off * std::abs(found[i].impulse)) {
       continue;
     }
@@ -249,6 +250,19 @@ bool is_integrated(const Law& law) {
   return !law.restitution() && !law.branch(closed).linear;
 }
 
+double beyond_peak_rotations(const std::vector<BuildingPeaks::Hinge>& hinges,
+                             const Eigen::Ref<const Eigen::MatrixXd>& rotation) {
+  double largest = 0.0, beyond = 0.0;
+  for (std::size_t h = 0; h < hinges.size(); ++h) {
+    const BuildingPeaks::Hinge& hinge = hinges[h];
+    double most = std::abs(hinge.residual_rotation);
+    if (rotation.cols() > 0) most = std::max(most, rotation.row(static_cast<Eigen::Index>(h)).cwiseAbs().maxCoeff());
+    largest = std::max(largest, hinge.peak_rotation);
+    beyond = std::max(beyond, most - hinge.peak_rotation);
+  }
+  return largest > 0.0 ? beyond / largest : 0.0;
+}
+
 void check_measures(const SelfMeasures& measures, const std::optional<EnergyAudit>& energy, const Solver& solver,
                     bool integrated, const Verdict& verdict) {
   Judge judge(solver, verdict);
@@ -262,6 +276,8 @@ void check_measures(const SelfMeasures& measures, const std::optional<EnergyAudi
   judge.compare("check_opening", measures.opening,
                 apart("bodies begin or cease to touch where their opening is not zero", measures.opening),
                 integrated ? of_integrated : 1.0);
+  judge.compare("check_peaks", measures.peaks,
+                apart("a history goes beyond the peak that is found of it", measures.peaks));
   judge.compare("check_forces", measures.forces,
                 apart("the forces on a building at the end are out of balance", measures.forces));
   if (energy) {
@@ -279,7 +295,13 @@ void check_itself(const Problem& problem, const Solver& solver, const SelfMeasur
   checks.impacts();
   checks.first_contact();
   checks.without_impact();
-  check_measures(measures, response.energy, solver, is_any_integrated(problem),
+  SelfMeasures all = measures;
+  for (std::size_t b = 0; b < response.buildings.size(); ++b) {
+    const auto& rotations = response.histories.hinge_rotation;
+    all.peaks = std::max(all.peaks, beyond_peak_rotations(response.buildings[b].hinges,
+                                                          rotations.empty() ? Eigen::MatrixXd() : rotations[b]));
+  }
+  check_measures(all, response.energy, solver, is_any_integrated(problem),
                  {response.status, response.message, response.discrepancies});
 }
 

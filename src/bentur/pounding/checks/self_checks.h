@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,11 @@ struct Verdict {
 /// integrated, by steps of a tolerance of their own
 void check_measures(const SelfMeasures& measures, const std::optional<EnergyAudit>& energy, const Solver& solver,
                     bool integrated, const Verdict& verdict);
+
+/// How far a hinge was from its place at rest, at the end or in any sample, beyond its peak rotation: as a part of the
+/// largest peak rotation [-]. @param rotation samples of θ, a row per hinge [rad]; empty: none
+[[nodiscard]] double beyond_peak_rotations(const std::vector<BuildingPeaks::Hinge>& hinges,
+                                           const Eigen::Ref<const Eigen::MatrixXd>& rotation);
 
 /// Whether the force of a law is integrated while it is in contact.
 [[nodiscard]] bool is_integrated(const Law& law);

@@ -38,7 +38,7 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
     const Eigen::Index f = element.storey;
     const double of_storey = building.model.storey_heights[f];
     const double height = of_storey > 0.0 ? of_storey : 1.0;  // a slab's drift is told as a length
-    yielding.ductility(f) = peaks.drift_ratio(f) * height / element.law->yield_deformation();
+    yielding.ductility(f) = ductility(*element.law, peaks.drift_ratio(f) * height, members[i]);
     const double residual = members[i].residual / height;
     yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
     yielding.hysteretic_energy(f) = members[i].energy_lost;
@@ -134,7 +134,8 @@ BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& 
   peaks.acceleration = peak(OutputKind::acceleration);
   peaks.column_forces = peak(OutputKind::column_force);
   peaks.foundation = peak(OutputKind::foundation);
-  take_hinge_peaks(building.model.hinges, peak(OutputKind::hinge_moment), peak(OutputKind::breaking_shear), peaks);
+  take_hinge_peaks(building.model.hinges, peak(OutputKind::hinge_moment), peak(OutputKind::hinge_rotation),
+                   peak(OutputKind::breaking_shear), peaks);
   peaks.infill = infill_of(building, solution.members[b], peak(OutputKind::infill_force), peak(OutputKind::infill_push),
                            peaks.drift_ratio);
   if (building.storeys_yield()) peaks.yielding = yielding_of(building, solution.members[b], peaks);
@@ -260,9 +261,15 @@ Histories histories_of(const Problem& problem, Sampled&& sampled, Solution& solu
 
 }  // namespace
 
-void take_hinge_peaks(const Hinges& hinges, const Eigen::VectorXd& moments, const Eigen::VectorXd& shears,
-                      BuildingPeaks& peaks) {
+double ductility(const HystereticLaw& law, double drift, const ElementFound& found) {
+  if (!law.yields_unevenly()) return drift / law.yield_deformation();
+  return std::max(found.closing.reach / law.yield_deformation(), found.opening.reach / law.yield_deformation_below());
+}
+
+void take_hinge_peaks(const Hinges& hinges, const Eigen::VectorXd& moments, const Eigen::VectorXd& rotations,
+                      const Eigen::VectorXd& shears, BuildingPeaks& peaks) {
   for (const double moment : moments) peaks.hinges.push_back({.peak_moment = moment});
+  for (Eigen::Index h = 0; h < rotations.size(); ++h) peaks.hinges[h].peak_rotation = rotations(h);
   for (const double shear : shears) {
     const double capacity = hinges.columns[peaks.columns.size()].capacity;
     peaks.columns.push_back({.peak_shear = shear, .shear_demand_capacity = shear / capacity});
@@ -287,7 +294,7 @@ void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights
       continue;
     }
     BuildingPeaks::Hinge& hinge = peaks.hinges[h];
-    hinge.peak_rotation = record.peak_rotation;
+    hinge.peak_rotation = std::max(hinge.peak_rotation, record.peak_rotation);
     hinge.residual_rotation = record.rotation;
     hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
     hinge.first_yield = record.first_yield;
@@ -338,7 +345,7 @@ std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, d
 void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points) {
   for (const Impact& impact : impacts) {
     PointSummary& point = points[impact.point];
-    ++point.impacts;
+    ++(impact.settling ? point.settling : point.impacts);
     if (impact.slow_start) ++point.slow_starts;
     point.contact_duration += impact.end - impact.start;
     point.impulse += impact.impulse;

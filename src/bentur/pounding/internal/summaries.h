@@ -14,9 +14,14 @@ namespace bentur {
 /// Puts what storey `storey` of so many has lost of its strength among what yielding did.
 void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding);
 
-/// What the hinges of a frame did, and its columns that can break: largest moments [force·length] and shears [force].
-void take_hinge_peaks(const Hinges& hinges, const Eigen::VectorXd& moments, const Eigen::VectorXd& shears,
-                      BuildingPeaks& peaks);
+/// Ductility demand of a storey [-]: the larger of its drifts to either side over the yield drift of that side.
+/// @param drift max |Δ| [length]
+[[nodiscard]] double ductility(const HystereticLaw& law, double drift, const ElementFound& found);
+
+/// Peaks of the hinges of a frame and of its columns that can break: moments [force·length], rotations [rad] (empty
+/// where the hinges' law knows them all), shears [force].
+void take_hinge_peaks(const Hinges& hinges, const Eigen::VectorXd& moments, const Eigen::VectorXd& rotations,
+                      const Eigen::VectorXd& shears, BuildingPeaks& peaks);
 /// The rest of it, by the state of their law at the end, with residual drifts and the mechanism. @param storey_heights
 /// of the building that the frame is of, a slab's 0 [length]
 void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights, const CoupledLaw& law,

@@ -84,6 +84,7 @@ class Generator {
     section.hardening = chance(0.3) ? 0 : any(0.003, 0.01);
     if (softens_ && chance(0.7)) {
       section.backbone = {.plastic = any(0.002, 0.008), .softening = any(0.03, 0.08), .residual = any(0.1, 0.6)};
+      if (chance(0.5)) section.backbone.ultimate = section.backbone.plastic + any(0.001, 0.004);
     }
     return section;
   }

@@ -38,7 +38,7 @@ BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Pla
   for (Index j = 0; j < storeys; ++j) {
     if (!plane.laws[j]) continue;
     const double height = model.storey_heights[j];
-    yielding.ductility(j) = drift_ratio(j) * height / plane.laws[j]->yield_deformation();
+    yielding.ductility(j) = ductility(*plane.laws[j], drift_ratio(j) * height, members[member]);
     yielding.residual_drift_ratio(j) = members[member].residual / height;
     yielding.hysteretic_energy(j) = members[member].energy_lost;
     if (members[member].loss) take_loss(*members[member].loss, storeys, j, yielding);
@@ -74,8 +74,10 @@ PlanPeaks::Bearings bearings_of(const PlanModel& model, const VectorXd& moved, c
 }
 
 /// What the hinges of the frames of a building did, whose states begin at `state`, which is moved on past them.
-void take_frames(const PlanBuilding& building, const VectorXd& moments, const VectorXd& shears,
-                 const std::vector<CoupledState>& states, std::size_t& state, PlanPeaks& peaks) {
+/// @param rotations empty where no hinge can fail
+void take_frames(const PlanBuilding& building, const VectorXd& moments, const VectorXd& rotations,
+                 const VectorXd& shears, const std::vector<CoupledState>& states, std::size_t& state,
+                 PlanPeaks& peaks) {
   const PlanModel& model = building.model;
   Index hinge = 0, column = 0;
   auto element = building.coupled.begin();
@@ -84,7 +86,9 @@ void take_frames(const PlanBuilding& building, const VectorXd& moments, const Ve
     if (hinges.size() == 0) continue;
     BuildingPeaks& frame = peaks.planes[p].frame;
     const Index turning = std::ssize(hinges.places), breaking = std::ssize(hinges.columns);
-    take_hinge_peaks(hinges, moments.segment(hinge, turning), shears.segment(column, breaking), frame);
+    take_hinge_peaks(hinges, moments.segment(hinge, turning),
+                     rotations.size() > 0 ? VectorXd(rotations.segment(hinge, turning)) : VectorXd(),
+                     shears.segment(column, breaking), frame);
     take_hinges(hinges, model.storey_heights, *(element++)->law, states[state++], frame);
     peaks.planes[p].yielding.residual_drift_ratio = std::move(frame.yielding.residual_drift_ratio);
     frame.yielding = {};
@@ -129,7 +133,8 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
       }
     }
   }
-  take_frames(building, peak(PlanOutput::hinge_moment), peak(PlanOutput::breaking_shear), states, state, peaks);
+  take_frames(building, peak(PlanOutput::hinge_moment), peak(PlanOutput::hinge_rotation),
+              peak(PlanOutput::breaking_shear), states, state, peaks);
   peaks.bearings = bearings_of(building.model, peak(PlanOutput::bearing_movement), peak(PlanOutput::bearing_force),
                                members, member, states, state);
   if (building.model.planes.empty()) {
@@ -331,7 +336,19 @@ void check_response(const PlanProblem& problem, const Solver& solver, const Self
     response.message = "a number of the results is not finite";
     return;
   }
-  check_measures(measures, response.energy, solver, some_contact_is_integrated(problem),
+  SelfMeasures all = measures;
+  for (std::size_t b = 0; b < response.buildings.size(); ++b) {
+    Index first = 0;
+    for (const PlanPeaks::Plane& plane : response.buildings[b].planes) {
+      const Index count = std::ssize(plane.frame.hinges);
+      const auto& rotations = response.histories.hinge_rotation;
+      all.peaks = std::max(
+          all.peaks, beyond_peak_rotations(plane.frame.hinges,
+                                           rotations.empty() ? MatrixXd() : rotations[b].middleRows(first, count)));
+      first += count;
+    }
+  }
+  check_measures(all, response.energy, solver, some_contact_is_integrated(problem),
                  {response.status, response.message, response.discrepancies});
 }
 

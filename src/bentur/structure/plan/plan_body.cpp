@@ -1,5 +1,6 @@
 #include "bentur/structure/plan/plan_body.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -211,7 +212,9 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
   add({.count = planes.bearing_forces.rows(), .rows = planes.bearing_forces, .forces = planes.bearing_of_forces});
   add(planes.moments);
   add(planes.rotations);
-  body.outputs.back().has_peak = false;  // their law knows it
+  body.outputs.back().has_peak = std::any_of(model.planes.begin(), model.planes.end(), [](const auto& plane) {
+    return !plane.hinges.backbones.empty();  // of others their law knows it
+  });
   add(planes.breaking);
   MatrixXd drifts = MatrixXd::Zero(model.planes.empty() ? 4 * floors : 0, dofs);
   for (Index j = model.first_storey(); j < drifts.rows() / 4; ++j) {

@@ -227,6 +227,9 @@ ModalSystem::ModalSystem(const System& of) {
     for (const BuildingElement& element : of.bodies[b].elements) {
       add_member(b, element.row, element.law->initial_stiffness(), element.damped ? of.bodies[b].tangent_damping : 0.0,
                  force++);
+      if (!element.law->yields_unevenly()) continue;
+      spans.push_back(elements.back().relation);
+      spans.push_back(spans.back().times(-1.0));
     }
   }
   alone = std::ssize(elements);

@@ -153,7 +153,7 @@ struct ModalSystem {
   Eigen::Index members = 0;      ///< where the bodies' own elements begin
   Eigen::Index alone = 0;        ///< how many elements are not coupled: the first ones
   std::vector<Relation> watched, watched_free;
-  /// δ of joints, and then −δ: how far they close and open.
+  /// δ of joints, and then −δ: how far they close and open. After them δ and −δ of each member that yields unevenly.
   std::vector<Relation> spans;
   /// Contacts are points: those of one deformation, then those that rub.
   [[nodiscard]] Eigen::Index points() const { return switched + rubbing; }

@@ -13,6 +13,9 @@ using Eigen::Index;
 namespace {
 
 constexpr double resting_threshold = 0x1p-20;  // of the speeds at a point: slower impacts do not bounce
+// Likewise: the height of a slower bounce is some 2⁻²⁶ of the first one's, 10⁶ times the round-off of displacements, so
+// that how many are slower hangs on round-off, and how many are faster does not.
+constexpr double settling_threshold = 0x1p-13;
 
 }  // namespace
 
@@ -83,6 +86,7 @@ void Elements::collide(Index element, double time, State& state) {
     if (!was_resting && p(n) > 0.0) {
       const bool touched_before = touches_[i].time >= 0.0;
       log_.begin(i, touched_before ? std::min(touches_[i].time, time) : time, before(n));
+      log_.under_way(i).settling = std::abs(before(n)) <= settling_threshold * fastest_;
     }
     log_.under_way(i).impulse += p(n);
     log_.under_way(i).energy_lost += lost;

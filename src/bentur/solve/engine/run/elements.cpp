@@ -454,7 +454,7 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
     touches_[i] = {};
   }
   const bool slow = awaited && from_rest(i, closing) && law(i).needs_closing_speed();
-  set(i, law(i).next(before, event.guard, start, delta, slow ? least_speeds_[i] : closing), state);
+  set(i, law(i).next(before, event.guard, start, delta, slow ? std::max(closing, least_speeds_[i]) : closing), state);
   const bool touched = ended.touching();
   const bool touches = branches_[i].touching();
   if (touched) log_.under_way(i).energy_lost += law(i).stored_energy(before, delta);
@@ -462,9 +462,14 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
   if (touched && !touches) log_.end(i, time, -closing);
   began_ = !touched && touches;
   if (began_) {
-    log_.begin(i, start, from_rest(i, closing) ? 0.0 : closing, law(i).stored_energy(states_[i], delta));
+    begin_impact(i, i, start, closing, law(i).stored_energy(states_[i], delta));
     log_.under_way(i).slow_start = slow;
   }
+}
+
+void Elements::begin_impact(Index i, Index of_log, double start, double closing, double stored) {
+  log_.begin(of_log, start, std::abs(closing) < least_speeds_[i] ? 0.0 : closing, stored);
+  log_.under_way(of_log).from_rest = from_rest(i, closing);
 }
 
 Elements::Memory Elements::memory() const { return {states_, accounts_, tolerances_, coupled_.states()}; }

@@ -171,8 +171,9 @@ class Elements {
   }
   [[nodiscard]] bool awaits(Eigen::Index element) const { return branches_[element].bodies == Bodies::apart; }
   [[nodiscard]] bool from_rest(Eigen::Index element, double closing_speed) const {
-    return std::abs(closing_speed) < least_speeds_[element];
+    return std::abs(closing_speed) < rest_over_least * least_speeds_[element];
   }
+  void begin_impact(Eigen::Index element, Eigen::Index of_log, double start, double closing_speed, double stored);
   [[nodiscard]] double tolerance(Eigen::Index element, const Guard& guard, const State& state) const;
   [[nodiscard]] Polynomial guarded(Eigen::Index element, const Guard& guard, const Polynomial& deformation, double h,
                                    double time) const;
@@ -212,9 +213,10 @@ class Elements {
 
   const ModalSystem* system_;
   std::vector<std::shared_ptr<const Law>> laws_;
-  std::vector<double> offsets_;       ///< of δ [length]
-  Eigen::Index idle_;                 ///< the first elements, which do nothing
-  std::vector<double> tolerances_;    ///< the band [length] per element
+  std::vector<double> offsets_;     ///< of δ [length]
+  Eigen::Index idle_;               ///< the first elements, which do nothing
+  std::vector<double> tolerances_;  ///< the band [length] per element
+  static constexpr double rest_over_least = 1e3;
   std::vector<double> least_speeds_;  ///< slowest start of a contact that a law is told of [length/s] per element
   double start_slack_;                ///< accuracy, in tolerances
   std::vector<LawState> states_;      ///< per element

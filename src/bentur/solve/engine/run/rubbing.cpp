@@ -87,7 +87,7 @@ void Elements::change_coupled(const Event& event, double time, const std::vector
       closing = touches_[of.log].closing_speed;
       touches_[of.log] = {};
     }
-    log_.begin(of.log, start, from_rest(of.at, closing) ? 0.0 : closing, law.stored_energy(after, depth));
+    begin_impact(of.at, of.log, start, closing, law.stored_energy(after, depth));
     log_.under_way(of.log).point = system_->switched + static_cast<Index>(of.number);
   } else if (touches) {
     log_.under_way(of.log).energy_lost -= law.stored_energy(after, depth);
