@@ -225,14 +225,6 @@ std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions
   options.limits = run_limits(chosen.c.analysis);
   options.levels = true;
   PlanResponse response = bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
-  if (const auto& collapse = response.collapse) {  // none of a plan's quantities says so
-    return RunResult{run,
-                     RunStatus::failed,
-                     fmt::format("storey {} of {} collapses at {:.6g} s",
-                                 chosen.problem.buildings[collapse->building].model.storey_number(collapse->storey),
-                                 chosen.problem.buildings[collapse->building].name, collapse->time),
-                     {}};
-  }
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
     fill_row(quantities_, {std::move(chosen.c), std::move(chosen.problem), std::move(response)}, row);
   });

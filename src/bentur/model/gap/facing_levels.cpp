@@ -15,10 +15,11 @@ std::vector<FacingLevel> facing_levels(const Problem& problem, Eigen::Index gap)
   const Gap between = gap_at(problem, gap);
   std::vector<FacingLevel> levels;
   for (const Eigen::Index i : between.points) {
-    levels.push_back({gap, true, i, problem.points[i].elevation, problem.points[i].width});
+    levels.push_back({gap, true, i, problem.points[i].elevation, problem.points[i].width, problem.points[i].beyond});
   }
   for (const Eigen::Index i : between.watched) {
-    levels.push_back({gap, false, i, problem.watched[i].elevation, problem.watched[i].width});
+    levels.push_back(
+        {gap, false, i, problem.watched[i].elevation, problem.watched[i].width, problem.watched[i].beyond});
   }
   std::stable_sort(levels.begin(), levels.end(),
                    [](const FacingLevel& a, const FacingLevel& b) { return a.elevation < b.elevation; });

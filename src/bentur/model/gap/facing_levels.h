@@ -14,6 +14,10 @@ struct FacingLevel {
   Eigen::Index index = 0;  ///< into Problem::points or Problem::watched
   double elevation = 0;    ///< [length]
   double width = 0;        ///< given [length]
+  double beyond = 0;       ///< of that, what edges that are not parallel add here [length] ≥ 0
+
+  /// The width of the whole gap with which this place has so much [length].
+  [[nodiscard]] double of_gap(double here) const { return here - beyond; }
 };
 
 /// The levels of one gap, from the lowest up. @throws InvalidParameter unless there are so many gaps.

@@ -53,10 +53,11 @@ std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>
       worst = {points ? std::nullopt : std::optional(level.index),
                points ? level.index : 0,
                level.elevation,
-               level.width,
-               one->gap_needed,
-               one->gap_needed_reversed,
+               level.of_gap(level.width),
+               level.of_gap(one->gap_needed),
+               {},
                scale};
+      if (one->gap_needed_reversed) worst->gap_needed_reversed = level.of_gap(*one->gap_needed_reversed);
     }
   }
   if (worst && !falls_short(0, worst->gap_needed, scale)) worst->gap_needed = 0;  // round-off

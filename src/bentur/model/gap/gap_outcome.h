@@ -14,9 +14,10 @@ namespace bentur {
 /// Where the gap between two neighbours falls short the most, or has least to spare: at a contact point, or at a
 /// watched floor.
 struct GoverningLevel {
-  std::optional<Eigen::Index> watched;             ///< index into Problem::watched; nothing: a contact point
-  Eigen::Index point = 0;                          ///< of that the index into Problem::points
-  double elevation = 0;                            ///< [length]
+  std::optional<Eigen::Index> watched;  ///< index into Problem::watched; nothing: a contact point
+  Eigen::Index point = 0;               ///< of that the index into Problem::points
+  double elevation = 0;                 ///< [length]
+  // As widths of the whole gap (largest_of()):
   double width = 0;                                ///< given [length]
   double gap_needed = 0;                           ///< [length]
   std::optional<double> gap_needed_reversed = {};  ///< there, under the ground motion times −1 [length]
@@ -40,7 +41,8 @@ struct GoverningLevel {
 /// When they move freely. Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
 [[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index gap);
 
-/// The gap needed, the largest over its contact points and its watched floors [length].
+/// The gap needed: the width of the whole gap with which none of its contact points and watched floors closes, the
+/// gap's own width + max(need − width of the place) [length].
 [[nodiscard]] double gap_needed(const Problem& problem, const Response& response, Eigen::Index gap);
 /// The same under the ground motion times −1; nothing where that is not known.
 [[nodiscard]] std::optional<double> gap_needed_reversed(const Problem& problem, const Response& response,

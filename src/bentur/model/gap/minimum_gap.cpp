@@ -144,19 +144,20 @@ LevelSeparation largest_of(const std::vector<LevelSeparation>& levels) {
     if (by > to || std::isnan(by)) to = by;  // NaN stays
   };
   for (const LevelSeparation& one : levels) {
-    raise(largest.gap_needed, one.gap_needed);
+    const FacingLevel& level = one.level;
+    raise(largest.gap_needed, level.of_gap(one.gap_needed));
     if (one.gap_needed_reversed) {
-      double reversed = largest.gap_needed_reversed.value_or(*one.gap_needed_reversed);
-      raise(reversed, *one.gap_needed_reversed);
+      double reversed = largest.gap_needed_reversed.value_or(0.0);
+      raise(reversed, level.of_gap(*one.gap_needed_reversed));
       largest.gap_needed_reversed = reversed;
     }
-    raise(largest.abs, one.abs);
-    raise(largest.srss, one.srss);
-    raise(largest.ddc, one.ddc);
+    raise(largest.abs, level.of_gap(one.abs));
+    raise(largest.srss, level.of_gap(one.srss));
+    raise(largest.ddc, level.of_gap(one.ddc));
     if (largest.codes.empty()) largest.codes = one.codes;
     for (std::size_t k = 0; k < one.codes.size(); ++k) {
       CodeSeparation& code = largest.codes[k];
-      raise(code.gap, one.codes[k].gap);
+      raise(code.gap, level.of_gap(one.codes[k].gap));
       code.to_left = std::max(code.to_left, one.codes[k].to_left);
       code.to_right = std::max(code.to_right, one.codes[k].to_right);
     }

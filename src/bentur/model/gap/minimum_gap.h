@@ -51,7 +51,9 @@ struct LevelSeparation {
 /// Those of one gap.
 [[nodiscard]] std::vector<LevelSeparation> of_gap(const std::vector<LevelSeparation>& all, Eigen::Index gap);
 
-/// Each number the largest of all levels that are given, 0 where there are none, NaN where it is not known of one.
+/// Each number the largest of all levels that are given, as a width of the whole gap: where edges are not parallel,
+/// places that are further apart than the gap is wide need as much less of it. 0 where there are none, NaN where it is
+/// not known of one.
 [[nodiscard]] LevelSeparation largest_of(const std::vector<LevelSeparation>& levels);
 
 /// What one rule asks of a gap, at the level where it falls short the most or has least to spare.

@@ -54,6 +54,7 @@ Problem pair_of(const PlanProblem& problem, std::size_t gap) {
                            .right_floor = contact.right_floor,
                            .elevation = contact.elevation,
                            .width = of.stretch.width_at(contact.along),
+                           .beyond = of.stretch.at(contact.along).beyond,
                            .law = contact.law});
   }
   for (const PlanWatched& watched : of.watched) {
@@ -63,6 +64,7 @@ Problem pair_of(const PlanProblem& problem, std::size_t gap) {
     floor.facing_floor = watched.facing_floor;
     floor.elevation = watched.elevation;
     floor.width = of.stretch.width_at(watched.along);
+    floor.beyond = of.stretch.at(watched.along).beyond;
   }
   pair.motion = problem.motions[told_motion(problem)];
   pair.kinematics = problem.kinematics;

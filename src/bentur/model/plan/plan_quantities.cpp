@@ -270,7 +270,7 @@ std::deque<Line> list() {
       {floor, {"peak_displacement_y", of, "L", "max |u_y|", "largest displacement along y of the centre of mass relative to the own base", {"Along y", "Sepanjang y"}, {}}, with(&PlanPeaks::y)},
       {floor, {"peak_displacement_y_no_contact", of, "L", "max |u_y⁰|", "largest displacement along y with contact switched off", {"Without contact", "Tanpa kontak"}, {}}, without(&PlanPeaks::y), moving},
       {floor, {"amplification_y", of, "1", "max |u_y| / max |u_y⁰|", "largest displacement along y over that with contact switched off", {}, {}}, amplification(&PlanPeaks::y, &RoundOff::displacement), moving},
-      {floor, {"peak_rotation", of, "rad", "max |θ|", "largest rotation", {"Rotation", "Rotasi"}, {}, {}, "mrad", 1e3}, with(&PlanPeaks::rotation), moving},
+      {floor, {"peak_rotation", of, "rad", "max |θ|", "largest rotation", {"Rotation", "Rotasi"}, {}, {}, "mrad", 1e3}, with(&PlanPeaks::rotation)},
       {floor, {"peak_rotation_no_contact", of, "rad", "max |θ⁰|", "largest rotation with contact switched off", {"Without contact", "Tanpa kontak"}, {}, {}, "mrad", 1e3}, without(&PlanPeaks::rotation), moving},
       {floor, {"amplification_rotation", of, "1", "max |θ| / max |θ⁰|", "largest rotation over that with contact switched off", {}, {}}, amplification(&PlanPeaks::rotation, &RoundOff::rotation), moving},
       {floor, {"peak_displacement_south", of, "L", "max |u_x|", "largest displacement along x of the lower edge", {}, {}, "/peak_edge_displacement/south"}, with(&PlanPeaks::south), moving},
@@ -339,6 +339,7 @@ std::deque<Line> list() {
   for (const Quantity* const quantity : quantities_of(Owner::gap)) all.push_back({gap, *quantity, of_row(*quantity)});
   all.push_back({PlanOwner::run, {"peak_ground_acceleration_x", Owner::run, "L s-2", "PGA_x", "peak ground acceleration along x as applied", {}, {}, "/excitation/peak_ground_acceleration_x"}, of_ground(0)});
   all.push_back({PlanOwner::run, {"peak_ground_acceleration_y", Owner::run, "L s-2", "PGA_y", "peak ground acceleration along y as applied", {}, {}, "/excitation/peak_ground_acceleration_y"}, of_ground(1)});
+  all.push_back({PlanOwner::run, quantity_named("collapsed", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return run.response.collapse ? 1.0 : 0.0; }}});
   for (const Quantity* const quantity : quantities_of(Owner::impact)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({impact, *quantity, std::move(source)});
   }

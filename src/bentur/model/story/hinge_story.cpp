@@ -228,6 +228,13 @@ void tell_hinges(const RunResults& run, Story& told) {
     const std::vector<Index> turned = worst_hinges(peaks);
     tell_rotations(building, b, peaks, turned, told.statements);
     tell_weakened(building, b, peaks, told.statements);
+    if (const auto joints = indeterminate_joints(building.model.hinges, peaks); !joints.empty()) {
+      told.statements.push_back(
+          {.kind = "hinges_indeterminate",
+           .severity = Severity::remark,
+           .buildings = {b},
+           .values = {text_of("building", building.name), count_of("count", std::ssize(joints))}});
+    }
     if (!turned.empty()) told.tables.push_back(hinge_table(run, building, peaks, turned));
   }
 }

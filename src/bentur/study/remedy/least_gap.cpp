@@ -26,7 +26,7 @@ void add_gap(LeastGaps& found, LeastGap gap, const std::vector<LevelSeparation>&
   gap.is_facing = !levels.empty();
   for (const LevelSeparation& one : levels) {
     const double needed = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
-    gap.needed = std::max(gap.needed, needed);
+    gap.needed = std::max(gap.needed, one.level.of_gap(needed));
     gap.given = &one == levels.data() ? one.level.width : std::min(gap.given, one.level.width);
     gap.is_short = gap.is_short || falls_short(one.level.width, needed, scale);
     found.both_ways = found.both_ways && one.gap_needed_reversed.has_value();

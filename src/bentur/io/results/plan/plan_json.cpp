@@ -99,6 +99,7 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
   const PlanBuilding& building = run.problem.buildings[b];
   const auto item = static_cast<Index>(b);
   Json json = {{"name", building.name}, {"elevations", building.model.elevations}};
+  json["periods"] = Json::array();
   if (!building.is_rigid()) {
     json["periods"] = numbers_or_null(modal_properties(building.modes, building.model.load.col(0)).periods);
   }
