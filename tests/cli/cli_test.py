@@ -576,7 +576,7 @@ class Run(CommandLine):
                 "elevation", "width", "gap_needed", "gap_needed_reversed", "peak_left_no_contact",
                 "peak_right_no_contact", "impacts", "contact_duration", "peak_force",
                 "peak_force_time", "peak_penetration", "peak_closing_speed", "impulse", "energy_lost", "peak_tension",
-                "slow_starts", "contact", "restitution"})
+                "slow_starts", "settling", "contact", "restitution"})
             self.assertEqual(point["contact"]["law"], "linear")
         self.assertGreater(gap["points"][2]["impacts"], 0)
 

@@ -269,7 +269,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       };
       if (const auto failed = run_within(options, progress, needed, refused, run)) return *failed;
       const double seconds = response.wall_time;
-      plan_run_ = PlanRun{c, problem, std::move(response)};
+      plan_run_ = run_results(c, problem, std::move(response));
       return solved(seconds);
     }
     if (!problem_) return failure("no case is open");

@@ -131,7 +131,7 @@ PlanRun simulate_plan(const std::string& file, const std::string& language) {
   PlanResponse response = solve_shown(loaded.options, true, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
-  return {std::move(loaded.c), std::move(loaded.problem), std::move(response)};
+  return run_results(std::move(loaded.c), std::move(loaded.problem), std::move(response));
 }
 
 void print_plan_gaps(const std::string& file, bool json, const std::string& language) {
@@ -165,7 +165,7 @@ void report_plan(const std::string& file, const std::string& head, const std::st
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
   const std::string page =
-      plan_report_html({std::move(loaded.c), std::move(loaded.problem), std::move(response)}, options);
+      plan_report_html(run_results(std::move(loaded.c), std::move(loaded.problem), std::move(response)), options);
   report.write(page);
   if (!report.is_streamed()) message(fmt::format("Wrote {} ({} kB)", output, (page.size() + 999) / 1000));
 }
@@ -185,7 +185,7 @@ void run_plan(const PlanRunArguments& arguments, const std::string& language) {
   PlanResponse response = solve_shown(loaded.options, !arguments.quiet, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
-  const PlanRun run{std::move(loaded.c), std::move(loaded.problem), std::move(response)};
+  const PlanRun run = run_results(std::move(loaded.c), std::move(loaded.problem), std::move(response));
   const std::string summary = plan_summary_json(run, BENTUR_VERSION);
   if (folder) folder->write(*run.c.source, summary, impacts_csv(run), histories_netcdf(run, BENTUR_VERSION));
   if (arguments.json) {

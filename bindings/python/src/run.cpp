@@ -100,7 +100,7 @@ std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double>
   refuse(beyond_limits(plan.c, effort(plan.problem, plan.c.analysis.solver, options)), given);
   PlanResponse response =
       watched(options, progress, [&] { return solve(plan.problem, plan.c.analysis.solver, options); });
-  PlanRun run{std::move(plan.c), std::move(plan.problem), std::move(response)};
+  PlanRun run = run_results(std::move(plan.c), std::move(plan.problem), std::move(response));
   return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
 }
 

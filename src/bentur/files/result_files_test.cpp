@@ -152,6 +152,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
                          {"peak_right_no_contact", nullptr},
                          {"impacts", 0},
                          {"slow_starts", 0},
+                         {"settling", 0},
                          {"contact_duration", 0.0},
                          {"peak_force", 0.0},
                          {"peak_force_time", nullptr},
@@ -324,11 +325,12 @@ TEST(ImpactsCsv, OneRowPerImpactUnderAHeaderWithUnits) {
   impact.open_ended = false;
   f.response.impacts.push_back(impact);
   EXPECT_EQ(impacts_csv({f.problem, f.response, f.c.units}),
-            "left,right,elevation [m],struck,start [s],end [s],open_ended,closing_speed [m/s],separation_speed [m/s],"
+            "left,right,elevation [m],struck,start [s],end [s],open_ended,settling,closing_speed "
+            "[m/s],separation_speed [m/s],"
             "restitution,peak_force [tf],peak_force_time [s],peak_penetration [m],impulse [tf s],energy_lost [tf m],"
             "peak_tension [tf],duration [s]\n"
-            "\"Left, old\",Right,3,,0.5,0.75,1,0.1,0.2,,3,0.625,0.001,4,5,6,0.25\n"
-            "\"Left, old\",Right,3,,0.5,0.75,0,0.1,0.2,2,3,0.625,0.001,4,5,6,0.25\n");
+            "\"Left, old\",Right,3,,0.5,0.75,1,0,0.1,0.2,,3,0.625,0.001,4,5,6,0.25\n"
+            "\"Left, old\",Right,3,,0.5,0.75,0,0,0.1,0.2,2,3,0.625,0.001,4,5,6,0.25\n");
 }
 
 /// Reads one variable back.

@@ -385,6 +385,7 @@ Problem problem_of(const Case& c, std::vector<Building> buildings) {
   problem.initial_displacement = initial_state(c.initial.displacements, problem.buildings);
   problem.initial_velocity = initial_state(c.initial.velocities, problem.buildings);
   problem.duration = c.analysis.duration;
+  problem.goes_on = c.analysis.goes_on;
   problem.collapse_drift = c.analysis.collapse_drift;
   validate(problem);
   return problem;

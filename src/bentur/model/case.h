@@ -141,7 +141,8 @@ struct LimitsSpec {
 };
 
 struct AnalysisSpec {
-  double duration = 0;  ///< [s]
+  double duration = 0;   ///< [s]
+  bool goes_on = false;  ///< that is a record's, not given: the run goes on as Problem::goes_on
   Solver solver = ExactSolver{};
   double output_step = 0.01;  ///< [s]
   bool energy_audit = false;

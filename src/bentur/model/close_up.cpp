@@ -28,7 +28,8 @@ std::optional<CloseUp> close_up(const Problem& problem, const Response& response
   const double duration = impact.end - impact.start;
   const double from = std::max(0.0, impact.start - duration / 2);
   Problem shortened = problem;
-  shortened.duration = std::min(problem.duration, impact.end + duration / 2);
+  shortened.duration = std::min(response.duration, impact.end + duration / 2);
+  shortened.goes_on = false;
 
   double numbers = 2 + 2 * static_cast<double>(problem.points.size());  // of one sample
   for (const Building& building : problem.buildings) numbers += 3 * static_cast<double>(building.model.floors());

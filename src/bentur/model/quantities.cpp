@@ -78,6 +78,9 @@ long floors_met(const RunView& r, const QuantityPlace& at) {
 }
 double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
 long events(const RunView& r, const QuantityPlace&) { return r.response.events; }
+double end_time(const RunView& r, const QuantityPlace&) {
+  return r.response.collapse ? r.response.collapse->time : r.response.duration;
+}
 long collapsed(const RunView& r, const QuantityPlace&) { return r.response.collapse ? 1 : 0; }
 double energy_residual(const RunView& r, const QuantityPlace&) {
   return r.response.energy ? r.response.energy->relative_residual() : none;
@@ -226,6 +229,7 @@ std::deque<Quantity>& list() {
       // The run.
       {"peak_ground_acceleration", run, "L s-2", "PGA", "peak ground acceleration as applied", {}, ground_acceleration, "/excitation/pga"},
       {"events", run, "1", "n_e", "events, such as contacts closed or opened, yielding begun or ended", {}, events, "/solver/events"},
+      {"end_time", run, "s", "t_e", "when the run ended", {}, end_time, "/solver/end_time", {}, 1, {}, false, false, true},
       {"collapsed", run, "1", "", "whether a storey collapsed, which ends the run", {}, collapsed},
       {"energy_residual", run, "1", "ε", "largest energy not accounted for over the largest input", {}, energy_residual, "/solver/energy_residual", {}, 1, {}, true},
       // Impacts, in the order of impacts.csv.

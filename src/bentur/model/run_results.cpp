@@ -50,6 +50,8 @@ double applied_pga(const Case& c) {
 }
 
 RunResults run_results(Case c, Problem problem, Response response) {
+  if (response.duration > 0) problem.duration = response.duration;
+  problem.goes_on = false;
   std::vector<Remark> found = remarks(c, problem, response);
   return {std::move(c), std::move(problem), std::move(response), std::move(found), {}};
 }

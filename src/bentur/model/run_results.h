@@ -44,7 +44,7 @@ struct RunResults {
 /// Largest |a_g| as applied [length/s²]; of results read back the record says it, whose values they do not hold.
 [[nodiscard]] double applied_pga(const Case& c);
 
-/// Those of a run that has been solved, without data for figures.
+/// Those of a run that has been solved, without data for figures; the problem has the duration that the run came to.
 [[nodiscard]] RunResults run_results(Case c, Problem problem, Response response);
 
 }  // namespace bentur

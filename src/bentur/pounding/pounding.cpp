@@ -10,6 +10,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/checks/self_checks.h"
+#include "bentur/pounding/internal/after_motion.h"
 #include "bentur/pounding/internal/asked.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
@@ -20,22 +21,56 @@
 namespace bentur {
 namespace {
 
-/// What the reversed motion needs, where that is asked for and the free response has not told it; nothing where it
-/// collapses or there is none.
+/// Whether bodies of some gap of several touch, or would in the reversed motion, so that others are struck that move
+/// otherwise than freely.
+bool some_gap_closes(const Problem& problem, const Response& response) {
+  if (problem.buildings.size() < 3) return false;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const PointSummary& point = response.points[i];
+    if (point.impacts > 0 || point.gap_needed_reversed.value_or(0) > problem.points[i].width) return true;
+  }
+  return false;
+}
+
+/// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
+/// where gaps of a row close.
 void add_reversed(const Problem& problem, const Solver& solver, const SolveOptions& options, Response& response) {
   if (!options.both_ways) {
     take_reversed({}, response.points);
     take_reversed({}, response.watched);
   }
   const bool ended = response.status == Status::stopped || response.status == Status::failed;
-  if (!options.both_ways || ended || is_mirrored(problem) || std::holds_alternative<NoMotion>(problem.motion)) return;
+  if (!options.both_ways || ended || std::holds_alternative<NoMotion>(problem.motion)) return;
   Problem other = problem;
   other.motion = reversed(std::move(other.motion));
-  const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
-  const FreeResponse free(std::move(other), solver, go_on, options.limits);
-  if (free.response().status != Status::done) return;
-  take_reversed(free.response().points, response.points);
-  take_reversed(free.response().watched, response.watched);
+  std::optional<FreeResponse> free;
+  const auto solve_free = [&] {
+    const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
+    if (!free) free.emplace(other, solver, go_on, options.limits);
+    return free->response().status == Status::done || free->response().status == Status::collapsed;
+  };
+  ReversedRun reversed{.collapse = {}, .collapse_no_contact = response.collapse_no_contact, .points = {}, .watched = {}};
+  if (!is_mirrored(problem)) {
+    if (!solve_free()) return;
+    const Response& found = free->response();
+    reversed.collapse_no_contact = found.collapse_no_contact;
+    if (found.status == Status::done) {
+      take_reversed(found.points, response.points);
+      take_reversed(found.watched, response.watched);
+    }
+  }
+  if (some_gap_closes(problem, response)) {
+    if (!solve_free()) return;
+    SolveOptions rest;
+    rest.limits = options.limits;
+    if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
+    Response with = free->solve(other, rest);
+    if (with.status != Status::done && with.status != Status::collapsed) return;
+    reversed.collapse = with.collapse;
+    reversed.points = std::move(with.points);
+    reversed.watched = std::move(with.watched);
+  }
+  response.reversed = std::move(reversed);
 }
 
 /// How many times one motion is another, > 0; nothing where it is not.
@@ -101,10 +136,13 @@ namespace {
 CheckedFree free_of(Problem problem, const Solver& solver, const std::function<bool(double)>& progress,
                     const RunLimits& limits, bool levels) {
   Problem given = valid(std::move(problem));
-  FreeSolution free(system_of(given, levels), solver, progress, limits);
+  const bool mirrored = is_mirrored(given);
+  FreeSolution free = free_solution(system_of(given, levels), solver, progress, limits, given.goes_on, mirrored);
   Response response = free_response(given, free.solution());
+  response.duration = free.system().duration;
+  take_to_come(free.system(), free.solution(), {}, mirrored, response.points, response.watched);
   if (levels) {
-    const bool mirrored = response.status == Status::done && is_mirrored(given);
+    const bool known = mirrored && response.status == Status::done;
     const auto peak_of = [&](std::size_t level, int side) -> std::optional<double> {
       const std::optional<Eigen::Index> floor = face_floor(given, level, side);
       if (!floor) return std::nullopt;
@@ -112,7 +150,7 @@ CheckedFree free_of(Problem problem, const Solver& solver, const std::function<b
           level < given.points.size() ? given.points[level].left : given.watched[level - given.points.size()].left;
       return response.buildings[left + side].displacement_no_contact(*floor);
     };
-    report_levels(free.solution().watched_free, mirrored, peak_of, response.points, response.watched);
+    report_levels(free.solution().watched_free, known, peak_of, response.points, response.watched);
   }
   return {std::move(given), solver, std::move(free), 1.0, std::move(response)};
 }
@@ -157,7 +195,10 @@ std::optional<FreeResponse> FreeResponse::scaled(Problem problem) const {
   require_same_but_gaps(parts_->problem, given);
   given.motion = std::move(motion);
   const double of_free = *factor * parts_->factor;
-  Response response = free_response(given, bentur::scaled(parts_->free.solution(), of_free));
+  const Solution scaled = bentur::scaled(parts_->free.solution(), of_free);
+  Response response = free_response(given, scaled);
+  response.duration = parts_->response.duration;
+  take_to_come(parts_->free.system(), scaled, {}, is_mirrored(given), response.points, response.watched);
   FreeResponse free;
   free.parts_ =
       std::make_shared<Parts>(Parts{{std::move(given), parts_->solver, parts_->free, of_free, std::move(response)}});

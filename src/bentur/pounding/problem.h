@@ -52,6 +52,9 @@ struct Link {
 
 enum class Kinematics { relative, absolute };
 
+/// For how many first periods of the slowest building a run goes on past its motion, at most.
+constexpr double most_periods_after = 10;
+
 /// Everything a solver needs, in consistent units. It reads no file and knows no key. Indices of buildings, floors and
 /// points count from 0 and are Eigen::Index, the signed type that both vectors and matrices take.
 struct Problem {
@@ -65,6 +68,9 @@ struct Problem {
   std::vector<Eigen::VectorXd> initial_displacement;  ///< per building, dofs [length, rad]; empty: at rest
   std::vector<Eigen::VectorXd> initial_velocity;      ///< per building, dofs [length/s, rad/s]; empty: at rest
   double duration = 0;                                ///< [s] > 0
+  /// The run goes on past that until no gap can need more (docs/theory/exact-solver.md, After the motion), at most
+  /// `most_periods_after` first periods of the slowest building.
+  bool goes_on = false;
   /// Drift ratio [-] > 0 at which a storey of a building with gravity loads has collapsed, which ends the run.
   double collapse_drift = 0.1;
 };

@@ -103,6 +103,9 @@ struct PointSummary {
   double gap_needed = 0;  ///< max(0, max over time of x_left − x_right) in the free response [length]
   /// The same under the ground motion times −1; nothing where that was not asked for or has no end.
   std::optional<double> gap_needed_reversed = {};
+  /// How much the free vibration after the end could need at most, of this motion and of the reversed one [length];
+  /// nothing where that is not known, or of a motion that does not end.
+  std::optional<double> to_come = {}, to_come_reversed = {};
   /// max |x| of both faces in the free response, relative to the own base [length]; NaN where not asked for.
   double peak_left = not_known, peak_right = not_known;
   int impacts = 0;                             ///< but for those that settle
@@ -132,6 +135,7 @@ struct LinkSummary {
 struct WatchedSummary {
   double gap_needed = 0;                                 ///< as PointSummary::gap_needed [length]
   std::optional<double> gap_needed_reversed = {};        ///< likewise [length]
+  std::optional<double> to_come = {}, to_come_reversed = {};  ///< likewise [length]
   double peak_left = not_known, peak_right = not_known;  ///< likewise [length]
   double least_opening =
       0;                  ///< of the run; what it is at most where the floor never comes nearer than at rest [length]
@@ -171,6 +175,15 @@ struct Collapse {
   double time = 0;          ///< [s]
 };
 
+/// The run with the ground motion times −1, as far as gaps are judged by it.
+struct ReversedRun {
+  std::optional<Collapse> collapse, collapse_no_contact;
+  /// With contact, as Response has them; empty where no other gap closes that could make a difference: then a gap is
+  /// struck exactly where it needs more than it has.
+  std::vector<PointSummary> points;
+  std::vector<WatchedSummary> watched;
+};
+
 /// A number that was reached by two ways, and is not the same but for round-off.
 struct Discrepancy {
   std::string key;  ///< which, as the texts of remarks name it
@@ -180,6 +193,7 @@ struct Discrepancy {
 struct Response {
   Status status = Status::done;
   std::string message;                          ///< why and when, unless done
+  double duration = 0;                          ///< to where it went unless it ended before, Problem::duration or longer [s]
   long steps = 0;                               ///< intervals over which the solution was advanced (with contact)
   long events = 0;                              ///< contacts closed or opened
   double wall_time = 0;                         ///< of the solution alone [s]
@@ -199,6 +213,7 @@ struct Response {
   /// that this would take too many steps.
   Histories course = {};
   std::optional<EnergyAudit> energy;            ///< when asked for
+  std::optional<ReversedRun> reversed = {};     ///< where both ways were asked for and the ground moves
   std::vector<Discrepancy> discrepancies = {};  ///< that the solver explains: more is a failure (self_checks.h)
 };
 

@@ -1,5 +1,7 @@
 #include "bentur/solve/solution.h"
 
+#include <cmath>
+
 namespace bentur {
 namespace {
 
@@ -34,6 +36,12 @@ void scale(Impact& impact, double by) {
 
 }  // namespace
 
+double ToCome::most(double t, double sign) const {
+  double sum = sign * rest;
+  for (const Fading& one : fading) sum += one.size * std::exp(-one.rate * t);
+  return sum;
+}
+
 Solution scaled(Solution solution, double factor) {
   for (std::vector<OutputsFound>& body : solution.outputs) {
     for (OutputsFound& found : body) {
@@ -55,6 +63,10 @@ Solution scaled(Solution solution, double factor) {
   }
   for (std::vector<Reach>* reaches : {&solution.watched, &solution.watched_free}) {
     for (Reach& reach : *reaches) reach.reach *= factor;
+  }
+  for (ToCome& one : solution.to_come) {
+    one.rest *= factor;
+    for (ToCome::Fading& fading : one.fading) fading.size *= factor;
   }
   scale(solution.samples, factor);
   scale(solution.course, factor);

@@ -44,6 +44,9 @@ struct Impact {
 struct OutputsFound {
   Eigen::VectorXd peak = {};     ///< the largest size of each; empty where none is looked for
   Eigen::MatrixXd history = {};  ///< outputs × samples
+  /// Of each output that is sampled, what it is a sum of over the modes in the samples: |row| · |q| at most, in
+  /// Euclidean norms. Round-off is a part of that.
+  Eigen::VectorXd size = {};
   Eigen::MatrixXd course = {};   ///< outputs × instants of the exact course; empty where it does not keep them
 };
 
@@ -51,6 +54,22 @@ struct OutputsFound {
 struct Reach {
   double reach = 0;  ///< max(0, δ) [length]
   double time = 0;   ///< when [s]
+};
+
+/// How far a δ can still go after a run has ended, while the ground rests and nothing touches: in t [s] from then on
+///   rest − Σ size e^(−rate t) ≤ δ ≤ rest + Σ size e^(−rate t).                                          (T-9)
+/// Of bodies that yield as long as they yield no more.
+struct ToCome {
+  struct Fading {
+    double size = 0;  ///< [length]; infinite of what nothing holds
+    double rate = 0;  ///< [1/s] ≥ 0
+  };
+  bool known = false;  ///< the displacement of the ground is no part of δ
+  double rest = 0;     ///< [length]
+  std::vector<Fading> fading = {};
+
+  /// The largest δ, or with sign −1 the largest −δ, from t on [length].
+  [[nodiscard]] double most(double t, double sign = 1) const;
 };
 
 /// What an element did that is no contact.
@@ -124,6 +143,7 @@ struct Solution {
   std::vector<std::vector<ElementFound>> members = {};  ///< per body, as Body::elements
   std::vector<CoupledState> coupled = {};               ///< of all bodies' Body::coupled, at the end
   std::vector<Reach> watched = {}, watched_free = {};   ///< as in the system
+  std::vector<ToCome> to_come = {};  ///< of a free response: per contact (those that rub last), then as watched
   std::vector<double> scales = {};  ///< per watched interface, the lengths whose difference δ is [length]
   Sampled samples = {}, course = {};
   std::optional<EnergyAudit> energy = {};

@@ -9,6 +9,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
+#include "bentur/solve/engine/run/account/to_come.h"
 #include "bentur/solve/engine/run/free_run.h"
 #include "bentur/solve/engine/run/pounding_run.h"
 
@@ -46,6 +47,7 @@ double worst_opening(const System& system, const Elements& elements, const std::
 
 /// How far any sample lies beyond the peak that is found of it, as a part of the largest peak of its kind [-].
 double beyond_peaks(const Solution& solution) {
+  constexpr double round_off = 1e-6;  // of what an output is a sum of: smaller ones are known no better than that
   if (solution.samples.time.empty()) return 0.0;
   double worst = 0.0;
   const auto compare = [&worst](const auto& samples, double peak, double scale) {
@@ -54,8 +56,8 @@ double beyond_peaks(const Solution& solution) {
   for (const std::vector<OutputsFound>& body : solution.outputs) {
     for (const OutputsFound& output : body) {
       if (output.peak.size() == 0) continue;
-      const double scale = output.peak.maxCoeff();
       for (Eigen::Index i = 0; i < output.history.rows(); ++i) {
+        const double scale = std::max(output.peak.maxCoeff(), round_off * output.size(i));
         compare(output.history.row(i).cwiseAbs(), output.peak(i), scale);
       }
     }
@@ -207,6 +209,7 @@ FreeSolution::FreeSolution(System system, const Solver& solver, const std::funct
   for (const RubbingContact& contact : given.rubbing) {
     parts->largest_displacement.push_back(engine::largest_length(contact.at, solution, run, parts->modal.components()));
   }
+  solution.to_come = engine::to_come(given, parts->modal, run.state(), run.elements());
   parts->result = run.take_result();
   std::vector<double>& speeds = parts->largest_speed;
   speeds = parts->result.speeds;

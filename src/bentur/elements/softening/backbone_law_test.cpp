@@ -112,7 +112,11 @@ TEST(BackboneLaw, StaysBelowItsBackboneAndIsNeverStifferThanAtFirst) {
     for (const double point : turns(random)) {
       element.lead_to(point);
       const Backbone& side = element.force() < 0 ? of.negative : of.positive;
-      ASSERT_LE(std::abs(element.force()), side.cap * side.yield * (1 + rounded)) << seed;
+      // With `bilinear` the line that falls from the cap grows flatter as the yield force wears, so that it may be met
+      // farther out and higher up; it is below what it began with at δ = 0.
+      const bool flatter = of.reloading == Reloading::bilinear && std::isfinite(of.deterioration.strength);
+      const double most = flatter ? 1 + (side.yield / initial + side.plastic) / side.softening : 1;
+      ASSERT_LE(std::abs(element.force()), side.cap * side.yield * most * (1 + rounded)) << seed;
       ASSERT_LE(law.branch(element.state()).stiffness, initial * (1 + 1e-8)) << seed;
       const StrengthLoss loss = *law.loss(element.state(), element.deformation());
       ASSERT_GE(loss.left, 0);

@@ -68,7 +68,10 @@ Solver read_solver(const TableView& view) {
 
 AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitation) {
   AnalysisSpec analysis;
-  if (excitation.record) analysis.duration = excitation.record->duration;
+  if (excitation.record) {
+    analysis.duration = excitation.record->duration;
+    analysis.goes_on = true;
+  }
   if (excitation.spectrum || excitation.suite) analysis.duration = 1;  // [s] of nothing: no run is made of it
   // A record that could not be read would have given the duration.
   const auto source = root.find("excitation");
@@ -84,6 +87,7 @@ AnalysisSpec read_analysis(const TomlView& root, const ExcitationSpec& excitatio
   if (!view) return analysis;
   if (view->has("duration")) {
     analysis.duration = view->number("duration").value_or(0);
+    analysis.goes_on = false;
   } else if (duration_needed) {
     view->error_missing("duration", reason);
   }

@@ -167,12 +167,19 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
   problem.initial_displacement = initial_vectors(c.initial.displacements, problem.buildings);
   problem.initial_velocity = initial_vectors(c.initial.velocities, problem.buildings);
   problem.duration = c.analysis.duration;
+  problem.goes_on = c.analysis.goes_on;
   problem.collapse_drift = c.analysis.collapse_drift;
   validate(problem);
   return problem;
 }
 
 SolveOptions solve_options(const PlanCase& c) { return solve_options(c.analysis); }
+
+PlanRun run_results(PlanCase c, PlanProblem problem, PlanResponse response) {
+  if (response.duration > 0) problem.duration = response.duration;
+  problem.goes_on = false;
+  return {std::move(c), std::move(problem), std::move(response)};
+}
 
 double applied_pga(const PlanRun& run, std::size_t component) {
   const std::optional<RecordEcho>& record = run.c.excitation.at(component).record;

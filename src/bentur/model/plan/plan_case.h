@@ -107,6 +107,9 @@ struct PlanRun {
   PlanResponse response;
 };
 
+/// The same as those of a row (run_results.h).
+[[nodiscard]] PlanRun run_results(PlanCase c, PlanProblem problem, PlanResponse response);
+
 /// Largest acceleration of a component of the ground's motion as applied [length/s²]; 0: there is none.
 [[nodiscard]] double applied_pga(const PlanRun& run, std::size_t component);
 

@@ -339,6 +339,7 @@ std::deque<Line> list() {
   for (const Quantity* const quantity : quantities_of(Owner::gap)) all.push_back({gap, *quantity, of_row(*quantity)});
   all.push_back({PlanOwner::run, {"peak_ground_acceleration_x", Owner::run, "L s-2", "PGA_x", "peak ground acceleration along x as applied", {}, {}, "/excitation/peak_ground_acceleration_x"}, of_ground(0)});
   all.push_back({PlanOwner::run, {"peak_ground_acceleration_y", Owner::run, "L s-2", "PGA_y", "peak ground acceleration along y as applied", {}, {}, "/excitation/peak_ground_acceleration_y"}, of_ground(1)});
+  all.push_back({PlanOwner::run, quantity_named("end_time", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return run.response.collapse ? run.response.collapse->time : run.response.duration; }}});
   all.push_back({PlanOwner::run, quantity_named("collapsed", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return run.response.collapse ? 1.0 : 0.0; }}});
   for (const Quantity* const quantity : quantities_of(Owner::impact)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({impact, *quantity, std::move(source)});

@@ -230,6 +230,7 @@ Case case_of_record(const Case& c, std::size_t number) {
   one.excitation.motion = std::move(motion);
   one.excitation.record = record.echo;
   one.analysis.duration = suite.duration.value_or(record.echo.duration);
+  one.analysis.goes_on = !suite.duration;
   return one;
 }
 

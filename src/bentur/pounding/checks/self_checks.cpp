@@ -169,14 +169,14 @@ void Checks::numbers() {
 void Checks::impacts() {
   std::vector<PointSummary> found(response_.points.size());
   std::vector<double> ended(response_.points.size(), 0.0);
-  const double slack = exact_bound * problem_.duration;
+  const double slack = exact_bound * response_.duration;
   for (const Impact& one : response_.impacts) {
     PointSummary& point = found.at(one.point);
     ++(one.settling ? point.settling : point.impacts);
     point.impulse += one.impulse;
     point.peak_force = std::max(point.peak_force, one.peak_force);
     double& last = ended[one.point];
-    if (one.start < last - slack || one.end < one.start - slack || one.end > problem_.duration + slack) {
+    if (one.start < last - slack || one.end < one.start - slack || one.end > response_.duration + slack) {
       fail(fmt::format("an impact at {} lasts from {:.9g} to {:.9g} s, after one that ended at {:.9g} s",
                        place(one.point), one.start, one.end, last));
     }

@@ -13,11 +13,13 @@ namespace bentur {
 /// The same motion the other way round.
 [[nodiscard]] GroundMotion reversed(GroundMotion motion);
 
-/// What the reversed motion needs, of points and watched floors alike; nothing where `from` is empty.
+/// What the reversed motion needs and can still come to need, of points and watched floors alike; nothing where `from`
+/// is empty.
 template <typename Summary>
 void take_reversed(const std::vector<Summary>& from, std::vector<Summary>& to) {
   for (std::size_t i = 0; i < to.size(); ++i) {
     to[i].gap_needed_reversed = from.empty() ? std::nullopt : std::optional(from[i].gap_needed);
+    to[i].to_come_reversed = from.empty() ? std::nullopt : from[i].to_come;
   }
 }
 

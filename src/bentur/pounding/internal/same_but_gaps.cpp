@@ -126,6 +126,7 @@ void require_same_but_gaps(const Problem& problem, const Problem& other) {
   require_same(problem.collapse_drift == other.collapse_drift, "collapse_drift",
                fmt::format("{}", other.collapse_drift));
   require_same(problem.duration == other.duration, "duration", fmt::format("{}", other.duration));
+  require_same(problem.goes_on == other.goes_on, "goes_on", fmt::format("{}", other.goes_on));
 }
 
 }  // namespace bentur

@@ -294,7 +294,8 @@ void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights
       continue;
     }
     BuildingPeaks::Hinge& hinge = peaks.hinges[h];
-    hinge.peak_rotation = std::max(hinge.peak_rotation, record.peak_rotation);
+    // Until it fails it turns farthest at an event; from then on it may at any time.
+    hinge.peak_rotation = record.failed ? std::max(hinge.peak_rotation, record.peak_rotation) : record.peak_rotation;
     hinge.residual_rotation = record.rotation;
     hinge.dissipated_energy = record.lost + hinges.at_rest(h) * record.rotation;
     hinge.first_yield = record.first_yield;

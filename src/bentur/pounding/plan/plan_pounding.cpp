@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bentur/pounding/checks/self_checks.h"
+#include "bentur/pounding/internal/after_motion.h"
 #include "bentur/pounding/internal/asked.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
@@ -354,36 +355,17 @@ void check_response(const PlanProblem& problem, const Solver& solver, const Self
 
 /// What points and watched floors need in the free response, and with `levels` what rules take.
 /// @param mirrored whether the reversed motion gives the response times −1
-void take_free(const PlanProblem& problem, const Solution& free, bool levels, bool mirrored, PlanResponse& response) {
+void take_free(const PlanProblem& problem, const FreeSolution& solved, bool levels, bool mirrored,
+               PlanResponse& response) {
+  const Solution& free = solved.solution();
   const std::vector<Index> places = places_of(problem);
   response.points.resize(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) response.points[places[i]].gap_needed = free.needed[i];
   for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
+  take_to_come(solved.system(), free, places, mirrored, response.points, response.watched);
   if (!levels) return;
   const auto no_floor = [](std::size_t, int) -> std::optional<double> { return std::nullopt; };
   report_levels(free.watched_free, mirrored, no_floor, response.points, response.watched);
-}
-
-/// What the reversed motion needs, where that is asked for and the free response has not told it.
-void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveOptions& options, bool mirrored,
-                  PlanResponse& response) {
-  if (!options.both_ways) {
-    take_reversed({}, response.points);
-    take_reversed({}, response.watched);
-  }
-  const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
-                                 [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
-  const bool ended = response.status == Status::stopped || response.status == Status::failed;
-  if (!options.both_ways || ended || mirrored || !moves) return;
-  PlanProblem other = problem;
-  for (GroundMotion& motion : other.motions) motion = reversed(std::move(motion));
-  const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
-  const FreeSolution free(system_of(other), solver, go_on, options.limits);
-  if (free.solution().status != Status::done) return;
-  PlanResponse needs;
-  take_free(other, free.solution(), false, false, needs);
-  take_reversed(needs.points, response.points);
-  take_reversed(needs.watched, response.watched);
 }
 
 std::vector<double> watched_widths(const PlanProblem& problem) {
@@ -392,6 +374,68 @@ std::vector<double> watched_widths(const PlanProblem& problem) {
     for (const PlanWatched& watched : gap.watched) widths.push_back(gap.stretch.width_at(watched.along));
   }
   return widths;
+}
+
+/// Whether bodies of some gap of several touch, or would in the reversed motion.
+bool some_gap_closes(const PlanProblem& problem, const PlanResponse& response) {
+  if (problem.gaps.size() < 2) return false;
+  std::size_t i = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) {
+      const PointSummary& point = response.points[i++];
+      const double width = gap.stretch.width_at(contact.along);
+      if (point.impacts > 0 || point.gap_needed_reversed.value_or(0) > width) return true;
+    }
+  }
+  return false;
+}
+
+bool is_over(Status status) { return status == Status::done || status == Status::collapsed; }
+
+/// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
+/// where some gap closes.
+void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveOptions& options, bool mirrored,
+                  PlanResponse& response) {
+  if (!options.both_ways) {
+    take_reversed({}, response.points);
+    take_reversed({}, response.watched);
+  }
+  const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
+                                 [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
+  if (!options.both_ways || !is_over(response.status) || !moves) return;
+  PlanProblem other = problem;
+  for (GroundMotion& motion : other.motions) motion = reversed(std::move(motion));
+  const System system = system_of(other);
+  std::optional<FreeSolution> free;
+  const auto solve_free = [&] {
+    const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
+    if (!free) free.emplace(free_solution(system, solver, go_on, options.limits, problem.goes_on, false));
+    return is_over(free->solution().status);
+  };
+  ReversedRun reversed{.collapse = {}, .collapse_no_contact = response.collapse_no_contact, .points = {}, .watched = {}};
+  if (!mirrored) {
+    if (!solve_free()) return;
+    reversed.collapse_no_contact = collapse_of(problem, free->solution());
+    if (free->solution().status == Status::done) {
+      PlanResponse needs;
+      take_free(other, *free, false, false, needs);
+      take_reversed(needs.points, response.points);
+      take_reversed(needs.watched, response.watched);
+    }
+  }
+  if (some_gap_closes(problem, response)) {
+    if (!solve_free()) return;
+    RunOptions rest{.limits = options.limits};
+    if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
+    Solution with = free->solve(system.contacts, rest);
+    if (!is_over(with.status)) return;
+    reversed.collapse = collapse_of(problem, with);
+    reversed.points.resize(response.points.size());
+    summarise(in_places(std::move(with.impacts), places_of(problem)), reversed.points);
+    reversed.watched.resize(response.watched.size());
+    summarise(with, watched_widths(problem), reversed.watched);
+  }
+  response.reversed = std::move(reversed);
 }
 
 }  // namespace
@@ -405,12 +449,14 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const Solve
   RunOptions rest = run_options(options);
   rest.course = false;
   rest.progress = progress.rest;
-  const FreeSolution free(system, solver, progress.free, options.limits);
+  const bool is_odd = is_mirrored(problem);
+  const FreeSolution free = free_solution(system, solver, progress.free, options.limits, problem.goes_on, is_odd);
   PlanResponse response;
+  response.duration = free.system().duration;
   response.buildings_no_contact = peaks_of(problem, free.solution());
   response.collapse_no_contact = collapse_of(problem, free.solution());
-  const bool mirrored = free.solution().status == Status::done && is_mirrored(problem);
-  take_free(problem, free.solution(), levels, mirrored, response);
+  const bool mirrored = free.solution().status == Status::done && is_odd;
+  take_free(problem, free, levels, mirrored, response);
   response.friction.resize(response.points.size());
   const std::vector<Index> places = places_of(problem);
   Solution solution = free.solve(system.contacts, rest);

@@ -64,6 +64,7 @@ struct PlanProblem {
   std::vector<Eigen::VectorXd> initial_displacement;  ///< per building, dofs [length, rad]; empty: at rest
   std::vector<Eigen::VectorXd> initial_velocity;      ///< likewise [length/s, rad/s]
   double duration = 0;                                ///< [s] > 0
+  bool goes_on = false;                               ///< as Problem's
   /// Drift ratio [-] > 0 of an edge, along it, at which a storey of a building with gravity loads has collapsed, which
   /// ends the run.
   double collapse_drift = 0.1;

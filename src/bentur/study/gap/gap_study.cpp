@@ -301,7 +301,8 @@ class Work {
   /// Of buildings in plan contact is solved too, as nothing tells their response without it apart.
   [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadPlan& read) {
     const SolveOptions options{.limits = run_limits(read.c.analysis), .levels = true};
-    PlanRun run{read.c, read.problem, solve(read.problem, read.c.analysis.solver, options)};
+    const PlanRun run =
+        run_results(read.c, read.problem, solve(read.problem, read.c.analysis.solver, options));
     if (run.response.status != Status::done && run.response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + run.response.message);
     RecordNeed result{record, run.response.collapse_no_contact.has_value(), {}, {}};

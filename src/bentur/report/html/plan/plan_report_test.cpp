@@ -214,7 +214,7 @@ TEST(PlanReport, BarsAreOfOnePlace) {
   for (const double value : {level->width, level->gap_needed, *level->gap_needed_reversed}) {
     EXPECT_TRUE(has(bars, number(value))) << value << bars;
   }
-  EXPECT_NE(*gap_needed_reversed(pair_of(run, 0).problem, pair_of(run, 0).response, 0), *level->gap_needed_reversed);
+  EXPECT_EQ(*gap_needed_reversed(pair_of(run, 0).problem, pair_of(run, 0).response, 0), *level->gap_needed_reversed);
 }
 
 TEST(PlanReport, ShowsTextsOfTheCaseAsTheyAre) {

@@ -125,8 +125,7 @@ class Elements {
   [[nodiscard]] std::optional<Eigen::Index> limit_passed() const { return limit_passed_; }
   /// Whether the last change began a contact.
   [[nodiscard]] bool began() const { return began_; }
-  /// The jumps of the last change.
-  [[nodiscard]] const std::vector<Jump>& jumps() const { return jumps_; }
+  [[nodiscard]] const std::vector<Jump>& jumps() const { return jumps_; }  ///< of the last change
 
   /// Ends the run at `time`: contacts still closed count as impacts.
   void finish(double time);
@@ -171,7 +170,7 @@ class Elements {
   }
   [[nodiscard]] bool awaits(Eigen::Index element) const { return branches_[element].bodies == Bodies::apart; }
   [[nodiscard]] bool from_rest(Eigen::Index element, double closing_speed) const {
-    return std::abs(closing_speed) < rest_over_least * least_speeds_[element];
+    return std::abs(closing_speed) < 1e3 * least_speeds_[element];  // 10⁻⁶ of the speeds at the point
   }
   void begin_impact(Eigen::Index element, Eigen::Index of_log, double start, double closing_speed, double stored);
   [[nodiscard]] double tolerance(Eigen::Index element, const Guard& guard, const State& state) const;
@@ -213,10 +212,9 @@ class Elements {
 
   const ModalSystem* system_;
   std::vector<std::shared_ptr<const Law>> laws_;
-  std::vector<double> offsets_;     ///< of δ [length]
-  Eigen::Index idle_;               ///< the first elements, which do nothing
-  std::vector<double> tolerances_;  ///< the band [length] per element
-  static constexpr double rest_over_least = 1e3;
+  std::vector<double> offsets_;       ///< of δ [length]
+  Eigen::Index idle_;                 ///< the first elements, which do nothing
+  std::vector<double> tolerances_;    ///< the band [length] per element
   std::vector<double> least_speeds_;  ///< slowest start of a contact that a law is told of [length/s] per element
   double start_slack_;                ///< accuracy, in tolerances
   std::vector<LawState> states_;      ///< per element

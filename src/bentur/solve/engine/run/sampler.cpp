@@ -22,6 +22,8 @@ Sampler::Sampler(const ModalSystem& system, const System& given, const std::vect
     std::vector<MatrixXd>& lists = outputs_.emplace_back();
     for (const auto& group : block.outputs) lists.emplace_back(MatrixXd::Zero(group.count(), count_));
   }
+  largest_q_.resize(system.blocks.size(), 0.0);
+  largest_acceleration_ = largest_q_;
   samples_.ground_acceleration = MatrixXd::Zero(system.components(), count_);
   samples_.opening = samples_.force = MatrixXd::Zero(system.points(), count_);
   samples_.slip = samples_.force_along = MatrixXd::Zero(system.rubbing, count_);
@@ -46,6 +48,9 @@ void Sampler::take(const Expansion& motion, double time, double until, const std
     for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
       const auto& block = system_->blocks[b];
       const auto of = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.size); };
+      const auto squared = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.modes).squaredNorm(); };
+      largest_q_[b] = std::max(largest_q_[b], squared(state_.q));
+      largest_acceleration_[b] = std::max(largest_acceleration_[b], squared(acceleration_));
       for (std::size_t k = 0; k < block.outputs.size(); ++k) {
         block.outputs[k].evaluate(of(state_.q), of(state_.v), of(acceleration_), outputs_[b][k].col(taken_));
       }
@@ -72,6 +77,14 @@ void Sampler::finish(Solution& solution) {
   for (std::size_t b = 0; b < outputs_.size(); ++b) {
     for (std::size_t k = 0; k < outputs_[b].size(); ++k) {
       cut(outputs_[b][k]);
+      const ModalSystem::Block& block = system_->blocks[b];
+      Eigen::VectorXd& size = solution.outputs[b][k].size;
+      size.setZero(block.outputs[k].count());
+      const auto add = [&](const MatrixXd& rows, double squared) {
+        if (rows.size() > 0) size += rows.leftCols(block.modes).rowwise().norm() * std::sqrt(squared);
+      };
+      add(block.outputs[k].of_position, largest_q_[b]);
+      add(block.outputs[k].of_acceleration, largest_acceleration_[b]);
       solution.outputs[b][k].history = std::move(outputs_[b][k]);
     }
   }

@@ -1,0 +1,96 @@
+#include "bentur/pounding/internal/after_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include "bentur/pounding/problem.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// 2π/ω₁ of the slowest body that has one [s]; 0: none has.
+double slowest_period(const System& system) {
+  double longest = 0;
+  for (const Body& body : system.bodies) {
+    if (!body.is_rigid() && body.modes.omega(0) > 0) longest = std::max(longest, 2 * std::numbers::pi / body.modes.omega(0));
+  }
+  return longest;
+}
+
+/// Of records the shortest step [s]; 0 where nothing is sampled.
+double step_of(const System& system) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const GroundMotion& motion : system.motions) {
+    if (const auto* sampled = std::get_if<SampledMotion>(&motion)) least = std::min(least, sampled->time_step);
+  }
+  return std::isfinite(least) ? least : 0.0;
+}
+
+/// Whether no δ, nor where the response is mirrored −δ, can go farther than it has from so long after the end on.
+bool is_over(const Solution& free, bool mirrored, double after) {
+  constexpr double round_off = 1e-9;
+  for (std::size_t i = 0; i < free.to_come.size(); ++i) {
+    const ToCome& one = free.to_come[i];
+    if (!one.known) continue;
+    const std::size_t contacts = free.needed.size();
+    const double needed = i < contacts ? free.needed[i] : free.watched[i - contacts].reach;
+    if (one.most(after) > (1 + round_off) * needed) return false;
+    if (mirrored && i < free.watched_free.size() &&
+        one.most(after, -1) > (1 + round_off) * free.watched_free[i].reach) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// How long after the end something larger can still come [s], in steps of the motion.
+double time_after(const System& system, const Solution& free, bool mirrored) {
+  const double longest = most_periods_after * slowest_period(system), step = step_of(system);
+  if (longest == 0 || step == 0 || is_over(free, mirrored, 0)) return 0;
+  double from = 0, to = longest;
+  if (is_over(free, mirrored, longest)) {
+    while (to - from > step) {
+      const double middle = 0.5 * (from + to);
+      (is_over(free, mirrored, middle) ? to : from) = middle;
+    }
+  }
+  return std::ceil(to / step) * step;
+}
+
+}  // namespace
+
+bool motion_ends(const System& system) {
+  return std::none_of(system.motions.begin(), system.motions.end(),
+                      [](const GroundMotion& motion) { return std::holds_alternative<HarmonicMotion>(motion); });
+}
+
+FreeSolution free_solution(System system, const Solver& solver, const std::function<bool(double)>& progress,
+                           const RunLimits& limits, bool goes_on, bool mirrored) {
+  FreeSolution free(system, solver, progress, limits);
+  if (!goes_on || free.solution().status != Status::done || !motion_ends(system)) return free;
+  const double more = time_after(system, free.solution(), mirrored);
+  if (more == 0) return free;
+  system.duration += more;
+  return FreeSolution(std::move(system), solver, progress, limits);
+}
+
+void take_to_come(const System& system, const Solution& free, const std::vector<Index>& places, bool mirrored,
+                  std::vector<PointSummary>& points, std::vector<WatchedSummary>& watched) {
+  if (!motion_ends(system) || free.status != Status::done) return;
+  const std::vector<ToCome>& all = free.to_come;
+  const auto take = [&](const ToCome& one, auto& summary) {
+    if (!one.known) return;
+    summary.to_come = std::max(0.0, one.most(0));
+    if (mirrored) summary.to_come_reversed = std::max(0.0, one.most(0, -1));
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) take(all[i], points[places.empty() ? i : places[i]]);
+  for (std::size_t i = 0; i < watched.size(); ++i) take(all[points.size() + i], watched[i]);
+}
+
+}  // namespace bentur
