@@ -7,8 +7,11 @@
 #include "bentur/study/plan/study_keys.h"
 #include "case_run.h"
 
+namespace py = pybind11;
+
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of bentur.";
+  module.attr("pybind11") = py::make_tuple(PYBIND11_VERSION_MAJOR, PYBIND11_VERSION_MINOR);
   module.attr("version") = BENTUR_VERSION;
   module.def("schema", [](bool study) {
     return study ? bentur::json_schema(bentur::study_keys(), "A study of bentur")
