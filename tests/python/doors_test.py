@@ -13,6 +13,8 @@ import pytest
 from part import part
 
 import bentur
+from bentur import _result, _study
+from bentur._dataset import netcdf
 
 NAMES = [case.stem for case in doors.EXAMPLES]
 SOME_NAMES = part(NAMES, 3)  # where whole files are compared
@@ -126,6 +128,21 @@ def test_what_python_saves_is_reported_alike(name, root, program, tmp_path):
     for door in ("python", "command"):
         subprocess.run([program, "report", tmp_path / door, "-o", tmp_path / f"{door}.html"], check=True)
     assert (tmp_path / "python.html").read_bytes() == (tmp_path / "command.html").read_bytes()
+
+
+@pytest.mark.parametrize("case", ["m12-el-centro.toml", "plan/twisting-pair.toml", "studies/m12-gaps.toml"])
+def test_a_report_says_which_bentur_made_the_results(case, root, program, tmp_path, monkeypatch):
+    pytest.importorskip("netCDF4")
+    for module in (_result, _study):  # as if an earlier one had written them
+        monkeypatch.setattr(module, "netcdf", lambda told, variables: netcdf({**told, "history": "written by bentur 0.1.9"}, variables))
+    results = tmp_path / "histories.nc"
+    if case.startswith("studies"):
+        bentur.sweep(root / "examples" / case, output=results)
+    else:
+        bentur.run(root / "examples" / case).save(tmp_path)
+    for language, drawn in (("en", "drawn by"), ("id", "digambar oleh")):
+        page = output(program, "report", results, "--lang", language, "-o", "-")
+        assert f", bentur 0.1.9, {drawn} {bentur.__version__}<" in page
 
 
 @pytest.mark.parametrize("name", NAMES)
