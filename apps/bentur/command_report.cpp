@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/case/plan/plan_toml.h"
@@ -122,7 +123,7 @@ void run(const ReportArguments& arguments) {
                   error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
   }
   if (!from_files && is_plan_case(input)) {
-    const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION, .head = head};
+    const ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
     return report_plan(arguments.input, arguments.head, arguments.output, arguments.force, options);
   }
   Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
@@ -131,7 +132,7 @@ void run(const ReportArguments& arguments) {
   std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;
   if (!arguments.head.empty()) files.emplace_back(arguments.head);
   OutputFile output(arguments.output, ResultKind::report, {files, arguments.force});
-  const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION, .head = head};
+  const ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
   const std::string page = is_folder   ? from_results(input, options)
                            : is_netcdf ? from_netcdf(input, options)
                                        : from_case(loaded, input.string(), options);

@@ -130,6 +130,29 @@ def test_what_python_saves_is_reported_alike(name, root, program, tmp_path):
     assert (tmp_path / "python.html").read_bytes() == (tmp_path / "command.html").read_bytes()
 
 
+def test_every_door_says_which_bentur_it_is(root, program, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    version = bentur.__version__
+    assert output(program, "--version") == f"bentur {version}\n"
+    case, study = root / "examples" / "m12-el-centro.toml", root / "examples" / "studies" / "m12-gaps.toml"
+    result = bentur.run(case)
+    subprocess.run([program, "run", case, "-q", "-o", tmp_path / "run"], check=True)
+    subprocess.run([program, "sweep", study, "-q", "-o", tmp_path / "sweep.nc"], check=True)
+    told = [result.summary, result.gaps, bentur.minimum_gap(case), json.loads((tmp_path / "run" / "summary.json").read_text())]
+    told += [json.loads(output(program, *line, "--json")) for line in (("run", case), ("gap", case), ("remedy", case))]
+    told += [json.loads(output(program, "spectrum", root / "data" / "el-centro-1940-ns.csv", "--unit", "g", "--json"))]
+    assert [one["version"] for one in told] == [version] * len(told)
+    files = [result.dataset, bentur.sweep(study)]
+    for name in ("run/histories.nc", "sweep.nc"):
+        with xarray.open_dataset(tmp_path / name) as file:
+            files.append(file)
+    for file in files:
+        assert file.attrs["bentur_version"] == version and file.attrs["history"] == f"written by bentur {version}"
+    pages = [result.report("en"), *(output(program, "report", one, "-o", "-") for one in (case, tmp_path / "run"))]
+    assert [page.count(f"Pounding analysis, bentur {version}<") for page in pages] == [1] * len(pages)
+    assert f"Pounding study, bentur {version}<" in output(program, "report", tmp_path / "sweep.nc", "-o", "-")
+
+
 @pytest.mark.parametrize("case", ["m12-el-centro.toml", "plan/twisting-pair.toml", "studies/m12-gaps.toml"])
 def test_a_report_says_which_bentur_made_the_results(case, root, program, tmp_path, monkeypatch):
     pytest.importorskip("netCDF4")
