@@ -305,7 +305,8 @@ def main(root, out, *options):
     (source / "index.md").write_text(INDEX.format(theory=theory, others="\n".join(others)))
     (source / "_static").mkdir()
     (source / "_static/bentur.css").write_text(CSS)
-    version = re.search(r"project\(bentur VERSION ([\d.]+)", (root / "CMakeLists.txt").read_text())[1]
+    asked = ["cmake", "-P", str(root / "cmake" / "version.cmake")]
+    version = subprocess.run(asked, check=True, capture_output=True, text=True).stdout.strip()
     palette = (root / "src/bentur/report/figures/internal/colours.h").read_text()
     link = re.search(r'\{"link", "(.*?)", "(.*?)"', palette).groups()
     (source / "conf.py").write_text("import sys\nsys.path.insert(0, '.')\n" + CONF.format(version=version, link=link))

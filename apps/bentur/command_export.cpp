@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/files/ida_reading.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/io/results/result_csv.h"
@@ -82,7 +83,7 @@ void export_fragility(const ExportArguments& arguments) {
     diagnostics.error({arguments.file, 0, 0}, error);
     throw Failure(diagnostics, arguments.language);
   }
-  output.write(nrml_fragility(made->model, BENTUR_VERSION));
+  output.write(nrml_fragility(made->model, version()));
   const Words say(arguments.language);
   const auto warn = [&](const char* key, const std::vector<std::string>& names) {
     if (!names.empty()) message(say(key, {{"names", fmt::format("{}", fmt::join(names, "; "))}}));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/files/ida_reading.h"
 #include "bentur/study/fragility/fragility_report.h"
 #include "commands.h"
@@ -277,7 +278,7 @@ void run(const FragilityArguments& arguments) {
   long failed = 0;
   for (const CaseFragility& one : report->fragilities) failed += one.failed;
   if (failed > 0) message(fmt::format("warning: {} runs whose values make no case are left out", failed));
-  print(arguments.json ? fragility_json(*report, request, BENTUR_VERSION) : fitted(text(*report, request)));
+  print(arguments.json ? fragility_json(*report, request, version()) : fitted(text(*report, request)));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/rules_json.h"
@@ -54,7 +55,7 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   const SpectrumSpec& spectrum = *c.excitation.spectrum;
   const SpectralGaps spectral = spectral_gaps(loaded.problem, spectrum, c.code, c.units);
   if (json) {
-    print(spectral_gap_json(c, loaded.problem, spectral, BENTUR_VERSION));
+    print(spectral_gap_json(c, loaded.problem, spectral, version()));
     return;
   }
   std::string text = c.title.empty() ? "" : c.title + "\n";
@@ -87,7 +88,7 @@ std::string study_text(const GapStudy& study, const Words& say) {
 }
 
 void tell_study(const GapArguments& arguments, const GapStudy& study) {
-  print(arguments.json ? gap_study_json(study, BENTUR_VERSION) : fitted(study_text(study, Words(arguments.language))));
+  print(arguments.json ? gap_study_json(study, version()) : fitted(study_text(study, Words(arguments.language))));
   if (!study.is_whole()) throw Failure(exit_other, "");
 }
 
@@ -126,7 +127,7 @@ void run_rules(const GapArguments& arguments) {
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   const Case& c = loaded.c;
   if (arguments.json) {
-    print(height_rules_json(c, loaded.problem, BENTUR_VERSION));
+    print(height_rules_json(c, loaded.problem, version()));
     return;
   }
   std::string text = c.title.empty() ? "" : c.title + "\n\n";
@@ -162,7 +163,7 @@ void run(const GapArguments& arguments) {
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);
   const RunResults results = simulate(loaded, 0, true, arguments.language);
   if (arguments.json) {
-    print(gap_json(results, BENTUR_VERSION));
+    print(gap_json(results, version()));
     return;
   }
   std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/report/errors.h"
@@ -44,7 +45,7 @@ OutputRules rules_of(const RemedyArguments& arguments) {
 std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::filesystem::path& journal) {
   const StopOnSignal stop;
   Progress progress("of the evaluations");
-  RemedyOptions options{.journal = journal, .resume = arguments.resume, .version = BENTUR_VERSION};
+  RemedyOptions options{.journal = journal, .resume = arguments.resume, .version = std::string(version())};
   options.goes_on = [&progress](double fraction) {
     progress.show(fraction);
     return !StopOnSignal::asked();
@@ -84,7 +85,7 @@ void run_case(const RemedyArguments& arguments) {
     refuse("--output, --resume and --figure are for a study with [remedy]; of a case --json has the least gap");
   }
   const LeastGaps found = gaps_of(arguments);
-  if (arguments.json) return print(least_gap_json(found, BENTUR_VERSION));
+  if (arguments.json) return print(least_gap_json(found, version()));
   const Words say(arguments.language);
   std::vector<std::string> gaps;
   for (const LeastGap& one : found.gaps) gaps.push_back(one.name);
@@ -110,7 +111,7 @@ void run(const RemedyArguments& arguments) {
   if (!arguments.figure.empty()) expect_picture(arguments.figure, rules_of(arguments));
   const RemedySearch found = *seek(arguments, journal);
   const Words say(arguments.language);
-  const std::string json = remedy_json(found, BENTUR_VERSION);
+  const std::string json = remedy_json(found, version());
   if (output && !found.stopped) {
     output->write(json);
     std::filesystem::remove(journal);

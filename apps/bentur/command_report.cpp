@@ -1,22 +1,26 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/results/plan/plan_variables.h"
+#include "bentur/io/results/result_variable.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/suite_report.h"
 #include "bentur/report/studies/sweep_report.h"
+#include "bentur/report/words.h"
 #include "cases/plan.h"
 #include "cases/suite.h"
 #include "commands.h"
@@ -35,12 +39,24 @@ struct ReportArguments {
   bool force = false;
 };
 
+/// For the report of results that another bentur has written, which then names both.
+ReportOptions of_results(ReportOptions options, const NetcdfReader& results) {
+  const std::string history = results.attribute("history");
+  const std::string by = history.substr(std::min(history.size(), result_history.size() + 1));
+  if (!by.empty() && by != options.version) {
+    options.version = Words(options.language)("report.drawn_by", {{"version", by}, {"now", options.version}});
+  }
+  return options;
+}
+
 /// The report of a folder of results.
 std::string from_results(const std::filesystem::path& folder, const ReportOptions& options) {
   try {
     if (std::filesystem::exists(folder / "histories.nc") && std::filesystem::exists(folder / "summary.json")) {
       const NetcdfReader histories(folder / "histories.nc");
-      if (is_plan_run(histories)) return plan_report_html(read_plan_results(histories), options);
+      const ReportOptions told = of_results(options, histories);
+      return is_plan_run(histories) ? plan_report_html(read_plan_results(histories), told)
+                                    : report_html(read_results(folder), told);
     }
     return report_html(read_results(folder), options);
   } catch (const Failure&) {
@@ -55,7 +71,7 @@ std::string from_netcdf(const std::filesystem::path& file, const ReportOptions& 
   try {
     const NetcdfReader results(file);
     if (results.find("status") == nullptr) return from_results(file.parent_path(), options);
-    return sweep_report_html(results, options);
+    return sweep_report_html(results, of_results(options, results));
   } catch (const Failure&) {
     throw;
   } catch (const std::exception& error) {
@@ -107,7 +123,7 @@ void run(const ReportArguments& arguments) {
                   error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
   }
   if (!from_files && is_plan_case(input)) {
-    const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION, .head = head};
+    const ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
     return report_plan(arguments.input, arguments.head, arguments.output, arguments.force, options);
   }
   Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
@@ -116,7 +132,7 @@ void run(const ReportArguments& arguments) {
   std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;
   if (!arguments.head.empty()) files.emplace_back(arguments.head);
   OutputFile output(arguments.output, ResultKind::report, {files, arguments.force});
-  const ReportOptions options{.language = arguments.language, .version = BENTUR_VERSION, .head = head};
+  const ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
   const std::string page = is_folder   ? from_results(input, options)
                            : is_netcdf ? from_netcdf(input, options)
                                        : from_case(loaded, input.string(), options);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/plan/plan_toml.h"
@@ -244,7 +245,7 @@ class RunOutput {
         pictures_(results_, arguments.figures) {}
 
   void write(const RunResults& run, const std::string& summary) {
-    results_.write(*run.c.source, summary, impacts_csv(run.view()), histories_netcdf(run, BENTUR_VERSION));
+    results_.write(*run.c.source, summary, impacts_csv(run.view()), histories_netcdf(run, version()));
   }
 
   /// Draws what the run has to show into the folder "figures" beside its results.
@@ -268,7 +269,7 @@ void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
   }
   const SuiteRun run = run_records(loaded, !arguments.quiet, arguments.language);
   if (arguments.json) {
-    print(suite_run_json(run, BENTUR_VERSION));
+    print(suite_run_json(run, version()));
   } else if (!arguments.quiet) {
     const Words say(arguments.language);
     std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
@@ -309,7 +310,7 @@ void execute(const RunArguments& arguments) {
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
   RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet, arguments.language);
   if (!arguments.figures.empty()) run.figures = figure_data(run);
-  const std::string summary = summary_json(run, BENTUR_VERSION);
+  const std::string summary = summary_json(run, version());
   if (output) output->write(run, summary);
   if (arguments.json) {
     print(summary);

@@ -9,6 +9,7 @@
 #include "arguments.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/units.h"
+#include "bentur/core/version.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/spectrum_files.h"
 #include "bentur/report/kinds/kinds.h"
@@ -155,7 +156,7 @@ void run(const SpectrumArguments& arguments) {
   if (is_picture(output)) write_picture(output, spectrum_picture(spectrum, arguments.language), rules);
   if (csv) csv->write(spectrum_csv(spectrum));
   if (arguments.json) {
-    print(spectrum_json(spectrum, BENTUR_VERSION));
+    print(spectrum_json(spectrum, version()));
   } else if (arguments.output.empty()) {
     print(fitted(spectrum_text(spectrum)));
   } else if (csv && !csv->is_streamed()) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/model/story/study_story.h"
 #include "bentur/report/story_text.h"
 #include "bentur/runner/sweep.h"
@@ -115,7 +116,7 @@ void run(const SweepArguments& arguments) {
     options.resume = arguments.resume;
     options.force = arguments.force;
     options.threads = arguments.threads;
-    options.version = BENTUR_VERSION;
+    options.version = std::string(version());
     options.stop = StopOnSignal::asked;
     Line line;
     if (leads && !arguments.quiet && ::isatty(STDERR_FILENO) == 1) {

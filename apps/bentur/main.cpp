@@ -11,6 +11,7 @@
 #include <string>
 
 #include "arguments.h"
+#include "bentur/core/version.h"
 #include "bentur/io/output/output_rules.h"
 #include "commands.h"
 #include "session.h"
@@ -21,7 +22,7 @@ namespace {
 /// Parses the command line and runs the command it names. @return the exit status.
 int run(int argc, char** argv) {
   CLI::App app{"bentur: seismic pounding of neighbouring buildings", "bentur"};
-  app.set_version_flag("--version", std::string("bentur ") + BENTUR_VERSION);
+  app.set_version_flag("--version", fmt::format("bentur {}", version()));
   app.footer(
       "Examples:\n"
       "  bentur run                            the built-in example\n"

@@ -392,7 +392,7 @@ class StillNeighbour(CommandLine):
 
 class Help(CommandLine):
     def test_version(self):
-        self.assertRegex(self.done("--version").stdout, r"^bentur \d+\.\d+\.\d+\n$")
+        self.assertRegex(self.done("--version").stdout, r"^bentur \d+\.\d+\.\d+(\.\w+)?(\+g[\w.]+)?\n$")
 
     def test_every_help_has_an_example_that_names_its_command(self):
         self.assertIn("bentur run", self.done("--help").stdout)

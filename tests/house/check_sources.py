@@ -186,16 +186,18 @@ def colours(root):
 
 
 def version(root):
-    """One version: that of CMakeLists.txt. CITATION.cff repeats it; CHANGELOG.md has an entry for it or begins one after."""
+    """One version: that of CMakeLists.txt, with which CHANGELOG.md begins. CITATION.cff repeats it, with its date once it has one."""
     told = re.search(r"^project\(bentur VERSION ([0-9.]+) ", (root / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
-    cited = re.search(r"^version: (.*)$", (root / "CITATION.cff").read_text(), re.MULTILINE)[1]
+    citation = (root / "CITATION.cff").read_text()
+    cited = re.search(r"^version: (.*)$", citation, re.MULTILINE)[1]
     if cited != told:
         yield f"CITATION.cff: version {cited}, but CMakeLists.txt has {told}; ./dev release writes both"
-    entries = re.findall(r"^## ([0-9.]+)(.*)$", (root / "CHANGELOG.md").read_text(), re.MULTILINE)
-    if told not in dict(entries):
-        yield f"CHANGELOG.md: no entry for {told}"
-    elif entries[0][0] != told and entries[0][1] != " (unreleased)":
-        yield f"CHANGELOG.md: begins with {entries[0][0]}, but CMakeLists.txt has {told}"
+    first, when = re.search(r"^## ([0-9.]+) \((.*)\)$", (root / "CHANGELOG.md").read_text(), re.MULTILINE).groups()
+    if first != told:
+        yield f"CHANGELOG.md: begins with {first}, but CMakeLists.txt has {told}"
+    dated = re.search(r"^date-released: (.*)$", citation, re.MULTILINE)
+    if (dated[1] if dated else "unreleased") != when:
+        yield f"CITATION.cff: {dated[0] if dated else 'no date-released'}, but CHANGELOG.md has {first} ({when})"
 
 
 RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone, colours, version)}

@@ -13,6 +13,8 @@ import pytest
 from part import part
 
 import bentur
+from bentur import _result, _study
+from bentur._dataset import netcdf
 
 NAMES = [case.stem for case in doors.EXAMPLES]
 SOME_NAMES = part(NAMES, 3)  # where whole files are compared
@@ -126,6 +128,44 @@ def test_what_python_saves_is_reported_alike(name, root, program, tmp_path):
     for door in ("python", "command"):
         subprocess.run([program, "report", tmp_path / door, "-o", tmp_path / f"{door}.html"], check=True)
     assert (tmp_path / "python.html").read_bytes() == (tmp_path / "command.html").read_bytes()
+
+
+def test_every_door_says_which_bentur_it_is(root, program, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    version = bentur.__version__
+    assert output(program, "--version") == f"bentur {version}\n"
+    case, study = root / "examples" / "m12-el-centro.toml", root / "examples" / "studies" / "m12-gaps.toml"
+    result = bentur.run(case)
+    subprocess.run([program, "run", case, "-q", "-o", tmp_path / "run"], check=True)
+    subprocess.run([program, "sweep", study, "-q", "-o", tmp_path / "sweep.nc"], check=True)
+    told = [result.summary, result.gaps, bentur.minimum_gap(case), json.loads((tmp_path / "run" / "summary.json").read_text())]
+    told += [json.loads(output(program, *line, "--json")) for line in (("run", case), ("gap", case), ("remedy", case))]
+    told += [json.loads(output(program, "spectrum", root / "data" / "el-centro-1940-ns.csv", "--unit", "g", "--json"))]
+    assert [one["version"] for one in told] == [version] * len(told)
+    files = [result.dataset, bentur.sweep(study)]
+    for name in ("run/histories.nc", "sweep.nc"):
+        with xarray.open_dataset(tmp_path / name) as file:
+            files.append(file)
+    for file in files:
+        assert file.attrs["bentur_version"] == version and file.attrs["history"] == f"written by bentur {version}"
+    pages = [result.report("en"), *(output(program, "report", one, "-o", "-") for one in (case, tmp_path / "run"))]
+    assert [page.count(f"Pounding analysis, bentur {version}<") for page in pages] == [1] * len(pages)
+    assert f"Pounding study, bentur {version}<" in output(program, "report", tmp_path / "sweep.nc", "-o", "-")
+
+
+@pytest.mark.parametrize("case", ["m12-el-centro.toml", "plan/twisting-pair.toml", "studies/m12-gaps.toml"])
+def test_a_report_says_which_bentur_made_the_results(case, root, program, tmp_path, monkeypatch):
+    pytest.importorskip("netCDF4")
+    for module in (_result, _study):  # as if an earlier one had written them
+        monkeypatch.setattr(module, "netcdf", lambda told, variables: netcdf({**told, "history": "written by bentur 0.1.9"}, variables))
+    results = tmp_path / "histories.nc"
+    if case.startswith("studies"):
+        bentur.sweep(root / "examples" / case, output=results)
+    else:
+        bentur.run(root / "examples" / case).save(tmp_path)
+    for language, drawn in (("en", "drawn by"), ("id", "digambar oleh")):
+        page = output(program, "report", results, "--lang", language, "-o", "-")
+        assert f", bentur 0.1.9, {drawn} {bentur.__version__}<" in page
 
 
 @pytest.mark.parametrize("name", NAMES)

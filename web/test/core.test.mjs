@@ -145,6 +145,14 @@ for (const file of drawn) {
   });
 }
 
+test("the page says which bentur it is, as the command line does", () => {
+  const version = execFileSync(process.env.BENTUR, ["--version"], { encoding: "utf8" }).trim().replace("bentur ", "");
+  const summary = solved(read("m12-el-centro.toml"), "m12-el-centro.toml");
+  const told = [summary, JSON.parse(one.gaps()), JSON.parse(one.overview("en"))];
+  assert.deepEqual(told.map((part) => part.version), [version, version, version]);
+  assert.ok(one.report("en").includes(`Pounding analysis, bentur ${version}<`));
+});
+
 test("a column that fails is told of first", () => {
   solved(read("struck-column.toml"), "struck-column.toml");
   for (const [language, column] of [["en", "column of Office at level 19.4 m"], ["id", "kolom Office di elevasi 19.4 m"]]) {

@@ -15,6 +15,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
 #include "bentur/core/units.h"
+#include "bentur/core/version.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
@@ -300,9 +301,9 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
 }
 
 std::string Studio::summary() const {
-  if (plan_run_) return plan_summary_json(*plan_run_, BENTUR_VERSION);
-  if (suite_run_) return suite_run_json(*suite_run_, BENTUR_VERSION);
-  return run_ ? summary_json(*run_, BENTUR_VERSION) : "";
+  if (plan_run_) return plan_summary_json(*plan_run_, version());
+  if (suite_run_) return suite_run_json(*suite_run_, version());
+  return run_ ? summary_json(*run_, version()) : "";
 }
 
 std::string Studio::impacts() const {
@@ -311,10 +312,10 @@ std::string Studio::impacts() const {
 }
 
 std::string Studio::gaps() const {
-  if (plan_run_) return plan_gap_json(*plan_run_, BENTUR_VERSION);
-  if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, BENTUR_VERSION);
-  if (suite_gaps_) return gap_study_json(*suite_gaps_, BENTUR_VERSION);
-  return run_ ? gap_json(*run_, BENTUR_VERSION) : "";
+  if (plan_run_) return plan_gap_json(*plan_run_, version());
+  if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, version());
+  if (suite_gaps_) return gap_study_json(*suite_gaps_, version());
+  return run_ ? gap_json(*run_, version()) : "";
 }
 
 std::string Studio::modes() const {
@@ -328,7 +329,7 @@ std::string Studio::motion(const std::string& language) const {
 }
 
 std::string Studio::report(const std::string& language) const {
-  const ReportOptions options{.language = language, .version = BENTUR_VERSION};
+  const ReportOptions options{.language = language, .version = std::string(version())};
   if (plan_run_) return plan_report_html(*plan_run_, options);
   if (spectral_) return spectral_report_html(*case_, *problem_, *spectral_, options);
   if (suite_run_) return suite_report_html(*suite_run_, *suite_gaps_, options);

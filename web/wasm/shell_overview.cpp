@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "bentur/core/version.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/model/story/plan_story.h"
@@ -119,7 +120,7 @@ Json overview_of(const std::string& title, const Units& units, double duration, 
                  const std::vector<std::string>& gaps, const Story& story, const Words& say) {
   return {{"ok", true},
           {"title", title},
-          {"version", BENTUR_VERSION},
+          {"version", version()},
           {"duration", duration},
           {"units", {{"length", units.length}, {"force", units.force}}},
           {"gaps", told},

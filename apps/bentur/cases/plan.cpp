@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/version.h"
 #include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/plan/plan_toml.h"
@@ -136,7 +137,7 @@ PlanRun simulate_plan(const std::string& file, const std::string& language) {
 
 void print_plan_gaps(const std::string& file, bool json, const std::string& language) {
   const PlanRun run = simulate_plan(file, language);
-  if (json) return print(plan_gap_json(run, BENTUR_VERSION));
+  if (json) return print(plan_gap_json(run, version()));
   const Words say(language);
   print(fitted(plan_motion_text(run, say) + all_gaps_text(gap_names(run.problem), run.c.code, plan_gap_story(run),
                                                           {say("cli.plan_gap_note"), say("screening.note")}, say)));
@@ -144,7 +145,7 @@ void print_plan_gaps(const std::string& file, bool json, const std::string& lang
 
 void print_plan_rules(const std::string& file, bool json, const std::string& language) {
   const LoadedPlan loaded = load_plan(file, language);
-  if (json) return print(plan_height_rules_json(loaded.c, loaded.problem, BENTUR_VERSION));
+  if (json) return print(plan_height_rules_json(loaded.c, loaded.problem, version()));
   const Words say(language);
   std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n\n";
   const Story story = plan_height_rules_story(loaded.c, loaded.problem);
@@ -186,8 +187,8 @@ void run_plan(const PlanRunArguments& arguments, const std::string& language) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
   const PlanRun run = run_results(std::move(loaded.c), std::move(loaded.problem), std::move(response));
-  const std::string summary = plan_summary_json(run, BENTUR_VERSION);
-  if (folder) folder->write(*run.c.source, summary, impacts_csv(run), histories_netcdf(run, BENTUR_VERSION));
+  const std::string summary = plan_summary_json(run, version());
+  if (folder) folder->write(*run.c.source, summary, impacts_csv(run), histories_netcdf(run, version()));
   if (arguments.json) {
     print(summary);
   } else if (!arguments.quiet) {

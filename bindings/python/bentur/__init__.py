@@ -7,6 +7,10 @@
 docs/python.md has the rest.
 """
 
+from . import _core, _numpy
+
+_numpy.check(_core.pybind11)  # before anything else
+
 from . import _model
 from ._case import Case
 from ._core import version as __version__

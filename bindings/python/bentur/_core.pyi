@@ -10,6 +10,7 @@ _Floats = NDArray[np.float64]
 _Variable = tuple[str, tuple[str, ...], NDArray[Any], dict[str, Any]]
 
 version: str
+pybind11: tuple[int, int]
 
 def schema(study: bool) -> str: ...
 

@@ -2,14 +2,18 @@
 
 #include <pybind11/pybind11.h>
 
+#include "bentur/core/version.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/json_schema.h"
 #include "bentur/study/plan/study_keys.h"
 #include "case_run.h"
 
+namespace py = pybind11;
+
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of bentur.";
-  module.attr("version") = BENTUR_VERSION;
+  module.attr("pybind11") = py::make_tuple(PYBIND11_VERSION_MAJOR, PYBIND11_VERSION_MINOR);
+  module.attr("version") = std::string(bentur::version());
   module.def("schema", [](bool study) {
     return study ? bentur::json_schema(bentur::study_keys(), "A study of bentur")
                  : bentur::json_schema(bentur::case_keys(), "A case of bentur");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "bentur/core/version.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
@@ -121,7 +122,7 @@ std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_
 
 /// Attributes of the file, and each variable.
 py::tuple variables(const std::shared_ptr<PyRun>& run) {
-  const ResultFile file = run->plan ? plan_file(*run->plan, BENTUR_VERSION) : run_file(run->results, BENTUR_VERSION);
+  const ResultFile file = run->plan ? plan_file(*run->plan, version()) : run_file(run->results, version());
   const py::object owner = py::cast(run);
   py::list found;
   for (const ResultVariable& one : file.variables) found.append(python_of(one, owner));
@@ -157,7 +158,7 @@ py::list impacts(const PyRun& run) {
 }
 
 std::string summary(const PyRun& run) {
-  return run.plan ? plan_summary_json(*run.plan, BENTUR_VERSION) : summary_json(run.results, BENTUR_VERSION);
+  return run.plan ? plan_summary_json(*run.plan, version()) : summary_json(run.results, version());
 }
 
 std::string table_of_impacts(const PyRun& run) {
@@ -165,7 +166,7 @@ std::string table_of_impacts(const PyRun& run) {
 }
 
 std::string gaps(const PyRun& run) {
-  return run.plan ? plan_gap_json(*run.plan, BENTUR_VERSION) : gap_json(run.results, BENTUR_VERSION);
+  return run.plan ? plan_gap_json(*run.plan, version()) : gap_json(run.results, version());
 }
 
 /// Writes the results into a folder by the rules that the command line has. @return the names of the files.
@@ -286,7 +287,7 @@ void bind_run(py::module_& module) {
       .def(
           "report_html",
           [](PyRun& run, const std::string& language, const std::optional<fs::path>& head) {
-            ReportOptions options{.language = language, .version = BENTUR_VERSION};
+            ReportOptions options{.language = language, .version = std::string(version())};
             if (head) {
               Diagnostics found;
               options.head = read_markup(*head, MarkupKind::head, found).value_or("");
@@ -307,7 +308,7 @@ void bind_run(py::module_& module) {
         const Case& c = given.c;
         if (!c.excitation.spectrum) return gaps(*solved(given, 0, progress));
         return spectral_gap_json(c, given.problem,
-                                 spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units), BENTUR_VERSION);
+                                 spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units), version());
       },
       py::arg("case"), py::arg("progress"));
   module.def(
@@ -316,17 +317,17 @@ void bind_run(py::module_& module) {
         const Case& c = given.c;
         if (c.excitation.spectrum) {
           const SpectralGaps spectral = spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units);
-          return least_gap_json(least_gaps(c, given.problem, spectral), BENTUR_VERSION);
+          return least_gap_json(least_gaps(c, given.problem, spectral), version());
         }
         const std::shared_ptr<PyRun> run = solved(given, 0, progress);
-        return least_gap_json(run->plan ? least_gaps(*run->plan) : least_gaps(run->results), BENTUR_VERSION);
+        return least_gap_json(run->plan ? least_gaps(*run->plan) : least_gaps(run->results), version());
       },
       py::arg("case"), py::arg("progress"));
   module.def(
       "height_rules_json",
       [](const PyCase& given) {
-        if (given.plan) return plan_height_rules_json(given.plan->c, given.plan->problem, BENTUR_VERSION);
-        return height_rules_json(given.c, given.problem, BENTUR_VERSION);
+        if (given.plan) return plan_height_rules_json(given.plan->c, given.plan->problem, version());
+        return height_rules_json(given.c, given.problem, version());
       },
       py::arg("case"));
   module.def("modes_json", &modes, py::arg("case"), py::arg("jacobi"));

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "bentur/core/version.h"
 #include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/remedy/least_gap.h"
@@ -46,7 +47,7 @@ class PyStudy {
                       .output = file,
                       .resume = resume,
                       .force = force,
-                      .version = BENTUR_VERSION,
+                      .version = std::string(version()),
                       .resumed_by = "resume=True",
                       .forced_by = "force=True",
                       .is_netcdf = [read](const fs::path& of, ResultKind /*kind*/) { return read(of).has_value(); },
@@ -77,7 +78,7 @@ class PyStudy {
 
   /// Attributes of the file, and each variable, once all runs are solved.
   [[nodiscard]] py::tuple variables() const {
-    const StudyFile file = study_file(*runs_, BENTUR_VERSION);
+    const StudyFile file = study_file(*runs_, version());
     const std::vector<RunResult> results = journal_ ? journal_->read(0, runs_->plan().runs()) : results_;
     py::list found;
     for (const StudyVariable& one : file.variables) {
@@ -183,7 +184,7 @@ std::string gap_study_text(const fs::path& file, const std::optional<double>& at
     raise_error("SolveError", error.what());
   }
   if (!study) raise_case_error(found);
-  return gap_study_json(*study, BENTUR_VERSION);
+  return gap_study_json(*study, version());
 }
 
 /// A search for a remedy, as `bentur remedy --json` tells it. @param journal where what is tried is kept, if anywhere
@@ -196,7 +197,7 @@ std::string remedy_text(const fs::path& file, const fs::path& journal, bool resu
     search = seek_remedy(file,
                          {.journal = journal,
                           .resume = resume,
-                          .version = BENTUR_VERSION,
+                          .version = std::string(version()),
                           .resumed_by = "resume=True",
                           .goes_on = [&](double fraction) { return watcher(fraction); }},
                          found);
@@ -206,7 +207,7 @@ std::string remedy_text(const fs::path& file, const fs::path& journal, bool resu
   }
   watcher.rethrow();
   if (!search) raise_case_error(found);
-  return remedy_json(*search, BENTUR_VERSION);
+  return remedy_json(*search, version());
 }
 
 /// The gaps over the records of a case's suite.
@@ -238,7 +239,7 @@ std::string suite_run_text(const PyCase& given, const py::object& progress) {
     run = run_suite(given.c, [&](double fraction) { return watcher(fraction); });
   }
   watcher.rethrow();
-  return suite_run_json(*run, BENTUR_VERSION);
+  return suite_run_json(*run, version());
 }
 
 /// An xarray.Dataset of results, read as a file is. The lock must be held.
@@ -313,7 +314,7 @@ std::string fragility(const py::object& dataset, const std::string& event, int r
     report = fragility_report(std::move(results), request, error);
   }
   if (!report) throw py::value_error(error);
-  return fragility_json(*report, request, BENTUR_VERSION);
+  return fragility_json(*report, request, version());
 }
 
 }  // namespace
@@ -333,7 +334,7 @@ void bind_study(py::module_& module) {
   module.def(
       "suite_gap_json",
       [](const PyCase& given, const py::object& progress) {
-        return gap_study_json(suite_gaps(given, progress), BENTUR_VERSION);
+        return gap_study_json(suite_gaps(given, progress), version());
       },
       py::arg("case"), py::arg("progress"));
   module.def("suite_run_json", &suite_run_text, py::arg("case"), py::arg("progress"));
@@ -342,7 +343,7 @@ void bind_study(py::module_& module) {
   module.def(
       "suite_least_gap_json",
       [](const PyCase& given, const py::object& progress) {
-        return least_gap_json(least_gaps(given.c, suite_gaps(given, progress)), BENTUR_VERSION);
+        return least_gap_json(least_gaps(given.c, suite_gaps(given, progress)), version());
       },
       py::arg("case"), py::arg("progress"));
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),

@@ -362,6 +362,7 @@ TEST(HistoriesNetcdf, ReadsBackWithUnitsAndCoordinates) {
   EXPECT_EQ(file.attribute("Conventions"), "CF-1.8");
   EXPECT_EQ(file.attribute("title"), "A \"title\"");
   EXPECT_EQ(file.attribute("history"), "written by bentur 1.2.3");
+  EXPECT_EQ(file.attribute("bentur_version"), "1.2.3");
   EXPECT_EQ(file.attribute("time", "units"), "s");
   EXPECT_EQ(file.attribute("acceleration_1", "units"), "m s-2");
   EXPECT_EQ(file.attribute("force", "units"), "1000 kgf");  // tf, as UDUNITS knows it

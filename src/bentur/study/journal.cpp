@@ -98,8 +98,10 @@ void lock(const OpenFile& file) {
 }  // namespace
 
 std::optional<std::string> difference(const JournalOrigin& then, const JournalOrigin& now) {
-  if (then.version != now.version) return fmt::format("by bentur {}, this is {}", then.version, now.version);
-  if (then.build != now.build) return fmt::format("by a bentur {} of other sources", then.version);
+  if (then.build != now.build) {
+    return then.version == now.version ? fmt::format("by a bentur {} of other sources", then.version)
+                                       : fmt::format("by bentur {}, this is {}", then.version, now.version);
+  }
   if (then.study != now.study) {
     return fmt::format("with another study: line {} has changed", differing_line(then.study, now.study));
   }

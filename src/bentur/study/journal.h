@@ -12,7 +12,8 @@
 
 namespace bentur {
 
-/// What the runs of a journal come from. A journal is gone on with only where all of it is the same.
+/// What the runs of a journal come from. A journal is gone on with only where all of it but `version` is the same: a
+/// commit to other sources than those of `build` changes no number.
 struct JournalOrigin {
   std::string version;  ///< of the program
   std::string build;    ///< build_identity() of its library

@@ -104,6 +104,8 @@ TEST_F(JournalFile, RefusesAnotherOriginAndSaysWhatDiffers) {
   EXPECT_EQ(refusal(origin()), "gone on with");
   JournalOrigin other = origin();
   other.version = "2";
+  EXPECT_EQ(refusal(other), "gone on with") << "a commit elsewhere";
+  other.build = "c";
   EXPECT_EQ(refusal(other), "was begun by bentur 1, this is 2. Remove it to begin anew");
   other = origin();
   other.build = "c";

@@ -97,6 +97,7 @@ bool StudyOutput::is_finished() const {
   }
   JournalOrigin there = origin_;
   there.version = options_.attribute(file, "bentur_version");
+  if (there.version != origin_.version) there.build.clear();  // which it had is not known
   there.study = options_.attribute(file, "study");
   there.case_text = options_.attribute(file, "case");
   there.records = records_of(options_.attribute(file, "records"));

@@ -39,7 +39,6 @@ class StudyList {
     const auto text = [&](const char* name, std::string value) {
       file_.attributes.push_back({name, std::move(value)});
     };
-    text("bentur_version", std::string(version));
     text("study", study_.text);
     text("case", study_.case_text);
     std::string records;

@@ -12,7 +12,8 @@ std::vector<ResultAttribute> file_attributes(const std::string& title, const std
   return {{"Conventions", "CF-1.8"},
           {"title", title},
           {"source", source},
-          {"history", fmt::format("{} {}", result_history, version)}};
+          {"history", fmt::format("{} {}", result_history, version)},
+          {"bentur_version", std::string(version)}};
 }
 
 void name_coordinates(ResultVariable& variable, const std::string& more) {

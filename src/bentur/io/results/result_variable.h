@@ -46,7 +46,7 @@ struct ResultFile {
 /// What the history of every file of ours begins with, before the version of the program.
 inline constexpr std::string_view result_history = "written by bentur";
 
-/// The attributes that all files of ours have: conventions, title, source and history.
+/// The attributes that all files of ours have: conventions, title, source, history and version.
 [[nodiscard]] std::vector<ResultAttribute> file_attributes(const std::string& title, const std::string& source,
                                                            std::string_view version);
 
