@@ -49,11 +49,17 @@ void add_reversed(const Problem& problem, const Solver& solver, const SolveOptio
     if (!free) free.emplace(other, solver, go_on, options.limits);
     return free->response().status == Status::done || free->response().status == Status::collapsed;
   };
-  ReversedRun reversed{.collapse = {}, .collapse_no_contact = response.collapse_no_contact, .points = {}, .watched = {}};
-  if (!is_mirrored(problem)) {
+  ReversedRun reversed;
+  const auto take_free = [&](const Response& found) {
+    reversed.collapse_no_contact = found.collapse_no_contact;
+    for (const BuildingPeaks& one : found.buildings) reversed.drifts.push_back(largest_drift(one.drift_ratio_no_contact));
+  };
+  if (is_mirrored(problem)) {
+    take_free(response);
+  } else {
     if (!solve_free()) return;
     const Response& found = free->response();
-    reversed.collapse_no_contact = found.collapse_no_contact;
+    take_free(found);
     if (found.status == Status::done) {
       take_reversed(found.points, response.points);
       take_reversed(found.watched, response.watched);

@@ -31,6 +31,7 @@ struct BuildingPeaks {
   };
   // With contact switched off, as displacement_no_contact; empty where that is not known.
   Eigen::VectorXd acceleration_no_contact = {};
+  Eigen::VectorXd drift_ratio_no_contact = {};
   Eigen::VectorXd storey_shear_no_contact = {};
   /// max of each of StructuralModel::column_forces [force, force·length], and the same with contact switched off; empty
   /// where there are none.
@@ -175,9 +176,19 @@ struct Collapse {
   double time = 0;          ///< [s]
 };
 
+/// The storey of a building that drifts farthest, over its height.
+struct LargestDrift {
+  double ratio = 0;  ///< [-]
+  Eigen::Index storey = 0;
+};
+
+/// Of the storeys of a building; those of which nothing is known are left out.
+[[nodiscard]] LargestDrift largest_drift(const Eigen::VectorXd& ratios);
+
 /// The run with the ground motion times −1, as far as gaps are judged by it.
 struct ReversedRun {
   std::optional<Collapse> collapse, collapse_no_contact;
+  std::vector<LargestDrift> drifts;  ///< per building, without contact
   /// With contact, as Response has them; empty where no other gap closes that could make a difference: then a gap is
   /// struck exactly where it needs more than it has.
   std::vector<PointSummary> points;

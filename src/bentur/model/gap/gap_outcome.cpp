@@ -26,11 +26,6 @@ double rounded_up(double apart) {
 
 }  // namespace
 
-bool falls_short(double given, double needed, double scale) {
-  constexpr double round_off = 1e-9;
-  return needed > given + round_off * std::max(scale, given);
-}
-
 bool GoverningLevel::is_short() const { return falls_short(width, gap_needed, scale); }
 
 double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/judgement/compare.h"
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
 
@@ -26,10 +27,6 @@ struct GoverningLevel {
   /// Whether the gap is too narrow by more than round-off.
   [[nodiscard]] bool is_short() const;
 };
-
-/// Whether what is needed goes beyond what is given by more than round-off; `scale`: of the displacements that it is
-/// the difference of [length].
-[[nodiscard]] bool falls_short(double given, double needed, double scale);
 
 /// The scale of a gap's round-off: the largest displacements of both neighbours together [length].
 [[nodiscard]] double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap);

@@ -23,7 +23,7 @@ std::optional<GoverningLevel> governing_reversed(std::vector<LevelSeparation> le
   return governing_level(levels, scale);
 }
 
-Statement need_statement(const GapFacts& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
+Statement need_statement(const GapView& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
   const std::string& length = facts.c.units.length;
   Statement statement{.kind = std::move(kind),
                       .severity = level.is_short() ? Severity::warning : Severity::finding,
@@ -48,7 +48,7 @@ const char* need_kind(const GoverningLevel& level) {
   return touch ? "gap_touch" : level.is_short() ? "gap_short" : "gap_enough";
 }
 
-void tell_reversed(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
+void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
                    std::vector<Statement>& statements) {
   const auto level = governing_reversed(levels, facts.scale(gap));
   if (level) {
@@ -60,7 +60,7 @@ void tell_reversed(const GapFacts& facts, Eigen::Index gap, const std::vector<Le
   }
 }
 
-std::vector<RuleFinding> findings_of(const GapFacts& facts, const std::vector<LevelSeparation>& levels,
+std::vector<RuleFinding> findings_of(const GapView& facts, const std::vector<LevelSeparation>& levels,
                                      Eigen::Index gap) {
   return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed,
                        facts.in_plan != nullptr);
@@ -72,19 +72,19 @@ struct PlaceColumns {
 
   explicit PlaceColumns(const std::string& length) : x{"x", length}, y{"y", length} {}
   /// @param level null: there is none in this row
-  void add(const GapFacts& facts, const FacingLevel* level) {
+  void add(const GapView& facts, const FacingLevel* level) {
     if (facts.in_plan == nullptr) return;
     const bool known = level != nullptr;
     const PlanPoint at = known ? place_of(*facts.in_plan, level->is_point, level->index) : PlanPoint(none, none);
     x.numbers.push_back(at.x());
     y.numbers.push_back(at.y());
   }
-  void put(const GapFacts& facts, StoryTable& table) const {
+  void put(const GapView& facts, StoryTable& table) const {
     if (facts.in_plan != nullptr) table.columns.insert(table.columns.end(), {x, y});
   }
 };
 
-StoryTable level_table(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
+StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
   const std::string& length = facts.c.units.length;
   const double scale = facts.scale(gap);
   const auto governing = governing_level(levels, scale);
@@ -133,7 +133,7 @@ StoryTable level_table(const GapFacts& facts, Eigen::Index gap, const std::vecto
   return table;
 }
 
-StoryTable rule_table(const GapFacts& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
+StoryTable rule_table(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
   const std::string& length = facts.c.units.length;
   StoryColumn title{.label = "gap.code"}, clause{.label = "gap.clause"}, asked{"gap.asked", length};
   StoryColumn level{"column.elevation", length}, verdict{.label = "gap.given_is", .are_words = true};
@@ -163,7 +163,7 @@ StoryTable rule_table(const GapFacts& facts, Eigen::Index gap, const std::vector
   return table;
 }
 
-StoryTable screening_table(const GapFacts& facts, Eigen::Index gap) {
+StoryTable screening_table(const GapView& facts, Eigen::Index gap) {
   using Verdict = ScreeningFinding::Verdict;
   StoryColumn rule{.label = "screening.rule", .are_words = true}, value{.label = "screening.value"};
   StoryColumn limit{"screening.limit"}, unit{.label = "screening.unit"};
@@ -249,11 +249,11 @@ void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements) {
   }
 }
 
-double GapFacts::scale(Eigen::Index gap) const {
+double GapView::scale(Eigen::Index gap) const {
   return response != nullptr ? displacement_scale(problem, *response, gap) : 0;
 }
 
-void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements) {
+void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   const auto found = governing_level(levels, facts.scale(gap));
   if (!found) {
@@ -270,7 +270,7 @@ void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& 
   tell_reversed(facts, gap, levels, statements);
 }
 
-void add_level(const GapFacts& facts, bool is_point, Eigen::Index index, double elevation,
+void add_level(const GapView& facts, bool is_point, Eigen::Index index, double elevation,
                std::vector<StoryValue>& values) {
   if (facts.in_plan != nullptr) {
     add_place(*facts.plan, *facts.in_plan, is_point, index, facts.c.units.length, values);
@@ -279,7 +279,7 @@ void add_level(const GapFacts& facts, bool is_point, Eigen::Index index, double 
   }
 }
 
-void tell_unmodelled(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements) {
+void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::vector<Eigen::Index> met = unmodelled_contacts(facts.problem, *facts.response, gap);
   if (met.empty()) return;
   const bool in_plan = facts.in_plan != nullptr;
@@ -323,7 +323,7 @@ void tell_unmodelled(const GapFacts& facts, Eigen::Index gap, std::vector<Statem
   statements.push_back(std::move(statement));
 }
 
-void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements) {
+void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::string& length = facts.c.units.length;
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   Statement all{.kind = "rules", .gap = gap, .buildings = {gap, gap + 1}};
@@ -350,7 +350,7 @@ void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>&
   }
 }
 
-std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap) {
+std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   std::vector<StoryTable> tables;
   if (!levels.empty()) {
@@ -366,7 +366,7 @@ std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap) {
 }  // namespace story
 
 Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  const story::GapFacts facts{
+  const story::GapView facts{
       .c = c, .problem = problem, .levels = spectral.levels, .screened = story::screened(c, problem)};
   Story told;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {

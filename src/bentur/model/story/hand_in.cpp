@@ -14,7 +14,7 @@ namespace bentur {
 namespace {
 
 using Eigen::Index;
-using story::GapFacts;
+using story::GapView;
 using story::text_of;
 
 constexpr double of_hundred = 100;
@@ -54,7 +54,7 @@ class Checks {
   StoryColumn result_{.label = "check.result", .are_words = true};
 };
 
-std::string level_text(const GapFacts& facts, Index gap, double level) {
+std::string level_text(const GapView& facts, Index gap, double level) {
   return gap_name(facts.problem, gap) + ", " + with_unit(level, facts.c.units.length);
 }
 
@@ -161,7 +161,7 @@ void check_storeys(const RunResults& run, Checks& checks) {
   }
 }
 
-void check_need(const GapFacts& facts, Index gap, Checks& checks) {
+void check_need(const GapView& facts, Index gap, Checks& checks) {
   std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   const std::string& length = facts.c.units.length;
   const auto add = [&](const char* check, const std::string& by) {
@@ -177,7 +177,7 @@ void check_need(const GapFacts& facts, Index gap, Checks& checks) {
   add("check.gap_reversed", "check.by_motion");
 }
 
-void check_rules(const GapFacts& facts, Index gap, Checks& checks) {
+void check_rules(const GapView& facts, Index gap, Checks& checks) {
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   const std::string& length = facts.c.units.length;
   for (const RuleFinding& found :
@@ -196,7 +196,7 @@ void check_rules(const GapFacts& facts, Index gap, Checks& checks) {
 }
 
 /// @return whether a rule needs to know the seismicity
-bool check_screening(const GapFacts& facts, Index gap, Checks& checks) {
+bool check_screening(const GapView& facts, Index gap, Checks& checks) {
   using Verdict = ScreeningFinding::Verdict;
   bool open = false;
   for (const ScreeningFinding& found : facts.screened.at(static_cast<std::size_t>(gap))) {
@@ -304,7 +304,7 @@ void tell_always(const Case& c, const Problem& problem, std::vector<Statement>& 
 }
 
 /// What the case leaves open: rules, columns, ways round.
-std::vector<Statement> unchecked_of(const GapFacts& facts, bool needs_seismicity) {
+std::vector<Statement> unchecked_of(const GapView& facts, bool needs_seismicity) {
   const Case& c = facts.c;
   std::vector<Statement> statements;
   tell_codes(c, statements);
@@ -329,7 +329,7 @@ std::vector<Statement> unchecked_of(const GapFacts& facts, bool needs_seismicity
 }
 
 /// Rules of thumb for every gap, and all that is told of what is checked. @param run null: there is none
-HandIn hand_in_with(const GapFacts& facts, Checks checks, const RunResults* run) {
+HandIn hand_in_with(const GapView& facts, Checks checks, const RunResults* run) {
   bool needs_seismicity = false;
   for (Index gap = 0; gap < std::ssize(facts.screened); ++gap) {
     needs_seismicity = check_screening(facts, gap, checks) || needs_seismicity;
@@ -338,7 +338,7 @@ HandIn hand_in_with(const GapFacts& facts, Checks checks, const RunResults* run)
   return {assumptions_of(facts.c, facts.problem), checks.take(), unchecked_of(facts, needs_seismicity)};
 }
 
-HandIn hand_in(const GapFacts& facts, Checks checks, const RunResults* run) {
+HandIn hand_in(const GapView& facts, Checks checks, const RunResults* run) {
   for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings); ++gap) {
     check_need(facts, gap, checks);
     check_rules(facts, gap, checks);
@@ -404,14 +404,14 @@ HandIn hand_in(const PlanRun& run) {
   check_planes(run, checks);
   for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
     const RunResults pair = pair_of(run, gap);
-    const GapFacts facts = story::facts_of(pair);
+    const GapView facts = story::facts_of(pair);
     check_need(facts, 0, checks);
     check_rules(facts, 0, checks);
   }
   bool needs_seismicity = false;
   for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
     const RunResults pair = pair_of(run.c, run.problem, gap);
-    const GapFacts facts{
+    const GapView facts{
         .c = pair.c, .problem = pair.problem, .levels = {}, .screened = {plan_screening(run.c, run.problem, gap)}};
     needs_seismicity = check_screening(facts, 0, checks) || needs_seismicity;
   }
@@ -424,7 +424,7 @@ HandIn hand_in(const PlanRun& run) {
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   HandIn made =
-      hand_in(GapFacts{.c = c, .problem = problem, .levels = spectral.levels, .screened = story::screened(c, problem)},
+      hand_in(GapView{.c = c, .problem = problem, .levels = spectral.levels, .screened = story::screened(c, problem)},
               {}, nullptr);
   made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
   return made;
@@ -444,7 +444,7 @@ HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow
     }
   }
   HandIn made =
-      hand_in_with(GapFacts{.c = c, .problem = problem, .levels = {}, .screened = story::screened(c, problem)},
+      hand_in_with(GapView{.c = c, .problem = problem, .levels = {}, .screened = story::screened(c, problem)},
                    std::move(checks), nullptr);
   const RunResults still{.c = c, .problem = problem, .response = {}, .remarks = {}};
   made.assumptions.insert(made.assumptions.begin(), story::model_statement(still));

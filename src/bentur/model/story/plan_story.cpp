@@ -98,7 +98,7 @@ class PairStory {
   [[nodiscard]] bool meets_unmodelled() const { return !unmodelled_contacts(pair_.problem, pair_.response, 0).empty(); }
 
   /// @param tell one of those of story_parts.h
-  void tell(void (*tell)(const story::GapFacts&, Index, std::vector<Statement>&), std::vector<Statement>& to) const {
+  void tell(void (*tell)(const story::GapView&, Index, std::vector<Statement>&), std::vector<Statement>& to) const {
     std::vector<Statement> told;
     tell(facts_, 0, told);
     for (Statement& statement : told) {
@@ -120,7 +120,7 @@ class PairStory {
   const PlanRun& run_;
   std::size_t g_;
   RunResults pair_;
-  story::GapFacts facts_;
+  story::GapView facts_;
 };
 
 /// Buildings that face one another, have no contact, and could meet by how far both move.

@@ -102,7 +102,7 @@ std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem
   return all;
 }
 
-GapFacts facts_of(const RunResults& run) {
+GapView facts_of(const RunResults& run) {
   return {.c = run.c,
           .problem = run.problem,
           .response = &run.response,
@@ -116,7 +116,7 @@ namespace {
 
 using Eigen::Index;
 using story::count_of;
-using story::GapFacts;
+using story::GapView;
 using story::percent;
 using story::text_of;
 using story::value_in;
@@ -368,7 +368,7 @@ void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& 
 }
 
 /// Of every gap.
-std::vector<StoryTable> tables_of(const GapFacts& facts) {
+std::vector<StoryTable> tables_of(const GapView& facts) {
   std::vector<StoryTable> tables;
   for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings); ++gap) {
     for (StoryTable& table : story::gap_tables(facts, gap)) tables.push_back(std::move(table));
@@ -387,7 +387,7 @@ void tell_remarks(const RunResults& run, Story& told) {
 }  // namespace
 
 Story run_story(const RunResults& run) {
-  const GapFacts facts = story::facts_of(run);
+  const GapView facts = story::facts_of(run);
   std::vector<GapOutcome> all;
   for (const Gap& gap : gaps_of(run.problem)) all.push_back(gap_outcome(run.problem, run.response, gap.left));
   Story told;
@@ -413,7 +413,7 @@ Story run_story(const RunResults& run) {
 }
 
 Story gap_story(const RunResults& run) {
-  const GapFacts facts = story::facts_of(run);
+  const GapView facts = story::facts_of(run);
   Story told;
   tell_collapse(run, told.statements);
   for (const Gap& gap : gaps_of(run.problem)) {

@@ -323,6 +323,14 @@ void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights
   }
 }
 
+LargestDrift largest_drift(const Eigen::VectorXd& ratios) {
+  LargestDrift largest;
+  for (Eigen::Index storey = 0; storey < ratios.size(); ++storey) {
+    if (ratios(storey) > largest.ratio) largest = {ratios(storey), storey};
+  }
+  return largest;
+}
+
 std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, double duration) {
   constexpr double at_once = 1e-9;  // of the duration
   std::vector<std::pair<double, Eigen::Index>> yields;
@@ -401,6 +409,7 @@ Response free_response(const Problem& problem, const Solution& free) {
     peaks.column_forces_no_contact = peaks.column_forces;
     peaks.yielding_no_contact = peaks.yielding;
     peaks.acceleration_no_contact = peaks.acceleration;
+    peaks.drift_ratio_no_contact = peaks.drift_ratio;
     peaks.storey_shear_no_contact = peaks.storey_shear;
   }
   for (const double needed : free.needed) response.points.push_back({.gap_needed = needed});
@@ -424,6 +433,7 @@ void take_solution(const Problem& problem, Solution&& solution, Response& respon
     buildings[b].column_forces_no_contact = std::move(free.column_forces_no_contact);
     buildings[b].yielding_no_contact = std::move(free.yielding_no_contact);
     buildings[b].acceleration_no_contact = std::move(free.acceleration_no_contact);
+    buildings[b].drift_ratio_no_contact = std::move(free.drift_ratio_no_contact);
     buildings[b].storey_shear_no_contact = std::move(free.storey_shear_no_contact);
   }
   response.buildings = std::move(buildings);

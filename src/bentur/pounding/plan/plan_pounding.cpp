@@ -412,10 +412,14 @@ void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveO
     if (!free) free.emplace(free_solution(system, solver, go_on, options.limits, problem.goes_on, false));
     return is_over(free->solution().status);
   };
-  ReversedRun reversed{.collapse = {}, .collapse_no_contact = response.collapse_no_contact, .points = {}, .watched = {}};
+  ReversedRun reversed;
+  reversed.collapse_no_contact = response.collapse_no_contact;
+  for (const PlanPeaks& one : response.buildings_no_contact) reversed.drifts.push_back(one.largest_drift());
   if (!mirrored) {
     if (!solve_free()) return;
     reversed.collapse_no_contact = collapse_of(problem, free->solution());
+    reversed.drifts.clear();
+    for (const PlanPeaks& one : peaks_of(problem, free->solution())) reversed.drifts.push_back(one.largest_drift());
     if (free->solution().status == Status::done) {
       PlanResponse needs;
       take_free(other, *free, false, false, needs);
@@ -439,6 +443,14 @@ void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveO
 }
 
 }  // namespace
+
+LargestDrift PlanPeaks::largest_drift() const {
+  LargestDrift largest = bentur::largest_drift(edge_drift_ratio());
+  for (const Plane& plane : planes) {
+    if (const LargestDrift of = bentur::largest_drift(plane.drift_ratio); of.ratio > largest.ratio) largest = of;
+  }
+  return largest;
+}
 
 PlanResponse solve(const PlanProblem& problem, const Solver& solver, const SolveOptions& options) {
   const auto began = std::chrono::steady_clock::now();

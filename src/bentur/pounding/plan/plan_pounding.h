@@ -41,6 +41,8 @@ struct PlanPeaks {
   [[nodiscard]] Eigen::VectorXd edge_drift_ratio() const {
     return drift_south.cwiseMax(drift_north).cwiseMax(drift_west.cwiseMax(drift_east));
   }
+  /// Of all planes, or without any of the edges.
+  [[nodiscard]] LargestDrift largest_drift() const;
 };
 
 /// What a contact point did along the joint.

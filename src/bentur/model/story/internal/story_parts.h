@@ -17,7 +17,7 @@ inline constexpr double percent = 100;
 inline constexpr double reached = 1e-9;  ///< of a capacity: what is so near it has come to it
 
 /// What the gaps of a story are told from, of a run or by a spectrum.
-struct GapFacts {
+struct GapView {
   const Case& c;
   const Problem& problem;
   const Response* response = nullptr;                        ///< nothing: by a spectrum
@@ -46,11 +46,11 @@ void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnit
 /// The word for what moves the buildings.
 [[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
-void tell_need(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements);
+void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.
-void tell_rules(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements);
+void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
-[[nodiscard]] std::vector<StoryTable> gap_tables(const GapFacts& facts, Eigen::Index gap);
+[[nodiscard]] std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap);
 
 /// The word for why a rule says nothing, or "enough" where it does.
 [[nodiscard]] const char* silence_word(RuleFinding::Silence silence);
@@ -76,7 +76,7 @@ void tell_breaking(const RunResults& run, Story& told);
 /// screening() of every gap of a row; nothing where its buildings are not known, as of results that are read back.
 [[nodiscard]] std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem& problem);
 /// Of a run, which must outlive them.
-[[nodiscard]] GapFacts facts_of(const RunResults& run);
+[[nodiscard]] GapView facts_of(const RunResults& run);
 /// Collapses with contact and without: {building}, {storey}, {time} and {limit}. @param place name of the building and
 /// number of the storey
 void tell_collapse(const std::optional<Collapse>& with, const std::optional<Collapse>& without, double drift,
@@ -98,10 +98,10 @@ void tell_collapse(const std::optional<Collapse>& with, const std::optional<Coll
 void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, Eigen::Index index,
                const std::string& length, std::vector<StoryValue>& values);
 /// {level}: of a row the elevation.
-void add_level(const GapFacts& facts, bool is_point, Eigen::Index index, double elevation,
+void add_level(const GapView& facts, bool is_point, Eigen::Index index, double elevation,
                std::vector<StoryValue>& values);
 /// Floors that met what they face where no contact is modelled, and how to model it.
-void tell_unmodelled(const GapFacts& facts, Eigen::Index gap, std::vector<Statement>& statements);
+void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// What rules ask of a gap by heights, and the table of it.
 void tell_heights(const Case& c, const Problem& problem, Eigen::Index gap, Story& told);
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bentur/model/judgement/facts.h"
+
+namespace bentur {
+
+/// What may be said of a gap, worst first.
+enum class Sufficiency {
+  too_small,  ///< it closes in some run, a run would close it, or a rule of [code] asks for more
+  not_known,  ///< none of these, but something that decides it is not known
+  enough      ///< neither, in both ways of the motion
+};
+/// "too small", "not known", "enough".
+[[nodiscard]] std::string_view word_of(Sufficiency value);
+
+/// Why a gap is too small, or not known to be enough.
+struct Reason {
+  enum class Kind {
+    contact,     ///< the buildings collide: `count` impacts, up to `value` [force]
+    unmodelled,  ///< a floor goes `value` [length] into what it faces, where no contact is modelled
+    need,        ///< they need `value` [length] without contact
+    rule,        ///< a rule of [code], `subject`, asks for `value` [length]
+    collapse,    ///< storey `storey` of `subject` falls without contact at `value` [s]
+    drift,       ///< it drifts by `value` of its height without contact [-], beyond collapse
+    doubt,       ///< GapFacts::doubts[`count`]
+    motion_left, ///< free vibration after the end could still need `value` [length]
+    not_looked_at  ///< the reversed motion, with contact or without
+  };
+  Kind kind = Kind::need;
+  Way way = Way::given;
+  std::optional<std::size_t> level = {};  ///< index into GapFacts::levels
+  double value = 0, width = 0;            ///< `width`: given at the level [length]
+  long count = 0;
+  std::string subject = {};
+  Eigen::Index storey = 0;
+};
+/// "contact", "contact reversed", …, as results have it.
+[[nodiscard]] std::string word_of(const Reason& reason);
+/// Whether a gap is too small for this reason; else it is why that is not known.
+[[nodiscard]] bool says_too_small(Reason::Kind kind);
+
+/// What is known of one gap.
+struct Judgement {
+  Sufficiency value = Sufficiency::enough;
+  std::vector<Reason> reasons = {};      ///< worst first; empty: it is enough
+  std::vector<Sufficiency> levels = {};  ///< of each of GapFacts::levels
+  bool alone = false;  ///< what is needed is needed if no other gap closes, as one does
+
+  [[nodiscard]] bool is_enough() const { return value == Sufficiency::enough; }
+};
+
+/// The one judgement of a gap, from all facts: "enough", "to spare", "met", "stay apart" are said by it alone.
+[[nodiscard]] Judgement judge(const GapFacts& facts);
+
+}  // namespace bentur
