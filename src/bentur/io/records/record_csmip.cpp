@@ -1,10 +1,12 @@
-// Files of CSMIP and CDMG, volumes 1 and 2: each channel has lines of text, of integers and of reals, whose number is
-// not the same in all of them, and blocks of values, each behind a line that says what it holds. Fields touch.
+// Files of CSMIP and CDMG, volumes 1 and 2: each channel has lines of text, of
+// integers and of reals, whose number is not the same in all of them, and blocks of values, each behind a line that
+// says what it holds. Fields touch.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "bentur/io/records/internal/channels.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
@@ -29,13 +31,11 @@ std::optional<Channel> csmip_block(const std::string& text) {
     channel.time_step = number_after(text, " AT ").value_or(0);
     channel.unit = unit_behind("UNITS:", ")");
     if (channel.unit.empty()) channel.unit = unit_behind(", IN ", ".(");
-    if (channel.width == 0) channel.width = 10;
     return channel;
   }
   if (text.find("ACCELEROGRAM POINTS AT") != std::string::npos && text.find("PTS/SEC") != std::string::npos) {
     channel.time_step = 1 / number_after(text, "POINTS AT").value_or(0);
     channel.unit = unit_behind("UNITS OF", ".(");
-    if (channel.width == 0) channel.width = 9;
     return channel;
   }
   return std::nullopt;
@@ -46,9 +46,11 @@ std::string csmip_title(std::string_view line) {
   const std::string text = upper(line);
   const std::size_t at = text.find("CHAN ");
   if (at == std::string::npos || text.find(':', at) == std::string::npos) return "";
-  const std::size_t end = text.find(" FROM", at);
-  return single_spaced(line.substr(at, end == std::string::npos ? 40 : end - at));
+  const std::size_t end = std::min(text.find(" FROM", at), text.find('(', at));
+  return single_spaced(line.substr(at, std::min(std::size_t{40}, end - at)));
 }
+
+constexpr std::size_t csmip_in_line = 8;  // fields
 
 /// A line behind the values of a block: another block, the end of a channel or the beginning of the next.
 bool ends_csmip_block(const Line& line) {
@@ -73,15 +75,20 @@ std::optional<StrongMotionRecord> read_csmip(const std::vector<Line>& lines, con
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].text.starts_with("/&")) begin = i + 1;
     if (std::string found = csmip_title(lines[i].text); !found.empty()) title = std::move(found);
-    if (auto block = csmip_block(upper(lines[i].text))) {
-      block->title = title;
+    auto block = csmip_block(upper(lines[i].text));
+    if (block) {
       block->first_line = i + 1;
       block->header_lines = static_cast<int>(i + 1 - begin);
-      channels.push_back(std::move(*block));
+      block->heading = read_heading(std::span(lines).subspan(begin, i - begin));
+      if (block->width == 0) block->width = width_of_lines(lines, i + 1, csmip_in_line);
     }
+    if (!block) continue;
+    block->title = title;
+    channels.push_back(std::move(*block));
   }
-  static constexpr ChannelFormat format = {"\"3000 points of accel data equally spaced at .020 sec\"",
-                                           "must say how far apart the values are, more than 0 s", ends_csmip_block};
+  static constexpr ChannelFormat format = {
+      "\"3000 points of accel data equally spaced at .020 sec\"",
+      "must say how far apart the values are, more than 0 s", ends_csmip_block};
   return read_channel(lines, channels, format, options, errors);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bentur/io/records/internal/heading.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
@@ -64,7 +65,10 @@ std::optional<StrongMotionRecord> read_esm(const std::vector<Line>& lines, const
 
   StrongMotionRecord record;
   record.unit = unit->unit;
+  record.unit_line = units.line;
   record.time_step = step;
+  record.step_line = interval.line;
+  record.component = esm_value(lines, end, "STREAM").text;
   record.header_lines = static_cast<int>(end);
   record.values = read_numbers(std::span(lines).subspan(end), 0, errors);
   for (double& number : record.values) number *= unit->factor;
@@ -73,6 +77,7 @@ std::optional<StrongMotionRecord> read_esm(const std::vector<Line>& lines, const
     return errors.error(count,
                         fmt::format("NDATA is {}, but the file holds {} values", count.text, record.values.size()));
   }
+  check_peak(read_heading(std::span(lines).subspan(0, end)), record.values, record.unit, {}, "", errors);
   return record;
 }
 
