@@ -130,13 +130,12 @@ class ColumnReader {
       return;
     }
     for (const Statement& said : steps) {
-      if (said.vague) continue;
-      if (step_ && !same(said.value, *step_)) {
-        other_step_ = &said;
-        return;
-      }
-      if (!step_) step_line_ = said.line;
-      if (!step_) step_ = said.value;
+      if (said.vague || step_) continue;
+      step_ = said.value;
+      step_line_ = said.line;
+    }
+    for (const Statement& said : steps) {
+      if (step_ && !same(said.value, *step_) && !(said.vague && same(said.value / 1000, *step_))) other_step_ = &said;
     }
   }
 

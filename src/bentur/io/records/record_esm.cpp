@@ -38,7 +38,8 @@ Token esm_value(const std::vector<Line>& lines, std::size_t end, std::string_vie
 
 bool looks_like_esm(const std::vector<Line>& lines) {
   const std::size_t end = esm_header_end(lines);
-  return esm_value(lines, end, "SAMPLING_INTERVAL_S").line > 0 && esm_value(lines, end, "NDATA").line > 0;
+  const auto has = [&](std::string_view key) { return esm_value(lines, end, key).line > 0; };
+  return has("SAMPLING_INTERVAL_S") && has("NDATA") && has("UNITS");
 }
 
 std::optional<StrongMotionRecord> read_esm(const std::vector<Line>& lines, const RecordOptions& /*options*/,

@@ -29,9 +29,14 @@ struct RecordFormat {
 /// Those with marks of their own, in the order they are tried; columns are what is left.
 constexpr RecordFormat marked_formats[] = {
     {"cosmos", looks_like_cosmos, read_cosmos, Choice::channels},
+    {"geonet", looks_like_geonet, read_geonet, Choice::channels},
     {"csmip", looks_like_csmip, read_csmip, Choice::channels},
+    {"bhrc", looks_like_bhrc, read_bhrc, Choice::channels},
     {"smc", looks_like_smc, read_smc},
     {"knet", looks_like_knet, read_knet},
+    {"knet-csv", looks_like_knet_csv, read_knet_csv, Choice::columns},
+    {"afad", looks_like_afad, read_afad, Choice::columns},
+    {"asa", looks_like_asa, read_asa, Choice::columns},
     {"esm", looks_like_esm, read_esm},
     {"peer-at2", looks_like_peer, read_peer},
 };
@@ -134,8 +139,9 @@ std::string RecordOptions::setting(const std::string& key, const std::string& va
 }
 
 const std::vector<std::string>& record_formats() {
-  static const std::vector<std::string> formats = {"auto",   "peer-at2", "two-column", "one-column", "values", "csv",
-                                                   "cosmos", "csmip",    "smc",        "knet",       "esm"};
+  static const std::vector<std::string> formats = {"auto",     "peer-at2", "two-column", "one-column", "values", "csv",
+                                                   "cosmos",   "csmip",    "bhrc",       "geonet",     "smc",    "knet",
+                                                   "knet-csv", "esm",      "afad",       "asa"};
   return formats;
 }
 

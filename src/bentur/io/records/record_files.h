@@ -52,7 +52,7 @@ struct RecordContradiction {
 [[nodiscard]] std::vector<RecordContradiction> contradictions(const StrongMotionRecord& record,
                                                               const RecordOptions& options);
 
-/// auto peer-at2 two-column one-column values csv cosmos csmip smc knet esm
+/// auto peer-at2 two-column one-column values csv cosmos csmip bhrc geonet smc knet knet-csv esm afad asa
 [[nodiscard]] const std::vector<std::string>& record_formats();
 
 /// Reads a record (docs/record-files.md). What is wrong goes to `diagnostics` with the record file's line and column.

@@ -130,7 +130,11 @@ std::optional<CountAndStep> count_and_step(const Line& line) {
 
 bool looks_like_peer(const std::vector<Line>& lines) {
   if (lines.size() < 4) return !lines.empty() && lines[0].says("PEER");
-  return lines[3].says("NPTS") || lines[2].says("UNITS OF") || peer_header_line(lines) != 3;
+  // Headings of columns may say NPTS in line 4, and units in line 3, too.
+  const bool units = lines[2].says("UNITS");
+  const bool quantity = lines[2].says("ACCELERATION") || lines[2].says("VELOCITY") || lines[2].says("DISPLACEMENT");
+  return (lines[3].says("NPTS") && lines[3].says("DT") && (units || quantity)) ||
+         (units && quantity && lines[2].says("TIME ")) || peer_header_line(lines) != 3;
 }
 
 std::optional<StrongMotionRecord> read_peer(const std::vector<Line>& lines, const RecordOptions& options,

@@ -244,13 +244,21 @@ std::nullopt_t no_rows(const std::vector<Line>& lines, RecordErrors& errors) {
       nearest.bad, fmt::format("{} is not a number, and no line holds nothing but numbers", shown(nearest.bad.text)));
 }
 
+/// Whether a line of the heading says something, so that it is no row with a typing error.
+bool says_something(const Heading& heading, int line) {
+  const auto here = [&](const Statement& said) { return said.line == line; };
+  return std::any_of(heading.counts.begin(), heading.counts.end(), here) ||
+         std::any_of(heading.steps.begin(), heading.steps.end(), here) ||
+         std::any_of(heading.peaks.begin(), heading.peaks.end(), here);
+}
+
 /// Counts the lines before the rows; what looks like a row among them is an error.
 void take_head(const std::vector<Line>& all, std::size_t begin, const RecordOptions& options, ColumnRows& found,
                RecordErrors& errors) {
   const std::size_t columns = row_cells(all[begin], found.separator).size();
   for (std::size_t i = 0; i < begin; ++i) {
     const auto cells = row_cells(all[i], found.separator);
-    if (!could_be_row(cells, columns)) {
+    if (!could_be_row(cells, columns) || says_something(found.heading, all[i].number)) {
       ++found.header_lines;
       continue;
     }
@@ -295,8 +303,8 @@ std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const Record
     found.separator = separator;
   }
   if (best.rows == 0) return no_rows(all, errors);
-  take_head(all, best.begin, options, found, errors);
   understand_head(lines, all[best.begin].number, found);
+  take_head(all, best.begin, options, found, errors);
   all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(best.begin));
   found.rows = std::move(all);
   bool points = false, commas = false;

@@ -41,8 +41,13 @@ class HeadingScan {
   /// "(SEC)" without its brackets; empty where none begins here.
   std::string_view group() {
     if (done() || (text_[at_] != '(' && text_[at_] != '[')) return {};
-    const std::size_t end = text_.find(text_[at_] == '(' ? ')' : ']', at_);
-    if (end == std::string_view::npos) return {};
+    const char open = text_[at_], close = open == '(' ? ')' : ']';
+    std::size_t end = at_, depth = 0;
+    do {
+      depth += text_[end] == open ? 1 : 0;
+      depth -= text_[end] == close ? 1 : 0;
+    } while (depth > 0 && ++end < text_.size());
+    if (end == text_.size()) return {};
     const std::string_view inside = trimmed(text_.substr(at_ + 1, end - at_ - 1));
     at_ = end + 1;
     return inside;
@@ -163,6 +168,7 @@ void say_steps(const HeadingPhrase& phrase, const Spoken& spoken, int line, std:
   const std::string_view word = first_word(spoken.after);
   std::string_view unit = spoken.unit;
   if (!seconds_of(unit) && !is_rate_unit(unit)) unit = word;
+  if (!seconds_of(unit) && !is_rate_unit(unit) && phrase.number_before) unit = phrase.fact == Fact::rate ? "HZ" : "S";
   for (Statement said : spoken.values) {
     const auto seconds = seconds_of(unit);
     if (phrase.needs_unit && !seconds) continue;
@@ -280,9 +286,12 @@ void say_line(const Line& line, const std::string& below, Heading& heading) {
       case Fact::component: {
         HeadingScan scan(text, phrase.end);
         scan.skip(" \t.:=");
-        if (const std::string_view word = scan.word(); !word.empty()) {
-          heading.components.push_back({.text = std::string(word), .line = line.number});
+        std::string_view word = scan.word();
+        // As the file spells it, where no letter has lost its accent.
+        if (text.size() == line.text.size()) {
+          word = line.text.substr(static_cast<std::size_t>(word.data() - text.data()), word.size());
         }
+        if (!word.empty()) heading.components.push_back({.text = std::string(word), .line = line.number});
         break;
       }
       default:

@@ -114,11 +114,17 @@ struct CountAndStep {
 [[nodiscard]] bool looks_like_smc(const std::vector<Line>& lines);
 [[nodiscard]] bool looks_like_knet(const std::vector<Line>& lines);
 [[nodiscard]] bool looks_like_esm(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_geonet(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_bhrc(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_knet_csv(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_afad(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_asa(const std::vector<Line>& lines);
 
 /// Reads all but the name of the format; what it returns counts only while there is no error.
 using RecordReader = std::optional<StrongMotionRecord>(const std::vector<Line>& lines, const RecordOptions& options,
                                                        RecordErrors& errors);
-RecordReader read_peer, read_cosmos, read_csmip, read_smc, read_knet, read_esm;
+RecordReader read_peer, read_cosmos, read_csmip, read_bhrc, read_geonet, read_smc, read_knet, read_knet_csv, read_esm,
+    read_afad, read_asa;
 /// one-column, two-column, values, csv, or whichever of them fits where the format is "auto"; names the format, too.
 RecordReader read_columns;
 
