@@ -17,12 +17,14 @@ bool all_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Letters and digits of a name, without what says that it is one: "Chan 1: 90 Deg" is 90, "N90E;+" N90E.
+/// Letters and digits of a name, without what says that it is one: "Chan 1: 90 Deg" is 90, "N90E;+" N90E, "Acc X (g)"
+/// X.
 std::string plain_component(const std::string& name) {
   std::string text = folded(name);
   text = text.substr(0, text.find(';'));
   if (text.starts_with("CHAN") && text.find(':') != std::string::npos) text.erase(0, text.find(':') + 1);
-  for (const std::string_view word : {"COMPONENT", "COMP", "DEG"}) {
+  if (const std::size_t unit = text.find_first_of("(["); unit != std::string::npos && unit > 0) text.erase(unit);
+  for (const std::string_view word : {"COMPONENT", "COMP", "DEG", "ACCELERATION", "ACCEL", "ACC"}) {
     if (const std::size_t at = text.find(word); at != std::string::npos) text.erase(at, word.size());
   }
   std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x80 && std::isalnum(c) == 0; });

@@ -242,40 +242,54 @@ void say_acceleration(std::string_view text, std::size_t at, int line, std::vect
   }
 }
 
+/// The numbers that words are about: before them, behind them, or in the line below where theirs ends with them.
+Spoken spoken_of(const HeadingPhrase& phrase, std::string_view text, const std::string& below) {
+  const bool counts = phrase.fact == Fact::count;
+  if (phrase.number_before) {
+    if (const auto before = spoken_before(text, phrase.begin, counts)) return {{}, {}, {*before}, {}};
+  }
+  Spoken spoken = spoken_behind(text, phrase.end, counts);
+  const bool ends = trimmed(text.substr(phrase.end)).find_first_of(":=,") == std::string_view::npos;
+  if (spoken.values.empty() && ends && !below.empty()) spoken.values = spoken_behind(below, 0, counts).values;
+  // "filter points: 4"
+  constexpr double least = 10;
+  if (counts && phrase.number_before && !spoken.values.empty() && spoken.values[0].value < least) spoken.values.clear();
+  return spoken;
+}
+
+void say_counts(const Spoken& spoken, int line, std::vector<Statement>& counts) {
+  for (Statement said : spoken.values) {
+    said.line = line;
+    if (is_count(said.value) && said.value >= 2) counts.push_back(said);
+  }
+}
+
+/// As the file spells it, where no letter has lost its accent.
+void say_component(const Line& line, std::string_view text, std::size_t at, std::vector<Statement>& components) {
+  HeadingScan scan(text, at);
+  scan.skip(" \t.:=");
+  std::string_view word = scan.word();
+  if (text.size() == line.text.size()) {
+    word = line.text.substr(static_cast<std::size_t>(word.data() - text.data()), word.size());
+  }
+  if (!word.empty()) components.push_back({.text = std::string(word), .line = line.number});
+}
+
 /// One line. @param below the number that is the next line, for words without one
 void say_line(const Line& line, const std::string& below, Heading& heading) {
   const std::string text = folded(line.text);
   for (const HeadingPhrase& phrase : phrases_of(text)) {
-    const bool counts = phrase.fact == Fact::count;
-    Spoken spoken;
-    if (counts || phrase.fact == Fact::step || phrase.fact == Fact::rate || phrase.fact == Fact::peak) {
-      const auto before = phrase.number_before ? spoken_before(text, phrase.begin, counts) : std::nullopt;
-      if (before) {
-        spoken.values = {*before};
-      } else {
-        spoken = spoken_behind(text, phrase.end, counts);
-        const bool ends =
-            trimmed(std::string_view(text).substr(phrase.end)).find_first_of(":=,") == std::string_view::npos;
-        if (spoken.values.empty() && ends && !below.empty()) spoken.values = spoken_behind(below, 0, counts).values;
-      }
-    }
-    const auto add_counts = [&] {
-      // "200 SAMPLES PER SECOND" is a rate; "SAMPLES" alone before a number says nothing.
-      for (Statement said : spoken.values) {
-        said.line = line.number;
-        if (is_count(said.value) && said.value >= 2) heading.counts.push_back(said);
-      }
-    };
+    const auto spoken = [&] { return spoken_of(phrase, text, below); };
     switch (phrase.fact) {
       case Fact::count:
-        if (!phrase.number_before || spoken.after.empty()) add_counts();
+        say_counts(spoken(), line.number, heading.counts);
         break;
       case Fact::step:
       case Fact::rate:
-        say_steps(phrase, spoken, line.number, heading.steps);
+        say_steps(phrase, spoken(), line.number, heading.steps);
         break;
       case Fact::peak:
-        say_peaks(phrase, spoken, line.number, heading.peaks);
+        say_peaks(phrase, spoken(), line.number, heading.peaks);
         break;
       case Fact::unit:
         say_units(text, phrase.end, line.number, heading);
@@ -283,17 +297,9 @@ void say_line(const Line& line, const std::string& below, Heading& heading) {
       case Fact::acceleration:
         say_acceleration(text, phrase.end, line.number, heading.units);
         break;
-      case Fact::component: {
-        HeadingScan scan(text, phrase.end);
-        scan.skip(" \t.:=");
-        std::string_view word = scan.word();
-        // As the file spells it, where no letter has lost its accent.
-        if (text.size() == line.text.size()) {
-          word = line.text.substr(static_cast<std::size_t>(word.data() - text.data()), word.size());
-        }
-        if (!word.empty()) heading.components.push_back({.text = std::string(word), .line = line.number});
+      case Fact::component:
+        say_component(line, text, phrase.end, heading.components);
         break;
-      }
       default:
         break;
     }
