@@ -11,6 +11,8 @@
 #include "bentur/core/units.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/spectrum_files.h"
+#include "bentur/model/story/remarks.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 #include "commands.h"
@@ -79,6 +81,12 @@ SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units
   for (double& a : motion.acceleration) a *= factor;
   echo.pga = peak_acceleration(motion);
   return motion;
+}
+
+/// What is unusual of the record, each in a line of its own; empty without any.
+std::string remarks_text(const RecordSpectrum& spectrum) {
+  return story_text(std::vector<std::string>(), {remark_statements(remarks(spectrum.record, spectrum.units))},
+                    Words("en"), Told::remarks);
 }
 
 std::string spectrum_text(const RecordSpectrum& spectrum) {
@@ -150,12 +158,14 @@ void run(const SpectrumArguments& arguments) {
   }
   if (is_picture(output)) write_picture(output, spectrum_picture(spectrum, arguments.language), rules);
   if (csv) csv->write(spectrum_csv(spectrum));
+  const std::string unusual = remarks_text(spectrum);
   if (arguments.json) {
     print(spectrum_json(spectrum, BENTUR_VERSION));
   } else if (arguments.output.empty()) {
-    print(fitted(spectrum_text(spectrum)));
-  } else if (csv && !csv->is_streamed()) {
-    print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
+    print(fitted(spectrum_text(spectrum) + (unusual.empty() ? "" : "\n" + unusual)));
+  } else {
+    if (!unusual.empty()) message(unusual.substr(0, unusual.size() - 1));
+    if (csv && !csv->is_streamed()) print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
   }
 }
 
