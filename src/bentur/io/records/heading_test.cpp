@@ -110,6 +110,9 @@ TEST(Headings, CountsUnitsAndPeaks) {
   EXPECT_EQ(said_by("UNITS OF UNCOR ACCEL ARE SEC AND G/10.").units.at(0).factor, 0.1);
   EXPECT_EQ(unit("RAW PGA VALUES (gal)    : (N-S) 13.2"), "");  // of the peak alone
   EXPECT_EQ(unit("Gravity g = 9.81, units: SI"), "");
+  EXPECT_EQ(unit("Unit 5, block G"), "");
+  EXPECT_EQ(unit("UNIT: G"), "g");
+  EXPECT_EQ(unit("units of time and acceleration are s and g"), "g");
   EXPECT_EQ(said_by("Units: cm/s").other_units.at(0).text, "CM/S");
   const Heading peaks = said_by("RAW PGA VALUES (gal)    : (N-S) 13.200332 (E-W) 12.163827 (U-D) 9.840572");
   ASSERT_EQ(peaks.peaks.size(), 3U);

@@ -92,7 +92,8 @@ struct Spoken {
 bool is_unit(std::string_view word) { return seconds_of(word) || is_rate_unit(word) || unit_at(word); }
 
 bool is_link(std::string_view word) {
-  static constexpr std::string_view links[] = {"IS", "ARE", "OF", "AT", "VALUE", "VALUES", "ES", "DE", "SON"};
+  static constexpr std::string_view links[] = {"IS",     "ARE", "OF", "AT", "IN", "VALUE",
+                                               "VALUES", "ES",  "DE", "EN", "SON"};
   return std::find(std::begin(links), std::end(links), word) != std::end(links);
 }
 
@@ -203,14 +204,21 @@ void say_unit(const FileUnit& unit, int line, std::size_t at, std::vector<Statem
 /// things, where it stands at once.
 void say_units(std::string_view text, std::size_t at, int line, Heading& heading) {
   HeadingScan scan(text, at);
-  std::string_view first;
+  std::string_view first, before;
   for (std::size_t i = 0; i < words_to_a_unit && !scan.done(); ++i) {
     scan.skip(" \t:=,_()[]\"");
     const std::size_t place = text.size() - scan.rest().size();
-    if (const auto unit = unit_at(scan.rest())) return say_unit(*unit, line, place, heading.units);
+    const auto unit = unit_at(scan.rest());
     const std::string_view word = scan.word();
+    // The letter g is also one of names: "Unit 5, block G".
+    const std::size_t last = text.find_last_not_of(" \t", place - 1);
+    const bool marked = std::string_view(":=([").find(text[last]) != std::string_view::npos;
+    const bool meant =
+        word != "G" || marked || before.empty() || before == "AND" || is_link(before) || before.starts_with("ACC");
+    if (unit && meant) return say_unit(*unit, line, place, heading.units);
     if (word.empty()) break;
     if (first.empty() && !is_link(word)) first = word;
+    before = word;
   }
   if (!is_other_unit(first) || first.size() < 3) return;
   heading.other_units.push_back(
