@@ -26,10 +26,10 @@ struct StrongMotionRecord {
 };
 
 struct RecordOptions {
-  std::string format = "auto";      ///< one of record_formats()
-  std::optional<double> time_step;  ///< [s], where the file does not say it
-  std::optional<int> column;        ///< from 1: of the accelerations, where a file has several columns
-  std::optional<int> channel;       ///< from 1: which of the file's channels of accelerations, where it has several
+  std::string format = "auto";           ///< one of record_formats()
+  std::optional<double> time_step = {};  ///< [s], where the file does not say it
+  std::optional<int> column = {};        ///< from 1: of the accelerations, where a file has several columns
+  std::optional<int> channel = {};  ///< from 1: which of the file's channels of accelerations, where it has several
   std::optional<std::string> component = {};  ///< the channel or column by its name, as "N-S"
   std::string unit = {};    ///< one of acceleration_units(), where the user says it: held against the file
   int skip_lines = 0;       ///< lines to pass over at the beginning
