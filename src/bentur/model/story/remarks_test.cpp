@@ -226,7 +226,7 @@ TEST(Remarks, OfTheRecordOfACase) {
   suite->records[1].echo.file = "ms.csv";
   c.excitation.record.reset();
   c.excitation.suite = suite;
-  const std::vector<Remark> found = remarks(c, make_problem(c));
+  const std::vector<Remark> found = remarks(c, make_still_problem(c));
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].subject, "ms.csv");
   EXPECT_EQ(found[0].key, "record_step");
