@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bentur/io/records/record_files.h"
-#include "tests/support/paper_records.h"
+#include "tests/records/paper_records.h"
 #include "tests/support/record_file.h"
 
 namespace bentur {
