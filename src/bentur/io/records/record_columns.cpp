@@ -60,6 +60,7 @@ class ColumnReader {
     if (*meaning == Meaning::values) {
       record.format = columns_ == 1 ? "one-column" : "values";
       record.values = numbers_.all();
+      if (columns_ == 1) check_label(labels_.front());
       settle_unit(labels_.front(), record);
     } else {
       check_widths();

@@ -88,8 +88,8 @@ std::vector<ColumnLabel> column_labels(std::span<const Line> lines, std::size_t 
   const std::size_t most = std::min(lines.size(), furthest_label_line);
   for (std::size_t i = lines.size(); i > lines.size() - most; --i) {
     std::string_view text = without_mark(lines[i - 1].text);
-    if (const std::size_t colon = text.find(':'); colon + 1 < text.size())
-      text.remove_prefix(colon + 1);  // "Data: ..."
+    const std::size_t colon = text.find(':');  // "Data: ..."
+    if (colon != std::string_view::npos && colon + 1 < text.size()) text.remove_prefix(colon + 1);
     const Line line{text, lines[i - 1].number};
     std::vector<std::vector<Token>> ways;
     if (separator != ' ') ways.push_back(split_cells(line, separator));
