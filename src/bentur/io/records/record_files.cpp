@@ -24,6 +24,7 @@ struct RecordFormat {
   bool (*looks_like)(const std::vector<Line>& lines);
   RecordReader* read;
   Choice choice = Choice::none;
+  bool mixed = true;  ///< its numbers are not accelerations alone, so that it is not read as columns or row by row
 };
 
 /// Those with marks of their own, in the order they are tried; columns are what is left.
@@ -34,11 +35,11 @@ constexpr RecordFormat marked_formats[] = {
     {"bhrc", looks_like_bhrc, read_bhrc, Choice::channels},
     {"smc", looks_like_smc, read_smc},
     {"knet", looks_like_knet, read_knet},
-    {"knet-csv", looks_like_knet_csv, read_knet_csv, Choice::columns},
-    {"afad", looks_like_afad, read_afad, Choice::columns},
-    {"asa", looks_like_asa, read_asa, Choice::columns},
-    {"esm", looks_like_esm, read_esm},
-    {"peer-at2", looks_like_peer, read_peer},
+    {"knet-csv", looks_like_knet_csv, read_knet_csv, Choice::columns, false},
+    {"afad", looks_like_afad, read_afad, Choice::columns, false},
+    {"asa", looks_like_asa, read_asa, Choice::columns, false},
+    {"esm", looks_like_esm, read_esm, Choice::none, false},
+    {"peer-at2", looks_like_peer, read_peer, Choice::none, false},
 };
 
 /// Of a file of one component: whether it is the one that the user asks for.
@@ -56,7 +57,13 @@ std::optional<StrongMotionRecord> read_lines(const std::vector<Line>& lines, con
   const auto* const format = std::find_if(std::begin(marked_formats), std::end(marked_formats), [&](const auto& one) {
     return options.format == one.name || (options.format == "auto" && one.looks_like(lines));
   });
-  if (format == std::end(marked_formats)) return read_columns(lines, options, errors);
+  if (format == std::end(marked_formats)) {
+    const auto* const own = std::find_if(std::begin(marked_formats), std::end(marked_formats),
+                                         [&](const auto& one) { return one.mixed && one.looks_like(lines); });
+    if (own == std::end(marked_formats)) return read_columns(lines, options, errors);
+    return errors.error(fmt::format("is a {} file, whose numbers are not accelerations alone: leave {} out", own->name,
+                                    options.setting("format", options.format)));
+  }
   if (options.column && format->choice != Choice::columns) {
     errors.error(fmt::format("is a {} file, which has no columns to choose from", format->name));
   }

@@ -403,7 +403,7 @@ void check_peak(const Heading& heading, const std::vector<double>& values, const
     const auto fits_in = [&](const std::string& stated_unit, const std::string& read_unit) {
       return near(in_metres(stated_unit, stated), in_metres(stated_unit, resolution), in_metres(read_unit, read));
     };
-    const std::vector<std::string> all = acceleration_units();
+    const std::vector<std::string>& all = acceleration_units();
     const auto any = [&](const auto& fit) { return std::any_of(all.begin(), all.end(), fit); };
     if (!unit.empty() && !said.unit.empty()) return fits_in(said.unit, unit);
     if (!unit.empty()) return any([&](const std::string& one) { return fits_in(one, unit); });
