@@ -12,6 +12,8 @@
 #include "bentur/core/version.h"
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/results/spectrum_files.h"
+#include "bentur/model/story/remarks.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 #include "commands.h"
@@ -24,7 +26,7 @@ namespace bentur::cli {
 namespace {
 
 struct SpectrumArguments {
-  std::string file, unit, periods, length = "m", output, language = "en";
+  std::string file, periods, length = "m", output, language = "en";
   RecordOptions options;
   double damping = 0.05;
   bool json = false, force = false;
@@ -53,30 +55,26 @@ std::vector<double> read_periods(const std::string& text) {
   return logarithmic_periods(from, to, count);
 }
 
-/// The unit of the file's numbers: stated in the file, by the user, or both alike.
+/// The unit of the file's numbers: the file's own, or the user's where it says none.
 std::string settle_unit(const SpectrumArguments& arguments, const StrongMotionRecord& record) {
-  if (record.unit.empty() && arguments.unit.empty()) {
-    std::string known;
-    for (const std::string& one : acceleration_units()) known += (known.empty() ? "" : ", ") + one;
-    throw Failure(exit_bad_input, fmt::format("{}: error: the file does not say its unit: give --unit, one of {}",
-                                              arguments.file, known));
-  }
-  if (!record.unit.empty() && !arguments.unit.empty() && record.unit != arguments.unit) {
-    throw Failure(exit_bad_input, fmt::format("{}: error: --unit is {} but the file says \"{}\"", arguments.file,
-                                              arguments.unit, record.unit));
-  }
-  return record.unit.empty() ? arguments.unit : record.unit;
+  if (!record.unit.empty()) return record.unit;
+  if (!arguments.options.unit.empty()) return arguments.options.unit;
+  std::string known;
+  for (const std::string& one : acceleration_units()) known += (known.empty() ? "" : ", ") + one;
+  throw Failure(exit_bad_input, fmt::format("{}: error: the file does not say its unit: give --unit, one of {}",
+                                            arguments.file, known));
 }
 
 SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units, RecordEcho& echo) {
   Diagnostics diagnostics;
   std::optional<StrongMotionRecord> record = read_record(arguments.file, arguments.options, diagnostics);
   if (!record) throw Failure(diagnostics);
-  const std::optional<double> step = arguments.options.time_step;
-  if (step && std::abs(*step / record->time_step - 1) > 0.01) {
-    throw Failure(exit_bad_input, fmt::format("{}: error: --time-step is {} but the file says {:.6g} s", arguments.file,
-                                              *step, record->time_step));
+  for (const RecordContradiction& one : contradictions(*record, arguments.options)) {
+    diagnostics.error(
+        {.file = arguments.file, .line = one.line, .column = one.line > 0 ? 1 : 0},
+        fmt::format("{} is {}, but the file says {}", arguments.options.name(one.key), one.given, one.said));
   }
+  if (!diagnostics.ok()) throw Failure(diagnostics);
   const std::string unit = settle_unit(arguments, *record);
   echo = echo_of(*record, arguments.file, unit);
   SampledMotion motion{record->time_step, std::move(record->values)};
@@ -84,6 +82,12 @@ SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units
   for (double& a : motion.acceleration) a *= factor;
   echo.pga = peak_acceleration(motion);
   return motion;
+}
+
+/// What is unusual of the record, each in a line of its own; empty without any.
+std::string remarks_text(const RecordSpectrum& spectrum) {
+  return story_text(std::vector<std::string>(), {remark_statements(remarks(spectrum.record, spectrum.units))},
+                    Words("en"), Told::remarks);
 }
 
 std::string spectrum_text(const RecordSpectrum& spectrum) {
@@ -155,12 +159,14 @@ void run(const SpectrumArguments& arguments) {
   }
   if (is_picture(output)) write_picture(output, spectrum_picture(spectrum, arguments.language), rules);
   if (csv) csv->write(spectrum_csv(spectrum));
+  const std::string unusual = remarks_text(spectrum);
   if (arguments.json) {
     print(spectrum_json(spectrum, version()));
   } else if (arguments.output.empty()) {
-    print(fitted(spectrum_text(spectrum)));
-  } else if (csv && !csv->is_streamed()) {
-    print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
+    print(fitted(spectrum_text(spectrum) + (unusual.empty() ? "" : "\n" + unusual)));
+  } else {
+    if (!unusual.empty()) message(unusual.substr(0, unusual.size() - 1));
+    if (csv && !csv->is_streamed()) print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
   }
 }
 
@@ -171,7 +177,7 @@ void add_spectrum_command(CLI::App& app) {
   arguments->options.of_command = true;
   CLI::App* command = app.add_subcommand("spectrum", "The response spectrum of a record");
   command->add_option("FILE", arguments->file, "the record (docs/record-files.md)")->required()->check(not_empty());
-  command->add_option("--unit", arguments->unit, "of the accelerations, where the file does not say it")
+  command->add_option("--unit", arguments->options.unit, "of the accelerations, where the file does not say it")
       ->check(CLI::IsMember(acceleration_units()));
   command->add_option("--format", arguments->options.format, "of the file; default auto")
       ->check(CLI::IsMember(record_formats()));
@@ -181,6 +187,10 @@ void add_spectrum_command(CLI::App& app) {
       ->check(CLI::Range(1, 1000000));
   command->add_option("--channel", arguments->options.channel, "of accelerations, where the file has several")
       ->check(CLI::Range(1, 1000000));
+  command
+      ->add_option("--component", arguments->options.component,
+                   "the channel or column by its name in the file, as N-S or Up")
+      ->check(not_empty());
   command->add_option("--skip-lines", arguments->options.skip_lines, "lines at the beginning to pass over")
       ->check(CLI::Range(0, 1000000));
   command->add_option("--damping", arguments->damping, "ratio, default 0.05")->check(finite());

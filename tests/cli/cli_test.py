@@ -240,6 +240,29 @@ class Remarks(CommandLine):
             self.done("report", case, "-o", file, "--lang", language)
             self.assertIn(word, file.read_text())
 
+    def test_milliseconds_taken_for_seconds_are_remarked_on(self):
+        """The same motion in ms: 200 values every 10 s leave the buildings apart, and every door says that it is odd."""
+        record = self.folder / "ms.csv"
+        values = [0.1 * math.sin(0.3 * i) for i in range(200)]
+        record.write_text("".join(f"{10 * i},{value:.5f}\n" for i, value in enumerate(values)))
+        case = self.edited("m12-el-centro", 'file = "el-centro-1940-ns.csv"', f'file = "{record}"')
+        for command in ("check", "run"):
+            text = " ".join(self.done(command, case).stdout.split())
+            self.assertIn("remark: the record has a value every 10 s, usual is up to 0.05 s. Are these milliseconds", text)
+            self.assertIn("remark: the record is 1990 s long, usual are 5 to 600 s.", text)
+        keys = [remark["key"] for remark in json.loads(self.done("run", case, "--json").stdout)["remarks"]]
+        self.assertTrue({"record_step", "record_length"} <= set(keys), keys)
+        text = " ".join(self.done("spectrum", record, "--unit", "g").stdout.split())
+        self.assertTrue(text.endswith("is it the whole record?"), text[-500:])
+        self.assertIn("Are these milliseconds, or the numbers of rows?", text)
+        document = json.loads(self.done("spectrum", record, "--unit", "g", "--json").stdout)
+        self.assertEqual([remark["key"] for remark in document["remarks"]], ["record_step", "record_length"])
+        result = self.done("spectrum", record, "--unit", "g", "-o", self.folder / "ms-spectrum.csv")
+        self.assertIn("remark: the record has a value every 10 s", result.stderr)
+        # 94.87 g, because cm/s2 were called g.
+        record.write_text("".join(f"{0.01 * i:.2f},{949 * value:.4f}\n" for i, value in enumerate(values * 3)))
+        self.assertIn("peak ground acceleration is 94.", self.done("spectrum", record, "--unit", "g").stdout)
+
     def test_the_model_is_stated(self):
         self.assertIn("The model: linear elastic buildings", self.done("run").stdout)
 
@@ -1636,7 +1659,10 @@ class Spectrum(CommandLine):
     def test_what_is_read_is_chosen_and_told(self):
         """A file of two channels, a heading that looks like rows, and values row by row."""
         two = SOURCE / "tests" / "bad_input" / "good-two-channels.V2"
-        self.assertIn("say in --channel which one", self.fails(2, "spectrum", two).stderr)
+        self.assertIn("say in --channel or --component which one", self.fails(2, "spectrum", two).stderr)
+        self.assertIn("channel 2 of 2 (Chan 2: Up)", self.done("spectrum", two, "--component", "U-D").stdout)
+        self.assertIn('has no component "N-S", but "Chan 1: 90 Deg", "Chan 2: Up"',
+                      self.fails(2, "spectrum", two, "--component", "N-S").stderr)
         text = self.done("spectrum", two, "--channel", "1").stdout
         self.assertIn("(csmip, cm/s², channel 1 of 2 (Chan 1: 90 Deg), 12 header lines): 3 values every 0.02 s", text)
         self.assertIn("peak ground acceleration 123 cm/s² = 0.1254 g", text)
@@ -1650,6 +1676,21 @@ class Spectrum(CommandLine):
         self.assertIn("(values, g, 1 header line): 15 values every 0.01 s", text)
         self.assertIn("the file says 0.02 s",
                       self.fails(2, "spectrum", two, "--channel", "1", "--time-step", "0.01").stderr)
+
+    def test_what_the_heading_says_is_held_against_the_user(self):
+        """A file that says Gal and 0.005 s, of three channels, once read as 100 g every 0.01 s without a word."""
+        rows = "".join(f"{100 * math.sin(0.1 * i):10.4f}{50 * math.sin(0.1 * i):10.4f}{0:10.4f}\n" for i in range(400))
+        asa = self.folder / "asa.dat"
+        asa.write_text("ARCHIVO ESTANDAR DE ACELERACION:\nORIENTACION C1-C6 (rumbo;orientacion)  : /N90E;/N00E;/V;+\n"
+                       "INTERVALO DE MUESTREO, C1-C6, (s)      : /0.005/0.005/0.005\n"
+                       "NUM. TOTAL DE MUESTRAS, C1-C6          : /400/400/400\n"
+                       "UNIDADES DE LOS DATOS                  : Gal (cm/s/s)\nDATOS DE ACELERACION:\n" + rows)
+        result = self.fails(2, "spectrum", asa, "--column", "1", "--time-step", "0.01", "--unit", "g")
+        self.assertEqual(result.stderr,
+                         f"{asa}:3:1: error: --time-step is 0.01 s, but the file says 0.005 s in line 3\n"
+                         f'{asa}:5:1: error: --unit is "g", but the file says "cm/s2" in line 5\n')
+        text = self.done("spectrum", asa, "--component", "N-S").stdout
+        self.assertIn("(asa, cm/s², channel 2 of 3 (N00E), 6 header lines): 400 values every 0.005 s, 1.995 s long", text)
 
     def test_bad_input(self):
         self.assertIn("--unit", self.fails(2, "spectrum", self.RECORD).stderr)

@@ -1,4 +1,5 @@
-// Any bytes as a record, of the format that is found and of one that is said, a different one by the length.
+// Any bytes as a record, of the format that is found and of one that is said, a different one by the length, and as the
+// component of a name.
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +18,8 @@ void read(const std::filesystem::path& file, const RecordOptions& options) {
   const auto finite = [](double x) { return std::isfinite(x); };
   demand(std::all_of(record->values.begin(), record->values.end(), finite), "a value of a record is no number");
   demand(record->values.size() > 1, "a record has one value");
+  demand(record->time_step > 0 && std::isfinite(record->time_step), "a step of a record is no number > 0");
+  (void)contradictions(*record, options);
 }
 
 }  // namespace
@@ -26,6 +29,7 @@ void feed(const std::string& input) {
   read(file, {});
   const auto& formats = record_formats();
   read(file, {.format = formats[input.size() % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
+  read(file, {.time_step = 0.01, .component = input.size() % 2 == 0 ? "N-S" : "Up", .unit = "g"});
 }
 
 }  // namespace bentur::fuzz

@@ -30,6 +30,7 @@ CALLS = {
     "at is a str": lambda: bentur.minimum_gap("study.toml", at="0.3"),
     "file is a list": lambda: bentur.read_record([]),
     "column is a str": lambda: bentur.read_record("a.txt", column="two"),
+    "component is a int": lambda: bentur.read_record("a.txt", component=2),
     "skip_lines = -1": lambda: bentur.read_record("a.txt", skip_lines=-1),
     "time_step is a str": lambda: bentur.read_record("a.txt", time_step="0.01"),
     "format is a int": lambda: bentur.read_record("a.txt", format=2),

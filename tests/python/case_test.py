@@ -134,6 +134,20 @@ def test_replace():
         case.replace({"gap[0].width": bentur.ForceLaw(force=hertz)})
 
 
+def test_a_component_is_named_and_what_the_heading_says_is_held_against_arguments(tmp_path):
+    file = tmp_path / "three.csv"
+    file.write_text("Time (ms);N-S (cm/s2);E-W (cm/s2)\n0;1.5;2.5\n10;-2.5;1.5\n20;0.5;0.25\n")
+    record = bentur.read_record(file, component="north")
+    assert (record.unit, record.time_step, record.channel) == ("cm/s2", 0.01, "column 2 of 3 (N-S (cm/s2))")
+    assert record.values.tolist() == [1.5, -2.5, 0.5]
+    with pytest.raises(bentur.CaseError, match='has no component "Up", but "N-S'):
+        bentur.read_record(file, component="Up")
+    with pytest.raises(bentur.CaseError, match="time_step is 0.02 s, but the file says 0.01 s"):
+        bentur.read_record(file, component="N-S", time_step=0.02)
+    with pytest.raises(ValueError, match='unit is g but the file says "cm/s2"'):
+        bentur.response_spectrum(record, unit="g")
+
+
 def test_a_record_given_as_an_array_is_the_record_of_the_file():
     case = bentur.example("m12-el-centro")
     tables = case.to_dict()

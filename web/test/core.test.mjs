@@ -275,6 +275,8 @@ test("a record says its unit, whatever its name, or none", () => {
   const unit = (bytes) => { one.putFile("some.txt", bytes); return one.recordUnit("some.txt"); };
   assert.equal(unit(readFileSync(`${source}/tests/bad_input/good.AT2`)), "g");
   assert.equal(unit("0.00 0.1\n0.01 0.2\n0.02 0.1\n"), "");
+  assert.equal(unit(readFileSync(`${source}/tests/bad_input/good-two-channels.V2`)), "cm/s2");
+  assert.equal(unit(readFileSync(`${source}/tests/bad_input/good-components.csv`)), "cm/s2");
   assert.equal(unit(""), "");
   assert.equal(one.recordUnit("none.txt"), "");
 });

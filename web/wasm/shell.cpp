@@ -218,9 +218,12 @@ std::string Studio::schema() const {
 }
 
 std::string Studio::record_unit(const std::string& path) const {
-  Diagnostics unread;
-  const auto record = read_record(folder / "cases" / path, {}, unread);
-  return record ? record->unit : "";
+  // Of a file with several channels or columns it is that of the first.
+  for (const RecordOptions& options : {RecordOptions{}, RecordOptions{.channel = 1}, RecordOptions{.column = 2}}) {
+    Diagnostics unread;
+    if (const auto record = read_record(folder / "cases" / path, options, unread)) return record->unit;
+  }
+  return "";
 }
 
 namespace {

@@ -117,6 +117,7 @@ def read_record(
     time_step: float | None,
     column: int | None,
     channel: int | None,
+    component: str | None,
     skip_lines: int,
 ) -> dict[str, Any]: ...
 def response_spectrum(

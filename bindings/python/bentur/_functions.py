@@ -161,10 +161,12 @@ def read_record(
     time_step: float | None = None,
     column: int | None = None,
     channel: int | None = None,
+    component: str | None = None,
     skip_lines: int = 0,
 ) -> Record:
     """Reads a strong-motion file in any of the formats of docs/record-files.md.
 
+    :param component: the channel or column by its name in the file, "N-S", "N80W", "Up".
     :raises CaseError: with what is wrong, where.
     """
 
@@ -176,7 +178,12 @@ def read_record(
     skipped = whole("skip_lines", skip_lines)
     step = None if time_step is None else _arguments.number("time_step", time_step)
     name = _arguments.path("file", file)
-    return Record(**_core.read_record(name, _arguments.text("format", format), step, **chosen, skip_lines=skipped))
+    named = None if component is None else _arguments.text("component", component)
+    return Record(
+        **_core.read_record(
+            name, _arguments.text("format", format), step, **chosen, component=named, skip_lines=skipped
+        )
+    )
 
 
 def logarithmic_periods(first: float = 0.05, last: float = 5.0, count: int = 41) -> NDArray[np.float64]:

@@ -17,12 +17,22 @@ namespace bentur::python {
 namespace {
 
 py::dict read(const std::filesystem::path& file, const std::string& format, const std::optional<double>& time_step,
-              const std::optional<int>& column, const std::optional<int>& channel, int skip_lines) {
+              const std::optional<int>& column, const std::optional<int>& channel,
+              const std::optional<std::string>& component, int skip_lines) {
   Diagnostics found;
-  RecordOptions options{
-      .format = format, .time_step = time_step, .column = column, .channel = channel, .skip_lines = skip_lines};
+  RecordOptions options{.format = format,
+                        .time_step = time_step,
+                        .column = column,
+                        .channel = channel,
+                        .component = component,
+                        .skip_lines = skip_lines};
   const auto record = read_record(file, options, found);
   if (!record) raise_case_error(found);
+  for (const RecordContradiction& one : contradictions(*record, options)) {
+    found.error({.file = file.string(), .line = one.line, .column = one.line > 0 ? 1 : 0},
+                one.key + " is " + one.given + ", but the file says " + one.said);
+  }
+  if (!found.ok()) raise_case_error(found);
   py::dict told;
   told["file"] = file.string();
   told["format"] = record->format;
@@ -58,7 +68,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 4> spectrum(
 
 void bind_records(py::module_& module) {
   module.def("read_record", &read, py::arg("file"), py::arg("format"), py::arg("time_step"), py::arg("column"),
-             py::arg("channel"), py::arg("skip_lines"));
+             py::arg("channel"), py::arg("component"), py::arg("skip_lines"));
   module.def("response_spectrum", &spectrum, py::arg("values"), py::arg("time_step"), py::arg("factor"),
              py::arg("periods"), py::arg("damping"));
   module.def("logarithmic_periods",

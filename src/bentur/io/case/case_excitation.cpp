@@ -24,20 +24,15 @@ std::optional<int> read_place(const TableView& view, const char* key, bool& good
   return place ? std::optional(static_cast<int>(*place)) : std::nullopt;
 }
 
-/// The unit of the file's numbers. A file that says it needs no unit in the case, and must not be contradicted.
+/// The unit of the file's numbers: its own, or the case's where it says none.
 std::optional<std::string> settle_unit(const TableView& view, const StrongMotionRecord& record,
                                        const std::string& name) {
-  const auto given = view.find("unit");
-  const auto unit = view.word("unit");
-  if (record.unit.empty()) {
-    if (!given) {
-      view.error_missing(
-          "unit", fmt::format("{} does not say it; one of {}", in_quotes(name), fmt::join(acceleration_units(), ", ")));
-    }
-    return unit;
+  if (!record.unit.empty()) return record.unit;
+  if (!view.has("unit")) {
+    view.error_missing(
+        "unit", fmt::format("{} does not say it; one of {}", in_quotes(name), fmt::join(acceleration_units(), ", ")));
   }
-  if (unit && *unit != record.unit) return given->error_value(fmt::format("but the file says \"{}\"", record.unit));
-  return record.unit;
+  return view.word("unit");
 }
 
 }  // namespace
@@ -118,6 +113,11 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
   options.column = read_place(view, "column", places_usable);
   options.channel = read_place(view, "channel", places_usable);
   options.skip_lines = read_place(view, "skip_lines", places_usable).value_or(0);
+  if (const auto component = view.find("component")) {
+    options.component = component->as_line();
+    places_usable = places_usable && options.component;
+  }
+  options.unit = view.word("unit").value_or("");
 
   std::optional<StrongMotionRecord> record;
   if (name && format_usable && step_usable && places_usable) {
@@ -129,9 +129,8 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
     if (view.exactly_one("scale") == "pga") (void)read_acceleration(view, "pga", units);
     return std::nullopt;
   }
-  // A step that rounding explains is let pass; the file's own is used.
-  if (options.time_step && std::abs(*options.time_step / record->time_step - 1) > 0.01) {
-    view.find("time_step")->error_value(fmt::format("but the file says {:.6g} s", record->time_step));
+  for (const RecordContradiction& one : contradictions(*record, options)) {
+    view.find(one.key)->error_value("but the file says " + one.said);
   }
   const auto unit = settle_unit(view, *record, *name);
   echo = echo_of(*record, *name, unit.value_or(""));

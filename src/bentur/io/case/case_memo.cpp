@@ -97,6 +97,8 @@ std::optional<StrongMotionRecord> CaseMemo::record(const std::filesystem::path& 
   append_bytes(options.column.value_or(0), key);
   append_bytes(options.channel.value_or(0), key);
   append_bytes(options.skip_lines, key);
+  append_text(options.component.value_or(""), key);
+  append_text(options.unit, key);
   {
     const std::lock_guard lock(mutex_);
     const auto found = records_.find(key);

@@ -30,16 +30,15 @@ struct SuiteFile {
   TomlView file;          ///< where the name stands
   std::size_t entry = 0;  ///< its number
   RecordOptions options;
-  std::optional<std::string> unit, event;
+  std::optional<std::string> event;
 };
 
 std::optional<SuiteFile> read_suite_file(const TomlView& given) {
-  if (!given.is(TomlValue::Kind::table))
-    return SuiteFile{.file = given, .entry = 0, .options = {}, .unit = {}, .event = {}};
+  if (!given.is(TomlValue::Kind::table)) return SuiteFile{.file = given, .entry = 0, .options = {}, .event = {}};
   const auto table = TableView::of(given, suite_file_keys());
   const auto file = table ? table->get("file") : std::nullopt;
   if (!file) return std::nullopt;
-  SuiteFile entry{.file = *file, .entry = 0, .options = {}, .unit = {}, .event = {}};
+  SuiteFile entry{.file = *file, .entry = 0, .options = {}, .event = {}};
   const auto place = [&](const char* key) {
     const auto number = table->whole(key);
     return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
@@ -49,7 +48,8 @@ std::optional<SuiteFile> read_suite_file(const TomlView& given) {
   entry.options.column = place("column");
   entry.options.channel = place("channel");
   entry.options.skip_lines = place("skip_lines").value_or(0);
-  entry.unit = table->word("unit");
+  if (const auto component = table->find("component")) entry.options.component = component->as_line();
+  entry.options.unit = table->word("unit").value_or("");
   const auto event = table->find("event");
   entry.event = event ? event->as_line() : std::nullopt;
   return entry;
@@ -61,22 +61,17 @@ void read_suite_record(const SuiteFile& entry, const fs::path& path, const fs::p
   const std::string name = way_from(folder, path);
   auto record = read_record(path, entry.options, diagnostics);
   if (!record) return;
-  if (record->unit.empty() && !entry.unit) {
+  const std::string unit = record->unit.empty() ? entry.options.unit : record->unit;
+  if (unit.empty()) {
     entry.file.error(fmt::format("does not say the unit of {}: give it as {{ file = .., unit = \"..\" }}; one of {}",
                                  in_quotes(name), fmt::join(acceleration_units(), ", ")));
     return;
   }
-  if (!record->unit.empty() && entry.unit && *entry.unit != record->unit) {
-    entry.file.error(
-        fmt::format("has unit = {}, but {} says \"{}\"", in_quotes(*entry.unit), in_quotes(name), record->unit));
-    return;
+  const std::vector<RecordContradiction> otherwise = contradictions(*record, entry.options);
+  for (const RecordContradiction& one : otherwise) {
+    entry.file.error(fmt::format("has {} = {}, but {} says {}", one.key, one.given, in_quotes(name), one.said));
   }
-  if (entry.options.time_step && std::abs(*entry.options.time_step / record->time_step - 1) > 0.01) {
-    entry.file.error(fmt::format("has time_step = {}, but {} says {:.6g} s", *entry.options.time_step, in_quotes(name),
-                                 record->time_step));
-    return;
-  }
-  const std::string unit = record->unit.empty() ? *entry.unit : record->unit;
+  if (!otherwise.empty()) return;
   SuiteRecord read{.echo = echo_of(*record, name, unit),
                    .motion = {record->time_step, std::move(record->values)},
                    .event = entry.event.value_or(record->event),

@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "bentur/io/records/internal/channels.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
 namespace {
 
 constexpr double cosmos_missing = -999;
+constexpr std::size_t cosmos_texts = 14;  // lines
 
 /// A counted header: "100 Integer-header values follow on  10 lines, Format= (10I8)" at line `at`.
 std::vector<double> cosmos_header(const std::vector<Line>& lines, std::size_t at, RecordErrors& errors) {
@@ -105,6 +108,7 @@ std::optional<StrongMotionRecord> read_cosmos(const std::vector<Line>& lines, co
     Channel block = cosmos_block(lines[i], headers, errors);
     block.first_line = i + 1;
     block.header_lines = static_cast<int>(i + 1 - begin);
+    block.heading = read_heading(std::span(lines).subspan(begin, std::min(cosmos_texts, i - begin)));
     if (block.count > 0) channels.push_back(std::move(block));
   }
   if (!errors.ok()) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bentur/io/records/internal/heading.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
@@ -37,7 +38,8 @@ Token esm_value(const std::vector<Line>& lines, std::size_t end, std::string_vie
 
 bool looks_like_esm(const std::vector<Line>& lines) {
   const std::size_t end = esm_header_end(lines);
-  return esm_value(lines, end, "SAMPLING_INTERVAL_S").line > 0 && esm_value(lines, end, "NDATA").line > 0;
+  const auto has = [&](std::string_view key) { return esm_value(lines, end, key).line > 0; };
+  return has("SAMPLING_INTERVAL_S") && has("NDATA") && has("UNITS");
 }
 
 std::optional<StrongMotionRecord> read_esm(const std::vector<Line>& lines, const RecordOptions& /*options*/,
@@ -64,7 +66,10 @@ std::optional<StrongMotionRecord> read_esm(const std::vector<Line>& lines, const
 
   StrongMotionRecord record;
   record.unit = unit->unit;
+  record.unit_line = units.line;
   record.time_step = step;
+  record.step_line = interval.line;
+  record.component = esm_value(lines, end, "STREAM").text;
   record.header_lines = static_cast<int>(end);
   record.values = read_numbers(std::span(lines).subspan(end), 0, errors);
   for (double& number : record.values) number *= unit->factor;
@@ -73,6 +78,7 @@ std::optional<StrongMotionRecord> read_esm(const std::vector<Line>& lines, const
     return errors.error(count,
                         fmt::format("NDATA is {}, but the file holds {} values", count.text, record.values.size()));
   }
+  check_peak(read_heading(std::span(lines).subspan(0, end)), record.values, record.unit, {}, "", errors);
   return record;
 }
 

@@ -9,43 +9,72 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/records/internal/components.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
 namespace {
 
+/// What the user may choose by: of a file with one channel nothing, of blocks one behind the other channel or
+/// component, of columns side by side also the column.
+enum class Choice { none, channels, columns };
+
 struct RecordFormat {
   std::string_view name;
   bool (*looks_like)(const std::vector<Line>& lines);
   RecordReader* read;
-  bool channels = false;  ///< a file may have several
+  Choice choice = Choice::none;
+  bool mixed = true;  ///< its numbers are not accelerations alone, so that it is not read as columns or row by row
 };
 
 /// Those with marks of their own, in the order they are tried; columns are what is left.
 constexpr RecordFormat marked_formats[] = {
-    {"cosmos", looks_like_cosmos, read_cosmos, true},
-    {"csmip", looks_like_csmip, read_csmip, true},
+    {"cosmos", looks_like_cosmos, read_cosmos, Choice::channels},
+    {"geonet", looks_like_geonet, read_geonet, Choice::channels},
+    {"csmip", looks_like_csmip, read_csmip, Choice::channels},
+    {"bhrc", looks_like_bhrc, read_bhrc, Choice::channels},
     {"smc", looks_like_smc, read_smc},
     {"knet", looks_like_knet, read_knet},
-    {"esm", looks_like_esm, read_esm},
-    {"peer-at2", looks_like_peer, read_peer},
+    {"knet-csv", looks_like_knet_csv, read_knet_csv, Choice::columns, false},
+    {"afad", looks_like_afad, read_afad, Choice::columns, false},
+    {"asa", looks_like_asa, read_asa, Choice::columns, false},
+    {"esm", looks_like_esm, read_esm, Choice::none, false},
+    {"peer-at2", looks_like_peer, read_peer, Choice::none, false},
 };
+
+/// Of a file of one component: whether it is the one that the user asks for.
+void check_component(const std::string& own, const RecordOptions& options, RecordErrors& errors) {
+  const std::string asked = options.setting("component", *options.component);
+  if (own.empty()) {
+    errors.error(fmt::format("names no component, so that {} cannot be held against it: leave it out", asked));
+  } else if (!same_component(own, *options.component)) {
+    errors.error(fmt::format("is of the component {}, but {} is given", in_words(own), asked));
+  }
+}
 
 std::optional<StrongMotionRecord> read_lines(const std::vector<Line>& lines, const RecordOptions& options,
                                              RecordErrors& errors) {
   const auto* const format = std::find_if(std::begin(marked_formats), std::end(marked_formats), [&](const auto& one) {
     return options.format == one.name || (options.format == "auto" && one.looks_like(lines));
   });
-  if (format == std::end(marked_formats)) return read_columns(lines, options, errors);
-  if (options.column) {
+  if (format == std::end(marked_formats)) {
+    const auto* const own = std::find_if(std::begin(marked_formats), std::end(marked_formats),
+                                         [&](const auto& one) { return one.mixed && one.looks_like(lines); });
+    if (own == std::end(marked_formats)) return read_columns(lines, options, errors);
+    return errors.error(fmt::format("is a {} file, whose numbers are not accelerations alone: leave {} out", own->name,
+                                    options.setting("format", options.format)));
+  }
+  if (options.column && format->choice != Choice::columns) {
     errors.error(fmt::format("is a {} file, which has no columns to choose from", format->name));
   }
-  if (!format->channels && options.channel.value_or(1) != 1) {
+  if (format->choice == Choice::none && options.channel.value_or(1) != 1) {
     errors.error(fmt::format("is a {} file, which has one channel: {} is not there", format->name,
                              options.setting("channel", std::to_string(*options.channel))));
   }
   std::optional<StrongMotionRecord> record = format->read(lines, options, errors);
-  if (record) record->format = format->name;
+  if (!record) return record;
+  record->format = format->name;
+  if (options.component && format->choice == Choice::none) check_component(record->component, options, errors);
   return record;
 }
 
@@ -112,13 +141,14 @@ std::string RecordOptions::name(const std::string& key) const {
 
 std::string RecordOptions::setting(const std::string& key, const std::string& value) const {
   if (of_command) return name(key) + " " + value;
-  const bool text = value.find_first_not_of("0123456789") != std::string::npos;
+  const bool text = key == "component" || value.find_first_not_of("0123456789") != std::string::npos;
   return name(key) + (text ? " = \"" + value + "\"" : " = " + value);
 }
 
 const std::vector<std::string>& record_formats() {
-  static const std::vector<std::string> formats = {"auto",   "peer-at2", "two-column", "one-column", "values", "csv",
-                                                   "cosmos", "csmip",    "smc",        "knet",       "esm"};
+  static const std::vector<std::string> formats = {"auto",     "peer-at2", "two-column", "one-column", "values", "csv",
+                                                   "cosmos",   "csmip",    "bhrc",       "geonet",     "smc",    "knet",
+                                                   "knet-csv", "esm",      "afad",       "asa"};
   return formats;
 }
 
@@ -156,6 +186,21 @@ std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
   record->header_lines += static_cast<int>(skipped);
   record->event = event_of(lines, record->format);
   return record;
+}
+
+std::vector<RecordContradiction> contradictions(const StrongMotionRecord& record, const RecordOptions& options) {
+  std::vector<RecordContradiction> found;
+  const auto in_line = [](int line) { return line == 0 ? "" : fmt::format(" in line {}", line); };
+  // A step that rounding explains is let pass; the file's own is used.
+  if (options.time_step && std::abs(*options.time_step / record.time_step - 1) > 0.01) {
+    found.push_back({"time_step", fmt::format("{:.6g} s", *options.time_step),
+                     fmt::format("{:.6g} s{}", record.time_step, in_line(record.step_line)), record.step_line});
+  }
+  if (!options.unit.empty() && !record.unit.empty() && options.unit != record.unit) {
+    found.push_back(
+        {"unit", "\"" + options.unit + "\"", "\"" + record.unit + "\"" + in_line(record.unit_line), record.unit_line});
+  }
+  return found;
 }
 
 RecordEcho echo_of(const StrongMotionRecord& record, const std::string& file, const std::string& unit) {

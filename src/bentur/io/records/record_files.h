@@ -20,15 +20,20 @@ struct StrongMotionRecord {
   std::string channel;         ///< which one of several, as "channel 2 of 3 (Chan 2: 360 Deg)"; else empty
   double mean_removed = 0;     ///< [unit] taken off all values; 0 but for K-NET
   std::string event = {};      ///< the earthquake, in capitals, where a PEER file or one of ./dev records says it
+  std::string component = {};  ///< its name, where a file of one says it, as "N-S"
+  int unit_line = 0;           ///< of the file, where it says its unit; 0: not known
+  int step_line = 0;           ///< where it says its step
 };
 
 struct RecordOptions {
-  std::string format = "auto";      ///< one of record_formats()
-  std::optional<double> time_step;  ///< [s], where the file does not say it
-  std::optional<int> column;        ///< from 1: of the accelerations, where a file has several columns
-  std::optional<int> channel;       ///< from 1: which of the file's channels of accelerations, where it has several
-  int skip_lines = 0;               ///< lines to pass over at the beginning
-  bool of_command = false;          ///< messages call these --time-step and so on, not excitation.time_step
+  std::string format = "auto";           ///< one of record_formats()
+  std::optional<double> time_step = {};  ///< [s], where the file does not say it
+  std::optional<int> column = {};        ///< from 1: of the accelerations, where a file has several columns
+  std::optional<int> channel = {};  ///< from 1: which of the file's channels of accelerations, where it has several
+  std::optional<std::string> component = {};  ///< the channel or column by its name, as "N-S"
+  std::string unit = {};    ///< one of acceleration_units(), where the user says it: held against the file
+  int skip_lines = 0;       ///< lines to pass over at the beginning
+  bool of_command = false;  ///< messages call these --time-step and so on, not excitation.time_step
 
   /// `excitation.format`, or `--format`.
   [[nodiscard]] std::string name(const std::string& key) const;
@@ -36,7 +41,18 @@ struct RecordOptions {
   [[nodiscard]] std::string setting(const std::string& key, const std::string& value) const;
 };
 
-/// auto peer-at2 two-column one-column values csv cosmos csmip smc knet esm
+/// What a user says of a record otherwise than its file.
+struct RecordContradiction {
+  std::string key;    ///< time_step or unit
+  std::string given;  ///< by the user, as "0.01 s"
+  std::string said;   ///< by the file, as "0.005 s in line 12"
+  int line = 0;       ///< of the file; 0: not known
+};
+/// Steps that differ by more than rounding, 1 %, and units.
+[[nodiscard]] std::vector<RecordContradiction> contradictions(const StrongMotionRecord& record,
+                                                              const RecordOptions& options);
+
+/// auto peer-at2 two-column one-column values csv cosmos csmip bhrc geonet smc knet knet-csv esm afad asa
 [[nodiscard]] const std::vector<std::string>& record_formats();
 
 /// Reads a record (docs/record-files.md). What is wrong goes to `diagnostics` with the record file's line and column.

@@ -122,7 +122,8 @@ TEST_F(RecordFormats, CosmosChannelsAreChosenNotGuessed) {
   const std::string text = cosmos({{}, velocity, second});
   EXPECT_FALSE(read(text).has_value());
   EXPECT_EQ(messages(),
-            ": error: has 2 channels of accelerations: say in excitation.channel which one: 1 \"Chan 7: 360 deg\", 2 "
+            ": error: has 2 channels of accelerations: say in excitation.channel or excitation.component which one: 1 "
+            "\"Chan 7: 360 deg\", 2 "
             "\"Chan 7: Up\"\n");
   const auto up = read(text, channel_of(2));
   ASSERT_TRUE(up.has_value()) << messages();
@@ -192,7 +193,8 @@ TEST_F(RecordFormats, CsmipVolume2) {
       csmip_channel(1, block, "90 Deg") + csmip_channel(2, older + fixed_fields(values, 10, 3), "Up");
   EXPECT_FALSE(read(two).has_value());
   EXPECT_EQ(messages(),
-            ": error: has 2 channels of accelerations: say in excitation.channel which one: 1 \"Chan 1: 90 Deg\", 2 "
+            ": error: has 2 channels of accelerations: say in excitation.channel or excitation.component which one: 1 "
+            "\"Chan 1: 90 Deg\", 2 "
             "\"Chan 2: Up\"\n");
   const auto up = read(two, channel_of(2));
   ASSERT_TRUE(up.has_value()) << messages();
@@ -266,17 +268,19 @@ TEST_F(RecordFormats, SmcFieldsTouch) {
 
 // ---- K-NET ----
 
-std::string knet(const std::string& scale = "3920(gal)/6182761", const std::string& rate = "100Hz") {
+std::string knet(const std::string& scale = "3920(gal)/6182761", const std::string& rate = "100Hz",
+                 const std::string& peak = "0.001") {
   return "Origin Time       2000/01/01 00:00:00\nLat.              0\nLong.             0\nDepth. (km)       1\n"
          "Mag.              7\nStation Code      XXX001\nStation Lat.      0\nStation Long.     0\nStation Height(m) "
          "1\n"
          "Record Time       2000/01/01 00:00:15\nSampling Freq(Hz) " +
-         rate + "\nDuration Time(s)  0\nDir.              N-S\nScale Factor      " + scale +
-         "\nMax. Acc. (gal)   1\nLast Correction   2000/01/01 00:00:00\nMemo.             \n";
+         rate + "\nDuration Time(s)  0\nDir.              N-S\nScale Factor      " + scale + "\nMax. Acc. (gal)   " +
+         peak + "\nLast Correction   2000/01/01 00:00:00\nMemo.             \n";
 }
 
 TEST_F(RecordFormats, KnetMeanIsTakenOff) {
-  const auto record = read(knet("2000(gal)/8000") + "     1000     1004     1008     1012 \n     1016     1020\n");
+  const auto record =
+      read(knet("2000(gal)/8000", "100Hz", "2.500") + "     1000     1004     1008     1012 \n     1016     1020\n");
   ASSERT_TRUE(record.has_value()) << messages();
   EXPECT_EQ(record->format, "knet");
   EXPECT_EQ(record->unit, "cm/s2");
@@ -285,6 +289,8 @@ TEST_F(RecordFormats, KnetMeanIsTakenOff) {
   EXPECT_EQ(record->mean_removed, 252.5);
   EXPECT_EQ(record->header_lines, 17);
   EXPECT_EQ(echo_notes(echo_of(*record, "a", "cm/s2")), ", 17 header lines, mean 252.5 cm/s2 removed");
+  EXPECT_FALSE(read(knet("2000(gal)/8000", "100Hz", "3.500") + " 1000 1004 1008 1012 1016 1020\n").has_value());
+  EXPECT_EQ(messages(), ":15:19: error: says a peak of 3.5 cm/s2, but that of the values is 2.5 cm/s2\n");
   EXPECT_FALSE(read(knet("3920/6182761") + "1 2 3\n").has_value());
   EXPECT_EQ(messages(), ":14:1: error: must give gal per count, as in \"Scale Factor      3920(gal)/6182761\"\n");
   EXPECT_FALSE(read(knet("3920(gal)/6182761", "Hz") + "1 2 3\n").has_value());

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bentur/io/records/internal/heading.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
@@ -57,7 +58,9 @@ std::optional<StrongMotionRecord> read_knet(const std::vector<Line>& lines, cons
   }
   StrongMotionRecord record;
   record.unit = "cm/s2";
+  record.unit_line = scale_line->number;
   record.time_step = 1 / rate;
+  record.step_line = rate_line->number;
   record.header_lines = static_cast<int>(knet_headers);
   record.values = read_numbers(std::span(lines).subspan(knet_headers), 0, errors);
   if (!errors.ok()) return std::nullopt;
@@ -66,6 +69,9 @@ std::optional<StrongMotionRecord> read_knet(const std::vector<Line>& lines, cons
       std::accumulate(record.values.begin(), record.values.end(), 0.0) / static_cast<double>(record.values.size());
   for (double& value : record.values) value = (value - mean) * *scale;
   record.mean_removed = mean * *scale;
+  const Heading heading = read_heading(std::span(lines).subspan(0, knet_headers));
+  if (!heading.components.empty()) record.component = heading.components.front().text;
+  check_peak(heading, record.values, record.unit, {}, "", errors);
   return record;
 }
 

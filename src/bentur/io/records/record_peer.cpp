@@ -6,13 +6,16 @@
 #include <cmath>
 #include <string>
 
+#include "bentur/io/records/internal/components.h"
+#include "bentur/io/records/internal/heading.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
 namespace {
 
-/// Line 3 must say accelerations in units of g: velocities (VT2) and displacements (DT2) come in the same layout.
-void check_quantity(const Line& line, RecordErrors& errors) {
+/// Line 3 must say accelerations in units of g, in these or other words ("The units are (g)"): velocities (VT2) and
+/// displacements (DT2) come in the same layout.
+void check_quantity(const Line& line, const RecordOptions& options, RecordErrors& errors) {
   const std::string text = upper(line.text);
   for (const char* const other : {"VELOCITY", "DISPLACEMENT"}) {
     const std::size_t at = text.find(other);
@@ -24,16 +27,41 @@ void check_quantity(const Line& line, RecordErrors& errors) {
   }
   const std::string phrase = "UNITS OF";
   const std::size_t at = text.find(phrase);
+  const std::string as_values = options.setting("format", "values");
   if (at == std::string::npos) {
-    errors.error(line, "line 3 of a peer-at2 file must say \"... IN UNITS OF G\"");
+    const Heading heading = read_heading(std::span(&line, 1));
+    if (heading.units.empty()) {
+      errors.error(line,
+                   fmt::format("line 3 of a peer-at2 file must say \"... IN UNITS OF G\": where it does not, give "
+                               "{} and {}",
+                               as_values, options.name("unit")));
+    } else if (heading.units[0].unit != "g" || heading.units[0].factor != 1) {
+      errors.error(line.number, heading.units[0].column,
+                   fmt::format("units of {}, but a peer-at2 file must be in g: in others it is read with {}",
+                               in_words(heading.units[0].unit), as_values));
+    }
     return;
   }
   const Line rest{std::string_view(text).substr(at + phrase.size()), line.number};
   const auto words = words_of(rest, " \t.,;()");
   if (!words.empty() && words.front().text == "G") return;
   errors.error(line.number, static_cast<int>(at) + 1,
-               fmt::format("units of {}, but a peer-at2 file must be in g",
-                           words.empty() ? "nothing" : shown(words.front().text)));
+               fmt::format("units of {}, but a peer-at2 file must be in g: in others it is read with {}",
+                           words.empty() ? "nothing" : shown(words.front().text), as_values));
+}
+
+/// A line whose decimal commas are points: those before a digit, in a number without a point.
+std::string with_points(std::string text) {
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    const auto is_digit = [&](std::size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+    if (text[i] != ',' || !is_digit(i + 1) || (i > 0 && !is_digit(i - 1) && text[i - 1] != ' ' && text[i - 1] != '=')) {
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (is_digit(end)) ++end;
+    if (end == text.size() || text[end] != '.') text[i] = '.';
+  }
+  return text;
 }
 
 /// What a header line gives for NPTS and DT, as it is spelled; no text where it does not say.
@@ -62,7 +90,7 @@ PeerHeader peer_header(const std::string& text, int number) {
 }
 
 std::optional<CountAndStep> read_peer_header(const Line& line, RecordErrors& errors) {
-  const std::string text = upper(line.text);
+  const std::string text = with_points(upper(line.text));
   const PeerHeader header = peer_header(text, line.number);
   const auto count = number_of(header.count.text);
   const auto step = number_of(header.step.text);
@@ -102,10 +130,14 @@ std::optional<CountAndStep> count_and_step(const Line& line) {
 
 bool looks_like_peer(const std::vector<Line>& lines) {
   if (lines.size() < 4) return !lines.empty() && lines[0].says("PEER");
-  return lines[3].says("NPTS") || lines[2].says("UNITS OF") || peer_header_line(lines) != 3;
+  // Headings of columns may say NPTS in line 4, and units in line 3, too.
+  const bool units = lines[2].says("UNITS");
+  const bool quantity = lines[2].says("ACCELERATION") || lines[2].says("VELOCITY") || lines[2].says("DISPLACEMENT");
+  return (lines[3].says("NPTS") && lines[3].says("DT") && (units || quantity)) ||
+         (units && quantity && lines[2].says("TIME ")) || peer_header_line(lines) != 3;
 }
 
-std::optional<StrongMotionRecord> read_peer(const std::vector<Line>& lines, const RecordOptions& /*options*/,
+std::optional<StrongMotionRecord> read_peer(const std::vector<Line>& lines, const RecordOptions& options,
                                             RecordErrors& errors) {
   const std::size_t at = peer_header_line(lines);
   if (lines.size() < at + 2) {
@@ -114,13 +146,15 @@ std::optional<StrongMotionRecord> read_peer(const std::vector<Line>& lines, cons
   }
   std::size_t units = at - 1;
   while (at != 3 && !lines[units].says("UNITS OF")) --units;
-  check_quantity(lines[units], errors);
+  check_quantity(lines[units], options, errors);
   const auto header = read_peer_header(lines[at], errors);
   if (!header || !errors.ok()) return std::nullopt;
 
   StrongMotionRecord record;
   record.unit = "g";
+  record.unit_line = lines[units].number;
   record.time_step = header->time_step;
+  record.step_line = lines[at].number;
   record.header_lines = static_cast<int>(at) + 1;
   record.values = read_numbers(std::span(lines).subspan(at + 1), 0, errors);
   if (!errors.ok()) return std::nullopt;

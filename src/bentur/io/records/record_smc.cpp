@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "bentur/io/records/internal/heading.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
@@ -69,6 +71,7 @@ std::optional<StrongMotionRecord> read_smc(const std::vector<Line>& lines, const
   StrongMotionRecord record;
   record.unit = "cm/s2";
   record.time_step = 1 / rate;
+  record.step_line = rate_line;
   record.header_lines = static_cast<int>(at);
   record.values = read_numbers(std::span(lines).subspan(at), 10, errors);
   for (const double value : record.values) {
@@ -81,6 +84,13 @@ std::optional<StrongMotionRecord> read_smc(const std::vector<Line>& lines, const
     return errors.error(
         count_line, 1,
         fmt::format("says {} values, but the file holds {}", static_cast<long>(count), record.values.size()));
+  }
+  // Reals 30 and 32 are the largest and the least value.
+  const double largest = std::max(std::abs(real(29).value_or(0)), std::abs(real(31).value_or(0)));
+  if (real(29) && real(31) && largest > 0 && no_real && largest < *no_real) {
+    Heading heading;
+    heading.peaks = {{.value = largest, .unit = "cm/s2", .line = rate_line + 5, .column = 61}};
+    check_peak(heading, record.values, record.unit, {}, "", errors);
   }
   return record;
 }

@@ -112,19 +112,6 @@ Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   return json;
 }
 
-/// What is unusual, with what is usual: [from, to], null where a side is open.
-Json remarks_json(const std::vector<Remark>& remarks) {
-  Json json = Json::array();
-  for (const Remark& remark : remarks) {
-    json.push_back({{"key", remark.key},
-                    {"subject", remark.subject},
-                    {"value", remark.value},
-                    {"unit", remark.unit},
-                    {"usual", {or_null(remark.usual_from), or_null(remark.usual_to)}}});
-  }
-  return json;
-}
-
 Json point_json(const RunView& run, Eigen::Index i, const ContactSpec& contact) {
   const ContactPoint& point = run.problem.points[i];
   Json json = {{"elevation", point.elevation}, {"width", point.width}};

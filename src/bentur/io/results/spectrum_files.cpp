@@ -40,6 +40,7 @@ std::string spectrum_json(const RecordSpectrum& spectrum, std::string_view versi
                      {"version", version},
                      {"damping_ratio", spectrum.damping_ratio},
                      {"pga", spectrum.record.pga},
+                     {"remarks", remarks_json(remarks(spectrum.record, spectrum.units))},
                      {"period", spectrum.periods},
                      {"displacement", displacement},
                      {"pseudo_velocity", pseudo_velocity},

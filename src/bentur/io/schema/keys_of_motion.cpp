@@ -44,8 +44,13 @@ std::vector<Key> file_keys() {
           .by_default(2)
           .goes_with("file"),
       Key::whole("channel", 1, last_place, {"Channel", "Kanal"},
-                 "which block of accelerations; needed where a `cosmos` or `csmip` file has several")
+                 "which block of accelerations; needed where a file has several, or `component`")
           .by_default(1)
+          .goes_with("file"),
+      Key::of("component", Key::Kind::line, {"Component", "Komponen"},
+              "the channel or column by the name that the file has for it, or another name of the same direction: "
+              "`\"N-S\"`, `\"N80W\"`, `\"Up\"`")
+          .optional("the only one")
           .goes_with("file"),
       Key::whole("skip_lines", 0, last_place, {"Lines to skip", "Baris dilewati"},
                  "how many lines at the beginning are skipped")

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "bentur/model/suite/suite.h"
+
 namespace bentur {
 namespace {
 
@@ -20,6 +22,9 @@ constexpr Range height_range = {2.5, 6.0, 0.5, 15.0};       // [m]
 constexpr Range stiffness_range = {1e7, 1e10, 1e5, 1e13};   // [N/m] of contact: by beams over half a bay, or tests
 constexpr Range damping_range = {0.01, 0.07, 0.0, 0.2};     // [-]
 constexpr Range pga_range = {0.05, 1.0, 0.05, 2.5};         // [g]
+constexpr Range length_range = {5.0, 600.0, 5.0, 600.0};    // [s] of a record
+constexpr double most_step = 0.1;                           // [s] of a record
+constexpr double usual_step = 0.05;                         // [s]
 constexpr Range factor_range = {0.3, 3.0, 0.3, 3.0};        // [-] of stiffness, to reach a period
 constexpr Range weight_range = {5e3, 1e7, 500.0, 2e8};      // [N] of a floor
 constexpr double most_gap = 2.0;                            // [m]
@@ -47,7 +52,7 @@ double two_digits(double x) {
 /// Remarks with their usual ranges in the units of a case.
 class List {
  public:
-  explicit List(const Case& c) : length_(c.units.length), metre_(1 / metres(c.units.length)) {}
+  explicit List(const Units& units) : length_(units.length), metre_(1 / metres(units.length)) {}
 
   /// A value outside a range in `factor` units of the case.
   void check(const char* key, const std::string& subject, double value, const std::string& unit, const Range& range,
@@ -272,6 +277,19 @@ void check_gaps(const Case& c, const Problem& problem, List& list) {
   }
 }
 
+/// Whether the times of a record are those of an earthquake in seconds.
+void check_record(const RecordEcho& record, const std::string& subject, List& list) {
+  if (record.count < 2) return;  // not read
+  list.most("record_step", subject, record.time_step, "s", most_step, usual_step);
+  list.check("record_length", subject, record.duration, "s", length_range);
+}
+
+void check_records(const Case& c, List& list) {
+  if (c.excitation.record) check_record(*c.excitation.record, "", list);
+  if (!c.excitation.suite) return;
+  for (const SuiteRecord& record : c.excitation.suite->records) check_record(record.echo, record.echo.file, list);
+}
+
 void check_motion(const Case& c, const Problem& problem, List& list) {
   if (std::holds_alternative<NoMotion>(problem.motion)) return;
   const double peak = peak_acceleration(problem.motion);
@@ -315,6 +333,7 @@ void check_before(const Case& c, const Problem& problem, List& list) {
   check_levels(c, problem, list);
   check_gaps(c, problem, list);
   check_fillers(c, problem, list);
+  check_records(c, list);
   check_motion(c, problem, list);
   check_codes(c, list);
   check_output(c, problem, list);
@@ -323,13 +342,24 @@ void check_before(const Case& c, const Problem& problem, List& list) {
 }  // namespace
 
 std::vector<Remark> remarks(const Case& c, const Problem& problem) {
-  List list(c);
+  List list(c.units);
   check_before(c, problem, list);
   return list.take();
 }
 
+std::vector<Remark> remarks(const RecordEcho& record, const Units& units) {
+  List list(units);
+  check_record(record, "", list);
+  if (record.pga == 0) {
+    list.add({"motion_of_zeros", "", 0, "g", pga_range.usual_from, pga_range.usual_to});
+  } else {
+    list.check("pga", "", record.pga / units.gravity, "g", pga_range);
+  }
+  return list.take();
+}
+
 std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response) {
-  List list(c);
+  List list(c.units);
   check_before(c, problem, list);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];

@@ -27,6 +27,10 @@ struct Remark {
 /// that two ways lead to and that are not quite the same (Response::discrepancies).
 [[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response);
 
+/// Of a record alone, as its file has it: how far apart its values are and how long it is, which say whether its times
+/// are seconds; and its peak as applied, `pga`, in `units`.
+[[nodiscard]] std::vector<Remark> remarks(const RecordEcho& record, const Units& units);
+
 /// What one compares first. A building's weight is that of its floors' lumped masses: half of a frame's lowest columns
 /// stands on the ground.
 struct Proportions {

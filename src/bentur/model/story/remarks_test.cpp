@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
+
+#include "bentur/model/suite/suite.h"
 
 namespace bentur {
 namespace {
@@ -184,6 +187,49 @@ TEST(Remarks, OfMotionsInTheWrongUnit) {
   EXPECT_EQ(remarks_of(c), Names{});
   for (double& a : acceleration) a *= 2.55 / 2.45;
   EXPECT_EQ(remarks_of(c), Names{"pga"});
+}
+
+// Times in milliseconds that are taken for seconds, and records that are cut or joined.
+TEST(Remarks, OfARecordAlone) {
+  const auto of = [](double step, long count, double pga) {
+    RecordEcho record;
+    record.time_step = step;
+    record.count = count;
+    record.duration = static_cast<double>(count - 1) * step;
+    record.pga = pga;
+    std::vector<std::string> names;
+    for (const Remark& remark : remarks(record, ordinary().units)) names.push_back(remark.key);
+    return names;
+  };
+  EXPECT_EQ(of(0.01, 4000, 3), Names{});
+  EXPECT_EQ(of(0.1, 400, 3), Names{});
+  EXPECT_EQ(of(10, 4000, 3), (Names{"record_step", "record_length"}));
+  EXPECT_EQ(of(0.101, 4000, 3), Names{"record_step"});
+  EXPECT_EQ(of(0.01, 500, 3), Names{"record_length"});  // 4.99 s
+  EXPECT_EQ(of(0.01, 501, 3), Names{});
+  EXPECT_EQ(of(0.01, 60002, 3), Names{"record_length"});
+  EXPECT_EQ(of(0.01, 4000, 930), Names{"pga"});  // cm/s² for g
+  EXPECT_EQ(of(0.01, 4000, 0), Names{"motion_of_zeros"});
+}
+
+TEST(Remarks, OfTheRecordOfACase) {
+  Case c = ordinary();
+  c.excitation.record = RecordEcho{};
+  c.excitation.record->time_step = 10;
+  c.excitation.record->count = 200;
+  c.excitation.record->duration = 1990;
+  EXPECT_EQ(remarks_of(c), (Names{"record_length", "record_step"}));
+  // Of a suite each record has its own.
+  auto suite = std::make_shared<SuiteSpec>();
+  suite->records.resize(2);
+  suite->records[1].echo = *c.excitation.record;
+  suite->records[1].echo.file = "ms.csv";
+  c.excitation.record.reset();
+  c.excitation.suite = suite;
+  const std::vector<Remark> found = remarks(c, make_still_problem(c));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].subject, "ms.csv");
+  EXPECT_EQ(found[0].key, "record_step");
 }
 
 TEST(Remarks, OfWeightsAndOfStiffnessScaledToAPeriod) {

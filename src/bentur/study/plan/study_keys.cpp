@@ -13,7 +13,7 @@ constexpr std::int64_t most_evaluations = 100000;
 /// What [excitation] says of a file, of one among several.
 std::vector<Key> keys_of_files() {
   std::vector<Key> keys;
-  for (const std::string_view name : {"unit", "format", "time_step", "column", "channel", "skip_lines"}) {
+  for (const std::string_view name : {"unit", "format", "time_step", "column", "channel", "component", "skip_lines"}) {
     Key key = excitation_keys().at(name);
     key.conditions.clear();
     keys.push_back(key.optional("the case's"));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bentur/core/number_text.h"
+#include "bentur/io/records/internal/number_cells.h"
 
 namespace bentur::records {
 namespace {
@@ -26,35 +27,61 @@ Token unquoted(Token token) {
   return {trimmed(inside), token.line, token.column + 1 + static_cast<int>(blanks)};
 }
 
-std::vector<Token> split_cells(const Line& line, char separator) {
+/// Whether a cell may be several fields that touch: a sign behind a digit, or two points.
+bool may_touch(std::string_view text) {
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    points += text[i] == '.' || text[i] == ',' ? 1 : 0;
+    if (i > 0 && (text[i] == '-' || text[i] == '+') && (digit(text[i - 1]) || text[i - 1] == '.')) return true;
+  }
+  return points > 1;
+}
+
+/// Cells of a row as they are meant: touching fields parted, a date and the time behind it in one.
+std::vector<Token> row_cells(const Line& line, char separator) {
+  std::vector<Token> cells = split_cells(line, separator);
   if (separator == ' ') {
-    std::vector<Token> words = words_of(line, row_blanks);
-    for (Token& word : words) word = unquoted(word);
-    return words;
+    for (std::size_t i = 0; i + 1 < std::min(cells.size(), std::size_t{3}); ++i) {
+      const Token& date = cells[i];
+      if (date.text.size() != 10 || (date.text[4] != '-' && date.text[4] != '/')) continue;
+      const Token& clock = cells[i + 1];
+      const auto size = static_cast<std::size_t>(clock.text.data() + clock.text.size() - date.text.data());
+      const Token both{{date.text.data(), size}, date.line, date.column};
+      if (!time_stamp(both.text)) continue;
+      cells[i] = both;
+      cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
   }
-  std::vector<Token> cells;
-  const std::string_view text = line.text;
-  std::size_t from = 0;
-  while (from <= text.size()) {
-    bool quoted = false;
-    std::size_t end = from;
-    for (; end < text.size() && (quoted || text[end] != separator); ++end) quoted = quoted != (text[end] == '"');
-    const std::string_view cell = text.substr(from, end - from);
-    const std::size_t blanks = std::min(cell.find_first_not_of(row_blanks), cell.size());
-    cells.push_back(unquoted({trimmed(cell), line.number, static_cast<int>(from + blanks) + 1}));
-    from = end + 1;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!may_touch(cells[i].text)) continue;
+    const std::vector<Token> pieces = touching_numbers(cells[i]);
+    if (pieces.empty()) continue;
+    cells[i] = pieces.front();
+    cells.insert(cells.begin() + static_cast<std::ptrdiff_t>(i) + 1, pieces.begin() + 1, pieces.end());
+    i += pieces.size() - 1;
   }
-  if (cells.size() > 1 && cells.back().text.empty()) cells.pop_back();
   return cells;
 }
 
 /// A number with a point or a comma; which of them it is to be is for all rows to say.
 std::optional<double> any_number(const Token& cell) { return number_of(cell.text, true); }
 
+/// A number, or of the first two cells a time of the day.
+bool is_of_row(const Token& cell, std::size_t place) {
+  return any_number(cell) || (place < 2 && time_stamp(cell.text));
+}
+
+/// The first cell that no row has, or the end.
+std::size_t first_bad(const std::vector<Token>& cells) {
+  std::size_t i = 0;
+  while (i < cells.size() && is_of_row(cells[i], i)) ++i;
+  return i;
+}
+
 bool is_row(const Line& line, char separator) {
   if (separator != ' ' && line.text.find(separator) == std::string_view::npos) return false;
-  const auto cells = split_cells(line, separator);
-  return std::all_of(cells.begin(), cells.end(), [](const Token& cell) { return any_number(cell).has_value(); });
+  const auto cells = row_cells(line, separator);
+  return first_bad(cells) == cells.size() && any_number(cells.back());
 }
 
 /// Rows of numbers one after the other: of the first three, or else two, or else one.
@@ -116,6 +143,11 @@ std::string heading_hint(const RecordOptions& options, int lines) {
   return fmt::format(" (where this line is a heading, give {})", options.setting("skip_lines", std::to_string(lines)));
 }
 
+void say_count_and_step(const CountAndStep& stated, int line, Heading& heading) {
+  heading.counts.push_back({.value = static_cast<double>(stated.count), .line = line, .column = 1});
+  heading.steps.push_back({.value = stated.time_step, .line = line, .column = 1});
+}
+
 /// Whether `first` and `second` are the number of values that follow and their step.
 bool is_count_and_step(std::optional<double> first, std::optional<double> second) {
   return is_count(first) && *first >= 2 && second && *second > 0 && *second <= 10;
@@ -131,7 +163,7 @@ void take_count_line(ColumnRows& found, RecordErrors& errors) {
   const std::size_t rows = found.rows.size() - 1;
   const auto number = [&](const Token& cell) { return number_of(cell.text, found.decimal_comma); };
   const auto take = [&](std::optional<CountAndStep> stated) {
-    found.stated = stated;
+    if (stated) say_count_and_step(*stated, found.rows.front().number, found.heading);
     ++found.header_lines;
     found.rows.erase(found.rows.begin());
   };
@@ -140,7 +172,7 @@ void take_count_line(ColumnRows& found, RecordErrors& errors) {
     if (rows >= 10 && count == static_cast<double>(rows)) return take(std::nullopt);
     if (rows < 10 || count != static_cast<double>(rows - 1) || !is_count_and_step(count, step)) return;
     take(CountAndStep{static_cast<long>(*count), *step});
-    return take(found.stated);
+    return take(std::nullopt);
   }
   if (first.size() != 2) return;
   auto count = number(first[0]), step = number(first[1]);
@@ -165,7 +197,94 @@ void take_count_line(ColumnRows& found, RecordErrors& errors) {
 
 }  // namespace
 
-std::vector<Token> ColumnRows::cells(const Line& row) const { return split_cells(row, separator); }
+std::vector<Token> split_cells(const Line& line, char separator) {
+  if (separator == ' ') {
+    std::vector<Token> words = words_of(line, row_blanks);
+    for (Token& word : words) word = unquoted(word);
+    return words;
+  }
+  std::vector<Token> cells;
+  const std::string_view text = line.text;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    bool quoted = false;
+    std::size_t end = from;
+    for (; end < text.size() && (quoted || text[end] != separator); ++end) quoted = quoted != (text[end] == '"');
+    const std::string_view cell = text.substr(from, end - from);
+    const std::size_t blanks = std::min(cell.find_first_not_of(row_blanks), cell.size());
+    cells.push_back(unquoted({trimmed(cell), line.number, static_cast<int>(from + blanks) + 1}));
+    from = end + 1;
+  }
+  if (cells.size() > 1 && cells.back().text.empty()) cells.pop_back();
+  return cells;
+}
+
+std::vector<Token> ColumnRows::cells(const Line& row) const { return row_cells(row, separator); }
+
+namespace {
+
+/// Why there are no rows: the line that comes nearest to one, and what is no number in it.
+std::nullopt_t no_rows(const std::vector<Line>& lines, RecordErrors& errors) {
+  struct Nearest {
+    std::size_t numbers = 0;
+    Token bad;
+  } nearest;
+  for (const Line& line : lines) {
+    for (const char separator : {' ', ';', ','}) {
+      const auto cells = row_cells(line, separator);
+      const auto numbers = static_cast<std::size_t>(
+          std::count_if(cells.begin(), cells.end(), [](const Token& cell) { return any_number(cell).has_value(); }));
+      const std::size_t bad = first_bad(cells);
+      if (numbers <= nearest.numbers || 2 * numbers < cells.size() || bad == cells.size()) continue;
+      nearest = {numbers, cells[bad]};
+    }
+  }
+  if (nearest.numbers == 0) return errors.error("holds no numbers");
+  return errors.error(
+      nearest.bad, fmt::format("{} is not a number, and no line holds nothing but numbers", shown(nearest.bad.text)));
+}
+
+/// Whether a line of the heading says something, so that it is no row with a typing error.
+bool says_something(const Heading& heading, int line) {
+  const auto here = [&](const Statement& said) { return said.line == line; };
+  return std::any_of(heading.counts.begin(), heading.counts.end(), here) ||
+         std::any_of(heading.steps.begin(), heading.steps.end(), here) ||
+         std::any_of(heading.peaks.begin(), heading.peaks.end(), here);
+}
+
+/// Counts the lines before the rows; what looks like a row among them is an error.
+void take_head(const std::vector<Line>& all, std::size_t begin, const RecordOptions& options, ColumnRows& found,
+               RecordErrors& errors) {
+  const std::size_t columns = row_cells(all[begin], found.separator).size();
+  for (std::size_t i = 0; i < begin; ++i) {
+    const auto cells = row_cells(all[i], found.separator);
+    if (!could_be_row(cells, columns) || says_something(found.heading, all[i].number)) {
+      ++found.header_lines;
+      continue;
+    }
+    const std::size_t bad = first_bad(cells);
+    const std::string why =
+        bad == cells.size() ? other_width(cells.size(), columns) : shown(cells[bad].text) + " is not a number";
+    errors.error(all[i].number, bad == cells.size() ? 1 : cells[bad].column,
+                 why + heading_hint(options, all[begin].number - 1));
+  }
+}
+
+/// What the lines before the first row say.
+void understand_head(const std::vector<Line>& lines, int first_row, ColumnRows& found) {
+  for (const Line& line : lines) {
+    if (line.number >= first_row) break;
+    if (line.text.find_first_not_of(row_blanks) != std::string_view::npos) found.head.push_back(line);
+  }
+  found.heading = read_heading(found.head);
+  for (const Line& line : found.head) {
+    const auto is_said = [&](const Statement& said) { return said.line == line.number; };
+    if (std::any_of(found.heading.counts.begin(), found.heading.counts.end(), is_said)) continue;
+    if (const auto stated = count_and_step(line)) say_count_and_step(*stated, line.number, found.heading);
+  }
+}
+
+}  // namespace
 
 std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const RecordOptions& options,
                                     RecordErrors& errors) {
@@ -183,35 +302,21 @@ std::optional<ColumnRows> find_rows(const std::vector<Line>& lines, const Record
     best = run;
     found.separator = separator;
   }
-  if (best.rows == 0) {
-    return errors.error("holds no numbers");
-  }
-  const std::size_t begin = best.begin;
-  const std::size_t columns = split_cells(all[begin], found.separator).size();
-  for (std::size_t i = 0; i < begin; ++i) {
-    const auto cells = split_cells(all[i], found.separator);
-    if (!could_be_row(cells, columns)) {
-      ++found.header_lines;
-      if (!found.stated) found.stated = count_and_step(all[i]);
-      continue;
-    }
-    const auto bad = std::find_if(cells.begin(), cells.end(), [](const Token& cell) { return !any_number(cell); });
-    const std::string why =
-        bad == cells.end() ? other_width(cells.size(), columns) : shown(bad->text) + " is not a number";
-    errors.error(all[i].number, bad == cells.end() ? 1 : bad->column,
-                 why + heading_hint(options, all[begin].number - 1));
-  }
-  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(begin));
+  if (best.rows == 0) return no_rows(all, errors);
+  understand_head(lines, all[best.begin].number, found);
+  take_head(all, best.begin, options, found, errors);
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(best.begin));
   found.rows = std::move(all);
   bool points = false, commas = false;
   for (const Line& row : found.rows) {
     for (const Token& cell : found.cells(row)) {
+      if (cell.text.find(':') != std::string_view::npos) continue;  // a time of the day
       points = points || cell.text.find('.') != std::string_view::npos;
       commas = commas || cell.text.find(',') != std::string_view::npos;
     }
   }
   found.decimal_comma = commas && !points;
-  if (!found.stated) take_count_line(found, errors);
+  if (found.heading.counts.empty()) take_count_line(found, errors);
   if (found.rows.size() >= 3) {
     const std::size_t first = found.cells(found.rows[0]).size(), second = found.cells(found.rows[1]).size();
     if (first != second && second == found.cells(found.rows[2]).size()) {

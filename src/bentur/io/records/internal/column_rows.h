@@ -5,22 +5,27 @@
 #include <string>
 #include <vector>
 
+#include "bentur/io/records/internal/heading.h"
 #include "bentur/io/records/internal/record_text.h"
 
 namespace bentur::records {
 
 /// The rows of numbers of a text file, and how their columns are told apart.
 struct ColumnRows {
-  std::vector<Line> rows;              ///< without comments and blank lines, from the first row on
-  char separator = ' ';                ///< ; , or ' ' for blanks and tabs
-  bool decimal_comma = false;          ///< 0,25 is a quarter
-  int header_lines = 0;                ///< before the rows, neither blank nor comments
-  std::optional<CountAndStep> stated;  ///< by a header line: NPTS and DT, or a line of two numbers
+  std::vector<Line> rows;       ///< without comments and blank lines, from the first row on
+  char separator = ' ';         ///< ; , or ' ' for blanks and tabs
+  bool decimal_comma = false;   ///< 0,25 is a quarter
+  int header_lines = 0;         ///< before the rows, neither blank nor comments
+  std::vector<Line> head = {};  ///< all lines before the rows, comments too
+  Heading heading = {};         ///< what those say, or a line of two numbers
 
-  /// The columns of a row; quotes are taken off. A blank one between two commas or semicolons stays, as an error to
-  /// come; one at the end does not.
+  /// The columns of a row; quotes are taken off, fields of Fortran that touch are parted, a date and the time behind it
+  /// are one. A blank one between two commas or semicolons stays, as an error to come; one at the end does not.
   [[nodiscard]] std::vector<Token> cells(const Line& row) const;
 };
+
+/// The cells of a line between any separator, blank ones too, but for one at the end. ' ': words between blanks.
+[[nodiscard]] std::vector<Token> split_cells(const Line& line, char separator);
 
 /// Finds the rows: header lines, any number, are what stands before the first three rows of numbers. A line among them
 /// that looks like a row with a typing error is an error. Nothing where there are no numbers.

@@ -13,6 +13,8 @@
 #include <system_error>
 
 #include "bentur/core/number_text.h"
+#include "bentur/io/records/internal/heading_words.h"
+#include "bentur/io/records/internal/number_cells.h"
 
 namespace bentur::records {
 namespace {
@@ -55,7 +57,8 @@ std::string decoded(std::string bytes) {
     const auto high = static_cast<unsigned char>(bytes[i + static_cast<std::size_t>(*zeros)]);
     const auto low = static_cast<unsigned char>(bytes[i + static_cast<std::size_t>(1 - *zeros)]);
     if (i == 0 && high == 0xFE && low == 0xFF) continue;  // the mark
-    text += high == 0 && low < 0x80 ? static_cast<char>(low) : '?';
+    const char letter = base_letter(static_cast<char32_t>(high << 8 | low));
+    text += high == 0 && low < 0x80 ? static_cast<char>(low) : letter == '\0' ? '?' : letter;
   }
   return text;
 }
@@ -163,11 +166,21 @@ std::optional<double> finite_number(const Token& token, bool decimal_comma, Reco
 }
 
 std::vector<double> read_numbers(std::span<const Line> lines, std::size_t width, RecordErrors& errors) {
+  const auto has = [&](char mark) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const Line& line) { return line.text.find(mark) != std::string_view::npos; });
+  };
+  const bool decimal_comma = has(',') && !has('.');
   std::vector<double> values;
+  const auto add = [&](const Token& cell) {
+    if (const auto value = finite_number(cell, decimal_comma, errors)) values.push_back(*value);
+  };
   for (const Line& line : lines) {
     if (errors.full()) break;
     for (const Token& cell : width > 0 ? fields_of(line, width) : words_of(line)) {
-      if (const auto value = finite_number(cell, false, errors)) values.push_back(*value);
+      const auto pieces = width > 0 ? std::vector<Token>() : touching_numbers(cell);
+      if (pieces.empty()) add(cell);
+      for (const Token& piece : pieces) add(piece);
     }
   }
   return values;
@@ -195,81 +208,24 @@ std::string single_spaced(std::string_view text, std::string_view without) {
 
 std::optional<FileUnit> file_unit(std::string_view spelling) {
   std::string plain;
-  for (const char c : upper(spelling)) {
+  for (const char c : folded(spelling)) {
     if (c != ' ' && c != '.' && c != '^' && c != '*') plain += c;
   }
   static const std::map<std::string, FileUnit> known = [] {
-    std::map<std::string, FileUnit> all = {{"G", {"g"}}, {"GAL", {"cm/s2"}}, {"MG", {"g", 1e-3}}};
-    for (const auto& [length, unit] : {std::pair("M", "m/s2"), std::pair("CM", "cm/s2"), std::pair("MM", "mm/s2"),
-                                       std::pair("IN", "in/s2"), std::pair("FT", "ft/s2")}) {
-      for (const char* const time : {"/S2", "/S/S", "/SEC2", "/SEC/SEC"}) all[std::string(length) + time] = {unit};
+    std::map<std::string, FileUnit> all = {{"G", {"g"}},         {"GS", {"g"}},       {"G'S", {"g"}},
+                                           {"GAL", {"cm/s2"}},   {"GALS", {"cm/s2"}}, {"MG", {"g", 1e-3}},
+                                           {"G/10", {"g", 0.1}}, {"%G", {"g", 0.01}}};
+    for (const auto& [length, unit] : {std::pair("M", "m/s2"), std::pair("CM", "cm/s2"), std::pair("CMS", "cm/s2"),
+                                       std::pair("MM", "mm/s2"), std::pair("IN", "in/s2"), std::pair("FT", "ft/s2")}) {
+      for (const char* const time :
+           {"/S2", "/S/S", "/SEC2", "/SEC/SEC", "/SN2", "/SN/SN", "/SEG2", "/SEG/SEG", "S-2"}) {
+        all[std::string(length) + time] = {unit};
+      }
     }
     return all;
   }();
   const auto found = known.find(plain);
   return found == known.end() ? std::nullopt : std::optional(found->second);
-}
-
-namespace {
-
-/// The channel that the options choose: the only one, or the one with the number given. Else an error that names all.
-const Channel* chosen_channel(const std::vector<Channel>& channels, const RecordOptions& options,
-                              RecordErrors& errors) {
-  if (options.channel && static_cast<std::size_t>(*options.channel) > channels.size()) {
-    errors.error(fmt::format("has {} of accelerations, {} is not there", counted(channels.size(), "channel"),
-                             options.setting("channel", std::to_string(*options.channel))));
-    return nullptr;
-  }
-  if (options.channel) return &channels[static_cast<std::size_t>(*options.channel) - 1];
-  if (channels.size() == 1) return &channels.front();
-  std::string titles;
-  for (std::size_t i = 0; i < std::min(channels.size(), std::size_t{12}); ++i) {
-    titles += fmt::format("{}{} {}", i == 0 ? "" : ", ", i + 1, shown(channels[i].title));
-  }
-  errors.error(fmt::format("has {} channels of accelerations: say in {} which one: {}{}", channels.size(),
-                           options.name("channel"), titles, channels.size() > 12 ? ", ..." : ""));
-  return nullptr;
-}
-
-/// "channel 2 of 3 (TITLE)"; empty where there is one alone.
-std::string channel_text(const std::vector<Channel>& channels, const Channel& chosen) {
-  if (channels.size() < 2) return "";
-  std::string title;
-  for (const char c : chosen.title) title += c >= 0x20 && c < 0x7F ? c : '?';
-  return fmt::format("channel {} of {}{}", &chosen - channels.data() + 1, channels.size(),
-                     title.empty() ? "" : " (" + title + ")");
-}
-
-}  // namespace
-
-std::optional<StrongMotionRecord> read_channel(const std::vector<Line>& lines, const std::vector<Channel>& channels,
-                                               const ChannelFormat& format, const RecordOptions& options,
-                                               RecordErrors& errors) {
-  if (channels.empty()) {
-    return errors.error(fmt::format("has no block of accelerations, which a line such as {} heads", format.heading));
-  }
-  const Channel* const channel = chosen_channel(channels, options, errors);
-  if (channel == nullptr || !errors.ok()) return std::nullopt;
-  const std::span values = std::span(lines).subspan(channel->first_line);
-  const Line& heading = lines[channel->first_line - 1];
-  if (!(channel->time_step > 0 && std::isfinite(channel->time_step))) return errors.error(heading, format.step_rule);
-
-  StrongMotionRecord record;
-  record.time_step = channel->time_step;
-  record.channel = channel_text(channels, *channel);
-  record.header_lines = channel->header_lines;
-  const auto end = std::find_if(values.begin(), values.end(), format.ends);
-  record.values = read_numbers({values.begin(), end}, channel->width, errors);
-  // Such files are known to be off by one value.
-  const auto count = static_cast<long>(record.values.size());
-  if (errors.ok() && std::abs(count - channel->count) > 1) {
-    errors.error(heading, fmt::format("says {} values, but {} follow", channel->count, count));
-  }
-  if (const auto unit = file_unit(channel->unit)) {
-    record.unit = unit->unit;
-    for (double& value : record.values) value *= unit->factor;
-  }
-  return record;
 }
 
 }  // namespace bentur::records

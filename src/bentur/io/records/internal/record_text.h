@@ -48,8 +48,8 @@ class RecordErrors {
   int count_ = 0;
 };
 
-/// The bytes of a file as text of one byte a character: UTF-16 is told by its mark or its zero bytes, what it holds
-/// beyond ASCII becomes '?'; a mark of UTF-8 is left out.
+/// The bytes of a file as text of one byte a character: UTF-16 is known by its mark or its zero bytes, what it holds
+/// beyond ASCII becomes the letter without its accent, or '?'; a mark of UTF-8 is left out.
 [[nodiscard]] std::string decoded(std::string bytes);
 
 /// A file with more or longer lines is no record.
@@ -80,8 +80,8 @@ inline constexpr std::size_t most_lines = 5000000, longest_line = std::size_t{4}
 /// `number_of`, or an error that the token is not a finite number.
 [[nodiscard]] std::optional<double> finite_number(const Token& token, bool decimal_comma, RecordErrors& errors);
 
-/// The numbers of all lines, in fields of `width` characters, or where it is 0 between blanks. Reading stops once
-/// `errors` are full.
+/// The numbers of all lines, in fields of `width` characters, or where it is 0 between blanks, where fields may touch.
+/// Commas are decimal where there are no points. Reading stops once `errors` are full.
 [[nodiscard]] std::vector<double> read_numbers(std::span<const Line> lines, std::size_t width, RecordErrors& errors);
 
 /// A token as a message shows it.
@@ -100,30 +100,6 @@ struct FileUnit {
 };
 [[nodiscard]] std::optional<FileUnit> file_unit(std::string_view spelling);
 
-/// One of several channels of a file, still unread.
-struct Channel {
-  std::string title;           ///< as the file calls it
-  std::size_t first_line = 0;  ///< index of the line that its values begin with
-  int header_lines = 0;        ///< of this channel
-  std::string unit;            ///< as the file spells it
-  long count = 0;              ///< of values as the file says
-  double time_step = 0;        ///< [s]
-  std::size_t width = 0;       ///< of a field [characters]
-};
-
-/// A format whose files have several channels, each a block of values under a heading.
-struct ChannelFormat {
-  const char* heading;        ///< an example, for messages
-  const char* step_rule;      ///< the message where a channel has no step
-  bool (*ends)(const Line&);  ///< whether a line ends a block
-};
-/// The channel that the options choose: the only one, or the one with the number given. An error where there is none,
-/// or it has no step, or not as many values as the file says.
-[[nodiscard]] std::optional<StrongMotionRecord> read_channel(const std::vector<Line>& lines,
-                                                             const std::vector<Channel>& channels,
-                                                             const ChannelFormat& format, const RecordOptions& options,
-                                                             RecordErrors& errors);
-
 /// NPTS and DT of a header line, in any of the spellings of PEER files; nothing where the line does not say both.
 struct CountAndStep {
   long count = 0;        ///< number of values
@@ -138,11 +114,17 @@ struct CountAndStep {
 [[nodiscard]] bool looks_like_smc(const std::vector<Line>& lines);
 [[nodiscard]] bool looks_like_knet(const std::vector<Line>& lines);
 [[nodiscard]] bool looks_like_esm(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_geonet(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_bhrc(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_knet_csv(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_afad(const std::vector<Line>& lines);
+[[nodiscard]] bool looks_like_asa(const std::vector<Line>& lines);
 
 /// Reads all but the name of the format; what it returns counts only while there is no error.
 using RecordReader = std::optional<StrongMotionRecord>(const std::vector<Line>& lines, const RecordOptions& options,
                                                        RecordErrors& errors);
-RecordReader read_peer, read_cosmos, read_csmip, read_smc, read_knet, read_esm;
+RecordReader read_peer, read_cosmos, read_csmip, read_bhrc, read_geonet, read_smc, read_knet, read_knet_csv, read_esm,
+    read_afad, read_asa;
 /// one-column, two-column, values, csv, or whichever of them fits where the format is "auto"; names the format, too.
 RecordReader read_columns;
 

@@ -11,6 +11,18 @@ namespace bentur {
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 Json or_null_if_unknown(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
 
+Json remarks_json(const std::vector<Remark>& remarks) {
+  Json json = Json::array();
+  for (const Remark& remark : remarks) {
+    json.push_back({{"key", remark.key},
+                    {"subject", remark.subject},
+                    {"value", remark.value},
+                    {"unit", remark.unit},
+                    {"usual", {or_null(remark.usual_from), or_null(remark.usual_to)}}});
+  }
+  return json;
+}
+
 std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 Json units_json(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bentur/model/case.h"
+#include "bentur/model/story/remarks.h"
 
 // What a run was asked for, as results tell it, and how they write values.
 namespace bentur {
@@ -14,6 +15,9 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json or_null(const std::optional<double>& value);
 /// null where it is NaN
 [[nodiscard]] Json or_null_if_unknown(double value);
+
+/// What is unusual, with what is usual: [from, to], null where a side is open.
+[[nodiscard]] Json remarks_json(const std::vector<Remark>& remarks);
 /// A whole document; bytes that are no UTF-8 are replaced.
 [[nodiscard]] std::string text_of(const Json& json);
 
