@@ -102,7 +102,7 @@ void run(const std::string& file, const Words& say) {
                         count(spec.elevations.size(), "link", "links"), spec.law);
   }
   const std::string unusual =
-      story_text(loaded.problem, {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::remarks);
+      story_text(loaded.problem, {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
   if (loaded.c.excitation.spectrum) {
     print(fitted(text + "A spectrum: for bentur gap, which makes no run\n" + unusual));
     return;

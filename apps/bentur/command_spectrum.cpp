@@ -87,7 +87,7 @@ SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units
 /// What is unusual of the record, each in a line of its own; empty without any.
 std::string remarks_text(const RecordSpectrum& spectrum) {
   return story_text(std::vector<std::string>(), {remark_statements(remarks(spectrum.record, spectrum.units))},
-                    Words("en"), Told::remarks);
+                    Words("en"), Told::all);
 }
 
 std::string spectrum_text(const RecordSpectrum& spectrum) {

@@ -110,6 +110,8 @@ void check_plan(const std::string& file, const std::string& language) {
   for (std::size_t g = 0; g < loaded.problem.gaps.size(); ++g) text += gap_line(loaded, g);
   text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
                       loaded.c.analysis.energy_audit ? ", energy audit" : "");
+  const Words say(language);
+  text += story_text(gap_names(loaded.problem), {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
   print(fitted(text));
 }
 

@@ -72,6 +72,7 @@ void add_reversed(const Problem& problem, const Solver& solver, const SolveOptio
     if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
     Response with = free->solve(other, rest);
     if (with.status != Status::done && with.status != Status::collapsed) return;
+    reversed.has_contact = true;
     reversed.collapse = with.collapse;
     reversed.points = std::move(with.points);
     reversed.watched = std::move(with.watched);

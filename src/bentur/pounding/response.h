@@ -189,8 +189,9 @@ struct LargestDrift {
 struct ReversedRun {
   std::optional<Collapse> collapse, collapse_no_contact;
   std::vector<LargestDrift> drifts;  ///< per building, without contact
-  /// With contact, as Response has them; empty where no other gap closes that could make a difference: then a gap is
-  /// struck exactly where it needs more than it has.
+  /// With contact, as Response has them, where some gap of several closes. Else it was not run: a gap is struck exactly
+  /// where it needs more than it has.
+  bool has_contact = false;
   std::vector<PointSummary> points;
   std::vector<WatchedSummary> watched;
 };

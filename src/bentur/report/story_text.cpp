@@ -71,6 +71,7 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
     SaidStatement one{.kind = statement.kind, .severity = statement.severity, .gap = statement.gap};
     one.text = say(key, values);
     if (say.has(key + ".badge")) one.badge = say(key + ".badge");
+    if (is_remark && statement.severity != Severity::remark) one.badge = say("remark.doubted");
     if (!statement.subject.empty()) {
       std::string subject = statement.subject;
       for (const auto& [name, text] : values) {
@@ -129,10 +130,10 @@ std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const
                                      Told told) {
   std::vector<std::string> lines;
   for (const SaidStatement& one : said(story.statements, say)) {
-    if ((one.severity == Severity::remark) != (told == Told::remarks)) continue;
+    if (told != Told::all && (one.severity == Severity::remark) != (told == Told::remarks)) continue;
     std::string line = one.badge.empty() ? one.text : upper_case(one.badge) + ": " + one.text;
     if (gaps.size() > 1 && one.gap) line.insert(0, gaps.at(static_cast<std::size_t>(*one.gap)) + ": ");
-    if (one.kind.starts_with("remark.")) line = say("cli.remark", {{"text", line}});
+    if (one.kind.starts_with("remark.") && one.badge.empty()) line = say("cli.remark", {{"text", line}});
     lines.push_back(std::move(line));
   }
   return lines;

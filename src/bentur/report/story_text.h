@@ -37,7 +37,7 @@ struct SaidTable {
 [[nodiscard]] std::string upper_case(std::string text);
 
 /// Which statements of a story.
-enum class Told { outcome, remarks };
+enum class Told { outcome, remarks, all };
 /// A line a statement, the gravest first: "BADGE: text", behind the gap's name in a row of several gaps; remarks as
 /// "remark: text".
 /// @param gaps the names of all gaps, in the order in which statements count them

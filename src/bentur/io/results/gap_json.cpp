@@ -56,7 +56,7 @@ Json findings_json(const std::vector<RuleFinding>& findings, const std::vector<L
       put_place(in_plan, level.is_point, level.index, one);
       one.update({{"width", level.width},
                   {"given_is", found.is_short ? "too_small" : "enough"},
-                  {"understates", found.understates}});
+                  {"understates", found.lacks.has_value()}});
     } else {
       one.update({{"given_is", "not_evaluated"}, {"reason", silence_name(found.silence)}});
     }

@@ -121,11 +121,15 @@ GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::
     const PointSummary &a = response.points[i], &b = response.points[than];
     return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.peak_closing_speed > b.peak_closing_speed;
   };
+  int settling = 0;
   for (auto i = outcome.gap.points.rbegin(); i != outcome.gap.points.rend(); ++i) {
-    outcome.impacts += response.points[*i].impacts;
-    outcome.touched += response.points[*i].impacts > 0 ? 1 : 0;
+    const PointSummary& point = response.points[*i];
+    outcome.impacts += point.impacts;
+    settling += point.settling;
+    outcome.touched += point.impacts + point.settling > 0 ? 1 : 0;
     if (!outcome.hardest || harder(*i, *outcome.hardest)) outcome.hardest = *i;
   }
+  if (outcome.impacts == 0) outcome.impacts = settling;  // nothing but a contact that comes to rest
   return outcome;
 }
 

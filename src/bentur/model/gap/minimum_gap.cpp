@@ -183,10 +183,13 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
       found.at = i;
       found.gap = gap;
     }
+    double needed = 0;
     for (const LevelSeparation& one : levels) {
       const double simulated = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
-      found.understates = found.understates || falls_short(asked(one), simulated, scale);
+      needed = std::max(needed, one.level.of_gap(simulated));
+      found.most = std::max(found.most, one.level.of_gap(asked(one)));
     }
+    if (known && !collapsed && falls_short(found.most, needed, scale)) found.lacks = needed - found.most;
     found.is_short = found.at && falls_short(levels[*found.at].level.width, found.gap, scale);
     if (!found.is_short) {
       const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);

@@ -75,7 +75,10 @@ struct RuleFinding {
   double gap = 0;                      ///< asked for there [length]
   std::optional<double> to_left = {}, to_right = {};  ///< from the left, right building to a line [length]
   bool is_short = false;                              ///< more than is given, beyond round-off
-  bool understates = false;                           ///< at some level less than what is simulated, beyond round-off
+  /// By how much a gap of one width by this rule, what it asks for at most, is less than the motion needs in either
+  /// direction [length]; nothing where it is not less beyond round-off, or not known
+  std::optional<double> lacks = {};
+  double most = 0;                                    ///< what it asks for at most, as the width of the whole gap [length]
   Silence silence = Silence::none;
 };
 

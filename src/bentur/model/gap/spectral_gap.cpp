@@ -69,6 +69,36 @@ SpectralPeaks spectral_peaks(const Building& building, const SpectralModes& mode
   return peaks;
 }
 
+CapacityDemand capacity_demand(const Building& building, const SpectralModes& modes, ModalCombination combination) {
+  CapacityDemand worst;
+  if (modes.omega.size() == 0) return worst;
+  const StructuralModel& model = building.model;
+  const auto peak = [&](const Eigen::VectorXd& row) {
+    return combined_peak(modes.motion.transpose() * row, modes.omega, modes.damping, combination);
+  };
+  const auto take = [&](double ratio, Eigen::Index storey) {
+    if (ratio > worst.ratio) worst = {ratio, storey};
+  };
+  const Eigen::MatrixXd drifts = drift_rows(model);
+  for (const BuildingElement& element : building.elements) {
+    const double height = model.storey_heights[element.storey] > 0 ? model.storey_heights[element.storey] : 1;
+    const double yields = std::min(element.law->yield_deformation(), element.law->yield_deformation_below());
+    take(peak(drifts.row(element.storey)) * height / yields, element.storey);
+  }
+  const Hinges& hinges = model.hinges;
+  for (Eigen::Index h = 0; h < hinges.size(); ++h) {
+    const double moment = peak(hinges.rows.row(h)), rest = h < hinges.at_rest.size() ? hinges.at_rest(h) : 0;
+    const double ratio =
+        std::max((moment + rest) / hinges.clockwise(h), (moment - rest) / hinges.anticlockwise(h));
+    const auto place = static_cast<std::size_t>(h);
+    const bool is_hinge = place < hinges.places.size();
+    const Eigen::Index number =
+        is_hinge ? hinges.places[place].level : hinges.columns.at(place - hinges.places.size()).storey;
+    take(ratio, model.first_storey() + std::max<Eigen::Index>(number, 1) - 1);
+  }
+  return worst;
+}
+
 SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum, const CodeSpec& code,
                            const Units& units) {
   validate(spectrum.spectrum);
@@ -77,6 +107,7 @@ SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
   for (const Building& building : problem.buildings) {
     gaps.modes.push_back(spectral_modes(building, spectrum.spectrum));
     gaps.peaks.push_back(spectral_peaks(building, gaps.modes.back()));
+    gaps.demands.push_back(capacity_demand(building, gaps.modes.back(), spectrum.combination));
   }
   const auto peaks_at = [&](const FacingLevel& level) {
     const Eigen::Index left = level.gap, right = level.gap + 1;

@@ -1,6 +1,7 @@
 #include "bentur/model/judgement/facts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "bentur/model/gap/gap_outcome.h"
@@ -28,7 +29,7 @@ LevelFacts level_facts(const FacingLevel& at, const Response& response) {
     take(point);
     facts.given.impacts = touches(point);
     facts.given.peak_force = point.peak_force;
-    if (other != nullptr && !other->points.empty()) {
+    if (other != nullptr && other->has_contact) {
       facts.reversed.impacts = touches(other->points.at(index));
       facts.reversed.peak_force = other->points.at(index).peak_force;
     }
@@ -36,24 +37,46 @@ LevelFacts level_facts(const FacingLevel& at, const Response& response) {
     const WatchedSummary& floor = response.watched.at(index);
     take(floor);
     if (floor.closes) facts.given.depth = -floor.least_opening;
-    if (other != nullptr && !other->watched.empty() && other->watched.at(index).closes) {
+    if (other != nullptr && other->has_contact && other->watched.at(index).closes) {
       facts.reversed.depth = -other->watched.at(index).least_opening;
     }
   }
   return facts;
 }
 
-/// Of the doubts those about the run as a whole or about one of the two buildings.
-std::vector<Remark> doubts_of(const RunFacts& run, const std::string& left, const std::string& right,
-                              const std::string& gap) {
+/// Of the doubts those about one of the two buildings or the gap, or about none.
+std::vector<Remark> doubts_about(const RunFacts& run, const std::string& left, const std::string& right,
+                                 const std::string& gap) {
   std::vector<Remark> doubts;
   for (const Remark& one : run.doubts) {
-    const auto is_of = [&](const std::string& name) {
-      return one.subject == name || one.subject.starts_with(name + ",");
-    };
-    if (one.subject.empty() || is_of(left) || is_of(right) || one.subject == gap) doubts.push_back(one);
+    const std::string of = one.subject.substr(0, one.subject.find(','));
+    const bool is_shared = std::find(run.names.begin(), run.names.end(), of) == run.names.end();
+    if (is_shared || of == left || of == right || one.subject == gap) doubts.push_back(one);
   }
   return doubts;
+}
+
+/// All of a gap but its levels.
+GapFacts common_facts(const Problem& problem, Index gap, std::vector<RuleFinding> rules, const RunFacts& run) {
+  GapFacts facts{.left = problem.buildings.at(static_cast<std::size_t>(gap)).name,
+                 .right = problem.buildings.at(static_cast<std::size_t>(gap + 1)).name,
+                 .levels = {},
+                 .given = run.given,
+                 .reversed = run.reversed,
+                 .has_other_way = run.has_other_way,
+                 .others_close = false,
+                 .rules = std::move(rules),
+                 .doubts = {},
+                 .scale = 0};
+  facts.doubts = doubts_about(run, facts.left, facts.right, gap_name(problem, gap));
+  for (WayFacts* const way : {&facts.given, &facts.reversed}) {
+    const auto is_of_another = [&](const Beyond& one) {
+      return one.building != facts.left && one.building != facts.right;
+    };
+    std::erase_if(way->drifts, is_of_another);
+    std::erase_if(way->capacities, is_of_another);
+  }
+  return facts;
 }
 
 }  // namespace
@@ -61,31 +84,40 @@ std::vector<Remark> doubts_of(const RunFacts& run, const std::string& left, cons
 GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
                    const std::vector<LevelSeparation>& levels, std::vector<RuleFinding> rules, const RunFacts& run,
                    bool others_close) {
-  GapFacts facts{.left = problem.buildings.at(static_cast<std::size_t>(gap)).name,
-                 .right = problem.buildings.at(static_cast<std::size_t>(gap + 1)).name,
-                 .levels = {},
-                 .given = run.given,
-                 .reversed = run.reversed,
-                 .has_other_way = run.has_other_way,
-                 .others_close = others_close,
-                 .rules = std::move(rules),
-                 .doubts = {},
-                 .scale = displacement_scale(problem, response, gap)};
+  GapFacts facts = common_facts(problem, gap, std::move(rules), run);
+  facts.others_close = others_close;
+  facts.scale = displacement_scale(problem, response, gap);
   for (const LevelSeparation& level : levels) facts.levels.push_back(level_facts(level.level, response));
   // Where only this gap can close it does so exactly where it needs more than it has.
-  facts.struck_looked_at[1] = !others_close || (response.reversed && !response.reversed->points.empty());
-  facts.doubts = doubts_of(run, facts.left, facts.right, gap_name(problem, gap));
-  const auto of_both = [&](WayFacts& way) {
-    std::erase_if(way.drifts, [&](const DriftBeyond& one) {
-      return one.building != facts.left && one.building != facts.right;
-    });
-    if (!way.looked_at || way.fall || !way.drifts.empty()) {
-      for (LevelFacts& level : facts.levels) (&way == &facts.given ? level.given : level.reversed).need.reset();
-    }
-  };
-  of_both(facts.given);
-  of_both(facts.reversed);
+  facts.struck_looked_at[1] = !others_close || (response.reversed && response.reversed->has_contact);
+  for (const Way way : both_ways) {
+    const WayFacts& of = facts.in(way);
+    if (of.looked_at && !of.fall && of.drifts.empty()) continue;
+    for (LevelFacts& level : facts.levels) level.in(way).need.reset();
+  }
   return facts;
+}
+
+GapFacts gap_facts(const Problem& problem, Index gap, const std::vector<LevelSeparation>& levels,
+                   std::vector<RuleFinding> rules, const RunFacts& run) {
+  GapFacts facts = common_facts(problem, gap, std::move(rules), run);
+  for (const LevelSeparation& level : levels) {
+    facts.levels.push_back({.at = level.level, .given = {.need = level.gap_needed}});
+  }
+  return facts;
+}
+
+bool RunFacts::others_close(std::size_t gap) const {
+  for (std::size_t g = 0; g < closes.size(); ++g) {
+    if (g != gap && closes[g]) return true;
+  }
+  return false;
+}
+
+std::vector<Remark> doubts_of(const std::vector<Remark>& remarks) {
+  std::vector<Remark> doubts;
+  std::copy_if(remarks.begin(), remarks.end(), std::back_inserter(doubts), [](const Remark& one) { return one.is_doubt; });
+  return doubts;
 }
 
 bool closes_either_way(const Problem& problem, const Response& response, Index gap) {
@@ -94,7 +126,7 @@ bool closes_either_way(const Problem& problem, const Response& response, Index g
     for (const Way way : both_ways) {
       if (facts.in(way).impacts > 0) return true;
     }
-    if (level.is_point && facts.reversed.need.value_or(0) > level.width) return true;
+    if (level.is_point && falls_short(level.width, facts.reversed.need.value_or(0), displacement_scale(problem, response, gap))) return true;
   }
   return false;
 }

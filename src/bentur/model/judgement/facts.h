@@ -24,18 +24,21 @@ struct Fall {
   double time = 0;          ///< [s]
 };
 
-/// A storey whose drift without contact goes beyond what counts as collapse, where nothing looks for that.
-struct DriftBeyond {
+/// A storey that goes beyond what it may: by its drift without contact what counts as collapse, where nothing looks for
+/// that; by a spectrum the force that it bears.
+struct Beyond {
   std::string building;
   Eigen::Index storey = 0;  ///< its number, for people
-  double ratio = 0;         ///< [-]
+  double ratio = 0;         ///< [-] drift over height, or force over what is borne
 };
 
 /// What happened in one way of the motion, to all buildings.
 struct WayFacts {
   bool looked_at = false;        ///< without contact
   std::optional<Fall> fall = {};  ///< without contact
-  std::vector<DriftBeyond> drifts = {};
+  std::optional<Fall> fall_with_contact = {};  ///< it ends the run, after which nothing is known of contact
+  std::vector<Beyond> drifts = {};
+  std::vector<Beyond> capacities = {};  ///< of elastic buildings under a spectrum
 };
 
 /// What a level of a gap needs and what happens there: a contact point or a watched floor.
@@ -73,7 +76,11 @@ struct RunFacts {
   WayFacts given, reversed;
   bool has_other_way = true;     ///< the ground moves
   std::vector<Remark> doubts;    ///< of all buildings and gaps
+  std::vector<std::string> names;  ///< of all buildings and gaps: what else a doubt is about, all share
   std::vector<bool> closes;      ///< per gap, either way
+
+  /// Another gap than this one does.
+  [[nodiscard]] bool others_close(std::size_t gap) const;
 };
 
 /// Of one gap of a row, or of the row of two that a gap in plan is.
@@ -82,6 +89,13 @@ struct RunFacts {
 [[nodiscard]] GapFacts gap_facts(const Problem& problem, const Response& response, Eigen::Index gap,
                                  const std::vector<LevelSeparation>& levels, std::vector<RuleFinding> rules,
                                  const RunFacts& run, bool others_close);
+
+/// The same by a spectrum.
+[[nodiscard]] GapFacts gap_facts(const Problem& problem, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
+                                 std::vector<RuleFinding> rules, const RunFacts& run);
+
+/// The doubts among remarks.
+[[nodiscard]] std::vector<Remark> doubts_of(const std::vector<Remark>& remarks);
 
 /// Whether bodies touch in a gap, or would in the other way of the motion.
 [[nodiscard]] bool closes_either_way(const Problem& problem, const Response& response, Eigen::Index gap);

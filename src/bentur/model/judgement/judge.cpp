@@ -24,6 +24,8 @@ std::string_view word_of_kind(Kind kind) {
       return "collapse";
     case Kind::drift:
       return "drift beyond collapse";
+    case Kind::capacity:
+      return "beyond capacity";
     case Kind::doubt:
       return "doubt";
     case Kind::motion_left:
@@ -98,10 +100,22 @@ void judge_unknown(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
     reasons.push_back(
         {.kind = Kind::collapse, .way = way, .value = of.fall->time, .subject = of.fall->building, .storey = of.fall->storey});
   }
-  for (const DriftBeyond& drift : of.drifts) {
-    reasons.push_back(
-        {.kind = Kind::drift, .way = way, .value = drift.ratio, .subject = drift.building, .storey = drift.storey});
+  const auto beyond = [&](Kind kind, const std::vector<Beyond>& found) {
+    for (const Beyond& one : found) {
+      reasons.push_back(
+          {.kind = kind, .way = way, .value = one.ratio, .subject = one.building, .storey = one.storey});
+    }
+  };
+  if (const auto& fall = of.fall_with_contact; fall && !of.fall) {
+    reasons.push_back({.kind = Kind::collapse,
+                       .way = way,
+                       .value = fall->time,
+                       .count = 1,
+                       .subject = fall->building,
+                       .storey = fall->storey});
   }
+  beyond(Kind::drift, of.drifts);
+  beyond(Kind::capacity, of.capacities);
   const bool needed = way == Way::given || facts.has_other_way;
   const bool struck_known = facts.struck_looked_at[static_cast<int>(way)];
   if (needed && (!of.looked_at || !struck_known)) reasons.push_back({.kind = Kind::not_looked_at, .way = way});

@@ -26,8 +26,9 @@ struct Reason {
     unmodelled,  ///< a floor goes `value` [length] into what it faces, where no contact is modelled
     need,        ///< they need `value` [length] without contact
     rule,        ///< a rule of [code], `subject`, asks for `value` [length]
-    collapse,    ///< storey `storey` of `subject` falls without contact at `value` [s]
+    collapse,    ///< storey `storey` of `subject` falls at `value` [s], with contact (`count` 1) or without
     drift,       ///< it drifts by `value` of its height without contact [-], beyond collapse
+    capacity,    ///< by a spectrum it bears `value` times what it can, as an elastic one
     doubt,       ///< GapFacts::doubts[`count`]
     motion_left, ///< free vibration after the end could still need `value` [length]
     not_looked_at  ///< the reversed motion, with contact or without

@@ -178,7 +178,8 @@ SolveOptions solve_options(const PlanCase& c) { return solve_options(c.analysis)
 PlanRun run_results(PlanCase c, PlanProblem problem, PlanResponse response) {
   if (response.duration > 0) problem.duration = response.duration;
   problem.goes_on = false;
-  return {std::move(c), std::move(problem), std::move(response)};
+  std::vector<Remark> found = remarks(c, problem, response);
+  return {std::move(c), std::move(problem), std::move(response), std::move(found)};
 }
 
 double applied_pga(const PlanRun& run, std::size_t component) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bentur/model/case.h"
+#include "bentur/model/story/remarks.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 
 // A case of buildings in plan (docs/theory/plan.md), beside Case, which is of a row.
@@ -105,7 +106,12 @@ struct PlanRun {
   PlanCase c;
   PlanProblem problem;
   PlanResponse response;
+  std::vector<Remark> remarks = {};
 };
+
+/// As those of a row (remarks.h): of the case alone, and of what came out.
+[[nodiscard]] std::vector<Remark> remarks(const PlanCase& c, const PlanProblem& problem);
+[[nodiscard]] std::vector<Remark> remarks(const PlanCase& c, const PlanProblem& problem, const PlanResponse& response);
 
 /// The same as those of a row (run_results.h).
 [[nodiscard]] PlanRun run_results(PlanCase c, PlanProblem problem, PlanResponse response);

@@ -111,6 +111,17 @@ RunResults pair_of(const PlanRun& run, std::size_t gap) {
   pair.response.collapse_no_contact = run.response.collapse_no_contact;
   pair.response.points = part(run.response.points, point, of.contacts.size());
   pair.response.watched = part(run.response.watched, watched, of.watched.size());
+  pair.response.duration = run.response.duration;
+  if (const auto& other = run.response.reversed) {
+    ReversedRun& reversed = pair.response.reversed.emplace();
+    reversed.collapse = other->collapse;
+    reversed.collapse_no_contact = other->collapse_no_contact;
+    reversed.has_contact = other->has_contact;
+    if (other->has_contact) {
+      reversed.points = part(other->points, point, of.contacts.size());
+      reversed.watched = part(other->watched, watched, of.watched.size());
+    }
+  }
   for (const Index b : {of.left, of.right}) {
     const PlanPeaks& free = run.response.buildings_no_contact[b];
     BuildingPeaks& peaks = pair.response.buildings.emplace_back();

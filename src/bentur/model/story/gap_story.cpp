@@ -43,27 +43,32 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
   return statement;
 }
 
-const char* need_kind(const GoverningLevel& level) {
-  const bool touch = level.width == 0 && level.gap_needed == 0;
-  return touch ? "gap_touch" : level.is_short() ? "gap_short" : "gap_enough";
+const Judgement& judged_of(const GapView& facts, Eigen::Index gap) {
+  return facts.judged.at(static_cast<std::size_t>(gap));
+}
+
+/// "to spare" is said of what is judged enough alone.
+const char* need_kind(const GoverningLevel& level, const Judgement& judged) {
+  if (judged.alone) return level.is_short() ? "gap_short_alone" : "gap_need_alone";
+  if (level.is_short()) return "gap_short";
+  if (!judged.is_enough()) return "gap_need";
+  return level.width == 0 && level.gap_needed == 0 ? "gap_touch" : "gap_enough";
 }
 
 void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
                    std::vector<Statement>& statements) {
   const auto level = governing_reversed(levels, facts.scale(gap));
-  if (level) {
-    const char* const kind = level->is_short() ? "reversed_short" : "reversed_enough";
+  const GapFacts& known = facts.facts.at(static_cast<std::size_t>(gap));
+  const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
+                                    [](const LevelFacts& one) { return one.reversed.need.has_value(); });
+  if (level && is_known) {
+    const char* const kind = judged_of(facts, gap).alone ? "reversed_alone"
+                             : level->is_short()          ? "reversed_short"
+                                                          : "reversed_enough";
     statements.push_back(need_statement(facts, gap, *level, kind));
-  } else if (facts.c.analysis.both_ways && !facts.c.buildings.empty() &&
-             !std::holds_alternative<NoMotion>(facts.problem.motion)) {
+  } else if (known.has_other_way && !facts.c.buildings.empty()) {
     statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = {gap, gap + 1}});
   }
-}
-
-std::vector<RuleFinding> findings_of(const GapView& facts, const std::vector<LevelSeparation>& levels,
-                                     Eigen::Index gap) {
-  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed,
-                       facts.in_plan != nullptr);
 }
 
 /// Where levels are in plan; in a row these columns are left out.
@@ -88,30 +93,34 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   const std::string& length = facts.c.units.length;
   const double scale = facts.scale(gap);
   const auto governing = governing_level(levels, scale);
+  const Judgement& judged = judged_of(facts, gap);
   StoryColumn elevation{"column.elevation", length}, kind{.label = "gap.faces", .are_words = true};
   StoryColumn owner{.label = "gap.floor_of"}, given{"column.given", length};
   StoryColumn needed{facts.response != nullptr ? "column.simulated" : "spectral.difference", length};
   StoryColumn reversed{"column.reversed", length}, abs{"ABS", length}, srss{"SRSS", length}, ddc{"DDC", length};
   StoryColumn verdict{.label = "gap.given_is", .are_words = true}, governs{.label = "", .are_words = true};
   const auto shown = [&](double value) { return value > 0 && !falls_short(0, value, scale) ? 0 : value; };
-  PlaceColumns place(length);
+  PlaceColumns place_columns(length);
   const char* const between = facts.in_plan != nullptr ? "gap.edge" : "gap.column";
   StoryTable table{.kind = "levels", .gap = gap};
   for (auto one = levels.rbegin(); one != levels.rend(); ++one) {
     const FacingLevel& level = one->level;
     const bool is_governing = governing && (level.is_point ? !governing->watched && governing->point == level.index
                                                            : governing->watched == level.index);
-    const bool is_short = falls_short(level.width, std::max(one->gap_needed, reversed_at(*one)), scale);
-    if (is_governing && is_short) table.marked.push_back(elevation.numbers.size());
+    const std::size_t place = static_cast<std::size_t>(levels.rend() - one) - 1;
+    const Sufficiency value = judged.levels.at(place);
+    if (is_governing && value == Sufficiency::too_small) table.marked.push_back(elevation.numbers.size());
     elevation.numbers.push_back(level.elevation);
-    place.add(facts, &level);
+    place_columns.add(facts, &level);
     given.numbers.push_back(level.width);
-    needed.numbers.push_back(shown(one->gap_needed));
-    reversed.numbers.push_back(one->gap_needed_reversed ? shown(*one->gap_needed_reversed) : none);
+    const LevelFacts& facts_of_level = facts.facts.at(static_cast<std::size_t>(gap)).levels.at(place);
+    needed.numbers.push_back(facts_of_level.given.need ? shown(one->gap_needed) : none);
+    const std::optional<double>& other = facts_of_level.reversed.need;
+    reversed.numbers.push_back(other ? shown(*other) : none);
     abs.numbers.push_back(one->abs);
     srss.numbers.push_back(one->srss);
     ddc.numbers.push_back(shown(one->ddc));
-    verdict.texts.emplace_back(is_short ? "gap.too_close" : "gap.wide_enough");
+    verdict.texts.emplace_back(judgement_word(value));
     governs.texts.emplace_back(is_governing ? "gap.governs" : "");
     const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];
     kind.texts.emplace_back(floor == nullptr ? "gap.contact" : floor->facing_floor ? "gap.floor" : between);
@@ -122,7 +131,7 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   };
   const bool watches = std::any_of(owner.texts.begin(), owner.texts.end(), [](const auto& name) { return name != ""; });
   table.columns = {elevation};
-  place.put(facts, table);
+  place_columns.put(facts, table);
   table.columns.insert(table.columns.end(), {given, needed});
   if (known(reversed)) table.columns.push_back(reversed);
   table.columns.insert(table.columns.end(), {abs, srss});
@@ -140,6 +149,8 @@ StoryTable rule_table(const GapView& facts, Eigen::Index gap, const std::vector<
   StoryColumn left{"gap.left_to_line", length}, right{"gap.right_to_line", length}, wording{.label = "gap.wording"};
   PlaceColumns place(length);
   bool property_line = false;
+  const Judgement& judged = judged_of(facts, gap);
+  const bool enough = judged.is_enough();
   StoryTable table{.kind = "rules", .gap = gap};
   for (const RuleFinding& found : findings_of(facts, levels, gap)) {
     const CodeRule* const code = find_code_rule(found.rule);
@@ -149,7 +160,9 @@ StoryTable rule_table(const GapView& facts, Eigen::Index gap, const std::vector<
     asked.numbers.push_back(found.at ? found.gap : none);
     level.numbers.push_back(found.at ? levels[*found.at].level.elevation : none);
     place.add(facts, found.at ? &levels[*found.at].level : nullptr);
-    verdict.texts.emplace_back(found.is_short ? "gap.too_close" : silence_word(found.silence));
+    verdict.texts.emplace_back(found.is_short    ? "gap.too_close"
+                               : found.at && !enough ? "gap.asks_less"
+                                                     : silence_word(found.silence));
     left.numbers.push_back(found.to_left.value_or(none));
     right.numbers.push_back(found.to_right.value_or(none));
     wording.texts.emplace_back(code != nullptr ? code->wording : "–");
@@ -192,6 +205,12 @@ StoryTable screening_table(const GapView& facts, Eigen::Index gap) {
 }
 
 }  // namespace
+
+std::vector<RuleFinding> findings_of(const GapView& facts, const std::vector<LevelSeparation>& levels,
+                                     Eigen::Index gap) {
+  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed,
+                       facts.in_plan != nullptr);
+}
 
 const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation) {
   // Of results read back the record's numbers are not known.
@@ -262,11 +281,23 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
   }
   const GoverningLevel& level = *found;
   if (facts.response == nullptr) {
-    statements.push_back(need_statement(facts, gap, level, level.is_short() ? "spectral_short" : "spectral_enough"));
+    const bool is_enough = judged_of(facts, gap).is_enough();
+    statements.push_back(need_statement(facts, gap, level,
+                                        level.is_short() ? "spectral_short"
+                                        : is_enough      ? "spectral_enough"
+                                                         : "spectral_need"));
     return;
   }
-  statements.push_back(need_statement(facts, gap, level, need_kind(level)));
-  statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation)));
+  const GapFacts& known = facts.facts.at(static_cast<std::size_t>(gap));
+  const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
+                                    [](const LevelFacts& one) { return one.given.need.has_value(); });
+  if (is_known) {
+    statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap))));
+    statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation)));
+  } else {
+    statements.push_back({.kind = "need_unknown", .gap = gap, .buildings = {gap, gap + 1}});
+    statements.back().values = {text_of("left", known.left), text_of("right", known.right)};
+  }
   tell_reversed(facts, gap, levels, statements);
 }
 
@@ -332,6 +363,9 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
   too_close.severity = Severity::warning;
   too_small.kind = "rules_understate";
   silent.kind = "rules_silent";
+  if (!judged_of(facts, gap).is_enough()) {
+    all.kind = "rules_less";
+  }
   for (const RuleFinding& found : findings_of(facts, levels, gap)) {
     const StoryValue title = text_of("rule", found.title);
     if (found.at) {
@@ -341,7 +375,9 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
     } else {
       silent.items.push_back({title, word_of("why", silence_word(found.silence))});
     }
-    if (found.understates && facts.response != nullptr) too_small.items.push_back({title});
+    if (found.lacks && facts.response != nullptr) {
+      too_small.items.push_back({title, value_in("gap", found.most, length), value_in("lacks", *found.lacks, length)});
+    }
   }
   tell_levels_once(too_close);
   tell_levels_once(all);
@@ -366,17 +402,17 @@ std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {
 }  // namespace story
 
 Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  const story::GapView facts{
-      .c = c, .problem = problem, .levels = spectral.levels, .screened = story::screened(c, problem)};
+  const story::GapView facts = story::judged_view_of(c, problem, spectral);
   Story told;
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+    story::tell_judgement(facts, gap, {}, told.statements);
     story::tell_need(facts, gap, told.statements);
     story::tell_rules(facts, gap, told.statements);
     for (StoryTable& table : story::gap_tables(facts, gap)) told.tables.push_back(std::move(table));
   }
   sort_by_severity(told.statements);
   story::tell_quotations(c.code, told.statements);
-  for (Statement& remark : remark_statements(remarks(c, problem))) told.statements.push_back(std::move(remark));
+  put_remarks(remarks(c, problem), told.statements);
   return told;
 }
 

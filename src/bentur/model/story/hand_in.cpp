@@ -127,17 +127,14 @@ void check_hinges(const RunResults& run, Checks& checks) {
   }
 }
 
-/// The largest drift of a building against that which counts as collapse. @param most nothing: none is known
-void check_drift(const std::string& building, bool has_gravity_loads, const std::optional<double>& most, bool falls,
-                 double limit, Checks& checks) {
-  const char* const check = has_gravity_loads ? "check.stability" : "check.drift";
-  const std::string demand = most ? with_unit(of_hundred * *most, "%") : "–";
-  const std::string most_that_stands = with_unit(of_hundred * limit, "%");
-  if (most || falls) {
-    checks.add(check, "collapse_drift", building, demand, most_that_stands, !falls && !(*most > limit));
-  } else {
-    checks.add(check, "collapse_drift", building, demand, most_that_stands, "story.silence.unknown", true);
-  }
+/// The largest drift of a building against that which counts as collapse. Where no gravity acts nothing looks for
+/// collapse, so that no limit is met.
+void check_drift(const std::string& building, bool has_gravity_loads, double most, bool falls, double limit,
+                 Checks& checks) {
+  const bool is_met = !falls && !(most > limit);
+  if (!has_gravity_loads && is_met) return;
+  checks.add(has_gravity_loads ? "check.stability" : "check.drift", "collapse_drift", building,
+             with_unit(of_hundred * most, "%"), with_unit(of_hundred * limit, "%"), is_met);
 }
 
 /// @param response of a row or of buildings in plan
@@ -151,37 +148,83 @@ void check_storeys(const RunResults& run, Checks& checks) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const Building& building = run.problem.buildings[b];
     if (building.is_rigid()) continue;
-    const Eigen::VectorXd& drifts = run.response.buildings[b].drift_ratio;
-    double most = 0;
-    for (Index storey = building.model.first_storey(); storey < drifts.size(); ++storey) {
-      most = std::fmax(most, drifts(storey));
-    }
+    const BuildingPeaks& peaks = run.response.buildings[b];
+    const double most =
+        std::max(largest_drift(peaks.drift_ratio).ratio, largest_drift(peaks.drift_ratio_no_contact).ratio);
     check_drift(building.name, building.has_gravity_loads, most, falls_in(run.response, b), run.problem.collapse_drift,
                 checks);
   }
 }
 
+/// What is judged of a gap that this alone would let pass: "met" is said of a gap that is enough alone.
+const char* passing_word(const GapView& facts, Index gap) {
+  if (facts.judged.empty()) return "check.met";
+  return facts.judged.at(static_cast<std::size_t>(gap)).is_enough() ? "check.met" : "gap.asks_less";
+}
+
+void add_against(const GapView& facts, Index gap, bool is_short, Checks& checks, const std::string& check,
+                 const std::string& by, const std::string& where, const std::string& demand, const std::string& limit) {
+  checks.add(check, by, where, demand, limit, is_short ? "check.not_met" : passing_word(facts, gap), is_short);
+}
+
+/// Contact in the run and in that of the motion reversed, and where no contact is modelled.
+void check_contact(const GapView& view, Index gap, Checks& checks) {
+  if (view.response == nullptr) return;
+  const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
+  if (facts.levels.empty()) return;
+  const Judgement& judged = view.judged.at(static_cast<std::size_t>(gap));
+  for (const auto& [kind, check] : {std::pair(Reason::Kind::contact, "check.contact"),
+                                    std::pair(Reason::Kind::unmodelled, "check.unmodelled")}) {
+    const auto found = std::find_if(judged.reasons.begin(), judged.reasons.end(),
+                                    [&, of = kind](const Reason& one) { return one.kind == of; });
+    if (found != judged.reasons.end()) {
+      const ShownUnits shown = shown_units(view.c.units, *view.response);
+      const bool is_force = kind == Reason::Kind::contact;
+      const std::string demand =
+          !is_force          ? with_unit(found->value, view.c.units.length)
+          : found->value > 0 ? with_unit(shown.force * found->value, shown.units.force)
+                             : std::to_string(found->count);
+      checks.add(check, "check.by_motion", level_text(view, gap, facts.levels.at(*found->level).at.elevation), demand,
+                 "0", false);
+      continue;
+    }
+    const bool known = (!facts.has_other_way || facts.reversed.looked_at) && facts.struck_looked_at[1];
+    checks.add(check, "check.by_motion", gap_name(view.problem, gap), "0", "0",
+               known ? "check.met" : "story.silence.unknown", !known);
+  }
+}
+
 void check_need(const GapView& facts, Index gap, Checks& checks) {
+  check_contact(facts, gap, checks);
   std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   const std::string& length = facts.c.units.length;
-  const auto add = [&](const char* check, const std::string& by) {
+  const auto add = [&](const char* check, bool is_known) {
     const auto found = governing_level(levels, facts.scale(gap));
     if (!found) return;
-    checks.add(check, by, level_text(facts, gap, found->elevation), with_unit(found->gap_needed, length),
-               with_unit(found->width, length), !found->is_short());
+    const std::string where = level_text(facts, gap, found->elevation), limit = with_unit(found->width, length);
+    if (!is_known) {
+      checks.add(check, "check.by_motion", where, "–", limit, "story.silence.unknown", true);
+      return;
+    }
+    add_against(facts, gap, found->is_short(), checks, check, "check.by_motion", where,
+                with_unit(found->gap_needed, length), limit);
   };
-  add(facts.response != nullptr ? "check.gap" : "check.gap_spectrum", "check.by_motion");
-  const bool known = std::all_of(levels.begin(), levels.end(), [](const auto& one) { return one.gap_needed_reversed; });
-  if (facts.response == nullptr || !known) return;
-  for (LevelSeparation& one : levels) one.gap_needed = *one.gap_needed_reversed;
-  add("check.gap_reversed", "check.by_motion");
+  if (facts.response == nullptr) return add("check.gap_spectrum", true);
+  const GapFacts& of = facts.facts.at(static_cast<std::size_t>(gap));
+  const auto is_known = [&](Way way) {
+    return std::all_of(of.levels.begin(), of.levels.end(),
+                       [&](const LevelFacts& one) { return one.in(way).need.has_value(); });
+  };
+  add("check.gap", is_known(Way::given));
+  if (!of.has_other_way) return;
+  for (LevelSeparation& one : levels) one.gap_needed = one.gap_needed_reversed.value_or(0);
+  add("check.gap_reversed", is_known(Way::reversed));
 }
 
 void check_rules(const GapView& facts, Index gap, Checks& checks) {
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   const std::string& length = facts.c.units.length;
-  for (const RuleFinding& found :
-       rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed)) {
+  for (const RuleFinding& found : story::findings_of(facts, levels, gap)) {
     const CodeRule* const code = find_code_rule(found.rule);
     if (code == nullptr) continue;  // no code has it
     const std::string clause(code->clause);
@@ -190,8 +233,8 @@ void check_rules(const GapView& facts, Index gap, Checks& checks) {
       continue;
     }
     const LevelSeparation& level = levels[*found.at];
-    checks.add(found.title, clause, level_text(facts, gap, level.level.elevation), with_unit(found.gap, length),
-               with_unit(level.level.width, length), !found.is_short);
+    add_against(facts, gap, found.is_short, checks, found.title, clause, level_text(facts, gap, level.level.elevation),
+                with_unit(found.gap, length), with_unit(level.level.width, length));
   }
 }
 
@@ -354,7 +397,7 @@ HandIn hand_in(const RunResults& run) {
   check_shears(run, checks);
   check_hinges(run, checks);
   check_storeys(run, checks);
-  HandIn made = hand_in(story::facts_of(run), std::move(checks), &run);
+  HandIn made = hand_in(story::judged_view_of(run), std::move(checks), &run);
   made.assumptions.insert(made.assumptions.begin(), story::model_statement(run));
   return made;
 }
@@ -366,12 +409,8 @@ void check_planes(const PlanRun& run, Checks& checks) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
     if (building.is_rigid()) continue;
-    std::optional<double> most;
-    for (const PlanPeaks::Plane& plane : run.response.buildings[b].planes) {
-      for (const double ratio : plane.drift_ratio) most = std::fmax(most.value_or(0), ratio);  // a slab has none
-    }
-    const Eigen::VectorXd edges = run.response.buildings[b].edge_drift_ratio();
-    if (edges.size() > 0) most = std::fmax(most.value_or(0), edges.maxCoeff());
+    const double with = run.response.buildings[b].largest_drift().ratio;
+    const double most = std::max(with, run.response.buildings_no_contact[b].largest_drift().ratio);
     check_drift(building.name, building.has_gravity_loads(), most, falls_in(run.response, b),
                 run.problem.collapse_drift, checks);
   }
@@ -402,9 +441,10 @@ HandIn hand_in(const PlanRun& run) {
   check_shears(frames, checks);
   check_hinges(frames, checks);
   check_planes(run, checks);
-  for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
+  std::vector<JudgedGap> judged = judged_gaps(run);
+  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
     const RunResults pair = pair_of(run, gap);
-    const GapView facts = story::facts_of(pair);
+    const GapView facts = story::judged_view_of(run, gap, pair, std::move(judged[gap]));
     check_need(facts, 0, checks);
     check_rules(facts, 0, checks);
   }
@@ -424,8 +464,7 @@ HandIn hand_in(const PlanRun& run) {
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   HandIn made =
-      hand_in(GapView{.c = c, .problem = problem, .levels = spectral.levels, .screened = story::screened(c, problem)},
-              {}, nullptr);
+      hand_in(story::judged_view_of(c, problem, spectral), {}, nullptr);
   made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
   return made;
 }

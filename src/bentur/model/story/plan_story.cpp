@@ -34,19 +34,6 @@ const char* corner_word(const Footprint& footprint, const PlanPoint& at) {
   return side(0) < 0 || side(1) < 0 ? nullptr : words[side(0)][side(1)];
 }
 
-/// A statement of a gap, with {left}, {right} and {duration}.
-Statement of_gap(const PlanRun& run, std::size_t g, std::string kind, Severity severity = Severity::finding) {
-  const PlanGap& gap = run.problem.gaps[g];
-  const auto [first, second] = std::minmax(gap.left, gap.right);
-  return {.kind = std::move(kind),
-          .severity = severity,
-          .gap = static_cast<Index>(g),
-          .buildings = {first, second},
-          .values = {
-              text_of("left", run.problem.buildings[first].name), text_of("right", run.problem.buildings[second].name),
-              value_in("duration", run.response.collapse ? run.response.collapse->time : run.problem.duration, "s")}};
-}
-
 /// The hardest impact of a contact; nullptr where it has none.
 const Impact* hardest_of(const PlanRun& run, Index contact) {
   const Impact* hardest = nullptr;
@@ -56,61 +43,59 @@ const Impact* hardest_of(const PlanRun& run, Index contact) {
   return hardest;
 }
 
-void tell_impacts(const PlanRun& run, std::size_t g, bool is_modelled, std::vector<Statement>& statements) {
+/// Completes what is said of buildings that collide.
+void tell_hit(const PlanRun& run, std::size_t g, Statement statement, std::vector<Statement>& statements) {
   const Index first = first_contact(run.problem, g), count = std::ssize(run.problem.gaps[g].contacts);
   long impacts = 0, touched = 0;
-  Index hit = -1;
+  Index hit = first;
   const Impact* hardest = nullptr;
   for (Index i = first; i < first + count; ++i) {
+    const PointSummary& point = run.response.points[i];
+    impacts += point.impacts + point.settling;
+    touched += point.impacts + point.settling > 0 ? 1 : 0;
     const Impact* const one = hardest_of(run, i);
-    impacts += run.response.points[i].impacts;
-    touched += one != nullptr ? 1 : 0;
     if (one == nullptr || (hardest != nullptr && !is_harder(*one, *hardest))) continue;
     hardest = one;
     hit = i;
   }
-  Statement statement = of_gap(run, g, is_modelled ? "no_pounding" : "no_impact");
-  if (hardest != nullptr) {
-    const PlanContactPlace place = contact_at(run.problem, hit);
-    statement.severity = Severity::warning;
-    statement.level = place.contact->elevation;
-    statement.values.push_back(count_of("times", impacts));
-    statement.values.push_back(count_of("touched", touched));
-    statement.values.push_back(count_of("n", count));
-    statement.values.push_back(word_of("points", "story.count.contact_points.many"));
-    const PlanGap& gap = run.problem.gaps[g];
-    story::add_place(run.problem, gap, true, hit - first, run.c.units.length, statement.values);
-    story::tell_blow(run.response.points[hit], hardest, shown_units(run), statement);
-  }
+  statement.severity = Severity::warning;
+  statement.level = contact_at(run.problem, hit).contact->elevation;
+  statement.values.push_back(count_of("times", impacts));
+  statement.values.push_back(count_of("touched", touched));
+  statement.values.push_back(count_of("n", count));
+  statement.values.push_back(word_of("points", "story.count.contact_points.many"));
+  story::add_place(run.problem, run.problem.gaps[g], true, hit - first, run.c.units.length, statement.values);
+  story::tell_blow(run.response.points[hit], hardest, shown_units(run), statement);
   statements.push_back(std::move(statement));
 }
 
 /// What is told of the gaps of rows too, as of a gap in plan.
 class PairStory {
  public:
-  PairStory(const PlanRun& run, std::size_t g)
-      : run_(run), g_(g), pair_(pair_of(run, g)), facts_(story::facts_of(pair_)) {
-    facts_.in_plan = &run.problem.gaps[g];
-    facts_.plan = &run.problem;
-    facts_.screened = {plan_screening(run.c, run.problem, g)};
-  }
+  PairStory(const PlanRun& run, std::size_t g, JudgedGap judged)
+      : run_(run), g_(g), pair_(pair_of(run, g)), view_(story::judged_view_of(run, g, pair_, std::move(judged))) {}
 
-  [[nodiscard]] bool meets_unmodelled() const { return !unmodelled_contacts(pair_.problem, pair_.response, 0).empty(); }
-
-  /// @param tell one of those of story_parts.h
-  void tell(void (*tell)(const story::GapView&, Index, std::vector<Statement>&), std::vector<Statement>& to) const {
-    std::vector<Statement> told;
-    tell(facts_, 0, told);
-    for (Statement& statement : told) {
-      const auto [first, second] = std::minmax(run_.problem.gaps[g_].left, run_.problem.gaps[g_].right);
-      statement.gap = static_cast<Index>(g_);
-      statement.buildings = {first, second};
-      to.push_back(std::move(statement));
+  /// Contact, the need, the rules.
+  void tell(std::vector<Statement>& to) const {
+    const auto hit = [&](Statement one) { tell_hit(run_, g_, std::move(one), to); };
+    const std::size_t before = to.size();
+    story::tell_unmodelled(view_, 0, to);
+    story::tell_judgement(view_, 0, hit, to);
+    story::tell_need(view_, 0, to);
+    story::tell_rules(view_, 0, to);
+    const auto [first, second] = std::minmax(run_.problem.gaps[g_].left, run_.problem.gaps[g_].right);
+    for (std::size_t i = before; i < to.size(); ++i) {
+      to[i].gap = static_cast<Index>(g_);
+      to[i].buildings = {first, second};
+      for (StoryValue& value : to[i].values) {
+        if (value.name == "left") value.value = run_.problem.buildings[first].name;
+        if (value.name == "right") value.value = run_.problem.buildings[second].name;
+      }
     }
   }
 
   void put_tables(std::vector<StoryTable>& to) const {
-    for (StoryTable& table : story::gap_tables(facts_, 0)) {
+    for (StoryTable& table : story::gap_tables(view_, 0)) {
       table.gap = static_cast<Index>(g_);
       to.push_back(std::move(table));
     }
@@ -120,7 +105,7 @@ class PairStory {
   const PlanRun& run_;
   std::size_t g_;
   RunResults pair_;
-  story::GapView facts_;
+  story::GapView view_;
 };
 
 /// Buildings that face one another, have no contact, and could meet by how far both move.
@@ -277,6 +262,16 @@ std::vector<std::string> gap_names(const PlanProblem& problem) {
 
 namespace story {
 
+GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pair, JudgedGap judged) {
+  GapView view = view_of(pair);
+  view.in_plan = &run.problem.gaps[gap];
+  view.plan = &run.problem;
+  view.screened = {plan_screening(run.c, run.problem, gap)};
+  view.facts.push_back(std::move(judged.facts));
+  view.judged.push_back(std::move(judged.judgement));
+  return view;
+}
+
 void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, Index index, const std::string& length,
                std::vector<StoryValue>& values) {
   const double along = is_point ? gap.contacts[index].along : gap.watched[index].along;
@@ -327,14 +322,10 @@ Statement model_statement(const PlanRun& run) {
 
 Story plan_story(const PlanRun& run) {
   Story told;
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    const PairStory pair(run, g);
-    pair.tell(story::tell_unmodelled, told.statements);
-    tell_impacts(run, g, !pair.meets_unmodelled(), told.statements);
-    pair.tell(story::tell_need, told.statements);
-    pair.tell(story::tell_rules, told.statements);
-  }
   tell_collapse(run, told.statements);
+  story::tell_drifts(run, told.statements);
+  std::vector<JudgedGap> judged = judged_gaps(run);
+  for (std::size_t g = 0; g < judged.size(); ++g) PairStory(run, g, std::move(judged[g])).tell(told.statements);
   tell_pairs_without_contact(run, told.statements);
   story::tell_yielding(run, told);
   tell_amplification(run, told.statements);
@@ -342,6 +333,7 @@ Story plan_story(const PlanRun& run) {
   tell_motion(run, told.statements);
   sort_by_severity(told.statements);
   story::tell_quotations(run.c.code, told.statements);
+  put_remarks(run.remarks, told.statements);
   story::tell_rotations(run, told.statements);
   story::tell_ends_of_edges(run, told.statements);
   told.statements.push_back(story::model_statement(run));
@@ -350,18 +342,19 @@ Story plan_story(const PlanRun& run) {
 
 Story plan_gap_story(const PlanRun& run) {
   Story told;
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    const PairStory pair(run, g);
-    pair.tell(story::tell_unmodelled, told.statements);
-    pair.tell(story::tell_need, told.statements);
-    pair.tell(story::tell_rules, told.statements);
+  tell_collapse(run, told.statements);
+  story::tell_drifts(run, told.statements);
+  std::vector<JudgedGap> judged = judged_gaps(run);
+  for (std::size_t g = 0; g < judged.size(); ++g) {
+    const PairStory pair(run, g, std::move(judged[g]));
+    pair.tell(told.statements);
     pair.put_tables(told.tables);
   }
-  tell_collapse(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
   sort_by_severity(told.statements);
   story::tell_quotations(run.c.code, told.statements);
+  put_remarks(run.remarks, told.statements);
   told.statements.push_back(story::model_statement(run));
   return told;
 }

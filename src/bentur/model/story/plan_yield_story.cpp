@@ -15,57 +15,40 @@ std::string plane_name(const PlanRun& run, Index b, std::size_t plane) {
   return run.problem.buildings[b].name + ", " + run.problem.buildings[b].model.planes[plane].name;
 }
 
-/// That a storey drifts beyond what stands for collapse. @param name of what does
-Statement drift_beyond(const PlanRun& run, Index b, const std::string& name, Index storey, double drift) {
-  return {
-      .kind = "drift_beyond",
-      .severity = Severity::danger,
-      .buildings = {b},
-      .level = run.problem.buildings[b].model.elevations[storey],
-      .values = {text_of("building", name), count_of("storey", run.problem.buildings[b].model.storey_number(storey)),
-                 value_in("drift", percent * drift, "%"),
-                 value_in("limit", percent * run.c.analysis.collapse_drift, "%")}};
-}
-
-/// Edges of buildings without planes whose drift does that.
-void tell_edges(const PlanRun& run, std::vector<Statement>& statements) {
-  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    const PlanBuilding& building = run.problem.buildings[b];
-    const Eigen::VectorXd drifts = run.response.buildings[b].edge_drift_ratio();
-    if (drifts.size() == 0 || building.has_gravity_loads()) continue;
-    Index storey = 0;
-    const double most = drifts.maxCoeff(&storey);
-    if (most > run.c.analysis.collapse_drift) {
-      statements.push_back(drift_beyond(run, b, building.name, storey, most));
+/// A storey of a plane, or of the edges of a building without planes, that drifts the most.
+struct Drift {
+  std::string name;  ///< of what does
+  Index storey = 0;
+  double ratio = 0;
+};
+Drift largest_drift(const PlanRun& run, Index b, const PlanPeaks& peaks) {
+  Drift most;
+  const auto take = [&](const std::string& name, const Eigen::VectorXd& ratios) {
+    for (Index storey = 0; storey < ratios.size(); ++storey) {
+      if (ratios(storey) > most.ratio) most = {name, storey, ratios(storey)};
     }
-  }
+  };
+  for (std::size_t p = 0; p < peaks.planes.size(); ++p) take(plane_name(run, b, p), peaks.planes[p].drift_ratio);
+  take(run.problem.buildings[b].name, peaks.edge_drift_ratio());
+  return most;
 }
 
-/// Of each building the plane with the largest ductility and that with the largest drift, where that is beyond what
-/// stands for collapse.
+/// Of each building the plane with the largest ductility.
 void tell_planes(const PlanRun& run, std::vector<Statement>& statements) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const auto& planes = run.response.buildings[b].planes;
-    double ductility = 1, drift = run.c.analysis.collapse_drift;
-    std::optional<std::pair<std::size_t, Index>> yields, drifts;
+    double ductility = 1;
+    std::optional<std::pair<std::size_t, Index>> yields;
     for (std::size_t p = 0; p < planes.size(); ++p) {
-      for (Index f = 0; f < planes[p].drift_ratio.size(); ++f) {
-        const auto& list = planes[p].yielding.ductility;
-        if (f < list.size() && list(f) > ductility) {
-          ductility = list(f);
-          yields = {p, f};
-        }
-        if (planes[p].drift_ratio(f) > drift) {
-          drift = planes[p].drift_ratio(f);
-          drifts = {p, f};
-        }
+      const auto& list = planes[p].yielding.ductility;
+      for (Index f = 0; f < list.size(); ++f) {
+        if (!(list(f) > ductility)) continue;
+        ductility = list(f);
+        yields = {p, f};
       }
     }
-    const PlanModel& model = run.problem.buildings[b].model;
-    if (drifts && !run.problem.buildings[b].has_gravity_loads()) {
-      statements.push_back(drift_beyond(run, b, plane_name(run, b, drifts->first), drifts->second, drift));
-    }
     if (!yields) continue;
+    const PlanModel& model = run.problem.buildings[b].model;
     const auto& alone = run.response.buildings_no_contact[b].planes[yields->first].yielding.ductility;
     statements.push_back(
         {.kind = "storey_yields",
@@ -123,9 +106,26 @@ void tell_lost_strength(const PlanRun& run, std::vector<Statement>& statements) 
 
 }  // namespace
 
+void tell_drifts(const PlanRun& run, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const PlanBuilding& building = run.problem.buildings[b];
+    if (building.is_rigid() || building.has_gravity_loads()) continue;
+    const Drift with = largest_drift(run, b, run.response.buildings[b]);
+    const Drift alone = largest_drift(run, b, run.response.buildings_no_contact[b]);
+    const bool is_alone = alone.ratio > with.ratio;
+    const Drift& worst = is_alone ? alone : with;
+    tell_drift_beyond({.building = b,
+                       .name = worst.name,
+                       .storey = building.model.storey_number(worst.storey),
+                       .level = building.model.elevations[worst.storey],
+                       .ratio = worst.ratio,
+                       .is_alone = is_alone},
+                      run.problem.collapse_drift, statements);
+  }
+}
+
 void tell_yielding(const PlanRun& run, Story& told) {
   tell_planes(run, told.statements);
-  tell_edges(run, told.statements);
   tell_bearings(run, told.statements);
   tell_frames(run, told);
   tell_lost_strength(run, told.statements);

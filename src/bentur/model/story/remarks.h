@@ -18,6 +18,7 @@ struct Remark {
   double value = 0;                            ///< in `unit`
   std::string unit;                            ///< of the case, s, g, % or none
   std::optional<double> usual_from, usual_to;  ///< in `unit`; one side or both
+  bool is_doubt = false;  ///< so far from usual that what was put in may not be meant: nothing that follows is known
 };
 
 /// Of the case alone: sections, stiffness, periods, motion, delays, gaps, output.

@@ -42,6 +42,17 @@ void tell_collapse(const std::optional<Collapse>& with, const std::optional<Coll
   if (without) tell(*without, with ? "collapse_also_alone" : "collapse_alone");
 }
 
+void tell_drift_beyond(const WorstDrift& worst, double limit, std::vector<Statement>& statements) {
+  if (!(worst.ratio > limit)) return;
+  statements.push_back({.kind = worst.is_alone ? "drift_beyond_alone" : "drift_beyond",
+                        .severity = Severity::danger,
+                        .buildings = {worst.building},
+                        .level = worst.level,
+                        .values = {text_of("building", worst.name), count_of("storey", worst.storey),
+                                   value_in("drift", percent * worst.ratio, "%"),
+                                   value_in("limit", percent * limit, "%")}});
+}
+
 std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted) {
   if (loaded == counted) return {};
   return {{word_of("what", loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of")}};
@@ -102,7 +113,25 @@ std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem
   return all;
 }
 
-GapView facts_of(const RunResults& run) {
+GapView judged_view_of(const RunResults& run) {
+  GapView view = view_of(run);
+  for (JudgedGap& one : judged_gaps(run)) {
+    view.facts.push_back(std::move(one.facts));
+    view.judged.push_back(std::move(one.judgement));
+  }
+  return view;
+}
+
+GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
+  GapView view{.c = c, .problem = problem, .levels = spectral.levels, .screened = screened(c, problem)};
+  for (JudgedGap& one : judged_gaps(c, problem, spectral)) {
+    view.facts.push_back(std::move(one.facts));
+    view.judged.push_back(std::move(one.judgement));
+  }
+  return view;
+}
+
+GapView view_of(const RunResults& run) {
   return {.c = run.c,
           .problem = run.problem,
           .response = &run.response,
@@ -134,24 +163,21 @@ void tell_collapse(const RunResults& run, std::vector<Statement>& statements) {
       statements);
 }
 
-/// Storeys that drift beyond what counts as collapse where nothing looks for it, since no gravity acts.
 void tell_drifts(const RunResults& run, std::vector<Statement>& statements) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const Building& building = run.problem.buildings[b];
-    const Eigen::VectorXd& drifts = run.response.buildings[b].drift_ratio;
-    Index worst = -1;
-    for (Index storey = building.model.first_storey(); storey < drifts.size(); ++storey) {
-      if (drifts(storey) > run.problem.collapse_drift && (worst < 0 || drifts(storey) > drifts(worst))) worst = storey;
-    }
-    if (worst < 0 || building.has_gravity_loads) continue;
-    statements.push_back(
-        {.kind = "drift_beyond",
-         .severity = Severity::danger,
-         .buildings = {b},
-         .level = building.model.elevations[worst],
-         .values = {text_of("building", building.name), count_of("storey", building.model.storey_number(worst)),
-                    value_in("drift", percent * drifts(worst), "%"),
-                    value_in("limit", percent * run.problem.collapse_drift, "%")}});
+    const BuildingPeaks& peaks = run.response.buildings[b];
+    if (building.is_rigid() || building.has_gravity_loads) continue;
+    const LargestDrift with = largest_drift(peaks.drift_ratio), alone = largest_drift(peaks.drift_ratio_no_contact);
+    const bool is_alone = alone.ratio > with.ratio;
+    const LargestDrift& worst = is_alone ? alone : with;
+    story::tell_drift_beyond({.building = b,
+                              .name = building.name,
+                              .storey = building.model.storey_number(worst.storey),
+                              .level = building.model.elevations[worst.storey],
+                              .ratio = worst.ratio,
+                              .is_alone = is_alone},
+                             run.problem.collapse_drift, statements);
   }
 }
 
@@ -195,28 +221,26 @@ void tell_columns(const RunResults& run, Index gap, std::vector<Statement>& stat
   }
 }
 
-void tell_impacts(const RunResults& run, const GapOutcome& found, std::vector<Statement>& statements) {
-  const std::string& length = run.c.units.length;
-  const Index gap = found.gap.left;
-  Statement statement{.kind = {}, .gap = gap, .buildings = {gap, gap + 1}};
-  statement.values = {
-      text_of("left", run.problem.buildings[gap].name), text_of("right", run.problem.buildings[gap + 1].name),
-      value_in("duration", run.response.collapse ? run.response.collapse->time : run.problem.duration, "s")};
-  if (found.impacts == 0) {
-    if (!found.unmodelled.empty() && found.gap.points.empty()) return;
-    statement.kind = found.unmodelled.empty() ? "no_pounding" : "no_impact";
-    statements.push_back(std::move(statement));
-    return;
-  }
+/// Completes what is said of buildings that collide.
+void tell_hit(const RunResults& run, const GapOutcome& found, Statement statement, std::vector<Statement>& statements) {
   statement.severity = Severity::warning;
   statement.level = run.problem.points[*found.hardest].elevation;
   statement.values.push_back(count_of("times", found.impacts));
   statement.values.push_back(count_of("touched", found.touched));
   statement.values.push_back(count_of("points", std::ssize(found.gap.points)));
-  statement.values.push_back(value_in("level", *statement.level, length));
+  statement.values.push_back(value_in("level", *statement.level, run.c.units.length));
   story::tell_blow(run.response.points[*found.hardest], hardest_impact(run.response, *found.hardest),
                    shown_units(run.c.units, run.response), statement);
   statements.push_back(std::move(statement));
+}
+
+/// What is said first of a gap, what it needs and what rules ask.
+void tell_gap(const RunResults& run, const GapView& view, const GapOutcome& found, std::vector<Statement>& statements) {
+  const Index gap = found.gap.left;
+  const auto hit = [&](Statement one) { tell_hit(run, found, std::move(one), statements); };
+  story::tell_judgement(view, gap, hit, statements);
+  story::tell_need(view, gap, statements);
+  story::tell_rules(view, gap, statements);
 }
 
 /// The largest of a quantity of floors over all buildings; NaN where none has one.
@@ -325,8 +349,8 @@ void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
                                    value_in("in_g", pga / run.c.units.gravity, "g")}});
 }
 
-/// Of a row of more than two buildings: how many gaps are too narrow, and the worst of them.
-void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& told) {
+/// Of a row of more than two buildings: how many gaps are too small, of how many that is not known, and the worst.
+void tell_row(const RunResults& run, const GapView& view, const std::vector<GapOutcome>& all, Story& told) {
   if (all.size() < 2) return;
   const std::string& length = run.c.units.length;
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
@@ -334,36 +358,36 @@ void tell_row(const RunResults& run, const std::vector<GapOutcome>& all, Story& 
   const ShownUnits shown = shown_units(run.c.units, run.response);
   StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
   StoryTable table{.kind = "row"};
-  const auto lacks = [](const GapOutcome& one) { return one.governing.gap_needed - one.governing.width; };
-  const GapOutcome* worst = &all.front();
-  long tight = 0;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  long small = 0, unknown = 0;
   for (const GapOutcome& one : all) {
-    const bool is_short = one.governing.is_short();
-    if (is_short) table.marked.push_back(name.texts.size());
-    tight += is_short ? 1 : 0;
-    if (lacks(one) > lacks(*worst)) worst = &one;
+    const auto gap = static_cast<std::size_t>(one.gap.left);
+    const Judgement& judged = view.judged.at(gap);
+    const auto& levels = view.facts.at(gap).levels;
+    const bool is_known = std::all_of(levels.begin(), levels.end(), [](const auto& l) { return l.given.need.has_value(); });
+    if (judged.value == Sufficiency::too_small) table.marked.push_back(name.texts.size());
+    small += judged.value == Sufficiency::too_small ? 1 : 0;
+    unknown += judged.value == Sufficiency::not_known ? 1 : 0;
     name.texts.push_back(gap_name(run.problem, one.gap.left));
-    verdict.texts.emplace_back(is_short ? "gap.too_close" : "gap.wide_enough");
+    verdict.texts.emplace_back(story::judgement_word(judged.value));
     given.numbers.push_back(one.governing.width);
-    needed.numbers.push_back(one.governing.gap_needed);
-    lacking.numbers.push_back(is_short ? lacks(one) : std::numeric_limits<double>::quiet_NaN());
+    needed.numbers.push_back(is_known ? one.governing.gap_needed : none);
+    lacking.numbers.push_back(is_known && one.governing.is_short() ? one.governing.gap_needed - one.governing.width : none);
     impacts.texts.push_back(std::to_string(one.impacts));
     const double force = one.hardest ? run.response.points[*one.hardest].peak_force : 0;
-    hardest.numbers.push_back(force > 0 ? shown.force * force : std::numeric_limits<double>::quiet_NaN());
+    hardest.numbers.push_back(force > 0 ? shown.force * force : none);
   }
   table.columns = {name, verdict, given, needed, lacking, impacts, hardest};
   told.tables.push_back(std::move(table));
-  Statement statement{.kind = tight == 0                 ? "row_none"
-                              : tight == std::ssize(all) ? "row_all"
-                                                         : "row_some",
-                      .severity = tight == 0 ? Severity::finding : Severity::warning};
-  statement.values = {count_of("count", std::ssize(all))};
-  if (tight > 0) {
-    statement.values.push_back(count_of("tight", tight));
-    statement.values.push_back(text_of("gap", gap_name(run.problem, worst->gap.left)));
-    statement.values.push_back(value_in("needed", worst->governing.gap_needed, length));
-    statement.values.push_back(value_in("width", worst->governing.width, length));
-  }
+  const long count = std::ssize(all);
+  Statement statement{.kind = small == count    ? "row_all"
+                              : small > 0       ? "row_some"
+                              : unknown > 0     ? "row_unknown"
+                                                : "row_none",
+                      .severity = small + unknown == 0 ? Severity::finding : Severity::warning};
+  statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown)};
+  const bool more = small > 0 && unknown > 0;
+  statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));
 }
 
@@ -380,30 +404,26 @@ std::vector<StoryTable> tables_of(const GapView& facts) {
 void tell_remarks(const RunResults& run, Story& told) {
   sort_by_severity(told.statements);
   story::tell_quotations(run.c.code, told.statements);
-  for (Statement& remark : remark_statements(run.remarks)) told.statements.push_back(std::move(remark));
+  put_remarks(run.remarks, told.statements);
   told.statements.push_back(story::model_statement(run));
 }
 
 }  // namespace
 
 Story run_story(const RunResults& run) {
-  const GapView facts = story::facts_of(run);
+  const GapView view = story::judged_view_of(run);
   std::vector<GapOutcome> all;
   for (const Gap& gap : gaps_of(run.problem)) all.push_back(gap_outcome(run.problem, run.response, gap.left));
   Story told;
   tell_collapse(run, told.statements);
   for (const GapOutcome& found : all) tell_columns(run, found.gap.left, told.statements);
-  for (const GapOutcome& found : all) story::tell_unmodelled(facts, found.gap.left, told.statements);
+  for (const GapOutcome& found : all) story::tell_unmodelled(view, found.gap.left, told.statements);
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
   story::tell_breaking(run, told);
   story::tell_infill(run, told.statements);
-  tell_row(run, all, told);
-  for (const GapOutcome& found : all) {
-    tell_impacts(run, found, told.statements);
-    story::tell_need(facts, found.gap.left, told.statements);
-    story::tell_rules(facts, found.gap.left, told.statements);
-  }
+  tell_row(run, view, all, told);
+  for (const GapOutcome& found : all) tell_gap(run, view, found, told.statements);
   tell_effects(run, told.statements);
   tell_yielding(run, told.statements);
   story::tell_hinges(run, told);
@@ -413,20 +433,20 @@ Story run_story(const RunResults& run) {
 }
 
 Story gap_story(const RunResults& run) {
-  const GapView facts = story::facts_of(run);
+  const GapView view = story::judged_view_of(run);
   Story told;
   tell_collapse(run, told.statements);
+  tell_drifts(run, told.statements);
   for (const Gap& gap : gaps_of(run.problem)) {
-    story::tell_unmodelled(facts, gap.left, told.statements);
-    story::tell_need(facts, gap.left, told.statements);
-    story::tell_rules(facts, gap.left, told.statements);
+    story::tell_unmodelled(view, gap.left, told.statements);
+    tell_gap(run, view, gap_outcome(run.problem, run.response, gap.left), told.statements);
   }
   tell_motion(run, told.statements);
   tell_remarks(run, told);
-  told.tables = tables_of(facts);
+  told.tables = tables_of(view);
   return told;
 }
 
-std::vector<StoryTable> gap_tables_of(const RunResults& run) { return tables_of(story::facts_of(run)); }
+std::vector<StoryTable> gap_tables_of(const RunResults& run) { return tables_of(story::judged_view_of(run)); }
 
 }  // namespace bentur

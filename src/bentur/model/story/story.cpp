@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/story/internal/story_parts.h"
@@ -30,12 +31,13 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
   std::vector<char> told(remarks.size(), 0);
   for (std::size_t i = 0; i < remarks.size(); ++i) {
     const Remark& first = remarks[i];
-    Statement statement{.kind = "remark." + first.key, .severity = Severity::remark};
+    Statement statement{.kind = "remark." + first.key,
+                        .severity = first.is_doubt ? Severity::danger : Severity::remark};
     std::vector<std::string> values;
     long count = 0;
     for (std::size_t k = i; k < remarks.size(); ++k) {
       const Remark& other = remarks[k];
-      if (told[k] != 0 || other.key != first.key || other.usual_from != first.usual_from ||
+      if (told[k] != 0 || other.key != first.key || other.is_doubt != first.is_doubt || other.usual_from != first.usual_from ||
           other.usual_to != first.usual_to) {
         continue;
       }
@@ -63,6 +65,14 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
     statements.push_back(std::move(statement));
   }
   return statements;
+}
+
+void put_remarks(const std::vector<Remark>& remarks, std::vector<Statement>& statements) {
+  std::vector<Statement> doubts;
+  for (Statement& one : remark_statements(remarks)) {
+    (one.severity == Severity::remark ? statements : doubts).push_back(std::move(one));
+  }
+  statements.insert(statements.begin(), std::make_move_iterator(doubts.begin()), std::make_move_iterator(doubts.end()));
 }
 
 void sort_by_severity(std::vector<Statement>& statements) {

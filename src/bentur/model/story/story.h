@@ -91,7 +91,10 @@ void sort_by_severity(std::vector<Statement>& statements);
 /// What rules of [code] ask of the gaps from heights alone, before anything is computed.
 [[nodiscard]] Story height_rules_story(const Case& c, const Problem& problem);
 
-/// Remarks as statements; those that differ in subject and number alone become one.
+/// Remarks as statements; those that differ in subject and number alone become one. A doubt is a danger.
 [[nodiscard]] std::vector<Statement> remark_statements(const std::vector<Remark>& remarks);
+
+/// Puts them with what is said: doubts first, the others last.
+void put_remarks(const std::vector<Remark>& remarks, std::vector<Statement>& statements);
 
 }  // namespace bentur

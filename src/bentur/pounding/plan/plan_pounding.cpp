@@ -433,6 +433,7 @@ void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveO
     if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
     Solution with = free->solve(system.contacts, rest);
     if (!is_over(with.status)) return;
+    reversed.has_contact = true;
     reversed.collapse = collapse_of(problem, with);
     reversed.points.resize(response.points.size());
     summarise(in_places(std::move(with.impacts), places_of(problem)), reversed.points);

@@ -260,6 +260,7 @@ std::vector<CoupledElement> coupled_of(const PlanModel& model) {
 }  // namespace
 
 void stand_frame(PlaneFrame frame, PlanPlane& plane) {
+  plane.frame = std::make_shared<const PlaneFrame>(frame);
   if (!frame.infills.empty() || !frame.nodes.empty()) {
     throw InvalidParameter("frame", plane.name, "must have no infill and no struck columns as a plane");
   }

@@ -32,6 +32,7 @@ struct PlanPlane {
   Eigen::MatrixXd sway_stiffness = {};
   Hinges hinges = {};             ///< of a frame that yields or breaks, over these sways (P-30)
   std::vector<double> bays = {};  ///< of a frame its widths [length], left to right, of pictures alone
+  std::shared_ptr<const PlaneFrame> frame = nullptr;  ///< that it was made of; null: springs, or not known
 };
 
 /// Makes a plane a frame: statically condensed onto the sways of its floors, with its hinges. Its masses are not looked

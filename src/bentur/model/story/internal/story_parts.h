@@ -8,6 +8,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_case.h"
 #include "bentur/model/story/story.h"
 
@@ -26,6 +27,8 @@ struct GapView {
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
   const PlanGap* in_plan = nullptr;                          ///< of the pair of a gap in plan: where its levels are
   const PlanProblem* plan = nullptr;                         ///< likewise: whose gap it is
+  std::vector<GapFacts> facts = {};                          ///< per gap; empty: nothing is judged
+  std::vector<Judgement> judged = {};                        ///< likewise
   [[nodiscard]] double scale(Eigen::Index gap) const;        ///< displacement_scale() [length]; 0 by a spectrum
 };
 
@@ -47,6 +50,15 @@ void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnit
 [[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
 void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
+/// What is said first of a gap: that its buildings collide, that it is too small, that this is not known and why, or
+/// that they stay apart. @param hit tells of contact in the run; it is called where there is some
+void tell_judgement(const GapView& view, Eigen::Index gap, const std::function<void(Statement)>& hit,
+                    std::vector<Statement>& statements);
+/// The word for what a gap, or a level of it, is judged to be.
+[[nodiscard]] const char* judgement_word(Sufficiency value);
+/// A reason as an item of a statement: the word {why} and what fills it.
+[[nodiscard]] std::vector<StoryValue> reason_item(const GapView& view, Eigen::Index gap, const Reason& reason);
+
 /// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.
 void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
@@ -75,13 +87,35 @@ void tell_breaking(const RunResults& run, Story& told);
 
 /// screening() of every gap of a row; nothing where its buildings are not known, as of results that are read back.
 [[nodiscard]] std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem& problem);
-/// Of a run, which must outlive them.
-[[nodiscard]] GapView facts_of(const RunResults& run);
+/// What rules ask of a gap.
+[[nodiscard]] std::vector<RuleFinding> findings_of(const GapView& view, const std::vector<LevelSeparation>& levels,
+                                                   Eigen::Index gap);
+/// The gaps of a run, which must outlive it; nothing is judged yet.
+[[nodiscard]] GapView view_of(const RunResults& run);
+/// The same of a row, judged.
+[[nodiscard]] GapView judged_view_of(const RunResults& run);
+/// Of gaps by a spectrum.
+[[nodiscard]] GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral);
+/// The same of a gap in plan. @param pair pair_of() the run, which must outlive it as the run must
+[[nodiscard]] GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pair, JudgedGap judged);
 /// Collapses with contact and without: {building}, {storey}, {time} and {limit}. @param place name of the building and
 /// number of the storey
 void tell_collapse(const std::optional<Collapse>& with, const std::optional<Collapse>& without, double drift,
                    const std::function<std::pair<std::string, Eigen::Index>(const Collapse&)>& place,
                    std::vector<Statement>& statements);
+/// The storey of a building that drifts the most.
+struct WorstDrift {
+  Eigen::Index building = 0;
+  std::string name;         ///< of the building, or of the plane of it
+  Eigen::Index storey = 0;  ///< its number, for people
+  double level = 0;         ///< of the floor above it [length]
+  double ratio = 0;
+  bool is_alone = false;  ///< without contact
+};
+/// That it drifts beyond what counts as collapse, if it does, where nothing looks for that since no gravity acts.
+void tell_drift_beyond(const WorstDrift& worst, double limit, std::vector<Statement>& statements);
+/// The same of every building in plan.
+void tell_drifts(const PlanRun& run, std::vector<Statement>& statements);
 /// The item of model_statement() where gravity acts on `loaded` of so many buildings.
 [[nodiscard]] std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted);
 /// The storey that has least of its strength left of those that have softened, from 0; −1: none has.

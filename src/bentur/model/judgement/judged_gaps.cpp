@@ -1,0 +1,146 @@
+#include "bentur/model/judgement/judged_gaps.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/plan/plan_pair.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// @param buildings of a row or in plan
+template <class Buildings>
+std::optional<Fall> fall_of(const std::optional<Collapse>& collapse, const Buildings& buildings) {
+  if (!collapse) return std::nullopt;
+  const auto& building = buildings.at(static_cast<std::size_t>(collapse->building));
+  return Fall{building.name, building.model.storey_number(collapse->storey), collapse->time};
+}
+
+bool bears_gravity(const Building& building) { return building.has_gravity_loads; }
+bool bears_gravity(const PlanBuilding& building) { return building.has_gravity_loads(); }
+
+/// Drifts beyond collapse of those buildings in which nothing looks for it.
+/// @param drifts largest one of each building
+template <class Buildings>
+std::vector<Beyond> beyond(const std::vector<LargestDrift>& drifts, const Buildings& buildings, double limit) {
+  std::vector<Beyond> found;
+  for (std::size_t b = 0; b < buildings.size() && b < drifts.size(); ++b) {
+    if (bears_gravity(buildings[b]) || !(drifts[b].ratio > limit)) continue;
+    found.push_back({buildings[b].name, buildings[b].model.storey_number(drifts[b].storey), drifts[b].ratio});
+  }
+  return found;
+}
+
+/// What rows and plans tell alike.
+template <class Run>
+RunFacts common_facts(const Run& run, const std::vector<LargestDrift>& drifts, bool moves) {
+  RunFacts facts;
+  facts.given = {.looked_at = true,
+                 .fall = fall_of(run.response.collapse_no_contact, run.problem.buildings),
+                 .fall_with_contact = fall_of(run.response.collapse, run.problem.buildings),
+                 .drifts = beyond(drifts, run.problem.buildings, run.problem.collapse_drift)};
+  facts.has_other_way = moves;
+  if (const auto& other = run.response.reversed) {
+    facts.reversed = {.looked_at = true,
+                      .fall = fall_of(other->collapse_no_contact, run.problem.buildings),
+                      .fall_with_contact = fall_of(other->collapse, run.problem.buildings),
+                      .drifts = beyond(other->drifts, run.problem.buildings, run.problem.collapse_drift)};
+  }
+  facts.doubts = doubts_of(run.remarks);
+  for (const auto& building : run.problem.buildings) facts.names.push_back(building.name);
+  return facts;
+}
+
+/// @param row of a gap's own, or the row of two that a gap in plan is
+/// @param gap of that row; `number`: of the whole run
+JudgedGap judged(const RunResults& row, const std::vector<LevelSeparation>& all, Index gap, std::size_t number,
+                 const RunFacts& run, bool in_plan) {
+  const std::vector<LevelSeparation> levels = of_gap(all, gap);
+  const double scale = displacement_scale(row.problem, row.response, gap);
+  const bool collapsed = row.response.collapse_no_contact.has_value();
+  JudgedGap made{.facts = gap_facts(row.problem, row.response, gap, levels,
+                                    rule_findings(row.problem, levels, row.c.code, scale, collapsed, in_plan), run,
+                                    run.others_close(number)),
+                 .judgement = {}};
+  made.judgement = judge(made.facts);
+  return made;
+}
+
+}  // namespace
+
+RunFacts run_facts(const RunResults& run) {
+  std::vector<LargestDrift> drifts;
+  for (const BuildingPeaks& peaks : run.response.buildings) {
+    drifts.push_back(largest_drift(peaks.drift_ratio_no_contact));
+  }
+  RunFacts facts = common_facts(run, drifts, !std::holds_alternative<NoMotion>(run.problem.motion));
+  for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
+    facts.names.push_back(gap_name(run.problem, gap));
+    facts.closes.push_back(closes_either_way(run.problem, run.response, gap));
+  }
+  return facts;
+}
+
+RunFacts run_facts(const PlanRun& run) {
+  std::vector<LargestDrift> drifts;
+  for (const PlanPeaks& peaks : run.response.buildings_no_contact) drifts.push_back(peaks.largest_drift());
+  const bool moves = std::any_of(run.problem.motions.begin(), run.problem.motions.end(),
+                                 [](const GroundMotion& one) { return !std::holds_alternative<NoMotion>(one); });
+  RunFacts facts = common_facts(run, drifts, moves);
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const RunResults pair = pair_of(run, g);
+    facts.names.push_back(gap_name(run.problem, run.problem.gaps[g]));
+    facts.closes.push_back(closes_either_way(pair.problem, pair.response, 0));
+  }
+  return facts;
+}
+
+std::vector<JudgedGap> judged_gaps(const RunResults& run) {
+  const RunFacts facts = run_facts(run);
+  const auto levels = separations(run.problem, run.response, run.c.code, run.c.units);
+  std::vector<JudgedGap> all;
+  for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
+    all.push_back(judged(run, levels, gap, static_cast<std::size_t>(gap), facts, false));
+  }
+  return all;
+}
+
+std::vector<JudgedGap> judged_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
+  RunFacts facts;
+  facts.given.looked_at = true;
+  facts.has_other_way = false;
+  facts.doubts = doubts_of(remarks(c, problem));
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    facts.names.push_back(building.name);
+    const CapacityDemand& most = spectral.demands.at(b);
+    if (!(most.ratio > 1)) continue;
+    facts.given.capacities.push_back({building.name, building.model.storey_number(most.storey), most.ratio});
+  }
+  for (Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) facts.names.push_back(gap_name(problem, gap));
+  std::vector<JudgedGap> all;
+  for (Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+    const std::vector<LevelSeparation> levels = of_gap(spectral.levels, gap);
+    all.push_back({.facts = gap_facts(problem, gap, levels, rule_findings(problem, levels, c.code, 0, false), facts),
+                   .judgement = {}});
+    all.back().judgement = judge(all.back().facts);
+  }
+  return all;
+}
+
+std::vector<JudgedGap> judged_gaps(const PlanRun& run) {
+  const RunFacts facts = run_facts(run);
+  std::vector<JudgedGap> all;
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const RunResults pair = pair_of(run, g);
+    const auto levels = separations(pair.problem, pair.response, pair.c.code, pair.c.units);
+    all.push_back(judged(pair, levels, 0, g, facts, true));
+  }
+  return all;
+}
+
+}  // namespace bentur

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/model/story/internal/remark_list.h"
+
+// What is looked at of buildings, motions and gaps, of rows and plans alike.
+namespace bentur::remarking {
+
+/// A building that moves.
+struct BuildingLook {
+  const std::string& name;
+  double omega = 0;          ///< Ïâ [rad/s]; 0: of a free body
+  double damping_rate = 0;   ///< 2Î¶Ï of its first mode [1/s]
+  bool on_bearings = false;  ///< which are there to change both
+  std::size_t storeys = 0;   ///< above bearings
+  const std::vector<double>& heights;
+  const std::vector<double>& masses;
+  double width = 0;  ///< [length]; 0: not known
+  std::optional<double> stiffness_factor = {};
+  std::vector<const PlaneFrame*> frames = {};
+};
+void check_building(const BuildingLook& look, const Units& units, List& list);
+
+/// What came out of a building, over both responses.
+struct ResponseLook {
+  const std::string& name;
+  double drift = 0;                     ///< largest over the height [-]
+  std::optional<double> base_shear = {};  ///< largest over the weight [-]
+  bool yields = false;
+  long broken_columns = 0;
+};
+void check_response(const ResponseLook& look, List& list);
+
+/// One component of the ground's motion. @param subject "" where there is one alone
+void check_motion(const GroundMotion& motion, const ExcitationSpec& excitation, const std::string& subject,
+                  double duration, const Units& units, List& list);
+void check_delays(const std::vector<std::string>& names, const std::vector<double>& delays, double duration,
+                  List& list);
+/// Whether the times of a record are those of an earthquake in seconds.
+void check_record(const RecordEcho& record, const std::string& subject, List& list);
+/// Factors of codes that amplify displacements under reduced forces, beside a motion.
+void check_codes(const CodeSpec& code, List& list);
+/// @param stiffness of a contact that has one [force/length]
+void check_contact(const std::string& gap, double width, std::optional<double> stiffness, const Units& units,
+                   List& list);
+/// What came out of a gap. @param penetration [length] @param slow_starts impacts
+void check_impacts(const std::string& gap, double penetration, int slow_starts, List& list);
+/// @param omegas Ïâ of all buildings [rad/s]
+void check_output(double step, const std::vector<double>& omegas, double duration, List& list);
+void check_discrepancies(const std::vector<Discrepancy>& found, List& list);
+
+}  // namespace bentur::remarking

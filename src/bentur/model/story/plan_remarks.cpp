@@ -1,0 +1,129 @@
+#include <algorithm>
+
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/story/internal/remark_checks.h"
+#include "bentur/model/story/plan_story.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+using namespace remarking;
+
+void check_buildings(const PlanCase& c, const PlanProblem& problem, List& list) {
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const PlanBuilding& building = problem.buildings[b];
+    if (building.is_rigid()) continue;
+    const PlanModel& model = building.model;
+    const Eigen::Vector2d size = model.footprint.size;
+    BuildingLook look{.name = building.name,
+                      .omega = building.modes.omega(0),
+                      .damping_rate = building.modal_damping(0, 0),
+                      .on_bearings = model.slab.has_value(),
+                      .storeys = static_cast<std::size_t>(model.floors() - model.first_storey()),
+                      .heights = model.storey_heights,
+                      .masses = model.floor_masses,
+                      .width = size.minCoeff()};
+    if (b < c.buildings.size() && !c.buildings[b].is_rigid()) {
+      for (const PlanPlane& plane : std::get<Plan>(c.buildings[b].structure).planes) {
+        if (plane.frame) look.frames.push_back(plane.frame.get());
+      }
+    }
+    check_building(look, c.units, list);
+  }
+}
+
+/// Elastic stiffness of a level of a gap, of all its points together, where its law has one.
+std::optional<double> stiffness_of(const PlanGap& gap, const ContactSpec& contact) {
+  if (gap.contacts.empty() || contact.law == "hertz" || contact.law == "hertz-damp" || contact.law == "jankowski") {
+    return std::nullopt;
+  }
+  std::optional<double> sum;
+  for (const PlanContact& one : gap.contacts) {
+    if (one.elevation != gap.contacts.front().elevation) break;
+    for (const auto& [key, value] : one.law->parameters()) {
+      if (key == "stiffness") sum = sum.value_or(0) + value;
+    }
+  }
+  return sum;
+}
+
+void check_before(const PlanCase& c, const PlanProblem& problem, List& list) {
+  check_buildings(c, problem, list);
+  for (std::size_t g = 0; g < problem.gaps.size() && g < c.gaps.size(); ++g) {
+    const PlanGap& gap = problem.gaps[g];
+    check_contact(gap_name(problem, gap), gap.stretch.width, stiffness_of(gap, c.gaps[g].contact), c.units, list);
+  }
+  const bool both = std::none_of(problem.motions.begin(), problem.motions.end(), [](const GroundMotion& motion) {
+    return std::holds_alternative<NoMotion>(motion);
+  });
+  constexpr const char* axes[] = {"x", "y"};
+  for (const std::size_t i : {0U, 1U}) {
+    const char* const subject = both ? axes[i] : "";
+    if (c.excitation[i].record) check_record(*c.excitation[i].record, subject, list);
+    check_motion(problem.motions[i], c.excitation[i], subject, problem.duration, c.units, list);
+  }
+  std::vector<std::string> names;
+  std::vector<double> omegas;
+  for (const PlanBuilding& building : problem.buildings) {
+    names.push_back(building.name);
+    omegas.push_back(building.is_rigid() ? 0 : building.modes.omega(0));
+  }
+  check_delays(names, problem.delays, problem.duration, list);
+  check_codes(c.code, list);
+  check_output(c.analysis.output_step, omegas, problem.duration, list);
+}
+
+ResponseLook look_of(const PlanBuilding& building, const PlanPeaks& with, const PlanPeaks& alone, double gravity) {
+  ResponseLook look{.name = building.name, .drift = std::max(with.largest_drift().ratio, alone.largest_drift().ratio)};
+  const Index storey = building.model.first_storey();
+  double weight = 0, shear = 0;
+  for (const double mass : building.model.floor_masses) weight += mass * gravity;
+  for (const PlanPeaks* const peaks : {&with, &alone}) {
+    for (const Eigen::VectorXd* const list : {&peaks->shear_x, &peaks->shear_y}) {
+      if (storey < list->size()) shear = std::max(shear, (*list)(storey));
+    }
+    for (const PlanPeaks::Plane& plane : peaks->planes) {
+      look.yields = look.yields || plane.yielding.ductility.size() > 0 || !plane.frame.hinges.empty();
+    }
+  }
+  for (const PlanPeaks::Plane& plane : with.planes) {
+    look.broken_columns += std::count_if(plane.frame.columns.begin(), plane.frame.columns.end(),
+                                         [](const auto& column) { return column.break_time.has_value(); });
+  }
+  if (weight > 0) look.base_shear = shear / weight;
+  return look;
+}
+
+}  // namespace
+
+std::vector<Remark> remarks(const PlanCase& c, const PlanProblem& problem) {
+  List list(c.units);
+  check_before(c, problem, list);
+  return list.take();
+}
+
+std::vector<Remark> remarks(const PlanCase& c, const PlanProblem& problem, const PlanResponse& response) {
+  List list(c.units);
+  check_before(c, problem, list);
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const PlanBuilding& building = problem.buildings[b];
+    if (building.is_rigid()) continue;
+    check_response(
+        look_of(building, response.buildings.at(b), response.buildings_no_contact.at(b), c.units.gravity), list);
+  }
+  std::size_t point = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    double deepest = 0;
+    int slow_starts = 0;
+    for (std::size_t i = 0; i < gap.contacts.size(); ++i, ++point) {
+      deepest = std::max(deepest, response.points.at(point).peak_penetration);
+      slow_starts += response.points.at(point).slow_starts;
+    }
+    check_impacts(gap_name(problem, gap), deepest, slow_starts, list);
+  }
+  check_discrepancies(response.discrepancies, list);
+  return list.take();
+}
+
+}  // namespace bentur
