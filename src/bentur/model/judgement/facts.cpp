@@ -89,7 +89,7 @@ GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
   facts.scale = displacement_scale(problem, response, gap);
   for (const LevelSeparation& level : levels) facts.levels.push_back(level_facts(level.level, response));
   // Where only this gap can close it does so exactly where it needs more than it has.
-  facts.struck_looked_at[1] = !others_close || (response.reversed && response.reversed->has_contact);
+  facts.reversed.contact_looked_at = !others_close || (response.reversed && response.reversed->has_contact);
   for (const Way way : both_ways) {
     const WayFacts& of = facts.in(way);
     if (of.looked_at && !of.fall && of.drifts.empty()) continue;

@@ -34,7 +34,8 @@ struct Beyond {
 
 /// What happened in one way of the motion, to all buildings.
 struct WayFacts {
-  bool looked_at = false;        ///< without contact
+  bool looked_at = false;           ///< without contact
+  bool contact_looked_at = true;    ///< with contact, where there may be any
   std::optional<Fall> fall = {};  ///< without contact
   std::optional<Fall> fall_with_contact = {};  ///< it ends the run, after which nothing is known of contact
   std::vector<Beyond> drifts = {};
@@ -64,7 +65,6 @@ struct GapFacts {
   WayFacts given, reversed;
   bool has_other_way = true;         ///< the ground moves, so that it can move the other way
   bool others_close = false;         ///< another gap of the row or block closes, either way: its needs are of buildings that meet nobody
-  bool struck_looked_at[2] = {true, true};  ///< whether contact is known, per Way
   std::vector<RuleFinding> rules;    ///< of ABS, SRSS, DDC and [code]
   std::vector<Remark> doubts;        ///< remarks by which what was put in may not be meant
   double scale = 0;                  ///< displacement_scale(), for round-off [length]

@@ -117,8 +117,7 @@ void judge_unknown(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
   beyond(Kind::drift, of.drifts);
   beyond(Kind::capacity, of.capacities);
   const bool needed = way == Way::given || facts.has_other_way;
-  const bool struck_known = facts.struck_looked_at[static_cast<int>(way)];
-  if (needed && (!of.looked_at || !struck_known)) reasons.push_back({.kind = Kind::not_looked_at, .way = way});
+  if (needed && (!of.looked_at || !of.contact_looked_at)) reasons.push_back({.kind = Kind::not_looked_at, .way = way});
 }
 
 }  // namespace

@@ -188,7 +188,7 @@ void check_contact(const GapView& view, Index gap, Checks& checks) {
                  "0", false);
       continue;
     }
-    const bool known = (!facts.has_other_way || facts.reversed.looked_at) && facts.struck_looked_at[1];
+    const bool known = (!facts.has_other_way || facts.reversed.looked_at) && facts.reversed.contact_looked_at;
     checks.add(check, "check.by_motion", gap_name(view.problem, gap), "0", "0",
                known ? "check.met" : "story.silence.unknown", !known);
   }
