@@ -70,7 +70,8 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
 }
 
 /// The gaps over all records of a study.
-std::string study_text(const GapStudy& study, const Words& say) {
+/// @param story what is to be said of it
+std::string study_text(const GapStudy& study, const Story& story, const Words& say) {
   std::string text = study.title.empty() ? "" : study.title + "\n";
   if (study.suite) text += suite_line(*study.suite, say) + "\n";
   if (study.at) {
@@ -80,7 +81,7 @@ std::string study_text(const GapStudy& study, const Words& say) {
   }
   std::vector<std::string> names;
   for (const GapStudy::Between& gap : study.gaps) names.push_back(gap.name);
-  text += "\n" + story_text(names, gap_study_story(study), say, Told::outcome);
+  text += "\n" + story_text(names, story, say, Told::all);
   text += "\n" + wrapped(say(study.suite ? "suite.note" : "cli.gap_study_note")) + "\n";
   if (study.in_plan) text += wrapped(say("cli.gap_study_in_plan")) + "\n";
   if (!study.code.rules.empty()) text += wrapped(say("cli.gap_study_codes")) + "\n";
@@ -88,8 +89,23 @@ std::string study_text(const GapStudy& study, const Words& say) {
 }
 
 void tell_study(const GapArguments& arguments, const GapStudy& study) {
-  print(arguments.json ? gap_study_json(study, version()) : fitted(study_text(study, Words(arguments.language))));
+  print(arguments.json ? gap_study_json(study, version())
+                       : fitted(study_text(study, gap_study_story(study), Words(arguments.language))));
   if (!study.is_whole()) throw Failure(exit_other, "");
+}
+
+/// Of a suite with what happens under its records, as bentur run tells it.
+void tell_suite(const GapArguments& arguments, const Loaded& loaded) {
+  const SuiteRun run = run_records(loaded, true, arguments.language);
+  const GapStudy study = run.is_whole() ? gaps_over_records(loaded, arguments.file, arguments.language) : GapStudy();
+  if (arguments.json) {
+    print(gap_study_json(study, version(), suite_said_json(run, study)));
+  } else {
+    Story story = suite_story(run, study);
+    std::erase_if(story.tables, [](const StoryTable& one) { return one.kind == "suite_runs"; });
+    print(fitted(study_text(study, story, Words(arguments.language))));
+  }
+  if (!run.is_whole() || !study.is_whole()) throw Failure(exit_other, "");
 }
 
 void run_study(const GapArguments& arguments) {
@@ -158,7 +174,7 @@ void run(const GapArguments& arguments) {
   Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   if (loaded.c.excitation.suite) {
-    return tell_study(arguments, gaps_over_records(loaded, arguments.file, arguments.language));
+    return tell_suite(arguments, loaded);
   }
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);
   const RunResults results = simulate(loaded, 0, true, arguments.language);

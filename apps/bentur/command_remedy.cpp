@@ -66,10 +66,11 @@ LeastGaps gaps_of(const RemedyArguments& arguments) {
   const Loaded loaded = load(arguments.study, Purpose::no_run, arguments.language);
   const Case& c = loaded.c;
   if (c.excitation.suite) {
-    const GapStudy study = gaps_over_records(loaded, arguments.study, arguments.language);
-    if (!study.is_whole())
+    const SuiteRun run = run_records(loaded, true, arguments.language);
+    const GapStudy study = run.is_whole() ? gaps_over_records(loaded, arguments.study, arguments.language) : GapStudy();
+    if (!run.is_whole() || !study.is_whole())
       throw Failure(exit_other, error_words("Stopped: not all records are run", arguments.language));
-    return least_gaps(c, study);
+    return least_gaps(run, study);
   }
   if (c.excitation.spectrum) {
     return least_gaps(c, loaded.problem, spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units));

@@ -268,12 +268,13 @@ void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
                                                arguments.language));
   }
   const SuiteRun run = run_records(loaded, !arguments.quiet, arguments.language);
+  const GapStudy gaps = run.is_whole() ? gaps_over_records(loaded, arguments.file, arguments.language) : GapStudy();
   if (arguments.json) {
-    print(suite_run_json(run, version()));
+    print(suite_run_json(run, gaps, version()));
   } else if (!arguments.quiet) {
     const Words say(arguments.language);
     std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
-    text += excitation_line(loaded.c, say) + "\n\n" + story_text(run.problem, suite_run_story(run), say, Told::outcome);
+    text += excitation_line(loaded.c, say) + "\n\n" + story_text(run.problem, suite_story(run, gaps), say, Told::all);
     print(fitted(text + "\n" + wrapped(say("suite.note")) + "\n"));
   }
   if (!run.is_whole()) throw Failure(exit_other, "");

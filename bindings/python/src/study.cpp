@@ -229,8 +229,12 @@ GapStudy suite_gaps(const PyCase& given, const py::object& progress) {
   return *std::move(study);
 }
 
-/// The runs of a case's suite in short, as `bentur run CASE --json` tells them.
-std::string suite_run_text(const PyCase& given, const py::object& progress) {
+/// A case's suite: what happens under its records, and the gaps over them. `progress` goes from 0 to 1 in each.
+struct SuiteResults {
+  SuiteRun run;
+  GapStudy gaps;
+};
+SuiteResults suite_results(const PyCase& given, const py::object& progress) {
   if (!given.c.excitation.suite) throw py::value_error("the case has no suite: excitation.kind must be \"suite\"");
   Watcher watcher(progress);
   std::optional<SuiteRun> run;
@@ -239,7 +243,7 @@ std::string suite_run_text(const PyCase& given, const py::object& progress) {
     run = run_suite(given.c, [&](double fraction) { return watcher(fraction); });
   }
   watcher.rethrow();
-  return suite_run_json(*run, version());
+  return {*std::move(run), suite_gaps(given, progress)};
 }
 
 /// An xarray.Dataset of results, read as a file is. The lock must be held.
@@ -334,16 +338,24 @@ void bind_study(py::module_& module) {
   module.def(
       "suite_gap_json",
       [](const PyCase& given, const py::object& progress) {
-        return gap_study_json(suite_gaps(given, progress), version());
+        const SuiteResults found = suite_results(given, progress);
+        return gap_study_json(found.gaps, version(), suite_said_json(found.run, found.gaps));
       },
       py::arg("case"), py::arg("progress"));
-  module.def("suite_run_json", &suite_run_text, py::arg("case"), py::arg("progress"));
+  module.def(
+      "suite_run_json",
+      [](const PyCase& given, const py::object& progress) {
+        const SuiteResults found = suite_results(given, progress);
+        return suite_run_json(found.run, found.gaps, version());
+      },
+      py::arg("case"), py::arg("progress"));
   module.def("gap_study_json", &gap_study_text, py::arg("file"), py::arg("at"), py::arg("progress"));
   module.def("remedy_json", &remedy_text, py::arg("file"), py::arg("journal"), py::arg("resume"), py::arg("progress"));
   module.def(
       "suite_least_gap_json",
       [](const PyCase& given, const py::object& progress) {
-        return least_gap_json(least_gaps(given.c, suite_gaps(given, progress)), version());
+        const SuiteResults found = suite_results(given, progress);
+        return least_gap_json(least_gaps(found.run, found.gaps), version());
       },
       py::arg("case"), py::arg("progress"));
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),

@@ -34,8 +34,8 @@ int decimals_for(double largest) {
 
 std::string with_decimals(double value, int decimals) {
   if (std::isnan(value)) return "–";
-  if (decimals >= 0 || value == 0) return fmt::format("{:.{}f}", value, std::max(decimals, 0));
   if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
+  if (decimals >= 0 || value == 0) return fmt::format("{:.{}f}", value, std::max(decimals, 0));
   const std::string text = fmt::format("{:.3e}", value);
   const std::size_t at = text.find('e');
   return text.substr(0, at) + times + power_of_ten(std::atoi(text.c_str() + at + 1));
@@ -55,7 +55,7 @@ std::string number(double value) { return without_zeros(with_decimals(value, dec
 std::vector<std::string> column(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values) {
-    largest = std::isnan(value) ? largest : std::max(largest, std::abs(value));
+    largest = !std::isfinite(value) ? largest : std::max(largest, std::abs(value));
   }
   const int most = decimals_for(largest);
   int needed = 0;

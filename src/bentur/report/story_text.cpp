@@ -79,6 +79,14 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
       }
       one.text = subject + ": " + one.text;
     }
+    if (statement.many) {
+      const bool of_all = statement.many->count == statement.many->runs;
+      one.text = say(of_all ? "story.under_all" : "story.under_some",
+                     {{"count", std::to_string(statement.many->count)},
+                      {"runs", say.count("story.count.records", statement.many->runs)},
+                      {"worst", statement.many->worst},
+                      {"text", one.text}});
+    }
     all.push_back(std::move(one));
   }
   return all;

@@ -43,6 +43,9 @@ std::string statements_json(const std::vector<std::string>& names, const std::ve
                 {"values", values_json(statement.values)}};
     if (!statement.subject.empty()) one["subject"] = statement.subject;
     if (!items.empty()) one["items"] = items;
+    if (const auto& many = statement.many) {
+      one["many"] = {{"count", many->count}, {"runs", many->runs}, {"worst", many->worst}};
+    }
     json.push_back(one);
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -7,4 +7,9 @@ namespace bentur {
 /// @param scale of the displacements that the need is the difference of [length]
 [[nodiscard]] bool falls_short(double given, double needed, double scale);
 
+/// A need, or 0 where it is nothing but round-off [length].
+[[nodiscard]] inline double without_round_off(double need, double scale) {
+  return falls_short(0, need, scale) ? need : 0;
+}
+
 }  // namespace bentur

@@ -90,7 +90,7 @@ GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
   for (const LevelSeparation& level : levels) facts.levels.push_back(level_facts(level.level, response));
   // Where only this gap can close it does so exactly where it needs more than it has.
   facts.reversed.contact_looked_at = !others_close || (response.reversed && response.reversed->has_contact);
-  for (const Way way : both_ways) {
+  for (const Way way : ways_of_motion) {
     const WayFacts& of = facts.in(way);
     if (of.looked_at && !of.fall && of.drifts.empty()) continue;
     for (LevelFacts& level : facts.levels) level.in(way).need.reset();
@@ -123,7 +123,7 @@ std::vector<Remark> doubts_of(const std::vector<Remark>& remarks) {
 bool closes_either_way(const Problem& problem, const Response& response, Index gap) {
   for (const FacingLevel& level : facing_levels(problem, gap)) {
     const LevelFacts facts = level_facts(level, response);
-    for (const Way way : both_ways) {
+    for (const Way way : ways_of_motion) {
       if (facts.in(way).impacts > 0) return true;
     }
     if (level.is_point && falls_short(level.width, facts.reversed.need.value_or(0), displacement_scale(problem, response, gap))) return true;

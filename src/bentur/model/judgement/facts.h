@@ -15,7 +15,7 @@ namespace bentur {
 
 /// The ground motion as it is given, or times −1.
 enum class Way { given, reversed };
-inline constexpr Way both_ways[] = {Way::given, Way::reversed};
+inline constexpr Way ways_of_motion[] = {Way::given, Way::reversed};
 
 /// A storey that falls: with its drift, collapse ends a run.
 struct Fall {

@@ -8,29 +8,27 @@
 namespace bentur {
 namespace {
 
-using Kind = Reason::Kind;
-
-std::string_view word_of_kind(Kind kind) {
+std::string_view word_of_kind(Reason::Kind kind) {
   switch (kind) {
-    case Kind::contact:
+    case Reason::Kind::contact:
       return "contact";
-    case Kind::unmodelled:
+    case Reason::Kind::unmodelled:
       return "unmodelled contact";
-    case Kind::need:
+    case Reason::Kind::need:
       return "need";
-    case Kind::rule:
+    case Reason::Kind::rule:
       return "rule";
-    case Kind::collapse:
+    case Reason::Kind::collapse:
       return "collapse";
-    case Kind::drift:
+    case Reason::Kind::drift:
       return "drift beyond collapse";
-    case Kind::capacity:
+    case Reason::Kind::capacity:
       return "beyond capacity";
-    case Kind::doubt:
+    case Reason::Kind::doubt:
       return "doubt";
-    case Kind::motion_left:
+    case Reason::Kind::motion_left:
       return "motion left";
-    case Kind::not_looked_at:
+    case Reason::Kind::not_looked_at:
       break;
   }
   return "not looked at";
@@ -38,7 +36,7 @@ std::string_view word_of_kind(Kind kind) {
 
 /// Of one way of the motion the level that is struck hardest.
 void judge_contact(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
-  Reason contact{.kind = Kind::contact, .way = way};
+  Reason contact{.kind = Reason::Kind::contact, .way = way};
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     const LevelFacts::OneWay& level = facts.levels[i].in(way);
     if (level.impacts == 0) continue;
@@ -49,7 +47,7 @@ void judge_contact(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
     contact.width = facts.levels[i].at.width;
   }
   if (contact.level) reasons.push_back(contact);
-  Reason deepest{.kind = Kind::unmodelled, .way = way};
+  Reason deepest{.kind = Reason::Kind::unmodelled, .way = way};
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     const double depth = facts.levels[i].in(way).depth;
     if (!(depth > deepest.value)) continue;
@@ -62,7 +60,7 @@ void judge_contact(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
 
 /// The level that falls short the most without contact, and what may still come.
 void judge_need(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
-  Reason need{.kind = Kind::need, .way = way}, left{.kind = Kind::motion_left, .way = way};
+  Reason need{.kind = Reason::Kind::need, .way = way}, left{.kind = Reason::Kind::motion_left, .way = way};
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     const FacingLevel& at = facts.levels[i].at;
     const auto take = [&](const std::optional<double>& asked, Reason& of) {
@@ -85,7 +83,7 @@ void judge_need(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
 void judge_rules(const GapFacts& facts, std::vector<Reason>& reasons) {
   for (const RuleFinding& found : facts.rules) {
     if (!found.is_short || !found.at || find_code_rule(found.rule) == nullptr) continue;
-    reasons.push_back({.kind = Kind::rule,
+    reasons.push_back({.kind = Reason::Kind::rule,
                        .level = found.at,
                        .value = found.gap,
                        .width = facts.levels.at(*found.at).at.width,
@@ -98,26 +96,26 @@ void judge_unknown(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
   const WayFacts& of = facts.in(way);
   if (of.fall) {
     reasons.push_back(
-        {.kind = Kind::collapse, .way = way, .value = of.fall->time, .subject = of.fall->building, .storey = of.fall->storey});
+        {.kind = Reason::Kind::collapse, .way = way, .value = of.fall->time, .subject = of.fall->building, .storey = of.fall->storey});
   }
-  const auto beyond = [&](Kind kind, const std::vector<Beyond>& found) {
+  const auto beyond = [&](Reason::Kind kind, const std::vector<Beyond>& found) {
     for (const Beyond& one : found) {
       reasons.push_back(
           {.kind = kind, .way = way, .value = one.ratio, .subject = one.building, .storey = one.storey});
     }
   };
   if (const auto& fall = of.fall_with_contact; fall && !of.fall) {
-    reasons.push_back({.kind = Kind::collapse,
+    reasons.push_back({.kind = Reason::Kind::collapse,
                        .way = way,
                        .value = fall->time,
                        .count = 1,
                        .subject = fall->building,
                        .storey = fall->storey});
   }
-  beyond(Kind::drift, of.drifts);
-  beyond(Kind::capacity, of.capacities);
+  beyond(Reason::Kind::drift, of.drifts);
+  beyond(Reason::Kind::capacity, of.capacities);
   const bool needed = way == Way::given || facts.has_other_way;
-  if (needed && (!of.looked_at || !of.contact_looked_at)) reasons.push_back({.kind = Kind::not_looked_at, .way = way});
+  if (needed && (!of.looked_at || !of.contact_looked_at)) reasons.push_back({.kind = Reason::Kind::not_looked_at, .way = way});
 }
 
 }  // namespace
@@ -137,24 +135,26 @@ std::string word_of(const Reason& reason) {
   return std::string(word_of_kind(reason.kind)) + (reason.way == Way::reversed ? " reversed" : "");
 }
 
-bool says_too_small(Kind kind) { return kind <= Kind::rule; }
+bool says_too_small(Reason::Kind kind) { return kind <= Reason::Kind::rule; }
+
+bool is_by_motion(Reason::Kind kind) { return kind < Reason::Kind::rule; }
 
 Judgement judge(const GapFacts& facts) {
   Judgement made{.alone = facts.others_close};
   std::vector<Reason>& reasons = made.reasons;
-  for (const Way way : both_ways) judge_contact(facts, way, reasons);
-  for (const Way way : both_ways) judge_need(facts, way, reasons);
+  for (const Way way : ways_of_motion) judge_contact(facts, way, reasons);
+  for (const Way way : ways_of_motion) judge_need(facts, way, reasons);
   judge_rules(facts, reasons);
-  for (const Way way : both_ways) judge_unknown(facts, way, reasons);
+  for (const Way way : ways_of_motion) judge_unknown(facts, way, reasons);
   for (std::size_t i = 0; i < facts.doubts.size(); ++i) {
-    reasons.push_back({.kind = Kind::doubt, .count = static_cast<long>(i), .subject = facts.doubts[i].subject});
+    reasons.push_back({.kind = Reason::Kind::doubt, .count = static_cast<long>(i), .subject = facts.doubts[i].subject});
   }
   std::stable_sort(reasons.begin(), reasons.end(), [](const Reason& a, const Reason& b) { return a.kind < b.kind; });
   const bool is_known =
       std::all_of(reasons.begin(), reasons.end(), [](const Reason& one) { return says_too_small(one.kind); });
   made.levels.assign(facts.levels.size(), is_known ? Sufficiency::enough : Sufficiency::not_known);
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
-    for (const Way way : both_ways) {
+    for (const Way way : ways_of_motion) {
       const LevelFacts::OneWay& level = facts.levels[i].in(way);
       const bool is_short = level.need && falls_short(facts.levels[i].at.width, *level.need, facts.scale);
       if (is_short || level.impacts > 0 || level.depth > 0) made.levels[i] = Sufficiency::too_small;
@@ -166,6 +166,69 @@ Judgement judge(const GapFacts& facts) {
   if (!reasons.empty()) {
     made.value = says_too_small(reasons.front().kind) ? Sufficiency::too_small : Sufficiency::not_known;
   }
+  return made;
+}
+
+namespace {
+
+/// Whether one reason is worse than another of its kind: what comes earlier, or is larger.
+bool is_worse(const Reason& one, const Reason& other) {
+  if (one.kind == Reason::Kind::collapse) return one.value < other.value;
+  return one.value - one.width > other.value - other.width;
+}
+
+Sufficiency sufficiency_of(const std::vector<Reason>& reasons) {
+  if (reasons.empty()) return Sufficiency::enough;
+  const bool is_small = std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return says_too_small(r.kind); });
+  return is_small ? Sufficiency::too_small : Sufficiency::not_known;
+}
+
+}  // namespace
+
+Sufficiency without_rules(const Judgement& judgement) {
+  std::vector<Reason> reasons = judgement.reasons;
+  std::erase_if(reasons, [](const Reason& one) { return one.kind == Reason::Kind::rule; });
+  return sufficiency_of(reasons);
+}
+
+JudgementOfMany judge(const std::vector<Judgement>& of_runs, const std::vector<Reason>& of_rules) {
+  JudgementOfMany made{.runs = static_cast<long>(of_runs.size())};
+  for (std::size_t run = 0; run < of_runs.size(); ++run) {
+    std::vector<Reason> reasons = of_runs[run].reasons;
+    std::erase_if(reasons, [](const Reason& one) { return one.kind == Reason::Kind::rule; });
+    switch (sufficiency_of(reasons)) {
+      case Sufficiency::too_small:
+        ++made.too_small;
+        break;
+      case Sufficiency::not_known:
+        ++made.not_known;
+        break;
+      case Sufficiency::enough:
+        ++made.enough;
+        break;
+    }
+    for (auto one = reasons.begin(); one != reasons.end(); ++one) {
+      const auto found = std::find_if(made.reasons.begin(), made.reasons.end(), [&](const auto& known) {
+        return known.worst.kind == one->kind && known.worst.way == one->way;
+      });
+      if (found == made.reasons.end()) {
+        made.reasons.push_back({*one, run, 1});
+        continue;
+      }
+      const bool is_first =
+          std::none_of(reasons.begin(), one, [&](const Reason& r) { return r.kind == one->kind && r.way == one->way; });
+      found->runs += is_first ? 1 : 0;
+      if (!is_worse(*one, found->worst)) continue;
+      found->worst = *one;
+      found->run = run;
+    }
+  }
+  for (const Reason& one : of_rules) made.reasons.push_back({one, 0, made.runs});
+  std::stable_sort(made.reasons.begin(), made.reasons.end(),
+                   [](const auto& a, const auto& b) { return a.worst.kind < b.worst.kind; });
+  made.value = !of_rules.empty() || made.too_small > 0 ? Sufficiency::too_small
+               : made.not_known > 0                    ? Sufficiency::not_known
+                                                       : Sufficiency::enough;
   return made;
 }
 

@@ -45,6 +45,8 @@ struct Reason {
 [[nodiscard]] std::string word_of(const Reason& reason);
 /// Whether a gap is too small for this reason; else it is why that is not known.
 [[nodiscard]] bool says_too_small(Reason::Kind kind);
+/// Whether it does by how the buildings move, not by a rule.
+[[nodiscard]] bool is_by_motion(Reason::Kind kind);
 
 /// What is known of one gap.
 struct Judgement {
@@ -58,5 +60,25 @@ struct Judgement {
 
 /// The one judgement of a gap, from all facts: "enough", "to spare", "met", "stay apart" are said by it alone.
 [[nodiscard]] Judgement judge(const GapFacts& facts);
+
+/// What is known of one gap in many runs: of the records of a suite, of the points of a study.
+struct JudgementOfMany {
+  /// Of a kind of reason and a way of the motion the worst, in which run, and in how many runs there is one.
+  struct Found {
+    Reason worst;
+    std::size_t run = 0;
+    long runs = 0;
+  };
+  Sufficiency value = Sufficiency::enough;  ///< the worst of all
+  long runs = 0, too_small = 0, not_known = 0, enough = 0;
+  std::vector<Found> reasons = {};  ///< worst first
+
+  [[nodiscard]] bool is_enough() const { return value == Sufficiency::enough; }
+};
+/// What is judged of a gap but for what rules ask.
+[[nodiscard]] Sufficiency without_rules(const Judgement& judgement);
+/// The union of what is judged of a gap in many runs. What rules ask of single runs is left out, as codes take records
+/// together. @param of_rules what they ask of all runs together and is not given
+[[nodiscard]] JudgementOfMany judge(const std::vector<Judgement>& of_runs, const std::vector<Reason>& of_rules);
 
 }  // namespace bentur

@@ -1,53 +1,49 @@
-#include <algorithm>
+#include "bentur/model/story/judgement_story.h"
 
+#include <algorithm>
+#include <limits>
+
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur::story {
 namespace {
 
 using Eigen::Index;
-using Kind = Reason::Kind;
-
 std::string reason_key(const Reason& reason) {
   std::string key = "reason.";
   switch (reason.kind) {
-    case Kind::contact:
+    case Reason::Kind::contact:
       key += reason.value > 0 ? "contact" : "contact_impulse";
       break;
-    case Kind::unmodelled:
+    case Reason::Kind::unmodelled:
       key += "unmodelled";
       break;
-    case Kind::need:
+    case Reason::Kind::need:
       key += "need";
       break;
-    case Kind::rule:
+    case Reason::Kind::rule:
       return key + "rule";
-    case Kind::collapse:
+    case Reason::Kind::collapse:
       key += reason.count == 1 ? "collapse_contact" : "collapse";
       break;
-    case Kind::drift:
+    case Reason::Kind::drift:
       key += "drift";
       break;
-    case Kind::capacity:
+    case Reason::Kind::capacity:
       return key + "beyond_capacity";
-    case Kind::doubt:
+    case Reason::Kind::doubt:
       return key + "doubt";
-    case Kind::motion_left:
+    case Reason::Kind::motion_left:
       key += "motion_left";
       break;
-    case Kind::not_looked_at:
+    case Reason::Kind::not_looked_at:
       return key + "not_looked_at";
   }
   return key + (reason.way == Way::reversed ? "_reversed" : "");
 }
 
 }  // namespace
-
-const char* judgement_word(Sufficiency value) {
-  return value == Sufficiency::too_small   ? "gap.too_close"
-         : value == Sufficiency::not_known ? "gap.not_known"
-                                           : "gap.wide_enough";
-}
 
 std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason& reason) {
   const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
@@ -62,37 +58,37 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
     item.push_back(value_in("short", reason.value - reason.width, length));
   };
   switch (reason.kind) {
-    case Kind::contact: {
+    case Reason::Kind::contact: {
       const ShownUnits shown = shown_units(view.c.units, *view.response);
       item.push_back(count_of("times", reason.count));
       item.push_back(value_in("force", shown.force * reason.value, shown.units.force));
       break;
     }
-    case Kind::unmodelled:
+    case Reason::Kind::unmodelled:
       item.push_back(value_in("depth", reason.value, length));
       break;
-    case Kind::need:
-    case Kind::motion_left:
+    case Reason::Kind::need:
+    case Reason::Kind::motion_left:
       lengths("needed");
       break;
-    case Kind::rule:
+    case Reason::Kind::rule:
       lengths("asked");
       item.push_back(text_of("rule", reason.subject));
       break;
-    case Kind::collapse:
+    case Reason::Kind::collapse:
       item.push_back(value_in("time", reason.value, "s"));
       break;
-    case Kind::drift:
+    case Reason::Kind::drift:
       item.push_back(value_in("drift", percent * reason.value, "%"));
       break;
-    case Kind::capacity:
+    case Reason::Kind::capacity:
       item.push_back(value_in("ratio", reason.value));
       break;
-    case Kind::doubt:
-    case Kind::not_looked_at:
+    case Reason::Kind::doubt:
+    case Reason::Kind::not_looked_at:
       break;
   }
-  if (reason.kind == Kind::collapse || reason.kind == Kind::drift || reason.kind == Kind::capacity) {
+  if (reason.kind == Reason::Kind::collapse || reason.kind == Reason::Kind::drift || reason.kind == Reason::Kind::capacity) {
     item.push_back(text_of("building", reason.subject));
     item.push_back(count_of("storey", static_cast<long>(reason.storey)));
   }
@@ -103,7 +99,7 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
                     std::vector<Statement>& statements) {
   const Judgement& judged = view.judged.at(static_cast<std::size_t>(gap));
   const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
-  const auto has = [&](Kind kind) {
+  const auto has = [&](Reason::Kind kind) {
     return std::any_of(judged.reasons.begin(), judged.reasons.end(),
                        [&](const Reason& one) { return one.kind == kind && one.way == Way::given; });
   };
@@ -113,10 +109,10 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
     const double duration = response->collapse ? response->collapse->time : view.problem.duration;
     statement.values.push_back(value_in("duration", duration, "s"));
   }
-  if (has(Kind::contact)) return hit(std::move(statement));
+  if (has(Reason::Kind::contact)) return hit(std::move(statement));
   const bool has_points = std::any_of(facts.levels.begin(), facts.levels.end(),
                                       [](const LevelFacts& level) { return level.at.is_point; });
-  if (has(Kind::unmodelled)) {
+  if (has(Reason::Kind::unmodelled)) {
     statement.kind = "no_impact";
     if (has_points) statements.push_back(std::move(statement));
     return;
@@ -131,8 +127,8 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
     statement.values.push_back(value_in("width", width, view.c.units.length));
     bool has_doubt = false;  // each of which has a sentence of its own
     for (const Reason& reason : judged.reasons) {
-      if (says_too_small(reason.kind) != is_small || (reason.kind == Kind::doubt && has_doubt)) continue;
-      has_doubt = has_doubt || reason.kind == Kind::doubt;
+      if (says_too_small(reason.kind) != is_small || (reason.kind == Reason::Kind::doubt && has_doubt)) continue;
+      has_doubt = has_doubt || reason.kind == Reason::Kind::doubt;
       statement.items.push_back(reason_item(view, gap, reason));
     }
   } else if (view.response == nullptr) {
@@ -142,3 +138,88 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
 }
 
 }  // namespace bentur::story
+namespace bentur {
+namespace {
+
+ToldJudgement told(const story::GapView& view, Eigen::Index gap, Eigen::Index left, Eigen::Index right) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
+  ToldJudgement made{.left = left, .right = right, .width = none, .judgement = view.judged.at(static_cast<std::size_t>(gap))};
+  for (const LevelFacts& level : facts.levels) {
+    made.width = made.width == made.width ? std::min(made.width, level.at.width) : level.at.width;
+  }
+  for (const Reason& reason : made.judgement.reasons) {
+    made.reasons.push_back(story::reason_item(view, gap, reason));
+    made.elevations.push_back(reason.level ? facts.levels.at(*reason.level).at.elevation : none);
+  }
+  return made;
+}
+
+std::vector<ToldJudgement> told(const story::GapView& view) {
+  std::vector<ToldJudgement> all;
+  for (Eigen::Index gap = 0; gap < std::ssize(view.judged); ++gap) all.push_back(told(view, gap, gap, gap + 1));
+  return all;
+}
+
+}  // namespace
+
+const char* judgement_word(Sufficiency value) {
+  return value == Sufficiency::too_small   ? "gap.too_close"
+         : value == Sufficiency::not_known ? "gap.not_known"
+                                           : "gap.wide_enough";
+}
+
+std::vector<ToldJudgement> told_judgements(const RunResults& run) { return told(story::judged_view_of(run)); }
+
+std::vector<ToldJudgement> told_judgements(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
+  return told(story::judged_view_of(c, problem, spectral));
+}
+
+std::vector<ToldJudgement> told_judgements(const PlanRun& run) {
+  std::vector<ToldJudgement> all;
+  std::vector<JudgedGap> judged = judged_gaps(run);
+  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
+    const RunResults pair = pair_of(run, gap);
+    const PlanGap& between = run.problem.gaps[gap];
+    all.push_back(told(story::judged_view_of(run, gap, pair, std::move(judged[gap])), 0,
+                       static_cast<Eigen::Index>(between.left), static_cast<Eigen::Index>(between.right)));
+  }
+  return all;
+}
+
+std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index gap) {
+  using story::count_of;
+  using story::text_of;
+  const JudgementOfMany& many = told.many;
+  const ToldJudgement& first = told.of_records.front();
+  std::vector<Statement> statements;
+  if (!first.is_facing()) return statements;
+  const auto begun = [&](const char* kind, long count) {
+    Statement one{.kind = kind, .severity = Severity::warning, .gap = gap, .buildings = {first.left, first.right}};
+    one.values = {text_of("left", told.left), text_of("right", told.right), story::value_in("width", first.width, told.length),
+                  count_of("count", count), count_of("records", many.runs)};
+    return one;
+  };
+  Statement small = begun("records_too_small", many.too_small), unknown = begun("records_not_known", many.not_known);
+  for (const JudgementOfMany::Found& found : many.reasons) {
+    if (found.worst.kind == Reason::Kind::rule) continue;  // told with what the code takes of the records
+    const auto& reasons = told.of_records.at(found.run).judgement.reasons;
+    const auto at = std::find_if(reasons.begin(), reasons.end(), [&](const Reason& one) {
+      return one.kind == found.worst.kind && one.way == found.worst.way && one.value == found.worst.value &&
+             one.subject == found.worst.subject;
+    });
+    std::vector<StoryValue> item = told.of_records[found.run].reasons.at(static_cast<std::size_t>(at - reasons.begin()));
+    item.push_back(count_of("under", found.runs));
+    item.push_back(text_of("record", told.names.at(found.run)));
+    (says_too_small(found.worst.kind) ? small : unknown).items.push_back(std::move(item));
+  }
+  if (many.too_small > 0) statements.push_back(std::move(small));
+  if (many.not_known > 0) statements.push_back(std::move(unknown));
+  if (many.too_small + many.not_known == 0) {
+    statements.push_back(begun(many.is_enough() ? "records_enough" : "records_apart", many.enough));
+    statements.back().severity = Severity::finding;
+  }
+  return statements;
+}
+
+}  // namespace bentur

@@ -330,6 +330,7 @@ Story plan_story(const PlanRun& run) {
   story::tell_yielding(run, told);
   tell_amplification(run, told.statements);
   tell_acceleration(run, told.statements);
+  story::tell_links(run.problem, run.response.links, shown_units(run), run.c.units.length, told.statements);
   tell_motion(run, told.statements);
   sort_by_severity(told.statements);
   story::tell_quotations(run.c.code, told.statements);

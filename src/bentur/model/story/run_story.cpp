@@ -369,7 +369,7 @@ void tell_row(const RunResults& run, const GapView& view, const std::vector<GapO
     small += judged.value == Sufficiency::too_small ? 1 : 0;
     unknown += judged.value == Sufficiency::not_known ? 1 : 0;
     name.texts.push_back(gap_name(run.problem, one.gap.left));
-    verdict.texts.emplace_back(story::judgement_word(judged.value));
+    verdict.texts.emplace_back(judgement_word(judged.value));
     given.numbers.push_back(one.governing.width);
     needed.numbers.push_back(is_known ? one.governing.gap_needed : none);
     lacking.numbers.push_back(is_known && one.governing.is_short() ? one.governing.gap_needed - one.governing.width : none);
@@ -427,6 +427,7 @@ Story run_story(const RunResults& run) {
   tell_effects(run, told.statements);
   tell_yielding(run, told.statements);
   story::tell_hinges(run, told);
+  story::tell_links(run.problem, run.response.links, shown_units(run.c.units, run.response), run.c.units.length, told.statements);
   tell_motion(run, told.statements);
   tell_remarks(run, told);
   return told;

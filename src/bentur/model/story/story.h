@@ -43,6 +43,12 @@ struct Statement {
   std::vector<StoryValue> values = {};
   std::vector<std::vector<StoryValue>> items = {};  ///< a list, each by the text ".item"; joined they fill {items}
   std::string subject = {};  ///< of a remark whose number it is, of a study what varies; told before it
+  /// Of many runs: how many of them say so, and which one says the worst, whose statement this is.
+  struct OfMany {
+    long count = 0, runs = 0;
+    std::string worst;
+  };
+  std::optional<OfMany> many = {};
 };
 
 /// A column of a table: numbers, names, or words of the catalogue.
@@ -72,6 +78,16 @@ struct Story {
 
 /// Puts what is gravest first; what is alike stays in order.
 void sort_by_severity(std::vector<Statement>& statements);
+
+/// What is said of one of many runs.
+struct SaidOfRun {
+  std::string name;  ///< such as that of its record
+  std::vector<Statement> statements;
+};
+/// What many runs say: every kind of statement once, as the run says it that says the worst, with how many say it too;
+/// what is gravest first, remarks last. What single runs need, what rules ask of them and how each is judged is left out:
+/// over many runs that is told of all of them. Of one run it is what that run says.
+[[nodiscard]] std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs);
 
 /// Of a run: what fails, who collides where and how hard, the gap needed both ways round, the rules at every level,
 /// what contact does to the buildings, the ground motion as applied, remarks. A row of more than two buildings has a

@@ -7,21 +7,9 @@
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
 #include "bentur/report/html/internal/sections.h"
-#include "bentur/study/gap/gap_study_story.h"
 #include "bentur/study/suite/suite_hand_in.h"
 
 namespace bentur {
-
-Story suite_page_story(const SuiteRun& run, const GapStudy& gaps) {
-  Story story = suite_run_story(run);
-  Story of_gaps = gap_study_story(gaps);
-  std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.gap; });
-  std::erase_if(of_gaps.tables, [](const StoryTable& one) { return !one.gap; });
-  for (Statement& one : of_gaps.statements) story.statements.push_back(std::move(one));
-  for (StoryTable& one : of_gaps.tables) story.tables.push_back(std::move(one));
-  sort_by_severity(story.statements);
-  return story;
-}
 
 namespace {
 
@@ -61,7 +49,7 @@ std::vector<PagePart> table_parts(const SuiteRun& run, const GapStudy& gaps, con
   const Words say(language);
   const Response none;
   const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
-                            suite_page_story(run, gaps),      {}};
+                            suite_story(run, gaps),      {}};
   return html::parts({suite_section(report), suite_runs_section(report), suite_gaps_section(report)});
 }
 
@@ -69,7 +57,7 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
   const Words say(options.language);
   const Response none;
   const html::Report report{
-      {run.problem, none, run.c.units},      run.c, run.problem, none, say, suite_page_story(run, gaps), {}, {},
+      {run.problem, none, run.c.units},      run.c, run.problem, none, say, suite_story(run, gaps), {}, {},
       run.c.project || !options.head.empty()};
   const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(

@@ -16,9 +16,6 @@ namespace bentur {
 /// the page of one record. With [project] in the case, or a head, it is one to hand in, as that of a run.
 [[nodiscard]] std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options);
 
-/// What it tells of runs and gaps, each sentence once.
-[[nodiscard]] Story suite_page_story(const SuiteRun& run, const GapStudy& gaps);
-
 /// Its tables alone: the records and the buildings' periods, what each record does, the gap by record.
 [[nodiscard]] std::vector<PagePart> table_parts(const SuiteRun& run, const GapStudy& gaps, const std::string& language);
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "bentur/io/input_file.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/compare.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/study/plan/study_check.h"
@@ -26,6 +28,13 @@ GapNeed need_of(const std::vector<LevelSeparation>& separations, Eigen::Index ga
   GapNeed need{largest.gap_needed, largest.abs, largest.srss, largest.ddc, {}};
   for (const CodeSeparation& code : largest.codes) need.codes.push_back(code.gap);
   return need;
+}
+
+/// Of a record under which a building falls without contact no gap would do, and no rule has anything to go by.
+void take_as_fallen(GapNeed& need) {
+  need.gap_needed = std::numeric_limits<double>::infinity();
+  need.abs = need.srss = need.ddc = not_known;
+  std::fill(need.codes.begin(), need.codes.end(), not_known);
 }
 
 constexpr double GapNeed::*single_numbers[] = {&GapNeed::gap_needed, &GapNeed::abs, &GapNeed::srss, &GapNeed::ddc};
@@ -55,6 +64,7 @@ GapNeed mean_of_needs(const RecordNeeds& needs, Eigen::Index gap) {
     for (const auto number : single_numbers) result.*number += record.gaps[gap].*number / count;
     for (std::size_t i = 0; i < result.codes.size(); ++i) result.codes[i] += record.gaps[gap].codes[i] / count;
   }
+  if (std::isinf(result.gap_needed)) result.gap_needed = not_known;
   return result;
 }
 
@@ -106,7 +116,9 @@ class Work {
       }
       tell_quantiles(needs);
       compare_with_given(widths, choices, needs);
-      if (study_.suite && !study_.ida && needs.records.size() == study_.suite->records.size()) tell_demand(needs);
+      const bool is_suite = study_.suite && !study_.ida && needs.records.size() == study_.suite->records.size();
+      if (is_suite) tell_demand(needs);
+      tell_rules(needs, is_suite && suite_measure(*study_.suite).kind == SuiteMeasure::Kind::mean);
       result_.needs.push_back(std::move(needs));
     }
     if (result_.needs.size() > 1) put_together();
@@ -194,7 +206,9 @@ class Work {
           for (const std::size_t i : between.watched) given.widths.push_back(problem.watched[i].width);
         }
         for (const RecordNeed& record : needs.records) {
-          given.beyond += needs_more(of_gap(record.separations, gap), facing_levels(problem, gaps.place(gap))) ? 1 : 0;
+          const std::vector<LevelSeparation> needed = of_gap(record.separations, gap);
+          const bool falls = record.collapsed && !needed.empty();  // no gap is wide enough
+          given.beyond += falls || needs_more(needed, facing_levels(problem, gaps.place(gap))) ? 1 : 0;
         }
         needs.gaps[gap].given.push_back(std::move(given));
       }
@@ -238,9 +252,43 @@ class Work {
     }
   }
 
+  /// What each rule of [code] asks of all records. @param takes_mean as the code that scales them does
+  void tell_rules(RecordNeeds& needs, bool takes_mean) const {
+    const auto count = static_cast<double>(needs.records.size());
+    for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
+      GapOverRecords& over = needs.gaps[gap];
+      if (over.given.size() != 1 || needs.records.empty()) continue;
+      const std::vector<LevelSeparation> levels = of_gap(needs.records.front().separations, gap);
+      for (std::size_t rule = 0; rule < result_.code.rules.size(); ++rule) {
+        const CodeRule& code = *find_code_rule(result_.code.rules[rule].rule);
+        RuleOverRecords found{.rule = std::string(code.name), .title = std::string(code.title), .takes_mean = takes_mean};
+        double most = -std::numeric_limits<double>::infinity();
+        bool is_known = !levels.empty();
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+          double asked = 0;
+          for (const RecordNeed& record : needs.records) {
+            const double one = record.collapsed ? not_known : of_gap(record.separations, gap).at(i).codes[rule].gap;
+            asked = std::isnan(one) ? one : takes_mean ? asked + one / count : std::max(asked, one);
+            if (std::isnan(one)) break;
+          }
+          const FacingLevel& level = levels[i].level;
+          is_known = is_known && !std::isnan(asked);
+          if (!(asked - level.width >= most)) continue;
+          most = asked - level.width;
+          found.asked = asked;
+          found.elevation = level.elevation;
+          found.width = level.width;
+          found.is_short = falls_short(level.width, asked, asked);
+        }
+        if (!is_known && !found.is_short) found.asked = not_known;
+        over.rules.push_back(std::move(found));
+      }
+    }
+  }
+
   static bool needs_more(const std::vector<LevelSeparation>& needed, const std::vector<FacingLevel>& given) {
     for (std::size_t i = 0; i < needed.size(); ++i) {
-      if (needed[i].gap_needed > given.at(i).width) return true;
+      if (falls_short(given.at(i).width, needed[i].gap_needed, needed[i].gap_needed)) return true;
     }
     return false;
   }
@@ -278,6 +326,7 @@ class Work {
     RecordNeed result = chosen.plan ? need_in_plan(record, *chosen.plan) : need_of_row(record, chosen.row);
     for (Eigen::Index gap = 0; gap < std::ssize(result_.gaps); ++gap) {
       result.gaps.push_back(need_of(result.separations, gap));
+      if (result.collapsed && !of_gap(result.separations, gap).empty()) take_as_fallen(result.gaps.back());
     }
     if (result_.title.empty() && result_.needs.empty()) {
       result_.title = chosen.title();

@@ -20,6 +20,7 @@ namespace bentur {
 
 /// The gap between two neighbours: each number the largest of all levels at which they face one another, or over
 /// records the largest or the median of those. NaN where a rule has nothing to go by.
+/// Infinite is what a record needs under which a building collapses without contact.
 struct GapNeed {
   double gap_needed = 0, abs = 0, srss = 0, ddc = 0;  ///< [length]
   std::vector<double> codes;                          ///< [length], one per rule of [code]
@@ -65,6 +66,17 @@ struct SuiteDemand {
   [[nodiscard]] double taken() const { return measure.kind == SuiteMeasure::Kind::mean ? mean : largest; }
 };
 
+/// What a rule of [code] asks of all records together: their mean where a code that scales them takes it, else the
+/// largest. Of the level that it asks most for beyond what is given.
+struct RuleOverRecords {
+  std::string rule, title;      ///< as CodeRule has them
+  double asked = 0;             ///< [length]; NaN: not known
+  double elevation = 0;         ///< of the level [length]
+  double width = 0;             ///< given there [length]
+  bool takes_mean = false;
+  bool is_short = false;        ///< more than is given
+};
+
 /// One gap over all records.
 struct GapOverRecords {
   GapNeed largest, median;
@@ -73,6 +85,7 @@ struct GapOverRecords {
   std::vector<GivenGap> given;         ///< one per choice of widths; none where what else varies changes them
   /// Of a suite that a code scales, where records are applied as it scales them and one width is given.
   std::optional<SuiteDemand> demand = {};
+  std::vector<RuleOverRecords> rules = {};  ///< one per rule of [code]; none where several widths are given
 };
 
 /// All records of a study with one choice of whatever else varies.
@@ -124,7 +137,7 @@ struct GapStudy {
 [[nodiscard]] std::optional<GapStudy> gap_study(const Case& c, const std::filesystem::path& file,
                                                 const std::function<bool(double)>& progress, Diagnostics& diagnostics);
 
-/// docs/result-files.md
-[[nodiscard]] std::string gap_study_json(const GapStudy& study, std::string_view version);
+/// docs/result-files.md @param said a JSON object of what is said in place of gap_study_story(); empty: that
+[[nodiscard]] std::string gap_study_json(const GapStudy& study, std::string_view version, std::string_view said = {});
 
 }  // namespace bentur

@@ -17,11 +17,12 @@ Json object_of(const std::vector<std::pair<std::string, std::string>>& named) {
   return json;
 }
 
-Json or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
+/// Neither what is not known nor what no gap would do is a number.
+Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// @param need a GapNeed or a LevelSeparation
 Json numbers_json(const auto& need) {
-  return {{"gap_needed", need.gap_needed},
+  return {{"gap_needed", or_null(need.gap_needed)},
           {"abs", or_null(need.abs)},
           {"srss", or_null(need.srss)},
           {"ddc", or_null(need.ddc)}};
@@ -77,13 +78,22 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
                {"quantiles", quantiles},
                {"given", given}};
   if (over.demand) json["code"] = demand_json(*over.demand, study.code);
+  Json rules = Json::array();
+  for (const RuleOverRecords& one : over.rules) {
+    rules.push_back({{"rule", one.rule},
+                     {"takes", one.takes_mean ? "mean" : "largest"},
+                     {"gap", or_null(one.asked)},
+                     {"elevation", or_null(std::isnan(one.asked) ? one.asked : one.elevation)},
+                     {"too_small", std::isnan(one.asked) ? Json(nullptr) : Json(one.is_short)}});
+  }
+  json["rules"] = rules;
   return json;
 }
 
 Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
   Json records = Json::array();
   for (const RecordNeed& record : needs.records) {
-    records.push_back({{"record", record.record}});
+    records.push_back({{"record", record.record}, {"collapsed", record.collapsed}});
     records.back().update(need_json(record.gaps[gap], study.code));
     Json points = Json::array(), watched = Json::array();
     for (const LevelSeparation& one : of_gap(record.separations, static_cast<Eigen::Index>(gap))) {
@@ -101,7 +111,7 @@ Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) 
 
 }  // namespace
 
-std::string gap_study_json(const GapStudy& study, std::string_view version) {
+std::string gap_study_json(const GapStudy& study, std::string_view version, std::string_view said) {
   Json rules = Json::array();
   for (const CodeRuleSpec& spec : study.code.rules) {
     const CodeRule* const rule = find_code_rule(spec.rule);
@@ -126,6 +136,7 @@ std::string gap_study_json(const GapStudy& study, std::string_view version) {
                {"statements", Json::parse(statements_json(study.buildings, gap_study_story(study).statements))},
                {"code_rules", rules},
                {"studied", all}};
+  if (!said.empty()) json.update(Json::parse(said));
   if (study.suite) json["suite"] = Json::parse(suite_json(*study.suite));
   if (!study.is_whole()) json["stopped"] = {{"done", study.done}, {"asked", study.asked}};
   if (study.together) {

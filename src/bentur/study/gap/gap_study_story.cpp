@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bentur/model/suite/suite_story.h"
 
@@ -18,6 +19,14 @@ struct Told {
   const RecordNeeds& needs;
   bool together = false;
   std::string others = {};  ///< "stiffness = 2, period = 0.4"
+  const std::vector<bool>* are_enough = nullptr;  ///< per gap; null: not known
+
+  /// What follows where a rule or a code is content.
+  [[nodiscard]] StoryValue alone(Eigen::Index gap) const {
+    const bool enough = are_enough != nullptr && are_enough->at(static_cast<std::size_t>(gap));
+    if (enough) return {"alone", std::string()};
+    return {"alone", std::string("story.records_rules_alone"), {}, true};
+  }
 
   [[nodiscard]] long count() const { return std::ssize(needs.records); }
 };
@@ -73,9 +82,51 @@ void tell_demand(const Told& told, Eigen::Index gap, std::vector<Statement>& sta
     statement.values.push_back({"level", demand.elevation, length});
     statement.values.push_back({"width", width_of(over.given.front()), length});
     statement.level = demand.elevation;
+    statement.values.push_back(told.alone(gap));
   } else if (demand.collapsed > 0) {
     statement.values.push_back({"collapsed", demand.collapsed});
   }
+  statements.push_back(std::move(statement));
+}
+
+/// What rules of [code] ask of all records together.
+void tell_rules(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
+  const std::string& length = told.study.units.length;
+  const GapOverRecords& over = told.needs.gaps[gap];
+  if (over.rules.empty() || over.given.size() != 1 || over.given.front().widths.empty()) return;
+  const std::string takes = over.rules.front().takes_mean ? "story.takes.mean" : "story.takes.largest";
+  const auto begun = [&](const char* kind, Severity severity) {
+    Statement one = statement_of(told, gap, kind);
+    one.severity = severity;
+    one.values = {count_value(told), {"takes", takes, {}, true}, told.alone(gap)};
+    one.values.front().name = "records";
+    return one;
+  };
+  Statement is_short = begun("records_rules_short", Severity::warning), met = begun("records_rules", Severity::finding);
+  Statement unknown = begun("records_rules_unknown", Severity::warning);
+  for (const RuleOverRecords& rule : over.rules) {
+    std::vector<StoryValue> item = {{"rule", rule.title}};
+    if (!std::isnan(rule.asked)) {
+      item.push_back({"gap", rule.asked, length});
+      item.push_back({"level", rule.elevation, length});
+      item.push_back({"short", rule.asked - rule.width, length});
+    }
+    (rule.is_short ? is_short : std::isnan(rule.asked) ? unknown : met).items.push_back(std::move(item));
+  }
+  for (Statement* const one : {&is_short, &met, &unknown}) {
+    if (!one->items.empty()) statements.push_back(std::move(*one));
+  }
+}
+
+/// Records under which a building falls without contact: they need more than any gap.
+void tell_collapsed(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
+  const long collapsed = std::count_if(told.needs.records.begin(), told.needs.records.end(),
+                                       [](const RecordNeed& one) { return one.collapsed; });
+  if (collapsed == 0) return;
+  Statement statement = statement_of(told, gap, "records_collapsed");
+  statement.severity = Severity::danger;
+  statement.values = {{"collapsed", collapsed}, count_value(told)};
+  statement.values.back().name = "records";
   statements.push_back(std::move(statement));
 }
 
@@ -96,9 +147,12 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
                         {"width", width_of(given), length}};
     statements.push_back(std::move(statement));
   }
+  tell_collapsed(told, gap, statements);
   if (over.demand) tell_demand(told, gap, statements);
+  tell_rules(told, gap, statements);
   // Quantiles of a few say nothing.
   const bool few = told.count() < fewest;
+  if (!std::isfinite(few ? over.largest.gap_needed : over.median.gap_needed)) return;
   Statement statement = statement_of(told, gap,
                                      few             ? "gaps_over_few"
                                      : told.together ? "gaps_over_runs"
@@ -205,15 +259,16 @@ void tell(const Told& told, bool in_words, Story& story) {
 
 }  // namespace
 
-Story gap_study_story(const GapStudy& study) {
+Story gap_study_story(const GapStudy& study, const std::vector<bool>& are_enough) {
   Story story;
+  const std::vector<bool>* const judged = are_enough.empty() ? nullptr : &are_enough;
   const bool are_choices = study.together.has_value();
-  for (const RecordNeeds& needs : study.needs) tell({study, needs, false, others_of(needs)}, !are_choices, story);
+  for (const RecordNeeds& needs : study.needs) tell({study, needs, false, others_of(needs), judged}, !are_choices, story);
   if (are_choices) {
     for (Eigen::Index gap = 0; gap < std::ssize(study.together->gaps); ++gap) {
       story.tables.push_back(choice_table(study, gap));
     }
-    tell({study, *study.together, true}, true, story);
+    tell({study, *study.together, true, {}, judged}, true, story);
   }
   if (study.suite) {
     Story suite = suite_story(*study.suite, study.units);

@@ -6,8 +6,9 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/results/story_json.h"
-#include "bentur/model/plan/plan_pair.h"
-#include "bentur/study/gap/gap_study_story.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/compare.h"
+#include "bentur/model/judgement/judged_gaps.h"
 
 namespace bentur {
 namespace {
@@ -21,28 +22,27 @@ LeastGaps begun(const std::string& title, const Units& units, LeastGaps::Basis b
   return {.title = title, .units = units, .buildings = {}, .basis = basis, .both_ways = true};
 }
 
-/// A gap by what each of its levels needs. @param scale [length], for round-off
-void add_gap(LeastGaps& found, LeastGap gap, const std::vector<LevelSeparation>& levels, double scale) {
-  gap.is_facing = !levels.empty();
-  for (const LevelSeparation& one : levels) {
-    const double needed = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
-    gap.needed = std::max(gap.needed, one.level.of_gap(needed));
-    gap.given = &one == levels.data() ? one.level.width : std::min(gap.given, one.level.width);
-    gap.is_short = gap.is_short || falls_short(one.level.width, needed, scale);
-    found.both_ways = found.both_ways && one.gap_needed_reversed.has_value();
+/// A gap from all that is known of it.
+void add_gap(LeastGaps& found, LeastGap gap, const JudgedGap& judged) {
+  const GapFacts& facts = judged.facts;
+  gap.is_facing = !facts.levels.empty();
+  gap.judged = judged.judgement.value;
+  gap.others_close = judged.judgement.alone;
+  for (const LevelFacts& level : facts.levels) {
+    gap.is_known = gap.is_known && level.given.need.has_value();
+    for (const Way way : ways_of_motion) {
+      const std::optional<double>& need = level.in(way).need;
+      if (need) gap.needed = std::max(gap.needed, level.at.of_gap(*need));
+    }
+    gap.given = &level == facts.levels.data() ? level.at.width : std::min(gap.given, level.at.width);
   }
-  if (!falls_short(0, gap.needed, scale)) gap.needed = 0;  // round-off
+  const WayFacts& other = facts.reversed;
+  if (facts.has_other_way && other.looked_at && (other.fall || !other.drifts.empty())) gap.is_known = false;
+  found.both_ways = found.both_ways && (!facts.has_other_way || other.looked_at);
+  for (const Reason& reason : judged.judgement.reasons) gap.is_short = gap.is_short || is_by_motion(reason.kind);
+  gap.needed = without_round_off(gap.needed, facts.scale);
   gap.width = rounded_up(gap.needed);
   found.gaps.push_back(std::move(gap));
-}
-
-/// All gaps of a row. @param scale of each gap [length], for round-off
-template <class Scale>
-void add_gaps(LeastGaps& found, const Problem& problem, const std::vector<LevelSeparation>& all, const Scale& scale) {
-  for (const Building& building : problem.buildings) found.buildings.push_back(building.name);
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
-    add_gap(found, {gap_name(problem, gap), gap, gap + 1}, of_gap(all, gap), scale(gap));
-  }
 }
 
 /// What the gap is needed for, as a word of the catalogue.
@@ -68,15 +68,19 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
                       {"right", found.buildings[one.right]},
                       {"motions", motions_of(found), {}, true}};
   if (found.basis == LeastGaps::Basis::records) statement.values.push_back({"records", found.records});
-  if (found.collapses) {
+  statement.values.push_back({"given", one.given, length});
+  if (!one.is_known) {
     statement.kind = "least_gap_unknown";
     statement.severity = Severity::danger;
     return statement;
   }
-  statement.kind = one.is_short ? "least_gap_short" : "least_gap_enough";
-  if (one.is_short) statement.severity = Severity::warning;
+  statement.kind = one.others_close                        ? "least_gap_alone"
+                   : one.is_short                          ? "least_gap_short"
+                   : one.judged == Sufficiency::too_small  ? "least_gap_rules"
+                   : one.judged == Sufficiency::not_known  ? "least_gap_doubt"
+                                                           : "least_gap_enough";
+  if (one.judged != Sufficiency::enough) statement.severity = Severity::warning;
   statement.values.push_back({"least", one.width, length});
-  statement.values.push_back({"given", one.given, length});
   return statement;
 }
 
@@ -94,52 +98,72 @@ double rounded_up(double x) {
 
 LeastGaps least_gaps(const RunResults& run) {
   LeastGaps found = begun(run.c.title, run.c.units);
-  found.collapses = run.response.collapse_no_contact.has_value();
-  add_gaps(found, run.problem, separations(run.problem, run.response),
-           [&](Eigen::Index gap) { return displacement_scale(run.problem, run.response, gap); });
+  for (const Building& building : run.problem.buildings) found.buildings.push_back(building.name);
+  Eigen::Index gap = 0;
+  for (const JudgedGap& one : judged_gaps(run)) {
+    add_gap(found, {gap_name(run.problem, gap), gap, gap + 1}, one);
+    ++gap;
+  }
   return found;
 }
 
 LeastGaps least_gaps(const PlanRun& run) {
   LeastGaps found = begun(run.c.title, run.c.units);
-  found.collapses = run.response.collapse_no_contact.has_value();
   for (const PlanBuilding& building : run.problem.buildings) found.buildings.push_back(building.name);
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+  const std::vector<JudgedGap> judged = judged_gaps(run);
+  for (std::size_t g = 0; g < judged.size(); ++g) {
     const PlanGap& gap = run.problem.gaps[g];
-    const RunResults pair = pair_of(run, g);
     add_gap(found,
             {gap_name(run.problem, gap), static_cast<Eigen::Index>(gap.left), static_cast<Eigen::Index>(gap.right)},
-            separations(pair.problem, pair.response), displacement_scale(pair.problem, pair.response, 0));
+            judged[g]);
   }
   return found;
 }
 
 LeastGaps least_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   LeastGaps found = begun(c.title, c.units, LeastGaps::Basis::spectrum);
-  add_gaps(found, problem, spectral.levels, [](Eigen::Index) { return 0.0; });
+  for (const Building& building : problem.buildings) found.buildings.push_back(building.name);
+  found.both_ways = false;
+  Eigen::Index gap = 0;
+  for (const JudgedGap& one : judged_gaps(c, problem, spectral)) {
+    add_gap(found, {gap_name(problem, gap), gap, gap + 1}, one);
+    ++gap;
+  }
+  found.both_ways = false;
   return found;
 }
 
-LeastGaps least_gaps(const Case& c, const GapStudy& study) {
-  if (!study.is_whole()) throw InvalidParameter("study", "stopped", "must have all its records");
+LeastGaps least_gaps(const SuiteRun& run, const GapStudy& study) {
+  if (!run.is_whole() || !study.is_whole()) throw InvalidParameter("study", "stopped", "must have all its records");
   const RecordNeeds& needs = study.needs.front();
   LeastGaps found = begun(study.title, study.units, LeastGaps::Basis::records);
   found.buildings = study.buildings;
   found.records = std::ssize(needs.records);
-  found.both_ways = c.analysis.both_ways;
-  for (const RecordNeed& one : needs.records) found.collapses = found.collapses || one.collapsed;
+  found.both_ways = run.c.analysis.both_ways;
+  const std::vector<SuiteJudgement> judged = judged_gaps(run, study);
   for (std::size_t g = 0; g < needs.gaps.size(); ++g) {
     const GivenGap& given = needs.gaps[g].given.front();
     const GapStudy::Between& between = study.gaps[g];
+    const JudgementOfMany& many = judged.at(g).many;
     LeastGap one{between.name, between.left, between.right, !given.widths.empty()};
     one.needed = needs.gaps[g].largest.gap_needed;
+    one.is_known = std::isfinite(one.needed) &&
+                   std::none_of(many.reasons.begin(), many.reasons.end(), [](const JudgementOfMany::Found& of) {
+                     return of.worst.kind == Reason::Kind::collapse || of.worst.kind == Reason::Kind::drift;
+                   });
     one.width = rounded_up(one.needed);
     one.given = given.narrowest().value_or(0);
-    one.is_short = given.beyond > 0;
+    one.judged = many.value;
+    for (const JudgementOfMany::Found& of : many.reasons) one.is_short = one.is_short || is_by_motion(of.worst.kind);
+    for (const SuiteRecordRun& record : run.records) {
+      one.others_close = one.others_close || (!record.judged.empty() && record.judged.at(g).judgement.alone);
+    }
     found.gaps.push_back(std::move(one));
   }
-  for (Statement& one : gap_study_story(study).statements) {
-    if (one.gap && one.kind.starts_with("suite_")) found.of_codes.push_back(std::move(one));
+  for (Statement& one : suite_story(run, study).statements) {
+    const bool is_of_code = one.kind.starts_with("suite_takes") || one.kind.starts_with("suite_too_few") ||
+                            one.kind.starts_with("suite_gap") || one.kind.starts_with("records_rules");
+    if (one.gap && is_of_code) found.of_codes.push_back(std::move(one));
   }
   return found;
 }
@@ -157,13 +181,15 @@ std::string least_gap_json(const LeastGaps& found, std::string_view version) {
   static constexpr const char* bases[] = {"motion", "records", "spectrum"};
   Json gaps = Json::array();
   for (const LeastGap& one : found.gaps) {
-    const bool is_known = one.is_facing && !found.collapses;
+    const bool is_known = one.is_facing && one.is_known;
     const auto number = [&](double value) { return is_known ? Json(value) : Json(nullptr); };
     gaps.push_back({{"between", {found.buildings[one.left], found.buildings[one.right]}},
                     {"least_gap", number(one.width)},
                     {"gap_needed", number(one.needed)},
                     {"given", one.is_facing ? Json(one.given) : Json(nullptr)},
-                    {"too_narrow", is_known ? Json(one.is_short) : Json(nullptr)}});
+                    {"too_narrow", one.is_short ? Json(true) : is_known ? Json(false) : Json(nullptr)},
+                    {"others_close", one.others_close},
+                    {"judgement", one.is_facing ? Json(word_of(one.judged)) : Json(nullptr)}});
   }
   const Json json = {{"title", found.title},
                      {"version", version},

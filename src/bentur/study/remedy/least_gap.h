@@ -9,6 +9,7 @@
 #include "bentur/model/run_results.h"
 #include "bentur/model/story/story.h"
 #include "bentur/study/gap/gap_study.h"
+#include "bentur/study/suite/suite_run.h"
 
 namespace bentur {
 
@@ -20,7 +21,10 @@ struct LeastGap {
   double needed = 0;         ///< by the free response or the spectrum, the largest of all levels
   double width = 0;          ///< the same rounded up to three figures: what is to be built
   double given = 0;          ///< the narrowest that the case gives
-  bool is_short = false;     ///< at some level less is given than is needed there
+  bool is_short = false;     ///< the buildings meet in some run, or at some level less is given than is needed there
+  bool is_known = true;      ///< what is needed is
+  Sufficiency judged = Sufficiency::enough;  ///< what is given, from all that is known
+  bool others_close = false;  ///< another gap of the row closes: what is needed holds where every gap has its own
 };
 
 /// What a case as it stands needs for its buildings to stay apart: the remedy that wants no search.
@@ -33,7 +37,6 @@ struct LeastGaps {
   Basis basis = Basis::motion;
   long records = 0;                      ///< of a suite
   bool both_ways = false;                ///< of a motion or of records: reversed they need no more
-  bool collapses = false;                ///< a building does without contact: then no gap is known
   std::vector<LeastGap> gaps = {};       ///< one per gap
   std::vector<Statement> of_codes = {};  ///< of a suite: what its code takes of the records
 };
@@ -42,8 +45,8 @@ struct LeastGaps {
 [[nodiscard]] LeastGaps least_gaps(const RunResults& run);
 [[nodiscard]] LeastGaps least_gaps(const PlanRun& run);
 [[nodiscard]] LeastGaps least_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral);
-/// Over all records of the suite of a case. @throws InvalidParameter where some were left out
-[[nodiscard]] LeastGaps least_gaps(const Case& c, const GapStudy& study);
+/// Over all records of a suite. @throws InvalidParameter where some were left out
+[[nodiscard]] LeastGaps least_gaps(const SuiteRun& run, const GapStudy& study);
 
 /// What a statement says of each gap, and how other remedies are sought.
 [[nodiscard]] Story least_gap_story(const LeastGaps& found);

@@ -15,7 +15,7 @@ constexpr double of_hundred = 100;
 constexpr const char* not_known_word = "story.silence.unknown";
 constexpr const char* collapsed_word = "story.silence.collapsed";
 
-std::optional<double> known(double value) { return std::isnan(value) ? std::nullopt : std::optional(value); }
+std::optional<double> known(double value) { return !std::isfinite(value) ? std::nullopt : std::optional(value); }
 
 /// The largest drift of each building under any record; a record that ended before its time has no largest.
 void check_drifts(const SuiteRun& run, std::vector<CheckRow>& rows) {
@@ -27,8 +27,9 @@ void check_drifts(const SuiteRun& run, std::vector<CheckRow>& rows) {
     const auto found = std::find_if(run.quantities.begin(), run.quantities.end(),
                                     [&](const SuiteQuantity& one) { return one.name == name; });
     if (building.is_rigid() || found == run.quantities.end()) continue;
+    if (!building.has_gravity_loads) continue;  // there is no limit to hold it against
     const double most = run.largest(static_cast<std::size_t>(found - run.quantities.begin()));
-    CheckRow row{.check = building.has_gravity_loads ? "check.stability" : "check.drift",
+    CheckRow row{.check = "check.stability",
                  .by = "collapse_drift",
                  .where = building.name,
                  .demand = known(of_hundred * most),
@@ -40,41 +41,68 @@ void check_drifts(const SuiteRun& run, std::vector<CheckRow>& rows) {
   }
 }
 
-/// What all records, the code that scales them, and the rules of [code] ask of a gap.
-void check_gap(const GapStudy& study, Eigen::Index gap, std::vector<CheckRow>& rows) {
+/// Contact under the records, with it modelled and not; how far what they need, the code that scales them and the rules
+/// of [code] are met, which is said of a gap alone that is judged enough.
+void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, const SuiteJudgement& judged,
+               std::vector<CheckRow>& rows) {
   const RecordNeeds& needs = study.needs.front();
   const GapOverRecords& over = needs.gaps[static_cast<std::size_t>(gap)];
   const GivenGap& given = over.given.front();
+  const std::string& name = study.gaps.at(gap).name;
   const bool collapses =
       std::any_of(needs.records.begin(), needs.records.end(), [](const RecordNeed& one) { return one.collapsed; });
   const std::optional<double> narrowest = given.narrowest();
   const bool faces = narrowest.has_value();
-  const auto row = [&](std::string check, std::string by, double demand, bool is_met) {
+  const auto found = [&](Reason::Kind kind) {
+    long records = 0;
+    for (const JudgementOfMany::Found& one : judged.many.reasons) {
+      if (one.worst.kind == kind) records = std::max(records, one.runs);
+    }
+    return records;
+  };
+  const bool looked = found(Reason::Kind::not_looked_at) == 0 && run.is_whole();
+  const auto count_row = [&](const char* check, long records) {
+    CheckRow made{.check = check,
+                  .by = "check.by_records",
+                  .where = name,
+                  .demand = static_cast<double>(records),
+                  .limit = 0.0,
+                  .unit = "",
+                  .is_met = records == 0};
+    if (records == 0 && !looked) made.result = not_known_word;
+    rows.push_back(std::move(made));
+  };
+  if (faces) {
+    count_row("check.contact_records", found(Reason::Kind::contact));
+    count_row("check.unmodelled_records", found(Reason::Kind::unmodelled));
+  }
+  if (const long fallen = found(Reason::Kind::collapse) + found(Reason::Kind::drift); fallen > 0) {
+    count_row("check.collapse_records", fallen);
+  }
+  const auto row = [&](std::string check, std::string by, double demand, double limit, bool is_met) {
     CheckRow made{.check = std::move(check),
                   .by = std::move(by),
-                  .where = study.gaps.at(gap).name,
+                  .where = name,
                   .demand = known(demand),
-                  .limit = narrowest,
+                  .limit = faces ? std::optional(limit) : std::nullopt,
                   .unit = study.units.length,
                   .is_met = is_met};
     if (!faces || std::isnan(demand)) made.result = faces ? not_known_word : "story.silence.no_level";
     if (collapses) made.result = collapsed_word;
+    if (made.result.empty() && is_met && !judged.many.is_enough()) made.result = "gap.asks_less";
     rows.push_back(std::move(made));
   };
-  row("check.gap_records", "check.by_records", over.largest.gap_needed, given.beyond == 0);
+  row("check.gap_records", "check.by_records", over.largest.gap_needed, narrowest.value_or(0), given.beyond == 0);
   const SuiteDemand* const demand = over.demand ? &*over.demand : nullptr;
   if (demand != nullptr) {
     const std::string by = fmt::format("{}, {}", demand->measure.code, demand->measure.clause);
     const bool is_known = demand->is_known();
     row("check.gap_of_code", by, is_known ? demand->taken() : std::numeric_limits<double>::quiet_NaN(),
-        !demand->is_short);
+        narrowest.value_or(0), !demand->is_short);
     if (demand->measure.kind == SuiteMeasure::Kind::too_few) rows.back().result = "check.too_few";
   }
-  for (std::size_t i = 0; i < study.code.rules.size(); ++i) {
-    const CodeRule* const code = find_code_rule(study.code.rules[i].rule);
-    const double asked = demand != nullptr && demand->is_known() ? demand->codes[i] : over.largest.codes[i];
-    row(std::string(code->title), std::string(code->clause), asked,
-        faces && !falls_short(*narrowest, asked, over.largest.gap_needed));
+  for (const RuleOverRecords& rule : over.rules) {
+    row(rule.title, std::string(find_code_rule(rule.rule)->clause), rule.asked, rule.width, !rule.is_short);
   }
 }
 
@@ -83,7 +111,8 @@ void check_gap(const GapStudy& study, Eigen::Index gap, std::vector<CheckRow>& r
 HandIn suite_hand_in(const SuiteRun& run, const GapStudy& gaps) {
   std::vector<CheckRow> rows;
   check_drifts(run, rows);
-  for (Eigen::Index gap = 0; gap < std::ssize(gaps.gaps); ++gap) check_gap(gaps, gap, rows);
+  const std::vector<SuiteJudgement> judged = judged_gaps(run, gaps);
+  for (Eigen::Index gap = 0; gap < std::ssize(gaps.gaps); ++gap) check_gap(run, gaps, gap, judged.at(gap), rows);
   return hand_in(run.c, run.problem, rows);
 }
 

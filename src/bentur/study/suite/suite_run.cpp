@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "bentur/core/errors.h"
@@ -12,6 +13,7 @@
 #include "bentur/model/limits.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/model/suite/suite_story.h"
+#include "bentur/study/gap/gap_study_story.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
@@ -60,6 +62,13 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
   return result;
 }
 
+/// The gap that a run needs somewhere, in both ways of the motion; infinite where a building falls without contact.
+double needed_both_ways(const RunResults& run) {
+  if (run.response.collapse_no_contact) return std::numeric_limits<double>::infinity();
+  const LevelSeparation largest = largest_of(separations(run.problem, run.response));
+  return std::max(largest.gap_needed, largest.gap_needed_reversed.value_or(0));
+}
+
 /// What stands in the table, of buildings the largest of all.
 constexpr std::string_view told_in_tables[] = {"impacts",          "peak_force", "gap_needed",
                                                "peak_drift_ratio", "ductility",  "column_demand_capacity"};
@@ -85,6 +94,48 @@ StoryColumn column_of(const SuiteRun& run, std::string_view key) {
 
 const SuiteSpec& suite_of(const SuiteRun& run) { return *run.c.excitation.suite; }
 
+/// Of a gap under one record; of one that could not be run nothing is known.
+Judgement judgement_of(const SuiteRecordRun& one, Eigen::Index gap) {
+  if (!one.judged.empty()) return one.judged.at(static_cast<std::size_t>(gap)).judgement;
+  Judgement unknown{.value = Sufficiency::not_known};
+  unknown.reasons.push_back({.kind = Reason::Kind::not_looked_at});
+  return unknown;
+}
+
+/// A gap under all records, told.
+std::vector<Statement> told_of(const SuiteRun& run, Eigen::Index gap, const SuiteJudgement& judged) {
+  std::vector<std::string> names;
+  std::vector<ToldJudgement> of_records;
+  ToldJudgement unknown;
+  for (const SuiteRecordRun& one : run.records) {
+    if (!one.judged.empty()) unknown = one.judged.at(static_cast<std::size_t>(gap));
+  }
+  unknown.judgement = judgement_of({}, gap);
+  unknown.reasons = {{{"why", std::string("reason.not_looked_at"), {}, true}}};
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const SuiteRecordRun& one = run.records[i];
+    names.push_back(suite_of(run).records[i].echo.file);
+    of_records.push_back(one.judged.empty() ? unknown : one.judged.at(static_cast<std::size_t>(gap)));
+  }
+  const auto left = static_cast<std::size_t>(gap);
+  if (of_records.empty()) return {};
+  return judgement_of_many({.names = std::move(names),
+                            .of_records = std::move(of_records),
+                            .many = judged.many,
+                            .left = run.problem.buildings[left].name,
+                            .right = run.problem.buildings[left + 1].name,
+                            .length = run.c.units.length},
+                           gap);
+}
+
+/// How the only gap is judged under each record.
+StoryColumn verdicts_of(const SuiteRun& run) {
+  StoryColumn column{.label = "gap.given_is", .are_words = true};
+  for (const SuiteRecordRun& one : run.records) column.texts.emplace_back(judgement_word(without_rules(judgement_of(one, 0))));
+  column.texts.resize(run.records.size() + 2);
+  return column;
+}
+
 bool ended_in_time(const SuiteRecordRun& one) { return one.status == Status::done; }
 
 }  // namespace
@@ -93,7 +144,7 @@ double SuiteRun::mean(std::size_t quantity) const {
   if (!is_whole() || !std::all_of(records.begin(), records.end(), ended_in_time)) return NAN;
   double sum = 0;
   for (const SuiteRecordRun& one : records) sum += one.values[quantity];
-  return sum / static_cast<double>(records.size());
+  return std::isinf(sum) ? NAN : sum / static_cast<double>(records.size());
 }
 
 double SuiteRun::largest(std::size_t quantity) const {
@@ -118,7 +169,6 @@ SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
     const Case one = case_of_record(c, i);
     const Problem problem = make_problem(one, run.problem.buildings);
     SolveOptions options = solve_options(one);
-    options.levels = options.both_ways = options.energy_audit = false;
     options.progress = [&](double fraction) { return progress((static_cast<double>(i) + fraction) / count); };
     SuiteRecordRun result;
     const std::string refusal = beyond_limits(one, problem, effort(problem, one.analysis.solver, options));
@@ -126,7 +176,7 @@ SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
       result.status = Status::failed;
       result.message = refusal;
     } else {
-      const Response response = solve(problem, one.analysis.solver, options);
+      Response response = solve(problem, one.analysis.solver, options);
       if (response.status == Status::stopped) break;
       result.status = response.status;
       result.message = response.message;
@@ -134,6 +184,12 @@ SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
         std::vector<double> row(size);
         fill_row(all, {problem, response, one.units}, row);
         for (const RowPart& part : parts) result.values.push_back(reduced(part, row));
+        const RunResults told = run_results(one, problem, std::move(response));
+        for (std::size_t q = 0; q < parts.size(); ++q) {
+          if (parts[q].name == "gap_needed") result.values[q] = needed_both_ways(told);
+        }
+        result.statements = run_story(told).statements;
+        result.judged = told_judgements(told);
       }
     }
     if (result.values.empty()) result.values.assign(parts.size(), NAN);
@@ -143,33 +199,39 @@ SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
   return run;
 }
 
-Story suite_run_story(const SuiteRun& run) {
+std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps) {
+  std::vector<SuiteJudgement> all;
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
+    SuiteJudgement made;
+    if (!gaps.needs.empty()) {
+      for (const RuleOverRecords& rule : gaps.needs.front().gaps.at(gap).rules) {
+        if (!rule.is_short) continue;
+        made.of_rules.push_back({.kind = Reason::Kind::rule, .value = rule.asked, .width = rule.width, .subject = rule.title});
+      }
+    }
+    std::vector<Judgement> of_records;
+    for (const SuiteRecordRun& one : run.records) of_records.push_back(judgement_of(one, gap));
+    made.many = judge(of_records, made.of_rules);
+    all.push_back(std::move(made));
+  }
+  return all;
+}
+
+Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   const SuiteSpec& suite = suite_of(run);
-  const auto number_of = [&](std::string_view name) {
-    const auto found = std::find_if(run.quantities.begin(), run.quantities.end(),
-                                    [&](const SuiteQuantity& one) { return one.name == name; });
-    return static_cast<std::size_t>(found - run.quantities.begin());
-  };
-  const std::size_t impacts = number_of("impacts"), met = number_of("unmodelled_contacts");
-  long pounding = 0, failed = 0, collapsed = 0;
-  for (const SuiteRecordRun& one : run.records) {
-    const auto any = [&](std::size_t q) { return q < one.values.size() && one.values[q] > 0; };
-    pounding += any(impacts) || any(met) ? 1 : 0;
-    failed += one.status == Status::failed ? 1 : 0;
-    collapsed += one.status == Status::collapsed ? 1 : 0;
+  const bool are_many = suite.records.size() > 1;
+  std::vector<SaidOfRun> said;
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    if (run.records[i].status == Status::failed) continue;
+    said.push_back({suite.records[i].echo.file, run.records[i].statements});
   }
+  const std::vector<SuiteJudgement> judged = judged_gaps(run, gaps);
   Story told;
-  const long runs = std::ssize(run.records) - failed;
-  if (runs > 0) {
-    told.statements.push_back({.kind = pounding > 0 ? "suite_pounding" : "suite_no_pounding",
-                               .severity = pounding > 0 ? Severity::warning : Severity::finding,
-                               .values = {{"pounding", pounding}, {"records", runs}}});
-  }
-  if (collapsed > 0) {
-    told.statements.push_back({.kind = "suite_collapsed",
-                               .severity = Severity::danger,
-                               .values = {{"collapsed", collapsed}, {"records", runs}}});
-  }
+  const auto put = [&](std::vector<Statement> statements) {
+    for (Statement& one : statements) told.statements.push_back(std::move(one));
+  };
+  put(union_of(said));
+  const auto failed = std::ssize(run.records) - std::ssize(said);
   if (failed > 0) {
     told.statements.push_back({.kind = "suite_failed",
                                .severity = Severity::danger,
@@ -180,8 +242,17 @@ Story suite_run_story(const SuiteRun& run) {
                                .severity = Severity::warning,
                                .values = {{"done", std::ssize(run.records)}, {"records", std::ssize(suite.records)}}});
   }
-  Story scaled = suite_story(suite, run.c.units);
-  for (Statement& one : scaled.statements) told.statements.push_back(std::move(one));
+  std::vector<bool> are_enough;
+  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
+    are_enough.push_back(judged[gap].many.is_enough());
+    if (are_many) put(told_of(run, static_cast<Eigen::Index>(gap), judged[gap]));
+  }
+  Story of_gaps = gap_study_story(gaps, are_enough);
+  std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.gap; });
+  std::erase_if(of_gaps.tables, [](const StoryTable& one) { return !one.gap; });
+  if (are_many) put(std::move(of_gaps.statements));
+  Story scaled = bentur::suite_story(suite, run.c.units);
+  put(std::move(scaled.statements));
   sort_by_severity(told.statements);
   StoryColumn name{.label = "column.record", .are_words = true};
   for (std::size_t i = 0; i < run.records.size(); ++i) name.texts.push_back(suite.records[i].echo.file);
@@ -190,18 +261,45 @@ Story suite_run_story(const SuiteRun& run) {
   StoryTable table{.kind = "suite_runs", .columns = {std::move(name)}};
   for (const std::string_view key : told_in_tables) table.columns.push_back(column_of(run, key));
   std::erase_if(table.columns, [](const StoryColumn& one) { return one.texts.empty() && one.numbers.empty(); });
+  if (run.problem.buildings.size() == 2) table.columns.push_back(verdicts_of(run));
   told.tables.push_back(std::move(table));
-  for (StoryTable& one : scaled.tables) told.tables.push_back(std::move(one));
+  for (Story* const other : {&scaled, &of_gaps}) {
+    for (StoryTable& one : other->tables) told.tables.push_back(std::move(one));
+  }
   return told;
 }
 
-std::string suite_run_json(const SuiteRun& run, std::string_view version) {
+std::string suite_said_json(const SuiteRun& run, const GapStudy& gaps) {
+  Json json = {{"statements", Json::parse(statements_json(run.problem, suite_story(run, gaps).statements))}};
+  json["judgements"] = Json::array();
+  const std::vector<SuiteJudgement> judged = judged_gaps(run, gaps);
+  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
+    const JudgementOfMany& many = judged[gap].many;
+    Json reasons = Json::array();
+    for (const JudgementOfMany::Found& one : many.reasons) {
+      const bool is_rule = one.worst.kind == Reason::Kind::rule;
+      reasons.push_back({{"kind", word_of(one.worst)},
+                         {"records", one.runs},
+                         {"worst", is_rule ? Json(nullptr) : Json(suite_of(run).records[one.run].echo.file)}});
+      if (is_rule) reasons.back()["rule"] = one.worst.subject;
+    }
+    json["judgements"].push_back(
+        {{"between", {run.problem.buildings[gap].name, run.problem.buildings[gap + 1].name}},
+         {"value", word_of(many.value)},
+         {"records", {{"too_small", many.too_small}, {"not_known", many.not_known}, {"enough", many.enough}}},
+         {"reasons", reasons}});
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string suite_run_json(const SuiteRun& run, const GapStudy& gaps, std::string_view version) {
   const SuiteSpec& suite = suite_of(run);
+  const Json said = Json::parse(suite_said_json(run, gaps));
   const auto values = [&](const auto& value_of) {
     Json json = Json::object();
     for (std::size_t q = 0; q < run.quantities.size(); ++q) {
       const double value = value_of(q);
-      json[run.quantities[q].name] = std::isnan(value) ? Json(nullptr) : Json(value);
+      json[run.quantities[q].name] = std::isfinite(value) ? Json(value) : Json(nullptr);
     }
     return json;
   };
@@ -225,7 +323,8 @@ std::string suite_run_json(const SuiteRun& run, std::string_view version) {
   const Json json = {{"title", run.c.title},
                      {"units", {{"length", run.c.units.length}, {"force", run.c.units.force}}},
                      {"version", version},
-                     {"statements", Json::parse(statements_json(run.problem, suite_run_story(run).statements))},
+                     {"statements", said.at("statements")},
+                     {"judgements", said.at("judgements")},
                      {"suite", Json::parse(suite_json(suite))},
                      {"asked", suite.records.size()},
                      {"quantities", quantities},

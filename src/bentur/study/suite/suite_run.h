@@ -5,9 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bentur/model/story/story.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/model/suite/suite.h"
 #include "bentur/pounding/response.h"
+#include "bentur/study/gap/gap_study.h"
 
 namespace bentur {
 
@@ -21,7 +22,9 @@ struct SuiteQuantity {
 struct SuiteRecordRun {
   Status status = Status::done;
   std::string message = {};    ///< why it failed
-  std::vector<double> values;  ///< one per quantity; NaN: there is none
+  std::vector<double> values;  ///< one per quantity; NaN: there is none. A gap needed is that of both ways
+  std::vector<Statement> statements = {};  ///< run_story() of it
+  std::vector<ToldJudgement> judged = {};  ///< per gap
 };
 
 /// The runs of a case's suite, in short; case_of_record() gives one of them in full.
@@ -42,11 +45,22 @@ struct SuiteRun {
 /// is left out. @throws InvalidParameter unless the case has a suite.
 [[nodiscard]] SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress);
 
-/// How many of the records pound, what failed, the suite as it is scaled; a table with a row a record, their mean and
-/// their largest.
-[[nodiscard]] Story suite_run_story(const SuiteRun& run);
+/// A gap under all records that were run, with what rules ask of them together.
+struct SuiteJudgement {
+  JudgementOfMany many;
+  std::vector<Reason> of_rules;
+};
+/// One per gap. @param gaps of the same records
+[[nodiscard]] std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps);
+
+/// What is said of a suite at every door: the union of what its records say, each gap as it is judged from all of them,
+/// what the code and its rules take of them, the suite as it is scaled; a table with a row a record, their mean and
+/// their largest, and tables of the gaps. @param gaps of the same records
+[[nodiscard]] Story suite_story(const SuiteRun& run, const GapStudy& gaps);
 
 /// docs/suites.md
-[[nodiscard]] std::string suite_run_json(const SuiteRun& run, std::string_view version);
+[[nodiscard]] std::string suite_run_json(const SuiteRun& run, const GapStudy& gaps, std::string_view version);
+/// "statements" and "judgements" of the gaps of a suite, one JSON object.
+[[nodiscard]] std::string suite_said_json(const SuiteRun& run, const GapStudy& gaps);
 
 }  // namespace bentur

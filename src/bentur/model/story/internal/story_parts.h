@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_case.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur::story {
@@ -54,8 +56,6 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
 /// that they stay apart. @param hit tells of contact in the run; it is called where there is some
 void tell_judgement(const GapView& view, Eigen::Index gap, const std::function<void(Statement)>& hit,
                     std::vector<Statement>& statements);
-/// The word for what a gap, or a level of it, is judged to be.
-[[nodiscard]] const char* judgement_word(Sufficiency value);
 /// A reason as an item of a statement: the word {why} and what fills it.
 [[nodiscard]] std::vector<StoryValue> reason_item(const GapView& view, Eigen::Index gap, const Reason& reason);
 
@@ -122,6 +122,50 @@ void tell_drifts(const PlanRun& run, std::vector<Statement>& statements);
 [[nodiscard]] Eigen::Index most_softened(const BuildingPeaks::Yielding& yielding);
 /// What it has lost, with {time} and {left}.
 [[nodiscard]] Statement lost_strength(const BuildingPeaks::Yielding& yielding, Eigen::Index storey);
+/// What links carry and by how much they stroke, which they are bought by: of every two buildings the most of all.
+/// @param problem of a row or of buildings in plan @param found likewise, one per link
+template <class AnyProblem>
+void tell_links(const AnyProblem& problem, const std::vector<LinkSummary>& found, const ShownUnits& shown,
+                const std::string& length, std::vector<Statement>& statements) {
+  const auto link_at = [&](std::size_t i) -> const Link& {
+    if constexpr (requires { problem.links[i].link; }) {
+      return problem.links[i].link;
+    } else {
+      return problem.links[i];
+    }
+  };
+  struct Pair {
+    std::size_t left, right, hardest;
+    double force = 0, stroke = 0;
+    long count = 0;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto left = static_cast<std::size_t>(link_at(i).left);
+    const auto right = static_cast<std::size_t>(link_at(i).right);
+    auto pair = std::find_if(pairs.begin(), pairs.end(),
+                             [&](const Pair& one) { return one.left == left && one.right == right; });
+    if (pair == pairs.end()) pair = pairs.insert(pairs.end(), {left, right, i});
+    const double most = std::max(found[i].peak_compression, found[i].peak_tension);
+    pair->stroke = std::max({pair->stroke, found[i].peak_closing, found[i].peak_opening});
+    ++pair->count;
+    if (!(most > pair->force)) continue;
+    pair->force = most;
+    pair->hardest = i;
+  }
+  for (const Pair& pair : pairs) {
+    const double level = link_at(pair.hardest).elevation;
+    statements.push_back({.kind = "links",
+                          .buildings = {static_cast<Eigen::Index>(pair.left), static_cast<Eigen::Index>(pair.right)},
+                          .level = level,
+                          .values = {text_of("left", problem.buildings[pair.left].name),
+                                     text_of("right", problem.buildings[pair.right].name),
+                                     value_in("force", shown.force * pair.force, shown.units.force),
+                                     value_in("level", level, length), value_in("stroke", pair.stroke, length),
+                                     count_of("links", pair.count)}});
+  }
+}
+
 /// What the model of buildings in plan is and leaves out.
 [[nodiscard]] Statement model_statement(const PlanRun& run);
 /// What the model leaves out.

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "bentur/model/judgement/judge.h"
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/story/story.h"
+
+namespace bentur {
+
+/// What is judged of a gap, told.
+struct ToldJudgement {
+  Eigen::Index left = 0, right = 0;  ///< its buildings
+  double width = 0;                  ///< given where it is narrowest [length]; NaN where no floors face one another
+  Judgement judgement;
+  std::vector<std::vector<StoryValue>> reasons = {};  ///< of each of them: the word {why} and what fills it
+  std::vector<double> elevations = {};                ///< of each: of the level that it is of [length]; NaN: of none
+
+  [[nodiscard]] bool is_facing() const { return width == width; }
+};
+
+/// One per gap.
+[[nodiscard]] std::vector<ToldJudgement> told_judgements(const RunResults& run);
+[[nodiscard]] std::vector<ToldJudgement> told_judgements(const PlanRun& run);
+[[nodiscard]] std::vector<ToldJudgement> told_judgements(const Case& c, const Problem& problem,
+                                                         const SpectralGaps& spectral);
+
+/// The word for what a gap, or a level of it, is judged to be.
+[[nodiscard]] const char* judgement_word(Sufficiency value);
+
+/// Of a gap under many records: too small under so many and why, not known under so many and why, or enough under all.
+struct ManyToTell {
+  std::vector<std::string> names;          ///< of the records
+  std::vector<ToldJudgement> of_records;   ///< likewise, of this gap
+  JudgementOfMany many;
+  std::string left, right;                 ///< its buildings
+  std::string length;                      ///< its unit
+};
+[[nodiscard]] std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index gap);
+
+}  // namespace bentur

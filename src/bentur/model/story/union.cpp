@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "bentur/model/story/story.h"
+
+namespace bentur {
+namespace {
+
+/// By which value statements of a kind are compared, where it is not their first number.
+struct Measure {
+  std::string_view kind, value;
+  bool least = false;  ///< the least is the worst
+};
+constexpr Measure measures[] = {
+    {"collapse", "time", true},        {"collapse_alone", "time", true},
+    {"collapse_also_alone", "time", true},
+    {"drift_beyond", "drift"},         {"drift_beyond_alone", "drift"},
+    {"unmodelled", "depth"},           {"pounding", "force"},
+    {"pounding_impulse", "speed"},     {"column_shear", "ratio"},
+    {"column_moment", "ratio"},        {"storey_softens", "left", true},
+    {"storey_at_residual", "left", true},
+    {"storey_fails", "time", true},    {"soft_storey", "time", true},
+    {"mechanism", "time", true},       {"amplified", "factor"},
+    {"acceleration_ratio", "factor"},  {"storey_shear_ratio", "factor"},
+    {"acceleration", "acceleration"},
+};
+
+/// What is told of all runs together, or says of a run that something did not happen.
+constexpr std::string_view of_single_runs[] = {
+    "row_all",        "row_some",      "row_unknown",      "row_none",         "no_pounding",    "no_impact",
+    "too_small",      "not_known",     "no_level",         "need_unknown",     "gap_short",      "gap_need",
+    "gap_enough",     "gap_touch",     "gap_short_alone",  "gap_need_alone",   "reversed_short", "reversed_enough",
+    "reversed_alone", "reversed_unknown", "rules",         "rules_less",       "rules_short",    "rules_understate",
+    "rules_silent",   "not_amplified", "acceleration_ratio_none", "storey_shear_ratio_none"};
+
+/// How bad a statement is among those of its kind.
+double badness(const Statement& statement) {
+  const auto measure = std::find_if(std::begin(measures), std::end(measures),
+                                    [&](const Measure& one) { return one.kind == statement.kind; });
+  const bool is_measured = measure != std::end(measures);
+  for (const StoryValue& value : statement.values) {
+    const auto* const number = std::get_if<double>(&value.value);
+    if (number == nullptr || (is_measured && value.name != measure->value)) continue;
+    if (std::isnan(*number)) break;
+    return is_measured && measure->least ? -*number : std::abs(*number);
+  }
+  return 0;
+}
+
+bool is_of_single_runs(const Statement& statement) {
+  return std::find(std::begin(of_single_runs), std::end(of_single_runs), statement.kind) != std::end(of_single_runs);
+}
+
+}  // namespace
+
+std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
+  if (runs.size() == 1) return runs.front().statements;
+  struct OfKind {
+    const Statement* worst = nullptr;
+    std::size_t run = 0, last = 0;
+    long count = 0;
+  };
+  std::vector<OfKind> kinds;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    for (const Statement& one : runs[run].statements) {
+      if (is_of_single_runs(one)) continue;
+      auto found = std::find_if(kinds.begin(), kinds.end(), [&](const OfKind& kind) {
+        return kind.worst->kind == one.kind && kind.worst->gap == one.gap;
+      });
+      if (found == kinds.end()) {
+        kinds.push_back({&one, run, run, 1});
+        continue;
+      }
+      if (found->last != run) ++found->count;
+      found->last = run;
+      if (!(badness(one) > badness(*found->worst))) continue;
+      found->worst = &one;
+      found->run = run;
+    }
+  }
+  std::vector<Statement> all;
+  for (const OfKind& kind : kinds) {
+    all.push_back(*kind.worst);
+    if (kind.worst->kind.starts_with("model") || kind.worst->kind == "code_quotation") continue;  // of all alike
+    all.back().many = {kind.count, static_cast<long>(runs.size()), runs[kind.run].name};
+  }
+  sort_by_severity(all);
+  return all;
+}
+
+}  // namespace bentur
