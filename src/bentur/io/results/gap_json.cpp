@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bentur/io/results/internal/asked_json.h"
 #include "bentur/io/results/internal/code_json.h"
+#include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_pair.h"
 
@@ -35,13 +37,22 @@ Json codes_json(const std::vector<CodeSeparation>& codes) {
 
 /// What a level needs, or a whole gap.
 Json separation_json(const LevelSeparation& separation) {
-  Json json = {{"gap_needed", separation.gap_needed},
+  Json json = {{"gap_needed", or_null_if_unknown(separation.gap_needed)},
                {"abs", or_null_if_unknown(separation.abs)},
                {"srss", or_null_if_unknown(separation.srss)},
                {"ddc", or_null_if_unknown(separation.ddc)},
                {"codes", codes_json(separation.codes)}};
   if (separation.gap_needed_reversed) json["gap_needed_reversed"] = *separation.gap_needed_reversed;
   return json;
+}
+
+/// Of a response without contact that ends in collapse nothing is known of what is needed.
+void forget_needs(std::vector<LevelSeparation>& levels) {
+  for (LevelSeparation& one : levels) {
+    one.gap_needed = one.abs = one.srss = one.ddc = not_known;
+    one.gap_needed_reversed.reset();
+    for (CodeSeparation& code : one.codes) code.gap = not_known, code.to_left = code.to_right = {};
+  }
 }
 
 /// What each rule asks where it falls short the most.
@@ -81,6 +92,12 @@ Json screening_json(const std::vector<ScreeningFinding>& findings, const Units& 
 
 }  // namespace
 
+void put_judgements(const std::vector<ToldJudgement>& told, Json& gaps) {
+  for (std::size_t gap = 0; gap < told.size(); ++gap) {
+    gaps.at(gap)["judgement"] = told[gap].is_facing() ? Json::parse(judgement_json(told[gap])) : Json(nullptr);
+  }
+}
+
 Json between_json(const Problem& problem, Eigen::Index gap) {
   return {problem.buildings[gap].name, problem.buildings[gap + 1].name};
 }
@@ -90,7 +107,7 @@ Json watched_list(const Problem& problem, const Response& response, const Gap& g
   for (const Eigen::Index i : gap.watched) {
     Json json = watched_json(problem, i, in_plan);
     const WatchedSummary& summary = response.watched.at(i);
-    json["gap_needed"] = summary.gap_needed;
+    json["gap_needed"] = response.collapse_no_contact ? Json(nullptr) : Json(summary.gap_needed);
     json["gap_needed_reversed"] = or_null(summary.gap_needed_reversed);
     json["peak_left_no_contact"] = or_null_if_unknown(summary.peak_left);
     json["peak_right_no_contact"] = or_null_if_unknown(summary.peak_right);
@@ -116,9 +133,12 @@ Json unmodelled_list(const Problem& problem, const Response& response, Eigen::In
   return list;
 }
 
-Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels, double scale,
+Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels, double scale,
                  bool collapsed, Eigen::Index gap, const std::vector<ScreeningFinding>& screened,
                  const PlanGap* in_plan) {
+  const std::vector<RuleFinding> findings =
+      rule_findings(problem, levels, c.code, scale, collapsed, in_plan != nullptr);
+  if (collapsed) forget_needs(levels);
   Json points = Json::array(), watched = Json::array();
   for (const LevelSeparation& one : levels) {
     if (one.level.is_point) {
@@ -132,8 +152,7 @@ Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelS
   }
   Json json = {{"between", between_json(problem, gap)}};
   json.update(separation_json(largest_of(levels)));
-  const bool is_pair = in_plan != nullptr;
-  json["rules"] = findings_json(rule_findings(problem, levels, c.code, scale, collapsed, is_pair), levels, in_plan);
+  json["rules"] = findings_json(findings, levels, in_plan);
   json["points"] = points;
   json["watched_floors"] = watched;
   json["screening"] = screening_json(screened, c.units);

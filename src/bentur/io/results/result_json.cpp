@@ -120,6 +120,7 @@ Json point_json(const RunView& run, Eigen::Index i, const ContactSpec& contact) 
     json["struck"] = run.problem.buildings[struck->building].name;
   }
   put_quantities(json, Owner::point, run, i);
+  if (run.response.collapse_no_contact) json["gap_needed"] = nullptr;
   json["contact"] = contact_json(*point.law, contact);
   return json;
 }
@@ -203,6 +204,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
     json["watched_floors"] = watched_list(run.problem, run.response, gap);
     gaps.push_back(json);
   }
+  put_judgements(told_judgements(results), gaps);
   Json json = {{"title", c.title},
                {"units", units_json(c.units)},
                {"version", version},
@@ -253,6 +255,7 @@ std::string gap_json(const RunResults& results, std::string_view version) {
                                results.response.collapse_no_contact.has_value(), gap.left,
                                screening(problem, gap.left, results.c.screening, results.c.units)));
   }
+  put_judgements(told_judgements(results), gaps);
   return text_of({{"title", results.c.title},
                   {"units", units_json(results.c.units)},
                   {"version", version},
@@ -280,6 +283,7 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
     gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left,
                                screening(problem, gap.left, c.screening, c.units)));
   }
+  put_judgements(told_judgements(c, problem, spectral), gaps);
   return text_of(
       {{"title", c.title},
        {"units", units_json(c.units)},

@@ -24,6 +24,25 @@ Json values_json(const std::vector<StoryValue>& values) {
 
 }  // namespace
 
+std::string judgement_json(const ToldJudgement& told) {
+  Json reasons = Json::array();
+  for (std::size_t i = 0; i < told.reasons.size(); ++i) {
+    const Reason& reason = told.judgement.reasons.at(i);
+    const double level = told.elevations.at(i);
+    Json values = values_json(told.reasons[i]);
+    values.erase("why");
+    values.erase("level");
+    reasons.push_back({{"kind", word_of(reason.kind)},
+                       {"way", reason.way == Way::given ? "given" : "reversed"},
+                       {"level", std::isnan(level) ? Json(nullptr) : Json(level)},
+                       {"values", values}});
+  }
+  return Json({{"value", word_of(told.judgement.value)},
+               {"if_no_other_gap_closes", told.judgement.alone},
+               {"reasons", reasons}})
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string statements_json(const Problem& problem, const std::vector<Statement>& statements) {
   std::vector<std::string> names;
   for (const Building& building : problem.buildings) names.push_back(building.name);

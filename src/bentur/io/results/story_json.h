@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur {
@@ -12,5 +13,7 @@ namespace bentur {
 /// The same by the buildings' names.
 [[nodiscard]] std::string statements_json(const std::vector<std::string>& names,
                                           const std::vector<Statement>& statements);
+/// What is judged of a gap, with every reason: its kind, the way of the motion, the level, its numbers. One JSON object.
+[[nodiscard]] std::string judgement_json(const ToldJudgement& told);
 
 }  // namespace bentur

@@ -85,10 +85,12 @@ GoverningLevel governing_level(const Problem& problem, const Response& response,
 }
 
 double gap_needed(const Problem& problem, const Response& response, Eigen::Index number) {
+  if (response.collapse_no_contact) return not_known;
   return largest_of(needs_of(problem, response, number)).gap_needed;
 }
 
 std::optional<double> gap_needed_reversed(const Problem& problem, const Response& response, Eigen::Index number) {
+  if (response.reversed && response.reversed->collapse_no_contact) return std::nullopt;
   return largest_of(needs_of(problem, response, number)).gap_needed_reversed;
 }
 

@@ -8,32 +8,6 @@
 namespace bentur {
 namespace {
 
-std::string_view word_of_kind(Reason::Kind kind) {
-  switch (kind) {
-    case Reason::Kind::contact:
-      return "contact";
-    case Reason::Kind::unmodelled:
-      return "unmodelled contact";
-    case Reason::Kind::need:
-      return "need";
-    case Reason::Kind::rule:
-      return "rule";
-    case Reason::Kind::collapse:
-      return "collapse";
-    case Reason::Kind::drift:
-      return "drift beyond collapse";
-    case Reason::Kind::capacity:
-      return "beyond capacity";
-    case Reason::Kind::doubt:
-      return "doubt";
-    case Reason::Kind::motion_left:
-      return "motion left";
-    case Reason::Kind::not_looked_at:
-      break;
-  }
-  return "not looked at";
-}
-
 /// Of one way of the motion the level that is struck hardest.
 void judge_contact(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
   Reason contact{.kind = Reason::Kind::contact, .way = way};
@@ -131,8 +105,34 @@ std::string_view word_of(Sufficiency value) {
                                            : "enough";
 }
 
+std::string_view word_of(Reason::Kind kind) {
+  switch (kind) {
+    case Reason::Kind::contact:
+      return "contact";
+    case Reason::Kind::unmodelled:
+      return "unmodelled contact";
+    case Reason::Kind::need:
+      return "need";
+    case Reason::Kind::rule:
+      return "rule";
+    case Reason::Kind::collapse:
+      return "collapse";
+    case Reason::Kind::drift:
+      return "drift beyond collapse";
+    case Reason::Kind::capacity:
+      return "beyond capacity";
+    case Reason::Kind::doubt:
+      return "doubt";
+    case Reason::Kind::motion_left:
+      return "motion left";
+    case Reason::Kind::not_looked_at:
+      break;
+  }
+  return "not looked at";
+}
+
 std::string word_of(const Reason& reason) {
-  return std::string(word_of_kind(reason.kind)) + (reason.way == Way::reversed ? " reversed" : "");
+  return std::string(word_of(reason.kind)) + (reason.way == Way::reversed ? " reversed" : "");
 }
 
 bool says_too_small(Reason::Kind kind) { return kind <= Reason::Kind::rule; }

@@ -41,7 +41,9 @@ struct Reason {
   std::string subject = {};
   Eigen::Index storey = 0;
 };
-/// "contact", "contact reversed", …, as results have it.
+/// "contact", "unmodelled contact", …, as results have it.
+[[nodiscard]] std::string_view word_of(Reason::Kind kind);
+/// The same, "contact reversed" where it is of the motion reversed.
 [[nodiscard]] std::string word_of(const Reason& reason);
 /// Whether a gap is too small for this reason; else it is why that is not known.
 [[nodiscard]] bool says_too_small(Reason::Kind kind);

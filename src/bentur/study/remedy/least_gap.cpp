@@ -22,6 +22,11 @@ LeastGaps begun(const std::string& title, const Units& units, LeastGaps::Basis b
   return {.title = title, .units = units, .buildings = {}, .basis = basis, .both_ways = true};
 }
 
+void take_reason(Reason::Kind kind, LeastGap& gap) {
+  gap.is_short = gap.is_short || is_by_motion(kind);
+  gap.is_doubted = gap.is_doubted || !says_too_small(kind);
+}
+
 /// A gap from all that is known of it.
 void add_gap(LeastGaps& found, LeastGap gap, const JudgedGap& judged) {
   const GapFacts& facts = judged.facts;
@@ -39,7 +44,7 @@ void add_gap(LeastGaps& found, LeastGap gap, const JudgedGap& judged) {
   const WayFacts& other = facts.reversed;
   if (facts.has_other_way && other.looked_at && (other.fall || !other.drifts.empty())) gap.is_known = false;
   found.both_ways = found.both_ways && (!facts.has_other_way || other.looked_at);
-  for (const Reason& reason : judged.judgement.reasons) gap.is_short = gap.is_short || is_by_motion(reason.kind);
+  for (const Reason& reason : judged.judgement.reasons) take_reason(reason.kind, gap);
   gap.needed = without_round_off(gap.needed, facts.scale);
   gap.width = rounded_up(gap.needed);
   found.gaps.push_back(std::move(gap));
@@ -76,8 +81,8 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
   }
   statement.kind = one.others_close                        ? "least_gap_alone"
                    : one.is_short                          ? "least_gap_short"
+                   : one.is_doubted                        ? "least_gap_doubt"
                    : one.judged == Sufficiency::too_small  ? "least_gap_rules"
-                   : one.judged == Sufficiency::not_known  ? "least_gap_doubt"
                                                            : "least_gap_enough";
   if (one.judged != Sufficiency::enough) statement.severity = Severity::warning;
   statement.values.push_back({"least", one.width, length});
@@ -154,7 +159,7 @@ LeastGaps least_gaps(const SuiteRun& run, const GapStudy& study) {
     one.width = rounded_up(one.needed);
     one.given = given.narrowest().value_or(0);
     one.judged = many.value;
-    for (const JudgementOfMany::Found& of : many.reasons) one.is_short = one.is_short || is_by_motion(of.worst.kind);
+    for (const JudgementOfMany::Found& of : many.reasons) take_reason(of.worst.kind, one);
     for (const SuiteRecordRun& record : run.records) {
       one.others_close = one.others_close || (!record.judged.empty() && record.judged.at(g).judgement.alone);
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/io/results/internal/asked_json.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/plan/plan_case.h"
 
@@ -22,8 +23,11 @@ namespace bentur {
                                    const std::string& length, const PlanGap* in_plan = nullptr);
 
 /// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings stand.
-[[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels,
+[[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels,
                                double scale, bool collapsed, Eigen::Index gap,
                                const std::vector<ScreeningFinding>& screened, const PlanGap* in_plan = nullptr);
+
+/// Puts what is judged of each gap into its object of a list: "judgement".
+void put_judgements(const std::vector<ToldJudgement>& told, Json& gaps);
 
 }  // namespace bentur

@@ -235,6 +235,7 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
   Json buildings = Json::array(), gaps = Json::array(), impacts = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b));
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) gaps.push_back(plan_gap_json(run, g));
+  put_judgements(told_judgements(run), gaps);
   for (Index i = 0; i < std::ssize(run.response.impacts); ++i) impacts.push_back(plan_impact_json(run, i));
   Json json = {{"title", run.c.title},
                {"units", units_json(run.c.units)},
@@ -243,6 +244,8 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
                {"status", run.response.collapse ? "collapsed" : "completed"},
                {"solver", plan_solver_json(run)},
                {"excitation", excitations_json(run.c)},
+               {"statements", plan_statements_json(run.problem, plan_story(run).statements)},
+               {"remarks", remarks_json(run.remarks)},
                {"discrepancies", discrepancies_json(run.response.discrepancies)},
                {"buildings", std::move(buildings)},
                {"gaps", std::move(gaps)},
@@ -265,6 +268,7 @@ std::string plan_gap_json(const PlanRun& run, std::string_view version) {
                     displacement_scale(pair.problem, pair.response, 0), pair.response.collapse_no_contact.has_value(),
                     0, plan_screening(run.c, run.problem, g), &run.problem.gaps[g]));
   }
+  put_judgements(told_judgements(run), gaps);
   return text_of({{"title", run.c.title},
                   {"units", units_json(run.c.units)},
                   {"version", version},
