@@ -83,8 +83,12 @@ void report_end(const SweepArguments& arguments, const SweepReport& report) {
   }
   if (report.failed > 0) message("warning: " + report.first_failure);
   // What else is to be said of the runs a report says; this must not be missed.
-  const StudyOutcome outcome{
-      .runs = count(report.runs), .failed = count(report.failed), .unmodelled = count(report.unmodelled)};
+  StudyOutcome outcome{.runs = count(report.runs),
+                       .failed = count(report.failed),
+                       .unmodelled = count(report.unmodelled),
+                       .remarked = count(report.remarked),
+                       .doubted = count(report.doubted)};
+  for (const auto& [key, runs] : report.remarks) outcome.remarks.emplace_back(key, count(runs));
   for (const SaidStatement& one : said(study_story(outcome).statements, Words("en"))) {
     if (one.severity == Severity::danger) message("warning: " + one.text);
   }
@@ -94,8 +98,8 @@ void report_end(const SweepArguments& arguments, const SweepReport& report) {
     return;
   }
   const double rate = static_cast<double>(report.solved) / std::max(report.seconds, 1e-9);
-  print(fmt::format("{} runs, {:.0f} impacts, {} failed, {} runs/s ({} runs in {:.3g} s): {}\n", report.runs,
-                    report.impacts, report.failed, number(rate), report.solved, report.seconds, arguments.output));
+  print(fmt::format("{} runs, {:.0f} impacts, {} failed, {} with remarks, {} in doubt, {} runs/s ({} runs in {:.3g} s): {}\n", report.runs,
+                    report.impacts, report.failed, report.remarked, report.doubted, number(rate), report.solved, report.seconds, arguments.output));
 }
 
 void run(const SweepArguments& arguments) {

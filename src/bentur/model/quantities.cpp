@@ -78,6 +78,15 @@ long floors_met(const RunView& r, const QuantityPlace& at) {
 }
 double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
 long events(const RunView& r, const QuantityPlace&) { return r.response.events; }
+double remarks_of_run(const RunView& r, const QuantityPlace&) {
+  return r.remarks != nullptr ? static_cast<double>(r.remarks->size()) : none;
+}
+double doubts_of_run(const RunView& r, const QuantityPlace&) {
+  return r.remarks != nullptr ? static_cast<double>(count_of_doubts(*r.remarks)) : none;
+}
+double kinds_of_remarks(const RunView& r, const QuantityPlace&) {
+  return r.remarks != nullptr ? static_cast<double>(remark_kinds(*r.remarks)) : none;
+}
 double end_time(const RunView& r, const QuantityPlace&) {
   return r.response.collapse ? r.response.collapse->time : r.response.duration;
 }
@@ -232,6 +241,9 @@ std::deque<Quantity>& list() {
       {"end_time", run, "s", "t_e", "when the run ended", {}, end_time, "/solver/end_time", {}, 1, {}, false, false, true},
       {"collapsed", run, "1", "", "whether a storey collapsed, which ends the run", {}, collapsed},
       {"energy_residual", run, "1", "ε", "largest energy not accounted for over the largest input", {}, energy_residual, "/solver/energy_residual", {}, 1, {}, true},
+      {"remarks", run, "1", "", "remarks on the case and what came out", {}, remarks_of_run, "/remark_counts/all"},
+      {"doubts", run, "1", "", "those by which an input may not be meant", {}, doubts_of_run, "/remark_counts/doubts"},
+      {"remark_kinds", run, "1", "", "what the remarks are about, a bit for each of flag_meanings from the lowest", {}, kinds_of_remarks, "/remark_counts/kinds"},
       // Impacts, in the order of impacts.csv.
       {"start", impact, "s", "t₀", "start", {"Start", "Mulai"}, &Impact::start, {}, {}, 1, 4},
       {"end", impact, "s", "t₁", "end", {}, &Impact::end},

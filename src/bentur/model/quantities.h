@@ -15,6 +15,8 @@
 
 namespace bentur {
 
+struct Remark;
+
 /// What the values of a quantity belong to: one value for the run, or one each. Bearings are those of plans alone.
 enum class Owner { run, building, floor, point, gap, impact, link, hinge, column, bearing };
 
@@ -29,6 +31,7 @@ struct RunView {
   const Response& response;
   const Units& units;
   const ShownUnits shown;
+  const std::vector<Remark>* remarks = nullptr;  ///< of the case and what came out; null: not looked for
   std::vector<PointRestitution> restitutions;  ///< per contact point
 };
 

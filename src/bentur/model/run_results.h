@@ -30,7 +30,11 @@ struct RunResults {
   std::vector<Remark> remarks;
   FigureData figures = {};
 
-  [[nodiscard]] RunView view() const { return {problem, response, c.units}; }
+  [[nodiscard]] RunView view() const {
+    RunView view(problem, response, c.units);
+    view.remarks = &remarks;
+    return view;
+  }
 };
 
 /// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.

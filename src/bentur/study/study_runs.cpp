@@ -10,6 +10,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/model/plan/plan_row.h"
+#include "bentur/model/story/remarks.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
@@ -211,7 +212,10 @@ std::optional<RunResult> StudyRuns::solved(Workspace& workspace, std::size_t run
   options.limits = run_limits(workspace.group->read.c.analysis);
   const Response response = workspace.group->free.solve(workspace.problem, options);
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
-    fill_row(quantities_, {workspace.problem, response, facts_.units}, row);
+    RunView view(workspace.problem, response, facts_.units);
+    const std::vector<Remark> found = remarks(workspace.group->read.c, workspace.problem, response);
+    view.remarks = &found;
+    fill_row(quantities_, view, row);
   });
 }
 
@@ -226,7 +230,7 @@ std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions
   options.levels = true;
   PlanResponse response = bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
-    fill_row(quantities_, {std::move(chosen.c), std::move(chosen.problem), std::move(response)}, row);
+    fill_row(quantities_, run_results(std::move(chosen.c), std::move(chosen.problem), std::move(response)), row);
   });
 }
 

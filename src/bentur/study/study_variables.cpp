@@ -14,6 +14,7 @@
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/story/remarks.h"
 #include "bentur/study/fragility/ida_results.h"
 
 namespace bentur {
@@ -200,6 +201,11 @@ class StudyList {
     variable.attributes.push_back({"symbol", std::string(part.quantity->symbol)});
     if (part.is_of_building()) {
       variable.attributes.push_back({"building", buildings_[part.building]});
+    }
+    if (part.name == "remark_kinds") {
+      std::string meanings;
+      for (const std::string_view key : remark_keys()) meanings += (meanings.empty() ? "" : " ") + std::string(key);
+      variable.attributes.push_back({"flag_meanings", meanings});
     }
     if (part.quantity->by_size) variable.attributes.push_back({"compared_by", "size"});
     name_coordinates(variable, own_coordinates());

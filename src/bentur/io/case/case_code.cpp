@@ -82,9 +82,7 @@ CodeSpec read_code(const TomlView& root, const Units& units, std::size_t buildin
   const auto view = TableView(root, case_keys()).table("code");
   if (!view) return code;
   if (const auto aligned = view->find("floors_aligned")) code.floors_aligned = read_flags(*aligned, gaps);
-  if (const auto owner = view->find("same_owner")) {
-    code.same_owner = read_flags(*owner, gaps).value_or(std::vector<bool>{});
-  }
+  if (const auto owner = view->find("same_owner")) code.same_owner = read_flags(*owner, gaps);
   std::vector<std::string_view> rules;
   bool any = false;
   for (const CodeRule& rule : code_rules()) {

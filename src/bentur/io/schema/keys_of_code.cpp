@@ -27,11 +27,11 @@ const KeyTable& code_keys() {
     made.keys.push_back(Key::of("floors_aligned", Key::Kind::flag, {"Floors aligned", "Lantai sejajar"},
                                 "whether every floor of either building has a floor of the other at its elevation")
                             .for_each("one per gap")
-                            .optional("as the floors' elevations say"));
+                            .optional("no rule asks for less because of it, which is said beside its number"));
     made.keys.push_back(Key::of("same_owner", Key::Kind::flag, {"Same owner", "Pemilik sama"},
                                 "whether there is no property line between the buildings")
                             .for_each("one per gap")
-                            .by_default(1));
+                            .optional("a property line stands in the gap, which is said beside the numbers"));
     return made;
   }();
   return table;

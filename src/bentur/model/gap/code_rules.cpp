@@ -58,6 +58,11 @@ double factor(const CodeRuleSpec& spec, std::string_view key, std::size_t buildi
   return value;
 }
 
+bool is_set(const CodeRuleSpec& spec, std::string_view flag) {
+  const auto found = spec.flags.find(flag);
+  return found != spec.flags.end() && found->second;
+}
+
 /// Own displacements, amplified.
 struct Amplified {
   double left = 0, right = 0;
@@ -87,7 +92,7 @@ CodeSeparation eurocode(const CodePair& pair, const CodeRuleSpec& spec) {  // (2
 
 CodeSeparation is1893(const CodePair& pair, const CodeRuleSpec& spec) {  // (3)
   const Amplified d = amplified(pair, spec, "response_reduction");
-  return {spec.rule, (pair.floors_aligned ? 0.5 : 1) * d.sum(), {}, {}};
+  return {spec.rule, (pair.floors_aligned && is_set(spec, "halved") ? 0.5 : 1) * d.sum(), {}, {}};
 }
 
 CodeSeparation nbcc(const CodePair& pair, const CodeRuleSpec& spec) {  // (4)
@@ -132,10 +137,9 @@ CodeSeparation ntc2004(const CodePair& pair, const CodeRuleSpec& spec) {  // (7)
   const double slope = (simplified ? std::array{0.007, 0.009, 0.012} : std::array{0.001, 0.003, 0.006})[place];
   const double left = std::max(0.050 * pair.metre, d.left + slope * pair.left.level);
   const double right = std::max(0.050 * pair.metre, d.right + slope * pair.right.level);
-  const auto alike = spec.flags.find("structures_alike");
   const double taller = std::max(pair.left.height, pair.right.height);
   const bool one_height = std::abs(pair.left.height - pair.right.height) <= 1e-6 * taller;
-  const bool half = pair.floors_aligned && one_height && alike != spec.flags.end() && alike->second;
+  const bool half = pair.floors_aligned && one_height && is_set(spec, "structures_alike");
   return {spec.rule, (half ? 0.5 : 1) * (left + right), left, right};
 }
 
@@ -257,7 +261,9 @@ const std::vector<CodeRule>& code_rules() {
        "to check",
        "elastic displacement under design forces reduced by R; R makes it the inelastic one",
        Takes::reduced,
-       {response_reduction()},
+       {response_reduction(), Key::of("halved", Key::Kind::flag, {"Halved", "Dibagi dua"},
+                                      "half of the sum where floors are aligned, as editions before 2016 have it")
+                                  .by_default(0)},
        is1893},
       {"nbcc",
        "NBCC",
@@ -394,6 +400,18 @@ const CodeRule& checked_rule(const CodePair& pair, const CodeRuleSpec& spec, boo
 }
 
 }  // namespace
+
+bool depends_on_owner(const CodeRuleSpec& spec) {
+  constexpr std::string_view rules[] = {"asce-7-16",  "sni-1726-2019", "en-1998-1", "e-030-2018",
+                                        "e-030-2026", "nsr-10",        "nec-se-ds"};
+  return std::find(std::begin(rules), std::end(rules), spec.rule) != std::end(rules);
+}
+
+bool depends_on_alignment(const CodeRuleSpec& spec) {
+  return spec.rule == "en-1998-1" || spec.rule == "tbdy-2018" || spec.rule == "nec-se-ds" ||
+         (spec.rule == "is-1893-1" && is_set(spec, "halved")) ||
+         (spec.rule == "ntc-2004" && is_set(spec, "structures_alike"));
+}
 
 CodeSeparation code_separation(const CodePair& pair, const CodeRuleSpec& spec) {
   return checked_rule(pair, spec, true).separation(pair, spec);

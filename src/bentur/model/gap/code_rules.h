@@ -24,8 +24,17 @@ struct CodeRuleSpec {
 /// [code] of a case: the rules it gives numbers for, and how the buildings of each gap stand to one another.
 struct CodeSpec {
   std::vector<CodeRuleSpec> rules;                       ///< in the order of code_rules()
-  std::optional<std::vector<bool>> floors_aligned = {};  ///< per gap; nothing: as the floors' elevations say
-  std::vector<bool> same_owner = {};                     ///< per gap; empty: true for all
+  /// Per gap; nothing: not given, and no rule asks for less because of it.
+  std::optional<std::vector<bool>> floors_aligned = {};
+  std::optional<std::vector<bool>> same_owner = {};  ///< likewise: a property line stands in the gap
+
+  [[nodiscard]] bool is_aligned(std::size_t gap) const { return is_true(floors_aligned, gap); }
+  [[nodiscard]] bool is_of_one_owner(std::size_t gap) const { return is_true(same_owner, gap); }
+
+ private:
+  static bool is_true(const std::optional<std::vector<bool>>& flags, std::size_t gap) {
+    return flags && flags->at(gap);
+  }
 };
 
 /// One building at a contact level.
@@ -41,7 +50,7 @@ struct CodePair {
   std::size_t left_building = 0;  ///< its place in the row; the right one is the next
   bool floors_aligned =
       false;               ///< up to the lower roof every floor of either has a floor of the other at its elevation
-  bool same_owner = true;  ///< no property line between them
+  bool same_owner = false;  ///< no property line between them
   double metre = 1;        ///< [length], the case's units in one metre
 };
 
@@ -62,7 +71,7 @@ struct HeightSeparation {
 ///   asce-7-16, sni-1726-2019   δ_M = C_d u/I_e; √(δ_MA² + δ_MB²), across a property line δ_MA + δ_MB         (1)
 ///   en-1998-1                  d_s = q u; √(d_sA² + d_sB²), across a property line d_sA + d_sB;
 ///                              times 0.7 where floors are aligned                                           (2)
-///   is-1893-1                  R_A u_A + R_B u_B, half of it where floors are aligned                        (3)
+///   is-1893-1                  R_A u_A + R_B u_B, half of it where that is asked for and floors are aligned   (3)
 ///   nbcc                       δ = R_d R_o u/I_E; √(δ_A² + δ_B²)                                             (4)
 ///   tbdy-2018                  √((α_A u_A)² + (α_B u_B)²), α = 0.25 R/I where floors are aligned, else 0.5 R/I;
 ///                              at least 30 mm, and 10 mm more for each 3 m above 6 m of the lower building   (5)
@@ -112,6 +121,10 @@ struct CodeRule {
 
 [[nodiscard]] const std::vector<CodeRule>& code_rules();
 [[nodiscard]] const CodeRule* find_code_rule(std::string_view name);  ///< nullptr: there is none
+
+/// Whether a rule asks for another gap where a property line stands in it, or where floors are aligned.
+[[nodiscard]] bool depends_on_owner(const CodeRuleSpec& spec);
+[[nodiscard]] bool depends_on_alignment(const CodeRuleSpec& spec);
 
 /// The gap by one rule. @throws InvalidParameter, naming the key, when something that it needs is missing or out of
 /// range.

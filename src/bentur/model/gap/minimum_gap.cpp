@@ -32,20 +32,6 @@ bool damping_known(const Building& building) { return building.is_rigid() || bui
 
 }  // namespace
 
-bool floors_aligned(const Building& left, const Building& right) {
-  const std::vector<double>& a = left.model.elevations;
-  const std::vector<double>& b = right.model.elevations;
-  const std::vector<double>& lower = a.back() <= b.back() ? a : b;
-  const std::vector<double>& other = a.back() <= b.back() ? b : a;
-  const double tolerance = 1e-6 * std::max(height_of(left.model), height_of(right.model));
-  const auto matched = [&](double floor) {
-    return std::any_of(other.begin(), other.end(), [&](double x) { return std::abs(x - floor) <= tolerance; });
-  };
-  const auto below = static_cast<std::size_t>(
-      std::count_if(other.begin(), other.end(), [&](double x) { return x <= lower.back() + tolerance; }));
-  return below == lower.size() && std::all_of(lower.begin(), lower.end(), matched);
-}
-
 bool is_linked(const Problem& problem, Eigen::Index gap) {
   const auto ties = [&](const Link& link) {
     const auto of_gap = [&](Eigen::Index b) { return b == gap || b == gap + 1; };
@@ -65,8 +51,8 @@ CodePair code_pair(const Problem& problem, const FacingLevel& level, const CodeS
   return {.left = side(0, left),
           .right = side(1, right),
           .left_building = static_cast<std::size_t>(level.gap),
-          .floors_aligned = code.floors_aligned ? code.floors_aligned->at(level.gap) : floors_aligned(left, right),
-          .same_owner = code.same_owner.empty() || code.same_owner.at(level.gap),
+          .floors_aligned = code.is_aligned(static_cast<std::size_t>(level.gap)),
+          .same_owner = code.is_of_one_owner(static_cast<std::size_t>(level.gap)),
           .metre = 1 / metres(units.length)};
 }
 

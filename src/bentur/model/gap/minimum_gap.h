@@ -95,8 +95,4 @@ struct RuleFinding {
 /// Whether a link ties the two buildings of a gap, or one of them to a third.
 [[nodiscard]] bool is_linked(const Problem& problem, Eigen::Index gap);
 
-/// Whether each floor of the lower of two neighbours has a floor of the other at its elevation, within a millionth of
-/// the taller one's height.
-[[nodiscard]] bool floors_aligned(const Building& left, const Building& right);
-
 }  // namespace bentur

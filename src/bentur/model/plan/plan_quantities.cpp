@@ -341,6 +341,9 @@ std::deque<Line> list() {
   all.push_back({PlanOwner::run, {"peak_ground_acceleration_y", Owner::run, "L s-2", "PGA_y", "peak ground acceleration along y as applied", {}, {}, "/excitation/peak_ground_acceleration_y"}, of_ground(1)});
   all.push_back({PlanOwner::run, quantity_named("end_time", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return run.response.collapse ? run.response.collapse->time : run.response.duration; }}});
   all.push_back({PlanOwner::run, quantity_named("collapsed", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return run.response.collapse ? 1.0 : 0.0; }}});
+  all.push_back({PlanOwner::run, quantity_named("remarks", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return static_cast<double>(run.remarks.size()); }}});
+  all.push_back({PlanOwner::run, quantity_named("doubts", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return static_cast<double>(count_of_doubts(run.remarks)); }}});
+  all.push_back({PlanOwner::run, quantity_named("remark_kinds", Owner::run), {[](const PlanRun& run, const PlanPlace&) { return static_cast<double>(remark_kinds(run.remarks)); }}});
   for (const Quantity* const quantity : quantities_of(Owner::impact)) {
     if (Source source = of_row(*quantity); source.value) all.push_back({impact, *quantity, std::move(source)});
   }

@@ -384,6 +384,23 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
   for (Statement* const statement : {&too_close, &all, &too_small, &silent}) {
     if (!statement->items.empty()) statements.push_back(std::move(*statement));
   }
+  tell_assumed(facts.c.code, static_cast<std::size_t>(gap), statements);
+}
+
+void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vector<Statement>& statements) {
+  const auto tell = [&](const char* kind, bool (*depends)(const CodeRuleSpec&), const auto& given, auto is_set) {
+    Statement statement{.kind = kind, .severity = Severity::finding};
+    for (const CodeRuleSpec& spec : code.rules) {
+      if (depends(spec)) statement.items.push_back({text_of("rule", std::string(find_code_rule(spec.rule)->title))});
+    }
+    if (statement.items.empty()) return;
+    if (gap) statement.gap = static_cast<Eigen::Index>(*gap);
+    statement.kind += is_set(gap.value_or(0)) ? "_yes" : "_no";
+    statement.values = {given ? text_of("given", "") : word_of("given", std::string("story.") + kind + "_given")};
+    statements.push_back(std::move(statement));
+  };
+  tell("assumed_owner", &depends_on_owner, code.same_owner, [&](std::size_t g) { return code.is_of_one_owner(g); });
+  tell("assumed_aligned", &depends_on_alignment, code.floors_aligned, [&](std::size_t g) { return code.is_aligned(g); });
 }
 
 std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {

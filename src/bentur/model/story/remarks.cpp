@@ -226,4 +226,30 @@ Proportions proportions(const Building& building, const Units& units, const Buil
   return result;
 }
 
+const std::vector<std::string_view>& remark_keys() {
+  static const std::vector<std::string_view> keys = {
+      "period_per_storey", "stiffness_factor", "storey_weight", "storey_weight_per_width", "impact_damping",
+      "damping", "storey_height", "elastic_modulus", "density", "section", "line_load", "gap_width",
+      "level_tolerance", "soft_contact", "code_on_record", "broken_columns", "initial_overlap",
+      "contact_stiffness", "record_step", "record_length", "motion_of_zeros", "pga", "pga_without_unit",
+      "delay", "duration", "output_step", "modal_mass", "drift", "base_shear", "penetration",
+      "check_first_contact", "check_without_impact", "check_momentum", "check_opening", "check_peaks",
+      "check_forces", "check_energy", "slow_starts"};
+  return keys;
+}
+
+std::uint64_t remark_kinds(const std::vector<Remark>& remarks) {
+  std::uint64_t kinds = 0;
+  for (const Remark& one : remarks) {
+    const auto& keys = remark_keys();
+    const auto found = std::find(keys.begin(), keys.end(), one.key);
+    if (found != keys.end()) kinds |= std::uint64_t{1} << static_cast<unsigned>(found - keys.begin());
+  }
+  return kinds;
+}
+
+long count_of_doubts(const std::vector<Remark>& remarks) {
+  return std::count_if(remarks.begin(), remarks.end(), [](const Remark& one) { return one.is_doubt; });
+}
+
 }  // namespace bentur

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bentur/model/case.h"
@@ -31,6 +33,12 @@ struct Remark {
 /// Of a record alone, as its file has it: how far apart its values are and how long it is, which say whether its times
 /// are seconds; and its peak as applied, `pga`, in `units`.
 [[nodiscard]] std::vector<Remark> remarks(const RecordEcho& record, const Units& units);
+
+/// What remarks may be about, Remark::key of all there are; a new one is put last.
+[[nodiscard]] const std::vector<std::string_view>& remark_keys();
+/// What some remarks are about: bit i for key i.
+[[nodiscard]] std::uint64_t remark_kinds(const std::vector<Remark>& remarks);
+[[nodiscard]] long count_of_doubts(const std::vector<Remark>& remarks);
 
 /// What one compares first. A building's weight is that of its floors' lumped masses: half of a frame's lowest columns
 /// stands on the ground.

@@ -27,6 +27,21 @@ Story study_story(const StudyOutcome& outcome) {
                                .severity = Severity::danger,
                                .values = {count_of("unmodelled", outcome.unmodelled), count_of("runs", finished)}});
   }
+  const auto tell_remarks = [&](const char* kind, Severity severity, long count) {
+    Statement statement{.kind = kind, .severity = severity};
+    statement.values = {count_of("count", count), count_of("runs", finished)};
+    for (const auto& [key, runs] : outcome.remarks) {
+      statement.items.push_back({text_of("key", key), count_of("in", runs)});
+    }
+    told.statements.push_back(std::move(statement));
+  };
+  if (outcome.doubted > 0) tell_remarks("study_doubted", Severity::danger, outcome.doubted);
+  if (outcome.not_known > 0) {
+    told.statements.push_back({.kind = "study_not_known",
+                               .severity = Severity::danger,
+                               .values = {count_of("count", outcome.not_known), count_of("runs", finished)}});
+  }
+  if (outcome.remarked > 0 && outcome.doubted == 0) tell_remarks("study_remarked", Severity::warning, outcome.remarked);
   if (finished > 0) {
     told.statements.push_back({.kind = outcome.pounding > 0 ? "study_pounding" : "study_no_pounding",
                                .severity = outcome.pounding > 0 ? Severity::warning : Severity::finding,

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/model/story/story.h"
@@ -20,6 +21,9 @@ struct StudyOutcome {
   long runs = 0, failed = 0;
   long pounding = 0;    ///< with an impact, or with a contact that is not modelled
   long unmodelled = 0;  ///< with a contact that is not modelled
+  long remarked = 0, doubted = 0;  ///< with a remark, with one by which an input may not be meant
+  std::vector<std::pair<std::string, long>> remarks = {};  ///< what they are about, and in how many runs
+  long not_known = 0;  ///< of which the gap needed is not known: a building falls without contact
   std::optional<PlacedValue> hardest_force = {}, gap_needed = {};  ///< the largest of all runs
 };
 

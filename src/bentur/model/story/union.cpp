@@ -82,7 +82,10 @@ std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
   std::vector<Statement> all;
   for (const OfKind& kind : kinds) {
     all.push_back(*kind.worst);
-    if (kind.worst->kind.starts_with("model") || kind.worst->kind == "code_quotation") continue;  // of all alike
+    if (kind.worst->kind.starts_with("model") || kind.worst->kind == "code_quotation" ||
+        kind.worst->kind.starts_with("assumed_")) {
+      continue;  // of all alike
+    }
     all.back().many = {kind.count, static_cast<long>(runs.size()), runs[kind.run].name};
   }
   sort_by_severity(all);

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/model/story/remarks.h"
 #include "bentur/model/story/study_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/html/internal/markup.h"
@@ -72,6 +74,9 @@ StudyOutcome outcome_of(const SweepData& sweep) {
   // Results of earlier versions watch no floors.
   const std::vector<double> unmodelled = by_run(sweep, "unmodelled_contacts", true);
   const std::vector<double> needed = by_run(sweep, "gap_needed", false);
+  const std::vector<double> remarked = by_run(sweep, "remarks", true), doubted = by_run(sweep, "doubts", true);
+  const std::vector<double> about = by_run(sweep, "remark_kinds", true);
+  std::vector<long> in(remark_keys().size(), 0);  // runs with a remark about each
   StudyOutcome outcome{.runs = std::ssize(status)};
   std::optional<std::size_t> hardest, widest;
   for (std::size_t run = 0; run < status.size(); ++run) {
@@ -82,11 +87,23 @@ StudyOutcome outcome_of(const SweepData& sweep) {
     if (unmodelled[run] > 0) ++outcome.unmodelled;
     if (impacts[run] > 0 || unmodelled[run] > 0) ++outcome.pounding;
     if (forces[run] > 0 && (!hardest || forces[run] > forces[*hardest])) hardest = run;
+    outcome.remarked += remarked[run] > 0 ? 1 : 0;
+    outcome.doubted += doubted[run] > 0 ? 1 : 0;
+    for (std::size_t k = 0; about[run] > 0 && k < in.size(); ++k) {
+      in[k] += (static_cast<std::uint64_t>(about[run]) >> k & 1U) != 0 ? 1 : 0;
+    }
+    if (std::isnan(needed[run])) {
+      ++outcome.not_known;
+      continue;
+    }
     if (!widest || needed[run] > needed[*widest]) widest = run;
   }
   const auto placed = [&](std::size_t run, const std::vector<double>& values, const std::string& variable) {
     return PlacedValue{values[run], sweep.unit(variable), where(sweep, run, values)};
   };
+  for (std::size_t k = 0; k < in.size(); ++k) {
+    if (in[k] > 0) outcome.remarks.emplace_back(remark_keys()[k], in[k]);
+  }
   if (hardest) outcome.hardest_force = placed(*hardest, forces, "peak_force");
   if (widest) outcome.gap_needed = placed(*widest, needed, "gap_needed");
   return outcome;

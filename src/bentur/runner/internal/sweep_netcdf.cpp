@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bentur/files/netcdf.h"
+#include "bentur/model/story/remarks.h"
 #include "bentur/study/study_variables.h"
 
 namespace bentur {
@@ -111,6 +113,7 @@ SweepTotals SweepFile::write(const Journal& journal) {
                         [&](const RowPart& quantity) { return quantity.name == name; });
   };
   const auto impacts = named("impacts"), unmodelled = named("unmodelled_contacts");
+  const auto remarked = named("remarks"), doubted = named("doubts"), about = named("remark_kinds");
   std::map<std::size_t, std::string> failures;
   for (std::size_t first = 0; first < runs_.plan().runs();) {
     const RunBlock block = block_at(first);
@@ -122,6 +125,12 @@ SweepTotals SweepFile::write(const Journal& journal) {
         bool some = false;
         for (Eigen::Index k = 0; k < unmodelled->count; ++k) some = some || result.values[unmodelled->first + k] > 0;
         totals.unmodelled += some ? 1 : 0;
+        totals.remarked += result.values[remarked->first] > 0 ? 1 : 0;
+        totals.doubted += result.values[doubted->first] > 0 ? 1 : 0;
+        const auto bits = static_cast<std::uint64_t>(result.values[about->first]);
+        for (std::size_t k = 0; k < remark_keys().size(); ++k) {
+          if ((bits >> k & 1U) != 0) ++totals.remarks[std::string(remark_keys()[k])];
+        }
         continue;
       }
       if (totals.failed++ == 0) totals.first_failure = fmt::format("run {}: {}", result.run, result.message);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "bentur/io/input_file.h"
@@ -55,14 +56,23 @@ GapNeed quantile_of_needs(const RecordNeeds& needs, Eigen::Index gap, double p) 
   return result;
 }
 
-/// Each number by itself.
+/// Each number by itself: over the records, of the larger way of each.
 GapNeed mean_of_needs(const RecordNeeds& needs, Eigen::Index gap) {
-  const auto count = static_cast<double>(needs.records.size());
+  std::map<std::size_t, GapNeed> motions;
+  for (const RecordNeed& record : needs.records) {
+    const GapNeed& one = record.gaps[gap];
+    const auto [known, is_new] = motions.try_emplace(record.motion, one);
+    if (is_new) continue;
+    const auto raise = [](double& value, double other) { value = std::isnan(other) ? other : std::max(value, other); };
+    for (const auto number : single_numbers) raise(known->second.*number, one.*number);
+    for (std::size_t i = 0; i < one.codes.size(); ++i) raise(known->second.codes[i], one.codes[i]);
+  }
+  const auto count = static_cast<double>(motions.size());
   GapNeed result;
   result.codes.assign(needs.records.front().gaps[gap].codes.size(), 0.0);
-  for (const RecordNeed& record : needs.records) {
-    for (const auto number : single_numbers) result.*number += record.gaps[gap].*number / count;
-    for (std::size_t i = 0; i < result.codes.size(); ++i) result.codes[i] += record.gaps[gap].codes[i] / count;
+  for (const auto& [motion, need] : motions) {
+    for (const auto number : single_numbers) result.*number += need.*number / count;
+    for (std::size_t i = 0; i < result.codes.size(); ++i) result.codes[i] += need.codes[i] / count;
   }
   if (std::isinf(result.gap_needed)) result.gap_needed = not_known;
   return result;
@@ -324,6 +334,7 @@ class Work {
     const std::string record = record_name(choices, records, chosen);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     RecordNeed result = chosen.plan ? need_in_plan(record, *chosen.plan) : need_of_row(record, chosen.row);
+    result.motion = record_axes(study_, false).place(choices);
     for (Eigen::Index gap = 0; gap < std::ssize(result_.gaps); ++gap) {
       result.gaps.push_back(need_of(result.separations, gap));
       if (result.collapsed && !of_gap(result.separations, gap).empty()) take_as_fallen(result.gaps.back());
@@ -342,7 +353,7 @@ class Work {
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
     RecordNeed result{
-        record, response.status == Status::collapsed, separations(problem, response, read.c.code, read.c.units), {}};
+        record, 0, response.status == Status::collapsed, separations(problem, response, read.c.code, read.c.units), {}};
     if (takes_both_ways_ && read.c.analysis.both_ways) take_other_way(read, problem, result);
     return result;
   }
@@ -354,7 +365,7 @@ class Work {
         run_results(read.c, read.problem, solve(read.problem, read.c.analysis.solver, options));
     if (run.response.status != Status::done && run.response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + run.response.message);
-    RecordNeed result{record, run.response.collapse_no_contact.has_value(), {}, {}};
+    RecordNeed result{record, 0, run.response.collapse_no_contact.has_value(), {}, {}};
     for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
       const RunResults pair = pair_of(run, gap);
       for (LevelSeparation& one : separations(pair.problem, pair.response, pair.c.code, pair.c.units)) {

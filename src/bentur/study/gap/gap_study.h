@@ -28,6 +28,7 @@ struct GapNeed {
 
 struct RecordNeed {
   std::string record;                        ///< what the study calls it
+  std::size_t motion = 0;                    ///< which record it is, whichever way it is applied
   bool collapsed = false;                    ///< the response without contact ends before its time
   std::vector<LevelSeparation> separations;  ///< per facing level
   std::vector<GapNeed> gaps;                 ///< per gap

@@ -40,10 +40,12 @@ void AxisSubset::choose(std::size_t place, std::vector<Choice>& choices) const {
   for (std::size_t i = axes.size(); i-- > 0; place /= sizes[i]) choices[axes[i]].level = place % sizes[i];
 }
 
-AxisSubset record_axes(const Study& study) {
+AxisSubset record_axes(const Study& study, bool with_polarity) {
   std::map<std::size_t, std::size_t> sizes;
   for (const Vary& vary : study.varies) {
-    if (decides_record(vary.path)) sizes[vary.axis] = vary.values.size();
+    const bool is_way = std::holds_alternative<std::string>(vary.path.back()) &&
+                        std::get<std::string>(vary.path.back()) == "polarity";
+    if (decides_record(vary.path) && (with_polarity || !is_way)) sizes[vary.axis] = vary.values.size();
   }
   AxisSubset result;
   for (const auto& [axis, size] : sizes) {

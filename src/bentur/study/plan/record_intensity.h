@@ -32,7 +32,8 @@ struct RecordIntensities : AxisSubset {
 
 /// The axes along which a study chooses the record: those of `excitation`, `excitation.y` or of their keys that say
 /// which file and how to read it.
-[[nodiscard]] AxisSubset record_axes(const Study& study);
+/// @param with_polarity false: both ways of a record are one
+[[nodiscard]] AxisSubset record_axes(const Study& study, bool with_polarity = true);
 
 /// Peak ground acceleration or pseudo-acceleration Sa(T, ζ) of a record, in the unit of the levels.
 /// @throws InvalidParameter when the period is too short for the record's step.

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -15,6 +16,9 @@
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/study/build_identity.h"
 #include "bentur/study/journal.h"
+#include "bentur/study/plan/record_intensity.h"
+#include "bentur/study/plan/study_check.h"
+#include "bentur/study/plan/sweep_plan.h"
 #include "bentur/study/remedy/optimiser.h"
 #include "bentur/study/study_runs.h"
 #include "bentur/study/study_variables.h"
@@ -118,6 +122,7 @@ class Trials {
     for (const std::size_t axis : chosen_axes(search.study)) {
       start_.push_back(place_of_case(search.study, search.study.first_along(axis), facts_.problem));
     }
+    find_records();
     open_journal();
   }
 
@@ -138,10 +143,15 @@ class Trials {
     RemedyTrial trial{.places = places, .values = {}, .objective = 0, .size = size_of(places), .failed = 0};
     for (const RemedyParameter& one : search_.parameters) trial.values.push_back(one.range.at(places[one.axis]));
     const std::vector<double> measures = measures_of(places);
-    for (const double one : measures) {
-      trial.failed += std::isfinite(one) ? 0 : 1;
-      trial.objective = search_.spec().mean ? trial.objective + one / static_cast<double>(measures.size())
-                                            : std::max(trial.objective, one);
+    std::map<std::size_t, double> of_records;  // the worst of all runs of each
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      trial.failed += std::isfinite(measures[i]) ? 0 : 1;
+      double& worst = of_records[record_of_[i]];
+      worst = std::max(worst, measures[i]);
+    }
+    for (const auto& [record, worst] : of_records) {
+      trial.objective = search_.spec().mean ? trial.objective + worst / static_cast<double>(of_records.size())
+                                            : std::max(trial.objective, worst);
     }
     search_.trials.push_back(std::move(trial));
     return search_.trials.back().objective;
@@ -163,6 +173,20 @@ class Trials {
   }
 
  private:
+  /// Which record each run of a trial is of, whichever way it is applied and whatever else varies.
+  void find_records() {
+    const Study one = chosen_study(search_.study, start_);
+    const SweepPlan plan(plan_axes(one), one.sampling);
+    const AxisSubset records = record_axes(one, false);
+    for (std::size_t run = 0; run < search_.runs_each; ++run) {
+      std::size_t place = 0;
+      for (std::size_t i = 0; i < records.axes.size(); ++i) {
+        place = place * records.sizes[i] + plan.level(run, records.axes[i]);
+      }
+      record_of_.push_back(place);
+    }
+  }
+
   void open_journal() {
     if (options_.journal.empty()) return;
     const JournalOrigin origin{.version = options_.version,
@@ -238,6 +262,7 @@ class Trials {
   const RemedyOptions& options_;
   Measure measure_;
   Places start_;
+  std::vector<std::size_t> record_of_;  ///< per run of a trial
   std::optional<Journal> journal_;
   Clock::time_point synced_ = Clock::now();
 };

@@ -182,7 +182,7 @@ SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
       result.message = response.message;
       if (response.status != Status::failed) {
         std::vector<double> row(size);
-        fill_row(all, {problem, response, one.units}, row);
+        fill_row(all, RunView(problem, response, one.units), row);
         for (const RowPart& part : parts) result.values.push_back(reduced(part, row));
         const RunResults told = run_results(one, problem, std::move(response));
         for (std::size_t q = 0; q < parts.size(); ++q) {

@@ -61,6 +61,9 @@ void tell_judgement(const GapView& view, Eigen::Index gap, const std::function<v
 
 /// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.
 void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
+/// Whether those rules of [code] that depend on it are taken across a property line and for floors that are aligned, and
+/// what of it is not given. @param gap of a row, or of the row of two that a gap in plan is
+void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vector<Statement>& statements);
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
 [[nodiscard]] std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap);
 
