@@ -14,6 +14,7 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/report/errors.h"
 #include "bentur/study/exchange/demands.h"
 #include "bentur/study/exchange/gem.h"
@@ -95,31 +96,23 @@ void export_fragility(const ExportArguments& arguments) {
   }
 }
 
-/// Whether the gap is narrower than what is needed, one way round or the other.
-bool is_short(const std::vector<LevelSeparation>& all, Eigen::Index gap, double scale) {
-  const std::vector<LevelSeparation> levels = of_gap(all, gap);
-  return std::any_of(levels.begin(), levels.end(), [&](const LevelSeparation& one) {
-    return falls_short(one.level.width, std::max(one.gap_needed, one.gap_needed_reversed.value_or(0)), scale);
-  });
-}
-
 void export_taxonomy(const ExportArguments& arguments) {
   OutputFile output = output_file(arguments, ResultKind::taxonomy);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
   const Case& c = loaded.c;
   const Eigen::Index gaps = std::ssize(loaded.problem.buildings) - 1;
   std::vector<char> pounds(static_cast<std::size_t>(gaps) + 2, 0);  // of the gap left of each building
-  const auto tell = [&](const std::vector<LevelSeparation>& all, const auto& scale) {
-    for (Eigen::Index gap = 0; gap < gaps; ++gap)
-      pounds[static_cast<std::size_t>(gap) + 1] = is_short(all, gap, scale(gap)) ? 1 : 0;
+  const auto tell = [&](const std::vector<JudgedGap>& all) {
+    for (std::size_t gap = 0; gap < all.size(); ++gap) {
+      const auto& reasons = all[gap].judgement.reasons;
+      pounds[gap + 1] = std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); });
+    }
   };
   if (c.excitation.spectrum) {
-    tell(spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units).levels,
-         [](Eigen::Index) { return 0.0; });
+    const SpectralGaps spectral = spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units);
+    tell(judged_gaps(c, loaded.problem, spectral));
   } else {
-    const RunResults run = simulate(loaded, 0, true, arguments.language);
-    tell(separations(run.problem, run.response),
-         [&](Eigen::Index gap) { return displacement_scale(run.problem, run.response, gap); });
+    tell(judged_gaps(simulate(loaded, 0, true, arguments.language)));
   }
   std::string text = "building,taxonomy\n";
   for (Eigen::Index b = 0; b <= gaps; ++b) {

@@ -169,6 +169,23 @@ Judgement judge(const GapFacts& facts) {
   return made;
 }
 
+std::optional<GoverningNeed> governing_need(const GapFacts& facts) {
+  const auto lacks = [&](const LevelFacts& level) {
+    const std::optional<double>& need = level.given.need ? level.given.need : level.reversed.need;
+    return need.value_or(0) - level.at.width;
+  };
+  const auto worst = std::max_element(facts.levels.begin(), facts.levels.end(),
+                                      [&](const LevelFacts& a, const LevelFacts& b) { return lacks(a) <= lacks(b); });
+  if (worst == facts.levels.end()) return std::nullopt;
+  const auto of = [&](const LevelFacts::OneWay& way) {
+    GoverningNeed::OneWay one;
+    if (!way.need) return one;
+    return GoverningNeed::OneWay{without_round_off(*way.need, facts.scale),
+                                 falls_short(worst->at.width, *way.need, facts.scale)};
+  };
+  return GoverningNeed{worst->at, of(worst->given), of(worst->reversed)};
+}
+
 namespace {
 
 /// Whether one reason is worse than another of its kind: what comes earlier, or is larger.

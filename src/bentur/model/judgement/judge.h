@@ -63,6 +63,19 @@ struct Judgement {
 /// The one judgement of a gap, from all facts: "enough", "to spare", "met", "stay apart" are said by it alone.
 [[nodiscard]] Judgement judge(const GapFacts& facts);
 
+/// Of a gap the level that falls short the most, as given, or where that is not known reversed.
+struct GoverningNeed {
+  /// Of one way of the motion.
+  struct OneWay {
+    std::optional<double> needed = {};  ///< without contact [length]; nothing: not known
+    bool is_short = false;              ///< more than is given
+  };
+  FacingLevel at;
+  OneWay given = {}, reversed = {};
+};
+/// Nothing where no floors face one another.
+[[nodiscard]] std::optional<GoverningNeed> governing_need(const GapFacts& facts);
+
 /// What is known of one gap in many runs: of the records of a suite, of the points of a study.
 struct JudgementOfMany {
   /// Of a kind of reason and a way of the motion the worst, in which run, and in how many runs there is one.

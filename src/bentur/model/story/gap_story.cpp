@@ -99,7 +99,7 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   StoryColumn needed{facts.response != nullptr ? "column.simulated" : "spectral.difference", length};
   StoryColumn reversed{"column.reversed", length}, abs{"ABS", length}, srss{"SRSS", length}, ddc{"DDC", length};
   StoryColumn verdict{.label = "gap.given_is", .are_words = true}, governs{.label = "", .are_words = true};
-  const auto shown = [&](double value) { return value > 0 && !falls_short(0, value, scale) ? 0 : value; };
+  const auto shown = [&](double value) { return value > 0 ? without_round_off(value, scale) : value; };
   PlaceColumns place_columns(length);
   const char* const between = facts.in_plan != nullptr ? "gap.edge" : "gap.column";
   StoryTable table{.kind = "levels", .gap = gap};

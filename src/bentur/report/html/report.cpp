@@ -55,7 +55,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                       say,
                       run_story(results),
                       gap_tables_of(results),
-                      separations(problem, response, c.code, c.units),
+                      judged_gaps(results),
                       c.project || !options.head.empty()};
   const std::vector<Eigen::Index> listed = html::hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;

@@ -8,30 +8,26 @@
 namespace bentur::html {
 namespace {
 
-/// Bars of the given gap, the gap needed both ways round and those of the rules where one gap falls short the most, all
-/// at one scale.
-Html gap_bars(const Report& report, Eigen::Index gap) {
+/// Bars of the given gap, the gap needed as given and reversed and those of the rules where one gap falls short the
+/// most, all at one scale.
+Html gap_bars(const Report& report, const GapFacts& facts) {
+  const auto found = governing_need(facts);
+  if (!found) return {};
+  std::vector<GapBar> bars = {{report.say("column.given"), found->at.width, "given"}};
   const bool by_spectrum = report.response.buildings.empty();
-  const double scale = by_spectrum ? 0 : displacement_scale(report.problem, report.response, gap);
-  const std::vector<LevelSeparation> levels = of_gap(report.levels, gap);
-  const auto governing = governing_level(levels, scale);
-  if (!governing) return {};
-  const GoverningLevel& level = *governing;
-  std::vector<GapBar> bars = {{report.say("column.given"), level.width, "given"},
-                              {report.say(by_spectrum ? "spectral.difference" : "column.simulated"), level.gap_needed,
-                               level.is_short() ? "short" : "needed"}};
-  if (level.gap_needed_reversed) {
-    const bool is_short = falls_short(level.width, *level.gap_needed_reversed, scale);
-    bars.push_back({report.say("column.reversed"), *level.gap_needed_reversed, is_short ? "short" : "needed"});
-  }
-  const bool collapsed = report.response.collapse_no_contact.has_value();
-  for (const RuleFinding& rule : rule_findings(report.problem, levels, report.c.code, scale, collapsed)) {
+  put_bar(report.say(by_spectrum ? "spectral.difference" : "column.simulated"), found->given, bars);
+  put_bar(report.say("column.reversed"), found->reversed, bars);
+  for (const RuleFinding& rule : facts.rules) {
     if (rule.at) bars.push_back({rule.title, rule.gap, "rule"});
   }
   return gap_bars(bars, report.c.units.length);
 }
 
 }  // namespace
+
+void put_bar(const std::string& name, const GoverningNeed::OneWay& one, std::vector<GapBar>& bars) {
+  if (one.needed) bars.push_back({name, *one.needed, one.is_short ? "short" : "needed"});
+}
 
 Html paragraphs(const SaidStatement& statement, std::string& badge, const std::string& gap) {
   Html block;
@@ -94,12 +90,13 @@ PageSection verdict_section(const Report& report) {
   if (is_row && numbers_buildings(report)) block += element("p", building_key(report), "class=\"note\"");
   for (std::size_t gap = 0; gap < gaps; ++gap) {
     const auto number = static_cast<Eigen::Index>(gap);
+    const Html bars = gap < report.judged.size() ? gap_bars(report, report.judged[gap].facts) : Html();
     if (is_row) {
       block += element("details",
-                       element("summary", gap_name(report.problem, number)) + of_gaps[gap] + gap_bars(report, number)) +
+                       element("summary", gap_name(report.problem, number)) + of_gaps[gap] + bars) +
                Html::markup("\n");
     } else {
-      block += gap_bars(report, number);
+      block += bars;
     }
   }
   return {"verdict", report.say("heading.verdict"), element("div", block, verdict_class(grave))};

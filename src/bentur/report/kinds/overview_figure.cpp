@@ -3,6 +3,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
 #include "bentur/report/story_text.h"
@@ -57,18 +58,14 @@ struct GapBars {
   std::vector<GapBar> bars{};  ///< given, needed, and, where that is known of some gap, needed the other way round
 };
 
-/// A free response that ends in a collapse does not tell what is needed.
-GapBars bars_of(const RunResults& run, Eigen::Index gap) {
-  const GoverningLevel level = governing_level(run.problem, run.response, gap);
-  const bool is_cut = run.response.collapse_no_contact.has_value();
-  const auto needed = [&](const char* name, std::optional<double> value) {
-    if (!value || is_cut) return GapBar{name, NAN};
-    const double need = falls_short(0, *value, level.scale) ? *value : 0;  // without round-off
-    return GapBar{name, need, falls_short(level.width, need, level.scale) ? Tone::red : Tone::black};
+GapBars bars_of(const GapFacts& facts, Eigen::Index gap) {
+  const GoverningNeed found = governing_need(facts).value_or(GoverningNeed{});
+  const auto needed = [](const char* name, const GoverningNeed::OneWay& one) {
+    return GapBar{name, one.needed.value_or(NAN), one.is_short ? Tone::red : Tone::black};
   };
   return {gap,
-          level.gap_needed - level.width,
-          {{"given", level.width}, needed("needed", level.gap_needed), needed("reversed", level.gap_needed_reversed)}};
+          found.given.needed.value_or(0) - found.at.width,
+          {{"given", found.at.width}, needed("needed", found.given), needed("reversed", found.reversed)}};
 }
 
 /// From 0 on, `thick` in places of the axis of names; nothing of what is not known.
@@ -82,7 +79,7 @@ void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
 
 /// Each bar by its name and value, the given gap uppermost.
 void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& options) {
-  const std::vector<GapBar> bars = bars_of(run, 0).bars;
+  const std::vector<GapBar> bars = bars_of(judged_gaps(run).front().facts, 0).bars;
   for (std::size_t k = 0; k < bars.size(); ++k) {
     const GapBar& one = bars[bars.size() - 1 - k];
     const std::string value =
@@ -97,7 +94,7 @@ void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& optio
 void add_gaps(Panel& panel, const RunResults& run, const FigureOptions& options) {
   constexpr std::size_t most = 5;
   std::vector<GapBars> gaps;
-  for (const Gap& gap : gaps_of(run.problem)) gaps.push_back(bars_of(run, gap.left));
+  for (const JudgedGap& one : judged_gaps(run)) gaps.push_back(bars_of(one.facts, std::ssize(gaps)));
   const std::size_t all = gaps.size();
   std::stable_sort(gaps.begin(), gaps.end(), [](const GapBars& a, const GapBars& b) { return a.lacking > b.lacking; });
   gaps.resize(std::min(all, most));

@@ -12,6 +12,7 @@
 #include "bentur/pounding/response.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/page_parts.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
@@ -28,7 +29,7 @@ struct Report {
   const Words& say;
   Story story = {};                          ///< what is to be said
   std::vector<StoryTable> gap_tables = {};   ///< of the gaps
-  std::vector<LevelSeparation> levels = {};  ///< what each level needs
+  std::vector<JudgedGap> judged = {};        ///< per gap
   bool to_hand_in = false;                   ///< with what a report has that is handed in
 
   /// The buildings as given are known; not so where the run comes from result files (files/result_reading.h).
@@ -102,6 +103,8 @@ struct GapBar {
   double value = 0;
   const char* style = "";  ///< a class of report.css
 };
+/// Adds what is needed in one way of the motion, where it is known.
+void put_bar(const std::string& name, const GoverningNeed::OneWay& one, std::vector<GapBar>& bars);
 /// All at one scale; nothing where all are zero.
 [[nodiscard]] Html gap_bars(const std::vector<GapBar>& bars, const std::string& unit);
 /// Remarks of a story as a list, and what else is to be remarked below it. @param to_hand_in what is said of the model

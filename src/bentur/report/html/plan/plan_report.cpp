@@ -36,7 +36,7 @@ using html::HtmlTable;
 class PlanPage {
  public:
   PlanPage(const PlanRun& run, const Words& say)
-      : run_(run), say_(say), length_(run.c.units.length), story_(plan_story(run)), gaps_(gap_names(run.problem)) {}
+      : run_(run), say_(say), length_(run.c.units.length), story_(plan_story(run)), gaps_(gap_names(run.problem)), judged_(judged_gaps(run)) {}
 
   [[nodiscard]] html::PageSection verdict() const {
     const std::vector<SaidStatement> all = said(story_.statements, say_);
@@ -160,16 +160,11 @@ class PlanPage {
 
  private:
   [[nodiscard]] Html gap_bars(std::size_t g) const {
-    const auto level = governing_level(run_, g);
-    if (!level) return {};
-    const auto style = [&](double needed) {
-      return falls_short(level->width, needed, level->scale) ? "short" : "needed";
-    };
-    std::vector<html::GapBar> bars = {{say_("column.given"), level->width, "given"},
-                                      {say_("column.simulated"), level->gap_needed, style(level->gap_needed)}};
-    if (const auto& reversed = level->gap_needed_reversed) {
-      bars.push_back({say_("column.reversed"), *reversed, style(*reversed)});
-    }
+    const auto found = governing_need(judged_.at(g).facts);
+    if (!found) return {};
+    std::vector<html::GapBar> bars = {{say_("column.given"), found->at.width, "given"}};
+    html::put_bar(say_("column.simulated"), found->given, bars);
+    html::put_bar(say_("column.reversed"), found->reversed, bars);
     return html::gap_bars(bars, length_);
   }
 
@@ -382,6 +377,7 @@ class PlanPage {
   const std::string& length_;
   Story story_;
   std::vector<std::string> gaps_;
+  std::vector<JudgedGap> judged_;
 };
 
 /// impacts.csv of these.
