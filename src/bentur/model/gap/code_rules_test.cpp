@@ -20,7 +20,8 @@ namespace {
 /// In metres: 3 cm and 4 cm at the roof of the lower one.
 CodePair pair_in_metres() {
   return {.left = {.displacement = 0.03, .level = 12, .height = 12, .storeys = 4},
-          .right = {.displacement = 0.04, .level = 12, .height = 24, .storeys = 8}};
+          .right = {.displacement = 0.04, .level = 12, .height = 24, .storeys = 8},
+          .same_owner = true};
 }
 
 /// Numbers a code could have, some for each building.
@@ -70,7 +71,13 @@ TEST(CodeRules, Eurocode) {
 
 TEST(CodeRules, Indian) {
   EXPECT_NEAR(gap("is-1893-1", false), 5 * 0.03 + 3 * 0.04, 1e-15);
-  EXPECT_NEAR(gap("is-1893-1", true), 0.135, 1e-15);
+  EXPECT_NEAR(gap("is-1893-1", true), 0.27, 1e-15) << "not halved unless that is asked for";
+  CodeRuleSpec halved = spec("is-1893-1");
+  halved.flags = {{"halved", true}};
+  CodePair pair = pair_in_metres();
+  EXPECT_NEAR(gap(pair, halved), 0.27, 1e-15);
+  pair.floors_aligned = true;
+  EXPECT_NEAR(gap(pair, halved), 0.135, 1e-15);
 }
 
 TEST(CodeRules, Canadian) { EXPECT_NEAR(gap("nbcc", false), std::hypot(4 * 1.7 * 0.03 / 1.25, 2 * 1.4 * 0.04), 1e-15); }
@@ -394,14 +401,27 @@ Building with_floors(const std::vector<double>& elevations, double base = 0) {
   return building;
 }
 
-TEST(FloorsAligned, ComparesAllFloorsUpToTheLowerRoof) {
-  EXPECT_TRUE(floors_aligned(with_floors({3, 6}), with_floors({3, 6})));
-  EXPECT_TRUE(floors_aligned(with_floors({3, 6}), with_floors({3, 6, 9, 12})));
-  EXPECT_TRUE(floors_aligned(with_floors({3, 6, 9, 12}), with_floors({3, 6})));
-  EXPECT_FALSE(floors_aligned(with_floors({3, 6}), with_floors({3, 5.9, 9})));
-  EXPECT_FALSE(floors_aligned(with_floors({6}), with_floors({3, 6, 9}))) << "a floor that meets a storey";
-  EXPECT_FALSE(floors_aligned(with_floors({3, 6}), with_floors({6, 9})));
-  EXPECT_TRUE(floors_aligned(with_floors({3, 6}), with_floors({3.000001, 6, 9})));
+TEST(CodeRules, DependOnOwnersAndAlignmentWhereTheySayThatTheyDo) {
+  for (const CodeRule& rule : code_rules()) {
+    for (const bool flags : {false, true}) {
+      CodeRuleSpec given = spec(std::string(rule.name));
+      if (flags) given.flags = {{"halved", true}, {"structures_alike", true}};
+      CodePair pair = pair_in_metres();
+      pair.right.height = pair.left.height;
+      pair.left.displacement = 0.3;
+      pair.right.displacement = 0.4;
+      const auto differs = [&](bool CodePair::*flag) {
+        CodePair with = pair, without = pair;
+        with.*flag = true;
+        without.*flag = false;
+        const double a = gap(with, given), b = gap(without, given);
+        return std::isnan(a) != std::isnan(b) || (!std::isnan(a) && std::abs(a - b) > 1e-12);
+      };
+      EXPECT_EQ(differs(&CodePair::same_owner), depends_on_owner(given)) << rule.name;
+      pair.same_owner = true;
+      EXPECT_EQ(differs(&CodePair::floors_aligned), depends_on_alignment(given)) << rule.name;
+    }
+  }
 }
 
 TEST(CodeRules, OfACaseTakeThePeaksWithoutContactAtEachLevel) {
@@ -418,11 +438,14 @@ TEST(CodeRules, OfACaseTakeThePeaksWithoutContactAtEachLevel) {
   ASSERT_EQ(points.size(), 2U);
   ASSERT_EQ(points[0].codes.size(), 2U);
   EXPECT_EQ(points[0].codes[0].rule, "is-1893-1");
-  EXPECT_NEAR(points[0].codes[0].gap, 0.5 * (2 * 0.01 + 3 * 0.03), 1e-15);
-  EXPECT_NEAR(points[1].codes[0].gap, 0.5 * (2 * 0.02 + 3 * 0.04), 1e-15);
+  EXPECT_NEAR(points[0].codes[0].gap, 2 * 0.01 + 3 * 0.03, 1e-15);
+  EXPECT_NEAR(points[1].codes[0].gap, 2 * 0.02 + 3 * 0.04, 1e-15);
   EXPECT_NEAR(points[1].codes[1].to_left.value(), 3 * 0.02 + 0.003 * 6, 1e-15);
-  code.floors_aligned = std::vector<bool>{false};
-  EXPECT_NEAR(separations(problem, response, code, {.length = "m"})[0].codes[0].gap, 2 * 0.01 + 3 * 0.03, 1e-15);
+  code.rules[0].flags = {{"halved", true}};
+  EXPECT_NEAR(separations(problem, response, code, {.length = "m"})[0].codes[0].gap, 2 * 0.01 + 3 * 0.03, 1e-15)
+      << "floors are not said to be aligned";
+  code.floors_aligned = std::vector<bool>{true};
+  EXPECT_NEAR(separations(problem, response, code, {.length = "m"})[0].codes[0].gap, 0.5 * (2 * 0.01 + 3 * 0.03), 1e-15);
   EXPECT_NEAR(separations(problem, response, code, {.length = "mm"})[0].codes[1].to_left.value(), 50, 1e-12);
   EXPECT_TRUE(separations(problem, response)[0].codes.empty());
 }

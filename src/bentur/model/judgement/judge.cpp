@@ -101,7 +101,7 @@ bool falls_short(double given, double needed, double scale) {
 
 std::string_view word_of(Sufficiency value) {
   return value == Sufficiency::too_small   ? "too small"
-         : value == Sufficiency::not_known ? "not known"
+         : value == Sufficiency::unknown ? "not known"
                                            : "enough";
 }
 
@@ -152,7 +152,7 @@ Judgement judge(const GapFacts& facts) {
   std::stable_sort(reasons.begin(), reasons.end(), [](const Reason& a, const Reason& b) { return a.kind < b.kind; });
   const bool is_known =
       std::all_of(reasons.begin(), reasons.end(), [](const Reason& one) { return says_too_small(one.kind); });
-  made.levels.assign(facts.levels.size(), is_known ? Sufficiency::enough : Sufficiency::not_known);
+  made.levels.assign(facts.levels.size(), is_known ? Sufficiency::enough : Sufficiency::unknown);
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     for (const Way way : ways_of_motion) {
       const LevelFacts::OneWay& level = facts.levels[i].in(way);
@@ -164,7 +164,7 @@ Judgement judge(const GapFacts& facts) {
     if (says_too_small(one.kind) && one.level) made.levels[*one.level] = Sufficiency::too_small;
   }
   if (!reasons.empty()) {
-    made.value = says_too_small(reasons.front().kind) ? Sufficiency::too_small : Sufficiency::not_known;
+    made.value = says_too_small(reasons.front().kind) ? Sufficiency::too_small : Sufficiency::unknown;
   }
   return made;
 }
@@ -197,7 +197,7 @@ bool is_worse(const Reason& one, const Reason& other) {
 Sufficiency sufficiency_of(const std::vector<Reason>& reasons) {
   if (reasons.empty()) return Sufficiency::enough;
   const bool is_small = std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return says_too_small(r.kind); });
-  return is_small ? Sufficiency::too_small : Sufficiency::not_known;
+  return is_small ? Sufficiency::too_small : Sufficiency::unknown;
 }
 
 }  // namespace
@@ -217,7 +217,7 @@ JudgementOfMany judge(const std::vector<Judgement>& of_runs, const std::vector<R
       case Sufficiency::too_small:
         ++made.too_small;
         break;
-      case Sufficiency::not_known:
+      case Sufficiency::unknown:
         ++made.not_known;
         break;
       case Sufficiency::enough:
@@ -244,7 +244,7 @@ JudgementOfMany judge(const std::vector<Judgement>& of_runs, const std::vector<R
   std::stable_sort(made.reasons.begin(), made.reasons.end(),
                    [](const auto& a, const auto& b) { return a.worst.kind < b.worst.kind; });
   made.value = !of_rules.empty() || made.too_small > 0 ? Sufficiency::too_small
-               : made.not_known > 0                    ? Sufficiency::not_known
+               : made.not_known > 0                    ? Sufficiency::unknown
                                                        : Sufficiency::enough;
   return made;
 }

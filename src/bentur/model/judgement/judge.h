@@ -13,7 +13,7 @@ namespace bentur {
 /// What may be said of a gap, worst first.
 enum class Sufficiency {
   too_small,  ///< it closes in some run, a run would close it, or a rule of [code] asks for more
-  not_known,  ///< none of these, but something that decides it is not known
+  unknown,    ///< none of these, but something that decides it is not known
   enough      ///< neither, in both ways of the motion
 };
 /// "too small", "not known", "enough".

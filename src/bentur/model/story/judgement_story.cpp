@@ -165,7 +165,7 @@ std::vector<ToldJudgement> told(const story::GapView& view) {
 
 const char* judgement_word(Sufficiency value) {
   return value == Sufficiency::too_small   ? "gap.too_close"
-         : value == Sufficiency::not_known ? "gap.not_known"
+         : value == Sufficiency::unknown ? "gap.not_known"
                                            : "gap.wide_enough";
 }
 

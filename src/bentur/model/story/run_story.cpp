@@ -367,7 +367,7 @@ void tell_row(const RunResults& run, const GapView& view, const std::vector<GapO
     const bool is_known = std::all_of(levels.begin(), levels.end(), [](const auto& l) { return l.given.need.has_value(); });
     if (judged.value == Sufficiency::too_small) table.marked.push_back(name.texts.size());
     small += judged.value == Sufficiency::too_small ? 1 : 0;
-    unknown += judged.value == Sufficiency::not_known ? 1 : 0;
+    unknown += judged.value == Sufficiency::unknown ? 1 : 0;
     name.texts.push_back(gap_name(run.problem, one.gap.left));
     verdict.texts.emplace_back(judgement_word(judged.value));
     given.numbers.push_back(one.governing.width);

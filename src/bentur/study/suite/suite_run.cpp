@@ -97,7 +97,7 @@ const SuiteSpec& suite_of(const SuiteRun& run) { return *run.c.excitation.suite;
 /// Of a gap under one record; of one that could not be run nothing is known.
 Judgement judgement_of(const SuiteRecordRun& one, Eigen::Index gap) {
   if (!one.judged.empty()) return one.judged.at(static_cast<std::size_t>(gap)).judgement;
-  Judgement unknown{.value = Sufficiency::not_known};
+  Judgement unknown{.value = Sufficiency::unknown};
   unknown.reasons.push_back({.kind = Reason::Kind::not_looked_at});
   return unknown;
 }

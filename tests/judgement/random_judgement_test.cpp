@@ -1,0 +1,202 @@
+// What is said of gaps of random rows and of the plans that stand for them: never that one is enough where buildings
+// meet, in the run, in that of the motion reversed, or under a little less motion.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/story/plan_story.h"
+#include "bentur/pounding/pounding.h"
+#include "tests/invariance/every_kind.h"
+#include "tests/invariance/plan_twin.h"
+#include "tests/invariance/random_case.h"
+
+namespace bentur {
+namespace {
+
+using namespace bentur::test;
+
+/// BENTUR_JUDGEMENTS=COUNT or FIRST:COUNT runs others than those that the test always runs.
+std::pair<unsigned, unsigned> chosen_cases() {
+#ifdef BENTUR_SANITIZED
+  std::pair<unsigned, unsigned> range = {1, 100};
+#else
+  std::pair<unsigned, unsigned> range = {1, 2000};
+#endif
+  if (const char* text = std::getenv("BENTUR_JUDGEMENTS")) {
+    unsigned first = 1, count = 0;
+    if (std::sscanf(text, "%u:%u", &first, &count) == 2) {
+      range = {first, count};
+    } else {
+      range.second = first;
+    }
+  }
+  return range;
+}
+
+constexpr unsigned parts = 2;  // run at the same time
+
+SolveOptions options() { return {.limits = {.events = 20000}, .levels = true, .both_ways = true}; }
+
+class Draws : public Chance {
+ public:
+  using Chance::among;
+  using Chance::chance;
+  using Chance::Chance;
+  using Chance::uniform;
+};
+
+Case drawn(unsigned seed) {
+  Case c = seed % 2 == 0 ? EveryKindGenerator(seed).make() : CaseGenerator(seed).make().c;
+  c.units = {.length = "m", .force = "N"};
+  c.analysis.duration = std::min(c.analysis.duration, 1.5);
+  c.analysis.goes_on = seed % 5 != 0;
+  return c;
+}
+
+bool is_elastic(const Problem& problem) {
+  return std::none_of(problem.buildings.begin(), problem.buildings.end(),
+                      [](const Building& one) { return one.can_yield() || one.has_gravity_loads; });
+}
+
+/// Of a run with contact, whether bodies of a gap meet.
+bool meets(const Problem& problem, const Response& response, Eigen::Index gap) {
+  const Gap between = gap_at(problem, gap);
+  return std::any_of(between.points.begin(), between.points.end(),
+                     [&](Eigen::Index i) {
+                       return response.points[i].impacts + response.points[i].settling > 0;
+                     }) ||
+         std::any_of(between.watched.begin(), between.watched.end(),
+                     [&](Eigen::Index i) { return response.watched[i].closes; });
+}
+
+GroundMotion times(GroundMotion motion, double factor) {
+  if (auto* sampled = std::get_if<SampledMotion>(&motion)) {
+    for (double& value : sampled->acceleration) value *= factor;
+  }
+  if (auto* harmonic = std::get_if<HarmonicMotion>(&motion)) harmonic->displacement_amplitude *= factor;
+  return motion;
+}
+
+struct Tally {
+  long cases = 0, gaps = 0, enough = 0, small = 0, unknown = 0, twins = 0, at_need = 0;
+};
+
+/// Whether a run of the same with another motion meets somewhere; of one that does not end in its time nothing is said.
+bool meets_under(Problem problem, double factor, Eigen::Index gap) {
+  problem.motion = times(problem.motion, factor);
+  const Response found = solve(problem, ExactSolver{}, {.limits = {.events = 20000}});
+  return found.status == Status::done && meets(problem, found, gap);
+}
+
+/// What is said of a gap of a row, held against runs.
+void examine_gap(const RunResults& run, Eigen::Index gap, const JudgedGap& one, Tally& tally) {
+  ++tally.gaps;
+  tally.enough += one.judgement.is_enough() ? 1 : 0;
+  tally.small += one.judgement.value == Sufficiency::too_small ? 1 : 0;
+  tally.unknown += one.judgement.value == Sufficiency::unknown ? 1 : 0;
+  const bool struck = meets(run.problem, run.response, gap);
+  if (struck) EXPECT_EQ(one.judgement.value, Sufficiency::too_small);
+  EXPECT_EQ(one.judgement.reasons.empty(), one.judgement.is_enough());
+  if (!one.judgement.is_enough()) return;
+  EXPECT_FALSE(struck);
+  for (const Sufficiency level : one.judgement.levels) EXPECT_EQ(level, Sufficiency::enough);
+  if (one.facts.has_other_way) EXPECT_FALSE(meets_under(run.problem, -1, gap)) << "the motion reversed";
+  // A building that yields, or falls, may go further under less.
+  if (one.facts.has_other_way && is_elastic(run.problem)) {
+    EXPECT_FALSE(meets_under(run.problem, 0.999, gap)) << "0.999 of the motion";
+  }
+}
+
+/// The same in plan, where it stands for the row: each gap is judged alike, for the same reasons.
+void examine_twin(const Case& c, const std::vector<JudgedGap>& row, Tally& tally) {
+  const std::optional<PlanCase> twin = twin_of(c, 2, Eigen::Matrix2d::Identity());
+  if (!twin) return;
+  PlanProblem problem = make_plan_problem(*twin);
+  PlanResponse response = solve(problem, ExactSolver{}, options());
+  if (response.status != Status::done && response.status != Status::collapsed) return;
+  const PlanRun run = run_results(*twin, std::move(problem), std::move(response));
+  const std::vector<JudgedGap> plan = judged_gaps(run);
+  ASSERT_EQ(plan.size(), row.size());
+  ++tally.twins;
+  for (std::size_t g = 0; g < row.size(); ++g) {
+    // What is in doubt of a plan has other words, and DDC wants periods of one direction.
+    EXPECT_EQ(plan[g].judgement.value, row[g].judgement.value) << "gap " << g << " in plan";
+    std::vector<std::string> of_plan, of_row;
+    for (const Reason& one : plan[g].judgement.reasons) of_plan.push_back(word_of(one));
+    for (const Reason& one : row[g].judgement.reasons) of_row.push_back(word_of(one));
+    EXPECT_EQ(of_plan, of_row) << "gap " << g << " in plan";
+  }
+}
+
+void examine(unsigned seed, Tally& tally) {
+  SCOPED_TRACE(fmt::format("case {}", seed));
+  Draws draw(seed + 7);
+  Case c = drawn(seed);
+  Problem problem = make_problem(c);
+  Response response = solve(problem, ExactSolver{}, options());
+  if (response.status != Status::done && response.status != Status::collapsed) return;
+  ++tally.cases;
+  // A gap of its own for each, about as wide as what it needs.
+  constexpr double factors[] = {0.7, 0.999, 1.001, 1.05, 2.0};
+  const double common = factors[draw.among(0, 4)];
+  bool all_wide = true;
+  for (std::size_t g = 0; g < c.gaps.size(); ++g) {
+    const auto needed = [&](bool reversed) {
+      double most = 0;
+      for (const LevelSeparation& one : of_gap(separations(problem, response), static_cast<Eigen::Index>(g))) {
+        most = std::max(most, reversed ? one.gap_needed_reversed.value_or(0) : one.gap_needed);
+      }
+      return most;
+    };
+    const double factor = draw.chance(0.7) ? common : factors[draw.among(0, 4)];
+    const double need = std::max(needed(false), needed(true));
+    all_wide = all_wide && factor > 1 && need > 1e-9;
+    c.gaps[g].widths.assign(c.gaps[g].widths.size(), std::max(need, 1e-6) * factor);
+  }
+  problem = make_problem(c);
+  response = solve(problem, ExactSolver{}, options());
+  if (response.status != Status::done && response.status != Status::collapsed) return;
+  const RunResults run = run_results(c, std::move(problem), std::move(response));
+  const std::vector<JudgedGap> judged = judged_gaps(run);
+  for (std::size_t g = 0; g < judged.size(); ++g) {
+    examine_gap(run, static_cast<Eigen::Index>(g), judged[g], tally);
+    // With what they need, and a thousandth more, nobody meets anybody.
+    if (!all_wide || run.response.collapse_no_contact || run.response.collapse) continue;
+    ++tally.at_need;
+    for (const Reason& one : judged[g].judgement.reasons) {
+      EXPECT_FALSE(one.kind == Reason::Kind::contact || one.kind == Reason::Kind::unmodelled) << word_of(one);
+    }
+  }
+  examine_twin(c, judged, tally);
+}
+
+class RandomJudgements : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomJudgements, NeverSayEnoughWhereBuildingsMeet) {
+  const auto [all_first, all] = chosen_cases();
+  const unsigned first = all_first + all * GetParam() / parts;
+  const unsigned count = all_first + all * (GetParam() + 1) / parts - first;
+  if (count == 0) GTEST_SKIP() << "fewer cases than parts";
+  Tally tally;
+  for (unsigned seed = first; seed < first + count; ++seed) examine(seed, tally);
+  fmt::print("{} cases, {} gaps: {} enough, {} too small, {} not known; {} with what they need, {} in plan too\n",
+             tally.cases, tally.gaps, tally.enough, tally.small, tally.unknown, tally.at_need, tally.twins);
+  EXPECT_GT(tally.cases, 0.8 * count);
+  EXPECT_GT(tally.enough, 0.1 * count);
+  EXPECT_GT(tally.small, 0.2 * count);
+  EXPECT_GT(tally.twins, 0.02 * count);
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, RandomJudgements, testing::Range(0U, parts));
+
+}  // namespace
+}  // namespace bentur
