@@ -105,7 +105,8 @@ void export_taxonomy(const ExportArguments& arguments) {
   const auto tell = [&](const std::vector<JudgedGap>& all) {
     for (std::size_t gap = 0; gap < all.size(); ++gap) {
       const auto& reasons = all[gap].judgement.reasons;
-      pounds[gap + 1] = std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); });
+      pounds[gap + 1] =
+          std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); });
     }
   };
   if (c.excitation.spectrum) {

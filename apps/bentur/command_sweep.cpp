@@ -98,8 +98,10 @@ void report_end(const SweepArguments& arguments, const SweepReport& report) {
     return;
   }
   const double rate = static_cast<double>(report.solved) / std::max(report.seconds, 1e-9);
-  print(fmt::format("{} runs, {:.0f} impacts, {} failed, {} with remarks, {} in doubt, {} runs/s ({} runs in {:.3g} s): {}\n", report.runs,
-                    report.impacts, report.failed, report.remarked, report.doubted, number(rate), report.solved, report.seconds, arguments.output));
+  print(fmt::format(
+      "{} runs, {:.0f} impacts, {} failed, {} with remarks, {} in doubt, {} runs/s ({} runs in {:.3g} s): {}\n",
+      report.runs, report.impacts, report.failed, report.remarked, report.doubted, number(rate), report.solved,
+      report.seconds, arguments.output));
 }
 
 void run(const SweepArguments& arguments) {

@@ -185,6 +185,24 @@ def colours(root):
                     yield f"{path}:{number}: a colour that is not of {palette.name}: {line.strip()[:80]}"
 
 
+def judgement(root):
+    """What is needed of a gap is held against what is given by judge() and by those who find its facts, and nowhere else."""
+    need, width = r"(?:gap_)?need(?:ed|s)?(?:_reversed)?\w*|simulated|asked", r"width|given|narrowest"
+    between = r"[^;<>=!?{}]{0,30}"
+    compared = re.compile(rf"\b(?:{need})\b{between}\s[<>]=?\s{between}\b(?:{width})\b|"
+                          rf"\b(?:{width})\b{between}\s[<>]=?\s{between}\b(?:{need})\b")
+    finders = ("src/bentur/model/judgement/", "src/bentur/model/gap/", "src/bentur/study/gap/gap_study.cpp")
+    solver = ("src/bentur/pounding/",)  # which runs the motion reversed where a gap of several closes
+    for path in sources(root, "src", "apps", "bindings", "web"):
+        name = str(path.relative_to(root))
+        if path.name.endswith("_test.cpp") or name.startswith(finders):
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            code = re.sub(r'"(\\.|[^"\\])*"', '""', line).split("//")[0]
+            if "falls_short(" in code or (compared.search(code) and not name.startswith(solver)):
+                yield f"{path}:{number}: compares what is needed with what is given, which judge() does: {code.strip()[:80]}"
+
+
 def version(root):
     """One version: that of CMakeLists.txt, with which CHANGELOG.md begins. CITATION.cff repeats it, with its date once it has one."""
     told = re.search(r"^project\(bentur VERSION ([0-9.]+) ", (root / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
@@ -200,7 +218,8 @@ def version(root):
         yield f"CITATION.cff: {dated[0] if dated else 'no date-released'}, but CHANGELOG.md has {first} ({when})"
 
 
-RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone, colours, version)}
+RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone, colours,
+                                        judgement, version)}
 
 
 def main():

@@ -20,6 +20,7 @@
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/json_position.h"
+#include "bentur/io/results/judged_by_json.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
 
@@ -80,7 +81,8 @@ Remark remark(const UnorderedJson& json) {
     const UnorderedJson& value = json.at("usual").at(i);
     return value.is_null() ? std::nullopt : std::optional(value.get<double>());
   };
-  return {json.at("key"), json.at("subject"), json.at("value"), json.at("unit"), side(0), side(1)};
+  return {json.at("key"), json.at("subject"), json.at("value"), json.at("unit"), side(0), side(1),
+          json.value("doubt", false)};
 }
 
 /// Of one watched floor, an entry of a gap's JSON.
@@ -89,7 +91,7 @@ WatchedSummary watched_summary(const UnorderedJson& entry, const UnorderedJson& 
     const auto value = entry.find(key);
     return value == entry.end() || value->is_null() ? std::numeric_limits<double>::quiet_NaN() : value->get<double>();
   };
-  WatchedSummary summary{.gap_needed = entry.at("gap_needed"),
+  WatchedSummary summary{.gap_needed = number("gap_needed"),
                          .peak_left = number("peak_left_no_contact"),
                          .peak_right = number("peak_right_no_contact"),
                          .least_opening = entry.at("least_opening"),
@@ -193,6 +195,13 @@ void read_collapses(const UnorderedJson& json, const fs::path& file, const Build
   if (response.collapse) response.status = Status::collapsed;
 }
 
+/// Drifts of storeys of which the largest alone is known.
+Eigen::VectorXd with_one(Eigen::Index storeys, const LargestDrift& largest) {
+  Eigen::VectorXd drifts = Eigen::VectorXd::Zero(std::max<Eigen::Index>(storeys, largest.storey + 1));
+  drifts(largest.storey) = largest.ratio;
+  return drifts;
+}
+
 void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
@@ -221,6 +230,10 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
     links += table.at("points").size();
   }
   if (links != results.problem.links.size()) fail(file, "is not of the same run as histories.nc");
+  const std::vector<LargestDrift> drifts = take_judged_by(json.at("judged_by"), results.response);
+  for (std::size_t b = 0; b < std::min(drifts.size(), results.response.buildings.size()); ++b) {
+    results.response.buildings[b].drift_ratio_no_contact = with_one(results.problem.buildings[b].model.floors(), drifts[b]);
+  }
 }
 
 /// Takes buildings, gaps and codes as they were given from the copy of the case, if it is that of these results.
@@ -286,6 +299,13 @@ void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun&
   read_solved(json.at("solver"), run.response);
   read_collapses(
       json, file, run.problem.buildings, [](const PlanBuilding&) { return Eigen::Index(1); }, run.response);
+  const std::vector<LargestDrift> drifts = take_judged_by(json.at("judged_by"), run.response);
+  for (std::size_t b = 0; b < std::min(drifts.size(), run.response.buildings_no_contact.size()); ++b) {
+    PlanPeaks& peaks = run.response.buildings_no_contact[b];
+    peaks.drift_south = peaks.drift_north = peaks.drift_west = peaks.drift_east =
+        with_one(run.problem.buildings[b].model.floors(), drifts[b]);
+  }
+  for (const UnorderedJson& entry : json.at("remarks")) run.remarks.push_back(remark(entry));
   for (const UnorderedJson& one : json.at("discrepancies")) {
     run.response.discrepancies.push_back({one.at("key"), one.at("size")});
   }

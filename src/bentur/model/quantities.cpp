@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
@@ -460,56 +459,6 @@ void put_value(const Quantity& quantity, double value, const QuantityPlace& at, 
               [&](double PointSummary::*member) { response.points.at(at.item).*member = value; },
               [&](int PointSummary::*member) { response.points.at(at.item).*member = static_cast<int>(value); }},
       quantity.source);
-}
-
-// tf would be unknown to UDUNITS, since its ton_force is the short one.
-std::string udunit(const std::string& unit) { return unit == "tf" ? "1000 kgf" : unit; }
-
-std::string udunits(std::string_view form, const Units& units) {
-  std::string text;
-  for (const char c : form) {
-    text += c == 'L' ? udunit(units.length) : c == 'F' ? udunit(units.force) : std::string(1, c);
-  }
-  return text;
-}
-
-namespace {
-
-/// "s²" of "s" and "2".
-std::string raised(const std::string& unit, const std::string& power) {
-  return unit + (power == "2" ? "²" : power == "3" ? "³" : power == "4" ? "⁴" : "");
-}
-
-}  // namespace
-
-std::string unit_text(const std::string& udunits) {
-  std::istringstream words(udunits == "1" ? "–" : udunits);
-  std::string above, below;
-  for (std::string word; words >> word;) {
-    if (word == "1000") {
-      words >> word;
-      if (word == "kgf") {
-        word = "tf";
-      } else {
-        word.insert(0, "1000 ");
-      }
-    }
-    if (word == "gravity") word = "g";
-    const std::size_t minus = word.find('-');
-    if (minus == std::string::npos) {
-      const std::size_t digit = word.find_first_of("234", 1);
-      const std::string unit = word.substr(0, digit), power = digit == std::string::npos ? "" : word.substr(digit);
-      above += (above.empty() ? "" : "·") + raised(unit, power);
-    } else {
-      below += (below.empty() ? "" : "·") + raised(word.substr(0, minus), word.substr(minus + 1));
-    }
-  }
-  if (below.empty()) return above;
-  return (above.empty() ? "1" : above) + "/" + below;
-}
-
-std::string unit_text(std::string_view form, const Units& units) {
-  return form == "1" ? "" : unit_text(udunits(form, units));
 }
 
 }  // namespace bentur

@@ -32,7 +32,7 @@ struct RunView {
   const Units& units;
   const ShownUnits shown;
   const std::vector<Remark>* remarks = nullptr;  ///< of the case and what came out; null: not looked for
-  std::vector<PointRestitution> restitutions;  ///< per contact point
+  std::vector<PointRestitution> restitutions;    ///< per contact point
 };
 
 /// Where a value is: number of the building, point, gap, impact or link, and of the floor, the hinge, or the column

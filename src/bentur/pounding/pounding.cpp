@@ -21,17 +21,6 @@
 namespace bentur {
 namespace {
 
-/// Whether bodies of some gap of several touch, or would in the reversed motion, so that others are struck that move
-/// otherwise than freely.
-bool some_gap_closes(const Problem& problem, const Response& response) {
-  if (problem.buildings.size() < 3) return false;
-  for (std::size_t i = 0; i < problem.points.size(); ++i) {
-    const PointSummary& point = response.points[i];
-    if (point.impacts > 0 || point.gap_needed_reversed.value_or(0) > problem.points[i].width) return true;
-  }
-  return false;
-}
-
 /// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
 /// where gaps of a row close.
 void add_reversed(const Problem& problem, const Solver& solver, const SolveOptions& options, Response& response) {
@@ -52,7 +41,8 @@ void add_reversed(const Problem& problem, const Solver& solver, const SolveOptio
   ReversedRun reversed;
   const auto take_free = [&](const Response& found) {
     reversed.collapse_no_contact = found.collapse_no_contact;
-    for (const BuildingPeaks& one : found.buildings) reversed.drifts.push_back(largest_drift(one.drift_ratio_no_contact));
+    for (const BuildingPeaks& one : found.buildings)
+      reversed.drifts.push_back(largest_drift(one.drift_ratio_no_contact));
   };
   if (is_mirrored(problem)) {
     take_free(response);
@@ -65,7 +55,9 @@ void add_reversed(const Problem& problem, const Solver& solver, const SolveOptio
       take_reversed(found.watched, response.watched);
     }
   }
-  if (some_gap_closes(problem, response)) {
+  const auto width_at = [&](std::size_t i) { return problem.points[i].width; };
+  // Where a gap of several closes others are struck that move otherwise than freely.
+  if (problem.buildings.size() > 2 && some_point_closes(response.points, width_at)) {
     if (!solve_free()) return;
     SolveOptions rest;
     rest.limits = options.limits;

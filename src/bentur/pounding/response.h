@@ -134,10 +134,10 @@ struct LinkSummary {
 
 /// How near a watched floor came to what it faces, of the continuous response.
 struct WatchedSummary {
-  double gap_needed = 0;                                 ///< as PointSummary::gap_needed [length]
-  std::optional<double> gap_needed_reversed = {};        ///< likewise [length]
+  double gap_needed = 0;                                      ///< as PointSummary::gap_needed [length]
+  std::optional<double> gap_needed_reversed = {};             ///< likewise [length]
   std::optional<double> to_come = {}, to_come_reversed = {};  ///< likewise [length]
-  double peak_left = not_known, peak_right = not_known;  ///< likewise [length]
+  double peak_left = not_known, peak_right = not_known;       ///< likewise [length]
   double least_opening =
       0;                  ///< of the run; what it is at most where the floor never comes nearer than at rest [length]
   double least_time = 0;  ///< when [s]
@@ -204,12 +204,12 @@ struct Discrepancy {
 
 struct Response {
   Status status = Status::done;
-  std::string message;                          ///< why and when, unless done
-  double duration = 0;                          ///< to where it went unless it ended before, Problem::duration or longer [s]
-  long steps = 0;                               ///< intervals over which the solution was advanced (with contact)
-  long events = 0;                              ///< contacts closed or opened
-  double wall_time = 0;                         ///< of the solution alone [s]
-  std::optional<Collapse> collapse;             ///< where the status says so; all else is up to that time
+  std::string message;               ///< why and when, unless done
+  double duration = 0;               ///< to where it went unless it ended before, Problem::duration or longer [s]
+  long steps = 0;                    ///< intervals over which the solution was advanced (with contact)
+  long events = 0;                   ///< contacts closed or opened
+  double wall_time = 0;              ///< of the solution alone [s]
+  std::optional<Collapse> collapse;  ///< where the status says so; all else is up to that time
   std::optional<Collapse> collapse_no_contact;  ///< of the response with contact switched off
   std::vector<BuildingPeaks> buildings;
   std::vector<PointSummary> points;

@@ -30,11 +30,11 @@ struct SweepOptions : StudyOutputOptions {
 /// Sums over all runs of a study.
 struct SweepTotals {
   double impacts = 0;
-  std::size_t unmodelled = 0;  ///< runs in which a watched floor closed
-  std::size_t remarked = 0, doubted = 0;  ///< runs with a remark, with a doubt
+  std::size_t unmodelled = 0;                       ///< runs in which a watched floor closed
+  std::size_t remarked = 0, doubted = 0;            ///< runs with a remark, with a doubt
   std::map<std::string, std::size_t> remarks = {};  ///< runs with a remark, by what it is about
-  std::size_t failed = 0;      ///< runs whose numbers failed or whose values make no case
-  std::string first_failure;   ///< "run 17: REASON"
+  std::size_t failed = 0;                           ///< runs whose numbers failed or whose values make no case
+  std::string first_failure;                        ///< "run 17: REASON"
 };
 
 struct SweepReport : SweepTotals {

@@ -47,7 +47,7 @@ struct OutputsFound {
   /// Of each output that is sampled, what it is a sum of over the modes in the samples: |row| · |q| at most, in
   /// Euclidean norms. Round-off is a part of that.
   Eigen::VectorXd size = {};
-  Eigen::MatrixXd course = {};   ///< outputs × instants of the exact course; empty where it does not keep them
+  Eigen::MatrixXd course = {};  ///< outputs × instants of the exact course; empty where it does not keep them
 };
 
 /// How far a δ went.
@@ -144,7 +144,7 @@ struct Solution {
   std::vector<CoupledState> coupled = {};               ///< of all bodies' Body::coupled, at the end
   std::vector<Reach> watched = {}, watched_free = {};   ///< as in the system
   std::vector<ToCome> to_come = {};  ///< of a free response: per contact (those that rub last), then as watched
-  std::vector<double> scales = {};  ///< per watched interface, the lengths whose difference δ is [length]
+  std::vector<double> scales = {};   ///< per watched interface, the lengths whose difference δ is [length]
   Sampled samples = {}, course = {};
   std::optional<EnergyAudit> energy = {};
   SelfMeasures checks = {};

@@ -18,7 +18,8 @@ double quantile_of(std::vector<double> numbers, double p) {
   const auto below = static_cast<std::size_t>(std::floor(place));
   const std::size_t above = std::min(below + 1, numbers.size() - 1);
   const double part = place - static_cast<double>(below);
-  return part == 0 || numbers[below] == numbers[above] ? numbers[below] : (1 - part) * numbers[below] + part * numbers[above];
+  return part == 0 || numbers[below] == numbers[above] ? numbers[below]
+                                                       : (1 - part) * numbers[below] + part * numbers[above];
 }
 
 double median_of(std::vector<double> numbers) { return quantile_of(std::move(numbers), 0.5); }

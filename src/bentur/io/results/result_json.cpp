@@ -11,7 +11,9 @@
 #include "bentur/io/results/internal/code_json.h"
 #include "bentur/io/results/internal/gap_json.h"
 #include "bentur/io/results/internal/hinges_json.h"
+#include "bentur/io/results/judged_by_json.h"
 #include "bentur/io/results/story_json.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/story/story.h"
 #include "bentur/structure/modes.h"
@@ -216,6 +218,7 @@ std::string summary_json(const RunResults& results, std::string_view version) {
                {"remarks", remarks_json(results.remarks)},
                {"buildings", buildings},
                {"gaps", gaps}};
+  json["judged_by"] = judged_by_json(run.response, drifts_no_contact(results));
   const Response& response = run.response;
   if (response.collapse) json["collapse"] = collapse_json(run, *response.collapse);
   if (response.collapse_no_contact) json["collapse_no_contact"] = collapse_json(run, *response.collapse_no_contact);

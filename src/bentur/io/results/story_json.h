@@ -13,7 +13,8 @@ namespace bentur {
 /// The same by the buildings' names.
 [[nodiscard]] std::string statements_json(const std::vector<std::string>& names,
                                           const std::vector<Statement>& statements);
-/// What is judged of a gap, with every reason: its kind, the way of the motion, the level, its numbers. One JSON object.
+/// What is judged of a gap, with every reason: its kind, the way of the motion, the level, its numbers. One JSON
+/// object.
 [[nodiscard]] std::string judgement_json(const ToldJudgement& told);
 
 }  // namespace bentur

@@ -23,7 +23,7 @@ struct CodeRuleSpec {
 
 /// [code] of a case: the rules it gives numbers for, and how the buildings of each gap stand to one another.
 struct CodeSpec {
-  std::vector<CodeRuleSpec> rules;                       ///< in the order of code_rules()
+  std::vector<CodeRuleSpec> rules;  ///< in the order of code_rules()
   /// Per gap; nothing: not given, and no rule asks for less because of it.
   std::optional<std::vector<bool>> floors_aligned = {};
   std::optional<std::vector<bool>> same_owner = {};  ///< likewise: a property line stands in the gap
@@ -49,9 +49,9 @@ struct CodePair {
   CodeSide left, right;
   std::size_t left_building = 0;  ///< its place in the row; the right one is the next
   bool floors_aligned =
-      false;               ///< up to the lower roof every floor of either has a floor of the other at its elevation
+      false;                ///< up to the lower roof every floor of either has a floor of the other at its elevation
   bool same_owner = false;  ///< no property line between them
-  double metre = 1;        ///< [length], the case's units in one metre
+  double metre = 1;         ///< [length], the case's units in one metre
 };
 
 struct CodeSeparation {

@@ -445,7 +445,8 @@ TEST(CodeRules, OfACaseTakeThePeaksWithoutContactAtEachLevel) {
   EXPECT_NEAR(separations(problem, response, code, {.length = "m"})[0].codes[0].gap, 2 * 0.01 + 3 * 0.03, 1e-15)
       << "floors are not said to be aligned";
   code.floors_aligned = std::vector<bool>{true};
-  EXPECT_NEAR(separations(problem, response, code, {.length = "m"})[0].codes[0].gap, 0.5 * (2 * 0.01 + 3 * 0.03), 1e-15);
+  EXPECT_NEAR(separations(problem, response, code, {.length = "m"})[0].codes[0].gap, 0.5 * (2 * 0.01 + 3 * 0.03),
+              1e-15);
   EXPECT_NEAR(separations(problem, response, code, {.length = "mm"})[0].codes[1].to_left.value(), 50, 1e-12);
   EXPECT_TRUE(separations(problem, response)[0].codes.empty());
 }

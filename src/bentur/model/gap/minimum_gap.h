@@ -78,7 +78,7 @@ struct RuleFinding {
   /// By how much a gap of one width by this rule, what it asks for at most, is less than the motion needs in either
   /// direction [length]; nothing where it is not less beyond round-off, or not known
   std::optional<double> lacks = {};
-  double most = 0;                                    ///< what it asks for at most, as the width of the whole gap [length]
+  double most = 0;  ///< what it asks for at most, as the width of the whole gap [length]
   Silence silence = Silence::none;
 };
 

@@ -88,8 +88,7 @@ CapacityDemand capacity_demand(const Building& building, const SpectralModes& mo
   const Hinges& hinges = model.hinges;
   for (Eigen::Index h = 0; h < hinges.size(); ++h) {
     const double moment = peak(hinges.rows.row(h)), rest = h < hinges.at_rest.size() ? hinges.at_rest(h) : 0;
-    const double ratio =
-        std::max((moment + rest) / hinges.clockwise(h), (moment - rest) / hinges.anticlockwise(h));
+    const double ratio = std::max((moment + rest) / hinges.clockwise(h), (moment - rest) / hinges.anticlockwise(h));
     const auto place = static_cast<std::size_t>(h);
     const bool is_hinge = place < hinges.places.size();
     const Eigen::Index number =

@@ -34,7 +34,7 @@ struct SpectralPeaks {
 
 /// What an elastic building is loaded to by a spectrum, over what it can bear, where that is the most.
 struct CapacityDemand {
-  double ratio = 0;          ///< [-] of the yield force of a storey or the capacity of a hinge; 0: none is given
+  double ratio = 0;         ///< [-] of the yield force of a storey or the capacity of a hinge; 0: none is given
   Eigen::Index storey = 0;  ///< from 0, a slab's bearings included
 };
 /// By the larger of the elastic deformations of storeys over those at which they yield, and of elastic moments and
@@ -44,8 +44,8 @@ struct CapacityDemand {
 
 /// The gaps needed under a spectrum.
 struct SpectralGaps {
-  std::vector<SpectralModes> modes;  ///< per building
-  std::vector<SpectralPeaks> peaks;  ///< per building
+  std::vector<SpectralModes> modes;     ///< per building
+  std::vector<SpectralPeaks> peaks;     ///< per building
   std::vector<CapacityDemand> demands;  ///< per building
   /// Per facing level; `gap_needed` is the spectral difference: the peak of x_left − x_right by the case's combination
   /// over the modes of both buildings (with one mode each and CQC it is DDC). ABS, SRSS and DDC combine the peaks of

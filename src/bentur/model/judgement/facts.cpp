@@ -116,7 +116,8 @@ bool RunFacts::others_close(std::size_t gap) const {
 
 std::vector<Remark> doubts_of(const std::vector<Remark>& remarks) {
   std::vector<Remark> doubts;
-  std::copy_if(remarks.begin(), remarks.end(), std::back_inserter(doubts), [](const Remark& one) { return one.is_doubt; });
+  std::copy_if(remarks.begin(), remarks.end(), std::back_inserter(doubts),
+               [](const Remark& one) { return one.is_doubt; });
   return doubts;
 }
 
@@ -126,7 +127,9 @@ bool closes_either_way(const Problem& problem, const Response& response, Index g
     for (const Way way : ways_of_motion) {
       if (facts.in(way).impacts > 0) return true;
     }
-    if (level.is_point && falls_short(level.width, facts.reversed.need.value_or(0), displacement_scale(problem, response, gap))) return true;
+    if (level.is_point &&
+        falls_short(level.width, facts.reversed.need.value_or(0), displacement_scale(problem, response, gap)))
+      return true;
   }
   return false;
 }

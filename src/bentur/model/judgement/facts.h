@@ -34,9 +34,9 @@ struct Beyond {
 
 /// What happened in one way of the motion, to all buildings.
 struct WayFacts {
-  bool looked_at = false;           ///< without contact
-  bool contact_looked_at = true;    ///< with contact, where there may be any
-  std::optional<Fall> fall = {};  ///< without contact
+  bool looked_at = false;                      ///< without contact
+  bool contact_looked_at = true;               ///< with contact, where there may be any
+  std::optional<Fall> fall = {};               ///< without contact
   std::optional<Fall> fall_with_contact = {};  ///< it ends the run, after which nothing is known of contact
   std::vector<Beyond> drifts = {};
   std::vector<Beyond> capacities = {};  ///< of elastic buildings under a spectrum
@@ -51,7 +51,7 @@ struct LevelFacts {
     std::optional<double> to_come = {};  ///< what free vibration after the end could still need [length]
     int impacts = 0;                     ///< in the run with contact
     double peak_force = 0;               ///< [force]
-    double depth = 0;                    ///< by which a floor goes into what it faces, where no contact is modelled [length]
+    double depth = 0;  ///< by which a floor goes into what it faces, where no contact is modelled [length]
   };
   OneWay given = {}, reversed = {};
   [[nodiscard]] const OneWay& in(Way way) const { return way == Way::given ? given : reversed; }
@@ -60,24 +60,25 @@ struct LevelFacts {
 
 /// All of one gap.
 struct GapFacts {
-  std::string left, right;           ///< the buildings
-  std::vector<LevelFacts> levels;    ///< from the lowest up
+  std::string left, right;         ///< the buildings
+  std::vector<LevelFacts> levels;  ///< from the lowest up
   WayFacts given, reversed;
-  bool has_other_way = true;         ///< the ground moves, so that it can move the other way
-  bool others_close = false;         ///< another gap of the row or block closes, either way: its needs are of buildings that meet nobody
-  std::vector<RuleFinding> rules;    ///< of ABS, SRSS, DDC and [code]
-  std::vector<Remark> doubts;        ///< remarks by which what was put in may not be meant
-  double scale = 0;                  ///< displacement_scale(), for round-off [length]
+  bool has_other_way = true;  ///< the ground moves, so that it can move the other way
+  bool others_close =
+      false;  ///< another gap of the row or block closes, either way: its needs are of buildings that meet nobody
+  std::vector<RuleFinding> rules;  ///< of ABS, SRSS, DDC and [code]
+  std::vector<Remark> doubts;      ///< remarks by which what was put in may not be meant
+  double scale = 0;                ///< displacement_scale(), for round-off [length]
   [[nodiscard]] const WayFacts& in(Way way) const { return way == Way::given ? given : reversed; }
 };
 
 /// What all gaps of a run have in common.
 struct RunFacts {
   WayFacts given, reversed;
-  bool has_other_way = true;     ///< the ground moves
-  std::vector<Remark> doubts;    ///< of all buildings and gaps
+  bool has_other_way = true;       ///< the ground moves
+  std::vector<Remark> doubts;      ///< of all buildings and gaps
   std::vector<std::string> names;  ///< of all buildings and gaps: what else a doubt is about, all share
-  std::vector<bool> closes;      ///< per gap, either way
+  std::vector<bool> closes;        ///< per gap, either way
 
   /// Another gap than this one does.
   [[nodiscard]] bool others_close(std::size_t gap) const;

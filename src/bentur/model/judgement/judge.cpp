@@ -69,13 +69,15 @@ void judge_rules(const GapFacts& facts, std::vector<Reason>& reasons) {
 void judge_unknown(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
   const WayFacts& of = facts.in(way);
   if (of.fall) {
-    reasons.push_back(
-        {.kind = Reason::Kind::collapse, .way = way, .value = of.fall->time, .subject = of.fall->building, .storey = of.fall->storey});
+    reasons.push_back({.kind = Reason::Kind::collapse,
+                       .way = way,
+                       .value = of.fall->time,
+                       .subject = of.fall->building,
+                       .storey = of.fall->storey});
   }
   const auto beyond = [&](Reason::Kind kind, const std::vector<Beyond>& found) {
     for (const Beyond& one : found) {
-      reasons.push_back(
-          {.kind = kind, .way = way, .value = one.ratio, .subject = one.building, .storey = one.storey});
+      reasons.push_back({.kind = kind, .way = way, .value = one.ratio, .subject = one.building, .storey = one.storey});
     }
   };
   if (const auto& fall = of.fall_with_contact; fall && !of.fall) {
@@ -89,7 +91,8 @@ void judge_unknown(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
   beyond(Reason::Kind::drift, of.drifts);
   beyond(Reason::Kind::capacity, of.capacities);
   const bool needed = way == Way::given || facts.has_other_way;
-  if (needed && (!of.looked_at || !of.contact_looked_at)) reasons.push_back({.kind = Reason::Kind::not_looked_at, .way = way});
+  if (needed && (!of.looked_at || !of.contact_looked_at))
+    reasons.push_back({.kind = Reason::Kind::not_looked_at, .way = way});
 }
 
 }  // namespace
@@ -100,9 +103,7 @@ bool falls_short(double given, double needed, double scale) {
 }
 
 std::string_view word_of(Sufficiency value) {
-  return value == Sufficiency::too_small   ? "too small"
-         : value == Sufficiency::unknown ? "not known"
-                                           : "enough";
+  return value == Sufficiency::too_small ? "too small" : value == Sufficiency::unknown ? "not known" : "enough";
 }
 
 std::string_view word_of(Reason::Kind kind) {
@@ -196,7 +197,8 @@ bool is_worse(const Reason& one, const Reason& other) {
 
 Sufficiency sufficiency_of(const std::vector<Reason>& reasons) {
   if (reasons.empty()) return Sufficiency::enough;
-  const bool is_small = std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return says_too_small(r.kind); });
+  const bool is_small =
+      std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return says_too_small(r.kind); });
   return is_small ? Sufficiency::too_small : Sufficiency::unknown;
 }
 

@@ -22,15 +22,15 @@ enum class Sufficiency {
 /// Why a gap is too small, or not known to be enough.
 struct Reason {
   enum class Kind {
-    contact,     ///< the buildings collide: `count` impacts, up to `value` [force]
-    unmodelled,  ///< a floor goes `value` [length] into what it faces, where no contact is modelled
-    need,        ///< they need `value` [length] without contact
-    rule,        ///< a rule of [code], `subject`, asks for `value` [length]
-    collapse,    ///< storey `storey` of `subject` falls at `value` [s], with contact (`count` 1) or without
-    drift,       ///< it drifts by `value` of its height without contact [-], beyond collapse
-    capacity,    ///< by a spectrum it bears `value` times what it can, as an elastic one
-    doubt,       ///< GapFacts::doubts[`count`]
-    motion_left, ///< free vibration after the end could still need `value` [length]
+    contact,       ///< the buildings collide: `count` impacts, up to `value` [force]
+    unmodelled,    ///< a floor goes `value` [length] into what it faces, where no contact is modelled
+    need,          ///< they need `value` [length] without contact
+    rule,          ///< a rule of [code], `subject`, asks for `value` [length]
+    collapse,      ///< storey `storey` of `subject` falls at `value` [s], with contact (`count` 1) or without
+    drift,         ///< it drifts by `value` of its height without contact [-], beyond collapse
+    capacity,      ///< by a spectrum it bears `value` times what it can, as an elastic one
+    doubt,         ///< GapFacts::doubts[`count`]
+    motion_left,   ///< free vibration after the end could still need `value` [length]
     not_looked_at  ///< the reversed motion, with contact or without
   };
   Kind kind = Kind::need;
@@ -55,7 +55,7 @@ struct Judgement {
   Sufficiency value = Sufficiency::enough;
   std::vector<Reason> reasons = {};      ///< worst first; empty: it is enough
   std::vector<Sufficiency> levels = {};  ///< of each of GapFacts::levels
-  bool alone = false;  ///< what is needed is needed if no other gap closes, as one does
+  bool alone = false;                    ///< what is needed is needed if no other gap closes, as one does
 
   [[nodiscard]] bool is_enough() const { return value == Sufficiency::enough; }
 };

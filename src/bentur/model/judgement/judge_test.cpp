@@ -15,7 +15,12 @@ namespace {
 
 /// One level, 0.05 wide, that needs 0.02 each way; both ways looked at.
 GapFacts nothing_wrong() {
-  GapFacts facts{.left = "A", .right = "B", .levels = {{.at = {.elevation = 3, .width = 0.05}}}};
+  GapFacts facts;
+  facts.left = "A";
+  facts.right = "B";
+  facts.levels.emplace_back();
+  facts.levels[0].at.elevation = 3;
+  facts.levels[0].at.width = 0.05;
   facts.given.looked_at = facts.reversed.looked_at = true;
   for (const Way way : ways_of_motion) facts.levels[0].in(way).need = 0.02;
   facts.scale = 0.02;
@@ -41,8 +46,7 @@ const std::vector<Wrong>& wrongs() {
        Reason::Kind::contact},
       {"contact without force", [](GapFacts& facts, Way way) { facts.levels[0].in(way).impacts = 1; },
        Reason::Kind::contact},
-      {"unmodelled", [](GapFacts& facts, Way way) { facts.levels[0].in(way).depth = 0.01; },
-       Reason::Kind::unmodelled},
+      {"unmodelled", [](GapFacts& facts, Way way) { facts.levels[0].in(way).depth = 0.01; }, Reason::Kind::unmodelled},
       {"need", [](GapFacts& facts, Way way) { facts.levels[0].in(way).need = 0.051; }, Reason::Kind::need},
       {"fall",
        [](GapFacts& facts, Way way) {
@@ -50,7 +54,10 @@ const std::vector<Wrong>& wrongs() {
          facts.levels[0].in(way).need.reset();
        },
        Reason::Kind::collapse},
-      {"fall with contact", [](GapFacts& facts, Way way) { in(facts, way).fall_with_contact = Fall{"B", 1, 2.5}; },
+      {"fall with contact",
+       [](GapFacts& facts, Way way) {
+         in(facts, way).fall_with_contact = Fall{"B", 1, 2.5};
+       },
        Reason::Kind::collapse},
       {"drift",
        [](GapFacts& facts, Way way) {
@@ -58,7 +65,10 @@ const std::vector<Wrong>& wrongs() {
          facts.levels[0].in(way).need.reset();
        },
        Reason::Kind::drift},
-      {"capacity", [](GapFacts& facts, Way way) { in(facts, way).capacities = {{"A", 1, 3.0}}; },
+      {"capacity",
+       [](GapFacts& facts, Way way) {
+         in(facts, way).capacities = {{"A", 1, 3.0}};
+       },
        Reason::Kind::capacity},
       {"motion left", [](GapFacts& facts, Way way) { facts.levels[0].in(way).to_come = 0.06; },
        Reason::Kind::motion_left},
@@ -77,7 +87,7 @@ const std::vector<Wrong>& wrongs() {
 RuleFinding rule_that_is_short() {
   return {.rule = "asce-7-16", .title = "ASCE 7-16, IBC", .at = 0, .gap = 0.09, .is_short = true};
 }
-Remark doubt() { return {.key = "pga_without_unit", .value = 0.03, .unit = "g", .is_doubt = true}; }
+Remark doubt() { return {"pga_without_unit", "", 0.03, "g", {}, {}, true}; }
 
 TEST(Judge, SaysEnoughWhereNothingSpeaksAgainstIt) {
   const Judgement made = judge(nothing_wrong());
@@ -144,7 +154,8 @@ TEST(Judge, EveryCombinationOfFacts) {
           // The worst of what was put in comes first, unless what hides it does.
           const Reason::Kind worst = *std::min_element(kinds.begin(), kinds.end());
           if (worst != Reason::Kind::need && worst != Reason::Kind::motion_left) {
-            EXPECT_EQ(made.reasons.front().kind, worst) << wrongs()[first / 2].name << " and " << wrongs()[second / 2].name;
+            EXPECT_EQ(made.reasons.front().kind, worst)
+                << wrongs()[first / 2].name << " and " << wrongs()[second / 2].name;
           }
         }
       }
@@ -156,7 +167,8 @@ TEST(Judge, EveryCombinationOfFacts) {
 TEST(Judge, OfSeveralLevelsTheWorst) {
   GapFacts facts = nothing_wrong();
   facts.levels.push_back(facts.levels[0]);
-  facts.levels[1].at = {.elevation = 6, .width = 0.04};
+  facts.levels[1].at.elevation = 6;
+  facts.levels[1].at.width = 0.04;
   facts.levels[0].given.need = 0.055;  // 0.005 more than is given
   facts.levels[1].given.need = 0.046;  // 0.006
   const Judgement made = judge(facts);

@@ -72,12 +72,22 @@ JudgedGap judged(const RunResults& row, const std::vector<LevelSeparation>& all,
 
 }  // namespace
 
-RunFacts run_facts(const RunResults& run) {
+std::vector<LargestDrift> drifts_no_contact(const RunResults& run) {
   std::vector<LargestDrift> drifts;
   for (const BuildingPeaks& peaks : run.response.buildings) {
     drifts.push_back(largest_drift(peaks.drift_ratio_no_contact));
   }
-  RunFacts facts = common_facts(run, drifts, !std::holds_alternative<NoMotion>(run.problem.motion));
+  return drifts;
+}
+
+std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) {
+  std::vector<LargestDrift> drifts;
+  for (const PlanPeaks& peaks : run.response.buildings_no_contact) drifts.push_back(peaks.largest_drift());
+  return drifts;
+}
+
+RunFacts run_facts(const RunResults& run) {
+  RunFacts facts = common_facts(run, drifts_no_contact(run), !std::holds_alternative<NoMotion>(run.problem.motion));
   for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
     facts.names.push_back(gap_name(run.problem, gap));
     facts.closes.push_back(closes_either_way(run.problem, run.response, gap));
@@ -86,11 +96,9 @@ RunFacts run_facts(const RunResults& run) {
 }
 
 RunFacts run_facts(const PlanRun& run) {
-  std::vector<LargestDrift> drifts;
-  for (const PlanPeaks& peaks : run.response.buildings_no_contact) drifts.push_back(peaks.largest_drift());
   const bool moves = std::any_of(run.problem.motions.begin(), run.problem.motions.end(),
                                  [](const GroundMotion& one) { return !std::holds_alternative<NoMotion>(one); });
-  RunFacts facts = common_facts(run, drifts, moves);
+  RunFacts facts = common_facts(run, drifts_no_contact(run), moves);
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
     const RunResults pair = pair_of(run, g);
     facts.names.push_back(gap_name(run.problem, run.problem.gaps[g]));

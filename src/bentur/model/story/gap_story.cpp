@@ -63,8 +63,8 @@ void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<Lev
                                     [](const LevelFacts& one) { return one.reversed.need.has_value(); });
   if (level && is_known) {
     const char* const kind = judged_of(facts, gap).alone ? "reversed_alone"
-                             : level->is_short()          ? "reversed_short"
-                                                          : "reversed_enough";
+                             : level->is_short()         ? "reversed_short"
+                                                         : "reversed_enough";
     statements.push_back(need_statement(facts, gap, *level, kind));
   } else if (known.has_other_way && !facts.c.buildings.empty()) {
     statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = {gap, gap + 1}});
@@ -160,7 +160,7 @@ StoryTable rule_table(const GapView& facts, Eigen::Index gap, const std::vector<
     asked.numbers.push_back(found.at ? found.gap : none);
     level.numbers.push_back(found.at ? levels[*found.at].level.elevation : none);
     place.add(facts, found.at ? &levels[*found.at].level : nullptr);
-    verdict.texts.emplace_back(found.is_short    ? "gap.too_close"
+    verdict.texts.emplace_back(found.is_short        ? "gap.too_close"
                                : found.at && !enough ? "gap.asks_less"
                                                      : silence_word(found.silence));
     left.numbers.push_back(found.to_left.value_or(none));
@@ -400,7 +400,8 @@ void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vec
     statements.push_back(std::move(statement));
   };
   tell("assumed_owner", &depends_on_owner, code.same_owner, [&](std::size_t g) { return code.is_of_one_owner(g); });
-  tell("assumed_aligned", &depends_on_alignment, code.floors_aligned, [&](std::size_t g) { return code.is_aligned(g); });
+  tell("assumed_aligned", &depends_on_alignment, code.floors_aligned,
+       [&](std::size_t g) { return code.is_aligned(g); });
 }
 
 std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {

@@ -173,17 +173,16 @@ void check_contact(const GapView& view, Index gap, Checks& checks) {
   const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
   if (facts.levels.empty()) return;
   const Judgement& judged = view.judged.at(static_cast<std::size_t>(gap));
-  for (const auto& [kind, check] : {std::pair(Reason::Kind::contact, "check.contact"),
-                                    std::pair(Reason::Kind::unmodelled, "check.unmodelled")}) {
+  for (const auto& [kind, check] :
+       {std::pair(Reason::Kind::contact, "check.contact"), std::pair(Reason::Kind::unmodelled, "check.unmodelled")}) {
     const auto found = std::find_if(judged.reasons.begin(), judged.reasons.end(),
                                     [&, of = kind](const Reason& one) { return one.kind == of; });
     if (found != judged.reasons.end()) {
       const ShownUnits shown = shown_units(view.c.units, *view.response);
       const bool is_force = kind == Reason::Kind::contact;
-      const std::string demand =
-          !is_force          ? with_unit(found->value, view.c.units.length)
-          : found->value > 0 ? with_unit(shown.force * found->value, shown.units.force)
-                             : std::to_string(found->count);
+      const std::string demand = !is_force          ? with_unit(found->value, view.c.units.length)
+                                 : found->value > 0 ? with_unit(shown.force * found->value, shown.units.force)
+                                                    : std::to_string(found->count);
       checks.add(check, "check.by_motion", level_text(view, gap, facts.levels.at(*found->level).at.elevation), demand,
                  "0", false);
       continue;
@@ -463,8 +462,7 @@ HandIn hand_in(const PlanRun& run) {
 }
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  HandIn made =
-      hand_in(story::judged_view_of(c, problem, spectral), {}, nullptr);
+  HandIn made = hand_in(story::judged_view_of(c, problem, spectral), {}, nullptr);
   made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
   return made;
 }
@@ -482,9 +480,8 @@ HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow
       checks.add(row.check, row.by, row.where, demand, limit, row.result, row.result != "gap.asks_less");
     }
   }
-  HandIn made =
-      hand_in_with(GapView{.c = c, .problem = problem, .levels = {}, .screened = story::screened(c, problem)},
-                   std::move(checks), nullptr);
+  HandIn made = hand_in_with(GapView{.c = c, .problem = problem, .levels = {}, .screened = story::screened(c, problem)},
+                             std::move(checks), nullptr);
   const RunResults still{.c = c, .problem = problem, .response = {}, .remarks = {}};
   made.assumptions.insert(made.assumptions.begin(), story::model_statement(still));
   return made;

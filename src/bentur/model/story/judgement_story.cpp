@@ -88,7 +88,8 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
     case Reason::Kind::not_looked_at:
       break;
   }
-  if (reason.kind == Reason::Kind::collapse || reason.kind == Reason::Kind::drift || reason.kind == Reason::Kind::capacity) {
+  if (reason.kind == Reason::Kind::collapse || reason.kind == Reason::Kind::drift ||
+      reason.kind == Reason::Kind::capacity) {
     item.push_back(text_of("building", reason.subject));
     item.push_back(count_of("storey", static_cast<long>(reason.storey)));
   }
@@ -110,8 +111,8 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
     statement.values.push_back(value_in("duration", duration, "s"));
   }
   if (has(Reason::Kind::contact)) return hit(std::move(statement));
-  const bool has_points = std::any_of(facts.levels.begin(), facts.levels.end(),
-                                      [](const LevelFacts& level) { return level.at.is_point; });
+  const bool has_points =
+      std::any_of(facts.levels.begin(), facts.levels.end(), [](const LevelFacts& level) { return level.at.is_point; });
   if (has(Reason::Kind::unmodelled)) {
     statement.kind = "no_impact";
     if (has_points) statements.push_back(std::move(statement));
@@ -144,7 +145,8 @@ namespace {
 ToldJudgement told(const story::GapView& view, Eigen::Index gap, Eigen::Index left, Eigen::Index right) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
-  ToldJudgement made{.left = left, .right = right, .width = none, .judgement = view.judged.at(static_cast<std::size_t>(gap))};
+  ToldJudgement made{
+      .left = left, .right = right, .width = none, .judgement = view.judged.at(static_cast<std::size_t>(gap))};
   for (const LevelFacts& level : facts.levels) {
     made.width = made.width == made.width ? std::min(made.width, level.at.width) : level.at.width;
   }
@@ -164,9 +166,9 @@ std::vector<ToldJudgement> told(const story::GapView& view) {
 }  // namespace
 
 const char* judgement_word(Sufficiency value) {
-  return value == Sufficiency::too_small   ? "gap.too_close"
+  return value == Sufficiency::too_small ? "gap.too_close"
          : value == Sufficiency::unknown ? "gap.not_known"
-                                           : "gap.wide_enough";
+                                         : "gap.wide_enough";
 }
 
 std::vector<ToldJudgement> told_judgements(const RunResults& run) { return told(story::judged_view_of(run)); }
@@ -196,8 +198,9 @@ std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index ga
   if (!first.is_facing()) return statements;
   const auto begun = [&](const char* kind, long count) {
     Statement one{.kind = kind, .severity = Severity::warning, .gap = gap, .buildings = {first.left, first.right}};
-    one.values = {text_of("left", told.left), text_of("right", told.right), story::value_in("width", first.width, told.length),
-                  count_of("count", count), count_of("records", many.runs)};
+    one.values = {text_of("left", told.left), text_of("right", told.right),
+                  story::value_in("width", first.width, told.length), count_of("count", count),
+                  count_of("records", many.runs)};
     return one;
   };
   Statement small = begun("records_too_small", many.too_small), unknown = begun("records_not_known", many.not_known);
@@ -208,7 +211,8 @@ std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index ga
       return one.kind == found.worst.kind && one.way == found.worst.way && one.value == found.worst.value &&
              one.subject == found.worst.subject;
     });
-    std::vector<StoryValue> item = told.of_records[found.run].reasons.at(static_cast<std::size_t>(at - reasons.begin()));
+    std::vector<StoryValue> item =
+        told.of_records[found.run].reasons.at(static_cast<std::size_t>(at - reasons.begin()));
     item.push_back(count_of("under", found.runs));
     item.push_back(text_of("record", told.names.at(found.run)));
     (says_too_small(found.worst.kind) ? small : unknown).items.push_back(std::move(item));

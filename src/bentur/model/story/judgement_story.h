@@ -30,11 +30,11 @@ struct ToldJudgement {
 
 /// Of a gap under many records: too small under so many and why, not known under so many and why, or enough under all.
 struct ManyToTell {
-  std::vector<std::string> names;          ///< of the records
-  std::vector<ToldJudgement> of_records;   ///< likewise, of this gap
+  std::vector<std::string> names;         ///< of the records
+  std::vector<ToldJudgement> of_records;  ///< likewise, of this gap
   JudgementOfMany many;
-  std::string left, right;                 ///< its buildings
-  std::string length;                      ///< its unit
+  std::string left, right;  ///< its buildings
+  std::string length;       ///< its unit
 };
 [[nodiscard]] std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index gap);
 

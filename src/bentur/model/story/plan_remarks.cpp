@@ -54,9 +54,8 @@ void check_before(const PlanCase& c, const PlanProblem& problem, List& list) {
     const PlanGap& gap = problem.gaps[g];
     check_contact(gap_name(problem, gap), gap.stretch.width, stiffness_of(gap, c.gaps[g].contact), c.units, list);
   }
-  const bool both = std::none_of(problem.motions.begin(), problem.motions.end(), [](const GroundMotion& motion) {
-    return std::holds_alternative<NoMotion>(motion);
-  });
+  const bool both = std::none_of(problem.motions.begin(), problem.motions.end(),
+                                 [](const GroundMotion& motion) { return std::holds_alternative<NoMotion>(motion); });
   constexpr const char* axes[] = {"x", "y"};
   for (const std::size_t i : {0U, 1U}) {
     const char* const subject = both ? axes[i] : "";
@@ -109,8 +108,8 @@ std::vector<Remark> remarks(const PlanCase& c, const PlanProblem& problem, const
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const PlanBuilding& building = problem.buildings[b];
     if (building.is_rigid()) continue;
-    check_response(
-        look_of(building, response.buildings.at(b), response.buildings_no_contact.at(b), c.units.gravity), list);
+    check_response(look_of(building, response.buildings.at(b), response.buildings_no_contact.at(b), c.units.gravity),
+                   list);
   }
   std::size_t point = 0;
   for (const PlanGap& gap : problem.gaps) {

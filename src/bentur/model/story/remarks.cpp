@@ -195,13 +195,13 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
     }
     const auto broken = std::count_if(peaks.columns.begin(), peaks.columns.end(),
                                       [](const BuildingPeaks::Breaking& column) { return column.break_time; });
-    check_response({.name = building.name,
-                    .drift = std::max(largest_drift(peaks.drift_ratio).ratio,
-                                      largest_drift(peaks.drift_ratio_no_contact).ratio),
-                    .base_shear = found.base_shear_coefficient,
-                    .yields = building.storeys_yield() || !building.model.hinges.places.empty(),
-                    .broken_columns = broken},
-                   list);
+    check_response(
+        {.name = building.name,
+         .drift = std::max(largest_drift(peaks.drift_ratio).ratio, largest_drift(peaks.drift_ratio_no_contact).ratio),
+         .base_shear = found.base_shear_coefficient,
+         .yields = building.storeys_yield() || !building.model.hinges.places.empty(),
+         .broken_columns = broken},
+        list);
   }
   for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
     double deepest = 0;
@@ -227,14 +227,44 @@ Proportions proportions(const Building& building, const Units& units, const Buil
 }
 
 const std::vector<std::string_view>& remark_keys() {
-  static const std::vector<std::string_view> keys = {
-      "period_per_storey", "stiffness_factor", "storey_weight", "storey_weight_per_width", "impact_damping",
-      "damping", "storey_height", "elastic_modulus", "density", "section", "line_load", "gap_width",
-      "level_tolerance", "soft_contact", "code_on_record", "broken_columns", "initial_overlap",
-      "contact_stiffness", "record_step", "record_length", "motion_of_zeros", "pga", "pga_without_unit",
-      "delay", "duration", "output_step", "modal_mass", "drift", "base_shear", "penetration",
-      "check_first_contact", "check_without_impact", "check_momentum", "check_opening", "check_peaks",
-      "check_forces", "check_energy", "slow_starts"};
+  static const std::vector<std::string_view> keys = {"period_per_storey",
+                                                     "stiffness_factor",
+                                                     "storey_weight",
+                                                     "storey_weight_per_width",
+                                                     "impact_damping",
+                                                     "damping",
+                                                     "storey_height",
+                                                     "elastic_modulus",
+                                                     "density",
+                                                     "section",
+                                                     "line_load",
+                                                     "gap_width",
+                                                     "level_tolerance",
+                                                     "soft_contact",
+                                                     "code_on_record",
+                                                     "broken_columns",
+                                                     "initial_overlap",
+                                                     "contact_stiffness",
+                                                     "record_step",
+                                                     "record_length",
+                                                     "motion_of_zeros",
+                                                     "pga",
+                                                     "pga_without_unit",
+                                                     "delay",
+                                                     "duration",
+                                                     "output_step",
+                                                     "modal_mass",
+                                                     "drift",
+                                                     "base_shear",
+                                                     "penetration",
+                                                     "check_first_contact",
+                                                     "check_without_impact",
+                                                     "check_momentum",
+                                                     "check_opening",
+                                                     "check_peaks",
+                                                     "check_forces",
+                                                     "check_energy",
+                                                     "slow_starts"};
   return keys;
 }
 

@@ -44,13 +44,13 @@ void tell_collapse(const std::optional<Collapse>& with, const std::optional<Coll
 
 void tell_drift_beyond(const WorstDrift& worst, double limit, std::vector<Statement>& statements) {
   if (!(worst.ratio > limit)) return;
-  statements.push_back({.kind = worst.is_alone ? "drift_beyond_alone" : "drift_beyond",
-                        .severity = Severity::danger,
-                        .buildings = {worst.building},
-                        .level = worst.level,
-                        .values = {text_of("building", worst.name), count_of("storey", worst.storey),
-                                   value_in("drift", percent * worst.ratio, "%"),
-                                   value_in("limit", percent * limit, "%")}});
+  statements.push_back(
+      {.kind = worst.is_alone ? "drift_beyond_alone" : "drift_beyond",
+       .severity = Severity::danger,
+       .buildings = {worst.building},
+       .level = worst.level,
+       .values = {text_of("building", worst.name), count_of("storey", worst.storey),
+                  value_in("drift", percent * worst.ratio, "%"), value_in("limit", percent * limit, "%")}});
 }
 
 std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted) {
@@ -364,7 +364,8 @@ void tell_row(const RunResults& run, const GapView& view, const std::vector<GapO
     const auto gap = static_cast<std::size_t>(one.gap.left);
     const Judgement& judged = view.judged.at(gap);
     const auto& levels = view.facts.at(gap).levels;
-    const bool is_known = std::all_of(levels.begin(), levels.end(), [](const auto& l) { return l.given.need.has_value(); });
+    const bool is_known =
+        std::all_of(levels.begin(), levels.end(), [](const auto& l) { return l.given.need.has_value(); });
     if (judged.value == Sufficiency::too_small) table.marked.push_back(name.texts.size());
     small += judged.value == Sufficiency::too_small ? 1 : 0;
     unknown += judged.value == Sufficiency::unknown ? 1 : 0;
@@ -372,7 +373,8 @@ void tell_row(const RunResults& run, const GapView& view, const std::vector<GapO
     verdict.texts.emplace_back(judgement_word(judged.value));
     given.numbers.push_back(one.governing.width);
     needed.numbers.push_back(is_known ? one.governing.gap_needed : none);
-    lacking.numbers.push_back(is_known && one.governing.is_short() ? one.governing.gap_needed - one.governing.width : none);
+    lacking.numbers.push_back(is_known && one.governing.is_short() ? one.governing.gap_needed - one.governing.width
+                                                                   : none);
     impacts.texts.push_back(std::to_string(one.impacts));
     const double force = one.hardest ? run.response.points[*one.hardest].peak_force : 0;
     hardest.numbers.push_back(force > 0 ? shown.force * force : none);
@@ -380,10 +382,10 @@ void tell_row(const RunResults& run, const GapView& view, const std::vector<GapO
   table.columns = {name, verdict, given, needed, lacking, impacts, hardest};
   told.tables.push_back(std::move(table));
   const long count = std::ssize(all);
-  Statement statement{.kind = small == count    ? "row_all"
-                              : small > 0       ? "row_some"
-                              : unknown > 0     ? "row_unknown"
-                                                : "row_none",
+  Statement statement{.kind = small == count ? "row_all"
+                              : small > 0    ? "row_some"
+                              : unknown > 0  ? "row_unknown"
+                                             : "row_none",
                       .severity = small + unknown == 0 ? Severity::finding : Severity::warning};
   statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown)};
   const bool more = small > 0 && unknown > 0;
@@ -427,7 +429,8 @@ Story run_story(const RunResults& run) {
   tell_effects(run, told.statements);
   tell_yielding(run, told.statements);
   story::tell_hinges(run, told);
-  story::tell_links(run.problem, run.response.links, shown_units(run.c.units, run.response), run.c.units.length, told.statements);
+  story::tell_links(run.problem, run.response.links, shown_units(run.c.units, run.response), run.c.units.length,
+                    told.statements);
   tell_motion(run, told.statements);
   tell_remarks(run, told);
   return told;

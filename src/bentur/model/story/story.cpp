@@ -37,8 +37,8 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
     long count = 0;
     for (std::size_t k = i; k < remarks.size(); ++k) {
       const Remark& other = remarks[k];
-      if (told[k] != 0 || other.key != first.key || other.is_doubt != first.is_doubt || other.usual_from != first.usual_from ||
-          other.usual_to != first.usual_to) {
+      if (told[k] != 0 || other.key != first.key || other.is_doubt != first.is_doubt ||
+          other.usual_from != first.usual_from || other.usual_to != first.usual_to) {
         continue;
       }
       told[k] = 1;

@@ -85,8 +85,8 @@ struct SaidOfRun {
   std::vector<Statement> statements;
 };
 /// What many runs say: every kind of statement once, as the run says it that says the worst, with how many say it too;
-/// what is gravest first, remarks last. What single runs need, what rules ask of them and how each is judged is left out:
-/// over many runs that is told of all of them. Of one run it is what that run says.
+/// what is gravest first, remarks last. What single runs need, what rules ask of them and how each is judged is left
+/// out: over many runs that is told of all of them. Of one run it is what that run says.
 [[nodiscard]] std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs);
 
 /// Of a run: what fails, who collides where and how hard, the gap needed both ways round, the rules at every level,

@@ -19,8 +19,8 @@ struct PlacedValue {
 /// What came of the runs of a study. Those that failed count in `failed` alone.
 struct StudyOutcome {
   long runs = 0, failed = 0;
-  long pounding = 0;    ///< with an impact, or with a contact that is not modelled
-  long unmodelled = 0;  ///< with a contact that is not modelled
+  long pounding = 0;               ///< with an impact, or with a contact that is not modelled
+  long unmodelled = 0;             ///< with a contact that is not modelled
   long remarked = 0, doubted = 0;  ///< with a remark, with one by which an input may not be meant
   std::vector<std::pair<std::string, long>> remarks = {};  ///< what they are about, and in how many runs
   long not_known = 0;  ///< of which the gap needed is not known: a building falls without contact

@@ -48,7 +48,8 @@ Story suite_story(const SuiteSpec& suite, const Units& units) {
     mean.values.push_back(value_in("common", suite.common_factor));
   }
   told.statements.push_back(std::move(mean));
-  if (suite.request.scale == "asce-7-16") told.statements.push_back({.kind = "suite_level", .severity = Severity::warning});
+  if (suite.request.scale == "asce-7-16")
+    told.statements.push_back({.kind = "suite_level", .severity = Severity::warning});
   told.tables.push_back({.kind = "suite", .columns = {name, event, factor, pga, misfit}});
   told.tables.push_back({.kind = "suite_buildings", .columns = {building, period_1, period_2}});
   return told;

@@ -18,7 +18,8 @@ using Eigen::Index;
 double slowest_period(const System& system) {
   double longest = 0;
   for (const Body& body : system.bodies) {
-    if (!body.is_rigid() && body.modes.omega(0) > 0) longest = std::max(longest, 2 * std::numbers::pi / body.modes.omega(0));
+    if (!body.is_rigid() && body.modes.omega(0) > 0)
+      longest = std::max(longest, 2 * std::numbers::pi / body.modes.omega(0));
   }
   return longest;
 }

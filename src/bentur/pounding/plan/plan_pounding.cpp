@@ -376,20 +376,6 @@ std::vector<double> watched_widths(const PlanProblem& problem) {
   return widths;
 }
 
-/// Whether bodies of some gap of several touch, or would in the reversed motion.
-bool some_gap_closes(const PlanProblem& problem, const PlanResponse& response) {
-  if (problem.gaps.size() < 2) return false;
-  std::size_t i = 0;
-  for (const PlanGap& gap : problem.gaps) {
-    for (const PlanContact& contact : gap.contacts) {
-      const PointSummary& point = response.points[i++];
-      const double width = gap.stretch.width_at(contact.along);
-      if (point.impacts > 0 || point.gap_needed_reversed.value_or(0) > width) return true;
-    }
-  }
-  return false;
-}
-
 bool is_over(Status status) { return status == Status::done || status == Status::collapsed; }
 
 /// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
@@ -427,7 +413,11 @@ void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveO
       take_reversed(needs.watched, response.watched);
     }
   }
-  if (some_gap_closes(problem, response)) {
+  std::vector<double> widths;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) widths.push_back(gap.stretch.width_at(contact.along));
+  }
+  if (problem.gaps.size() > 1 && some_point_closes(response.points, [&](std::size_t i) { return widths[i]; })) {
     if (!solve_free()) return;
     RunOptions rest{.limits = options.limits};
     if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };

@@ -79,7 +79,7 @@ struct PlanResponse {
   std::string message = {};                          ///< why and when, unless done
   std::optional<Collapse> collapse = {};             ///< where the status says so; all else is up to that time
   std::optional<Collapse> collapse_no_contact = {};  ///< of the response with contact switched off
-  double duration = 0;  ///< as Response's [s]
+  double duration = 0;                               ///< as Response's [s]
   long steps = 0, events = 0;
   double wall_time = 0;  ///< of the solution alone [s]
   /// Of the ground along x and along y as applied [length/s²]; NaN: not known, as peak_acceleration() of two has it.

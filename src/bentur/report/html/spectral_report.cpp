@@ -64,7 +64,13 @@ html::PageSection spectral_peaks_section(const Report& report, const SpectralGap
 /// @param none of a case that is not run
 Report report_of(const Case& c, const Problem& problem, const Response& none, const SpectralGaps& spectral,
                  const Words& say) {
-  return {{problem, none, c.units}, c, problem, none, say, spectral_story(c, problem, spectral), {},
+  return {{problem, none, c.units},
+          c,
+          problem,
+          none,
+          say,
+          spectral_story(c, problem, spectral),
+          {},
           judged_gaps(c, problem, spectral),
           c.project.has_value()};
 }

@@ -49,7 +49,7 @@ std::vector<PagePart> table_parts(const SuiteRun& run, const GapStudy& gaps, con
   const Words say(language);
   const Response none;
   const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
-                            suite_story(run, gaps),      {}};
+                            suite_story(run, gaps),           {}};
   return html::parts({suite_section(report), suite_runs_section(report), suite_gaps_section(report)});
 }
 

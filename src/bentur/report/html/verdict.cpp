@@ -92,8 +92,7 @@ PageSection verdict_section(const Report& report) {
     const auto number = static_cast<Eigen::Index>(gap);
     const Html bars = gap < report.judged.size() ? gap_bars(report, report.judged[gap].facts) : Html();
     if (is_row) {
-      block += element("details",
-                       element("summary", gap_name(report.problem, number)) + of_gaps[gap] + bars) +
+      block += element("details", element("summary", gap_name(report.problem, number)) + of_gaps[gap] + bars) +
                Html::markup("\n");
     } else {
       block += bars;

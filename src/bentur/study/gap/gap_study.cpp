@@ -271,7 +271,8 @@ class Work {
       const std::vector<LevelSeparation> levels = of_gap(needs.records.front().separations, gap);
       for (std::size_t rule = 0; rule < result_.code.rules.size(); ++rule) {
         const CodeRule& code = *find_code_rule(result_.code.rules[rule].rule);
-        RuleOverRecords found{.rule = std::string(code.name), .title = std::string(code.title), .takes_mean = takes_mean};
+        RuleOverRecords found{
+            .rule = std::string(code.name), .title = std::string(code.title), .takes_mean = takes_mean};
         double most = -std::numeric_limits<double>::infinity();
         bool is_known = !levels.empty();
         for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -361,8 +362,7 @@ class Work {
   /// Of buildings in plan contact is solved too, as nothing tells their response without it apart.
   [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadPlan& read) {
     const SolveOptions options{.limits = run_limits(read.c.analysis), .levels = true};
-    const PlanRun run =
-        run_results(read.c, read.problem, solve(read.problem, read.c.analysis.solver, options));
+    const PlanRun run = run_results(read.c, read.problem, solve(read.problem, read.c.analysis.solver, options));
     if (run.response.status != Status::done && run.response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + run.response.message);
     RecordNeed result{record, 0, run.response.collapse_no_contact.has_value(), {}, {}};

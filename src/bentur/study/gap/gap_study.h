@@ -70,12 +70,12 @@ struct SuiteDemand {
 /// What a rule of [code] asks of all records together: their mean where a code that scales them takes it, else the
 /// largest. Of the level that it asks most for beyond what is given.
 struct RuleOverRecords {
-  std::string rule, title;      ///< as CodeRule has them
-  double asked = 0;             ///< [length]; NaN: not known
-  double elevation = 0;         ///< of the level [length]
-  double width = 0;             ///< given there [length]
+  std::string rule, title;  ///< as CodeRule has them
+  double asked = 0;         ///< [length]; NaN: not known
+  double elevation = 0;     ///< of the level [length]
+  double width = 0;         ///< given there [length]
   bool takes_mean = false;
-  bool is_short = false;        ///< more than is given
+  bool is_short = false;  ///< more than is given
 };
 
 /// One gap over all records.

@@ -18,7 +18,7 @@ struct Told {
   const GapStudy& study;
   const RecordNeeds& needs;
   bool together = false;
-  std::string others = {};  ///< "stiffness = 2, period = 0.4"
+  std::string others = {};                        ///< "stiffness = 2, period = 0.4"
   const std::vector<bool>* are_enough = nullptr;  ///< per gap; null: not known
 
   /// What follows where a rule or a code is content.
@@ -263,7 +263,8 @@ Story gap_study_story(const GapStudy& study, const std::vector<bool>& are_enough
   Story story;
   const std::vector<bool>* const judged = are_enough.empty() ? nullptr : &are_enough;
   const bool are_choices = study.together.has_value();
-  for (const RecordNeeds& needs : study.needs) tell({study, needs, false, others_of(needs), judged}, !are_choices, story);
+  for (const RecordNeeds& needs : study.needs)
+    tell({study, needs, false, others_of(needs), judged}, !are_choices, story);
   if (are_choices) {
     for (Eigen::Index gap = 0; gap < std::ssize(study.together->gaps); ++gap) {
       story.tables.push_back(choice_table(study, gap));

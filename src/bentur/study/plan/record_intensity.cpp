@@ -43,8 +43,8 @@ void AxisSubset::choose(std::size_t place, std::vector<Choice>& choices) const {
 AxisSubset record_axes(const Study& study, bool with_polarity) {
   std::map<std::size_t, std::size_t> sizes;
   for (const Vary& vary : study.varies) {
-    const bool is_way = std::holds_alternative<std::string>(vary.path.back()) &&
-                        std::get<std::string>(vary.path.back()) == "polarity";
+    const bool is_way =
+        std::holds_alternative<std::string>(vary.path.back()) && std::get<std::string>(vary.path.back()) == "polarity";
     if (decides_record(vary.path) && (with_polarity || !is_way)) sizes[vary.axis] = vary.values.size();
   }
   AxisSubset result;

@@ -79,11 +79,11 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
     statement.severity = Severity::danger;
     return statement;
   }
-  statement.kind = one.others_close                        ? "least_gap_alone"
-                   : one.is_short                          ? "least_gap_short"
-                   : one.is_doubted                        ? "least_gap_doubt"
-                   : one.judged == Sufficiency::too_small  ? "least_gap_rules"
-                                                           : "least_gap_enough";
+  statement.kind = one.others_close                       ? "least_gap_alone"
+                   : one.is_short                         ? "least_gap_short"
+                   : one.is_doubted                       ? "least_gap_doubt"
+                   : one.judged == Sufficiency::too_small ? "least_gap_rules"
+                                                          : "least_gap_enough";
   if (one.judged != Sufficiency::enough) statement.severity = Severity::warning;
   statement.values.push_back({"least", one.width, length});
   return statement;
@@ -192,7 +192,9 @@ std::string least_gap_json(const LeastGaps& found, std::string_view version) {
                     {"least_gap", number(one.width)},
                     {"gap_needed", number(one.needed)},
                     {"given", one.is_facing ? Json(one.given) : Json(nullptr)},
-                    {"too_narrow", one.is_short ? Json(true) : is_known ? Json(false) : Json(nullptr)},
+                    {"too_narrow", one.is_short ? Json(true)
+                                   : is_known   ? Json(false)
+                                                : Json(nullptr)},
                     {"others_close", one.others_close},
                     {"judgement", one.is_facing ? Json(word_of(one.judged)) : Json(nullptr)}});
   }

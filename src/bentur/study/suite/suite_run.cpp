@@ -13,8 +13,8 @@
 #include "bentur/model/limits.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/model/suite/suite_story.h"
-#include "bentur/study/gap/gap_study_story.h"
 #include "bentur/pounding/pounding.h"
+#include "bentur/study/gap/gap_study_story.h"
 
 namespace bentur {
 namespace {
@@ -131,7 +131,8 @@ std::vector<Statement> told_of(const SuiteRun& run, Eigen::Index gap, const Suit
 /// How the only gap is judged under each record.
 StoryColumn verdicts_of(const SuiteRun& run) {
   StoryColumn column{.label = "gap.given_is", .are_words = true};
-  for (const SuiteRecordRun& one : run.records) column.texts.emplace_back(judgement_word(without_rules(judgement_of(one, 0))));
+  for (const SuiteRecordRun& one : run.records)
+    column.texts.emplace_back(judgement_word(without_rules(judgement_of(one, 0))));
   column.texts.resize(run.records.size() + 2);
   return column;
 }
@@ -206,7 +207,8 @@ std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gap
     if (!gaps.needs.empty()) {
       for (const RuleOverRecords& rule : gaps.needs.front().gaps.at(gap).rules) {
         if (!rule.is_short) continue;
-        made.of_rules.push_back({.kind = Reason::Kind::rule, .value = rule.asked, .width = rule.width, .subject = rule.title});
+        made.of_rules.push_back(
+            {.kind = Reason::Kind::rule, .value = rule.asked, .width = rule.width, .subject = rule.title});
       }
     }
     std::vector<Judgement> of_records;

@@ -21,8 +21,8 @@ struct SuiteQuantity {
 /// The run of one record.
 struct SuiteRecordRun {
   Status status = Status::done;
-  std::string message = {};    ///< why it failed
-  std::vector<double> values;  ///< one per quantity; NaN: there is none. A gap needed is that of both ways
+  std::string message = {};                ///< why it failed
+  std::vector<double> values;              ///< one per quantity; NaN: there is none. A gap needed is that of both ways
   std::vector<Statement> statements = {};  ///< run_story() of it
   std::vector<ToldJudgement> judged = {};  ///< per gap
 };

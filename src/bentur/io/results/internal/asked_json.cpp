@@ -18,7 +18,8 @@ Json remarks_json(const std::vector<Remark>& remarks) {
                     {"subject", remark.subject},
                     {"value", remark.value},
                     {"unit", remark.unit},
-                    {"usual", {or_null(remark.usual_from), or_null(remark.usual_to)}}});
+                    {"usual", {or_null(remark.usual_from), or_null(remark.usual_to)}},
+                    {"doubt", remark.is_doubt}});
   }
   return json;
 }

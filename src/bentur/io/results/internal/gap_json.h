@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "bentur/io/results/internal/asked_json.h"
-#include "bentur/model/story/judgement_story.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/plan/plan_case.h"
+#include "bentur/model/story/judgement_story.h"
 
 // What results tell of a gap, of a row's or of the pair (plan_pair.h) of one in plan, `in_plan`; null: a row's.
 namespace bentur {
@@ -23,9 +23,9 @@ namespace bentur {
                                    const std::string& length, const PlanGap* in_plan = nullptr);
 
 /// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings stand.
-[[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels,
-                               double scale, bool collapsed, Eigen::Index gap,
-                               const std::vector<ScreeningFinding>& screened, const PlanGap* in_plan = nullptr);
+[[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels, double scale,
+                               bool collapsed, Eigen::Index gap, const std::vector<ScreeningFinding>& screened,
+                               const PlanGap* in_plan = nullptr);
 
 /// Puts what is judged of each gap into its object of a list: "judgement".
 void put_judgements(const std::vector<ToldJudgement>& told, Json& gaps);

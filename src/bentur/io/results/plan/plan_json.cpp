@@ -10,7 +10,9 @@
 #include "bentur/io/results/internal/code_json.h"
 #include "bentur/io/results/internal/gap_json.h"
 #include "bentur/io/results/internal/hinges_json.h"
+#include "bentur/io/results/judged_by_json.h"
 #include "bentur/io/results/story_json.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_pair.h"
@@ -251,6 +253,7 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
                {"gaps", std::move(gaps)},
                {"impacts", std::move(impacts)}};
   put_quantities(json, PlanOwner::run, run, {PlanPlace{}});
+  json["judged_by"] = judged_by_json(run.response, drifts_no_contact(run));
   for (std::size_t i = 0; i < run.problem.links.size(); ++i) json["links"].push_back(plan_link_json(run, i));
   if (run.response.collapse) json["collapse"] = plan_collapse_json(run, *run.response.collapse);
   if (run.response.collapse_no_contact) {

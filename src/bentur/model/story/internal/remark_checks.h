@@ -28,7 +28,7 @@ void check_building(const BuildingLook& look, const Units& units, List& list);
 /// What came out of a building, over both responses.
 struct ResponseLook {
   const std::string& name;
-  double drift = 0;                     ///< largest over the height [-]
+  double drift = 0;                       ///< largest over the height [-]
   std::optional<double> base_shear = {};  ///< largest over the weight [-]
   bool yields = false;
   long broken_columns = 0;

@@ -28,31 +28,32 @@ struct Range {
 
 inline constexpr Range period_range = {0.05, 0.2, 0.02, 0.6, far};      // [s] per storey
 inline constexpr Range modulus_range = {1e10, 2.1e11, 5e8, 3e11, far};  // [N/m²]: timber, concrete, steel
-inline constexpr Range section_range = {0.2, 2.0, 0.04, 4.0};      // [m]
+inline constexpr Range section_range = {0.2, 2.0, 0.04, 4.0};           // [m]
 inline constexpr Range height_range = {2.5, 6.0, 0.5, 15.0, far};       // [m]
-inline constexpr Range stiffness_range = {1e7, 1e10, 1e5, 1e11, far};   // [N/m] of contact: by beams over half a bay, or tests
+inline constexpr Range stiffness_range = {1e7, 1e10, 1e5, 1e11,
+                                          far};  // [N/m] of contact: by beams over half a bay, or tests
 inline constexpr Range density_range = {500.0, 8000.0, 300.0, 12000.0, 1.5};  // [kg/m³]: timber, concrete, steel
-inline constexpr Range damping_range = {0.01, 0.07, 0.0, 0.2};     // [-]
-inline constexpr Range pga_range = {0.05, 1.0, 0.05, 2.5, far};         // [g]
-inline constexpr Range length_range = {5.0, 600.0, 5.0, 600.0, far};    // [s] of a record
-inline constexpr double most_step = 0.1;                           // [s] of a record
-inline constexpr double usual_step = 0.05;                         // [s]
-inline constexpr Range factor_range = {0.3, 3.0, 0.3, 3.0};        // [-] of stiffness, to reach a period
-inline constexpr Range weight_range = {5e3, 1e7, 500.0, 2e8, far};      // [N] of a floor
-inline constexpr double most_gap = 2.0;                            // [m]
-inline constexpr double usual_gap = 0.5;                           // [m]
-inline constexpr double most_drift = 1.0;                          // [%]
-inline constexpr double most_base_shear = 0.4;                     // [-]
-inline constexpr double most_penetration = 0.05;                   // [m]
-inline constexpr double usual_penetration = 0.02;                  // [m]
-inline constexpr double least_share = 0.9;                         // [-] of a floor's mass that known modes move
-inline constexpr double most_weight_per_width = 1e7;               // [N/m] of a floor
-inline constexpr double usual_weight_per_width = 1e6;              // [N/m]
-inline constexpr double usual_beam_depth = 0.6;                    // [m] where it is not known
-inline constexpr double share_of_blow = 0.1;                       // [-] of its energy, that makes a mode matter
-inline constexpr double most_push = 0.1;                           // [-] of a first period: longer is no blow
-inline constexpr double usual_push = 0.05;                         // [-]
-inline constexpr double samples_per_period = 4.0;                  // fewer draw no curve
+inline constexpr Range damping_range = {0.01, 0.07, 0.0, 0.2};                // [-]
+inline constexpr Range pga_range = {0.05, 1.0, 0.05, 2.5, far};               // [g]
+inline constexpr Range length_range = {5.0, 600.0, 5.0, 600.0, far};          // [s] of a record
+inline constexpr double most_step = 0.1;                                      // [s] of a record
+inline constexpr double usual_step = 0.05;                                    // [s]
+inline constexpr Range factor_range = {0.3, 3.0, 0.3, 3.0};                   // [-] of stiffness, to reach a period
+inline constexpr Range weight_range = {5e3, 1e7, 500.0, 2e8, far};            // [N] of a floor
+inline constexpr double most_gap = 2.0;                                       // [m]
+inline constexpr double usual_gap = 0.5;                                      // [m]
+inline constexpr double most_drift = 1.0;                                     // [%]
+inline constexpr double most_base_shear = 0.4;                                // [-]
+inline constexpr double most_penetration = 0.05;                              // [m]
+inline constexpr double usual_penetration = 0.02;                             // [m]
+inline constexpr double least_share = 0.9;             // [-] of a floor's mass that known modes move
+inline constexpr double most_weight_per_width = 1e7;   // [N/m] of a floor
+inline constexpr double usual_weight_per_width = 1e6;  // [N/m]
+inline constexpr double usual_beam_depth = 0.6;        // [m] where it is not known
+inline constexpr double share_of_blow = 0.1;           // [-] of its energy, that makes a mode matter
+inline constexpr double most_push = 0.1;               // [-] of a first period: longer is no blow
+inline constexpr double usual_push = 0.05;             // [-]
+inline constexpr double samples_per_period = 4.0;      // fewer draw no curve
 inline constexpr double usual_samples = 20.0;
 
 inline double two_digits(double x) {

@@ -61,8 +61,8 @@ void tell_judgement(const GapView& view, Eigen::Index gap, const std::function<v
 
 /// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.
 void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
-/// Whether those rules of [code] that depend on it are taken across a property line and for floors that are aligned, and
-/// what of it is not given. @param gap of a row, or of the row of two that a gap in plan is
+/// Whether those rules of [code] that depend on it are taken across a property line and for floors that are aligned,
+/// and what of it is not given. @param gap of a row, or of the row of two that a gap in plan is
 void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vector<Statement>& statements);
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
 [[nodiscard]] std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap);
@@ -158,14 +158,14 @@ void tell_links(const AnyProblem& problem, const std::vector<LinkSummary>& found
   }
   for (const Pair& pair : pairs) {
     const double level = link_at(pair.hardest).elevation;
-    statements.push_back({.kind = "links",
-                          .buildings = {static_cast<Eigen::Index>(pair.left), static_cast<Eigen::Index>(pair.right)},
-                          .level = level,
-                          .values = {text_of("left", problem.buildings[pair.left].name),
-                                     text_of("right", problem.buildings[pair.right].name),
-                                     value_in("force", shown.force * pair.force, shown.units.force),
-                                     value_in("level", level, length), value_in("stroke", pair.stroke, length),
-                                     count_of("links", pair.count)}});
+    statements.push_back(
+        {.kind = "links",
+         .buildings = {static_cast<Eigen::Index>(pair.left), static_cast<Eigen::Index>(pair.right)},
+         .level = level,
+         .values = {text_of("left", problem.buildings[pair.left].name),
+                    text_of("right", problem.buildings[pair.right].name),
+                    value_in("force", shown.force * pair.force, shown.units.force), value_in("level", level, length),
+                    value_in("stroke", pair.stroke, length), count_of("links", pair.count)}});
   }
 }
 

@@ -7,12 +7,12 @@
 
 #include "bentur/model/case.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/hand_in.h"
 #include "bentur/pounding/response.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/page_parts.h"
-#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
@@ -27,10 +27,10 @@ struct Report {
   const Problem& problem;
   const Response& response;
   const Words& say;
-  Story story = {};                          ///< what is to be said
-  std::vector<StoryTable> gap_tables = {};   ///< of the gaps
-  std::vector<JudgedGap> judged = {};        ///< per gap
-  bool to_hand_in = false;                   ///< with what a report has that is handed in
+  Story story = {};                         ///< what is to be said
+  std::vector<StoryTable> gap_tables = {};  ///< of the gaps
+  std::vector<JudgedGap> judged = {};       ///< per gap
+  bool to_hand_in = false;                  ///< with what a report has that is handed in
 
   /// The buildings as given are known; not so where the run comes from result files (files/result_reading.h).
   [[nodiscard]] bool from_case() const { return !c.buildings.empty(); }

@@ -36,7 +36,12 @@ using html::HtmlTable;
 class PlanPage {
  public:
   PlanPage(const PlanRun& run, const Words& say)
-      : run_(run), say_(say), length_(run.c.units.length), story_(plan_story(run)), gaps_(gap_names(run.problem)), judged_(judged_gaps(run)) {}
+      : run_(run),
+        say_(say),
+        length_(run.c.units.length),
+        story_(plan_story(run)),
+        gaps_(gap_names(run.problem)),
+        judged_(judged_gaps(run)) {}
 
   [[nodiscard]] html::PageSection verdict() const {
     const std::vector<SaidStatement> all = said(story_.statements, say_);

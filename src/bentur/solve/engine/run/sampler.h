@@ -36,7 +36,7 @@ class Sampler {
   double step_;
   Eigen::Index count_ = 0, taken_ = 0;
   Sampled samples_;
-  std::vector<std::vector<Eigen::MatrixXd>> outputs_;  ///< per body, as its outputs
+  std::vector<std::vector<Eigen::MatrixXd>> outputs_;     ///< per body, as its outputs
   std::vector<double> largest_q_, largest_acceleration_;  ///< per body, squares of the norms over its modes
   State state_;
   Eigen::VectorXd forces_, acceleration_;
