@@ -268,7 +268,7 @@ void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
                                                arguments.language));
   }
   const SuiteRun run = run_records(loaded, !arguments.quiet, arguments.language);
-  const GapStudy gaps = run.is_whole() ? gaps_over_records(loaded, arguments.file, arguments.language) : GapStudy();
+  const GapStudy gaps = run.all_ran() ? gaps_over_records(loaded, arguments.file, arguments.language) : GapStudy();
   if (arguments.json) {
     print(suite_run_json(run, gaps, version()));
   } else if (!arguments.quiet) {

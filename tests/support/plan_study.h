@@ -88,7 +88,7 @@ class PlanStudy : public testing::Test {
     for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
     PlanResponse response = solve(problem, c->analysis.solver, {.levels = true});
     std::vector<double> row(row_size(runs.quantities()));
-    fill_row(runs.quantities(), {*c, problem, std::move(response)}, row);
+    fill_row(runs.quantities(), run_results(*c, problem, std::move(response)), row);
     return row;
   }
 

@@ -243,7 +243,8 @@ SuiteResults suite_results(const PyCase& given, const py::object& progress) {
     run = run_suite(given.c, [&](double fraction) { return watcher(fraction); });
   }
   watcher.rethrow();
-  return {*std::move(run), suite_gaps(given, progress)};
+  GapStudy gaps = run->all_ran() ? suite_gaps(given, progress) : GapStudy();
+  return {*std::move(run), std::move(gaps)};
 }
 
 /// An xarray.Dataset of results, read as a file is. The lock must be held.

@@ -123,6 +123,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContractAndNullsWhereNothingIs) {
                                   {"events", 2},
                                   {"wall_time", 0.125},
                                   {"energy_residual", nullptr},
+                                  {"end_time", 0.0},
                                   {"peak_input_energy", nullptr}}));
   EXPECT_EQ(json["excitation"]["kind"], "harmonic");
   EXPECT_EQ(json["excitation"]["delays"], (Json{0.0, 0.25}));

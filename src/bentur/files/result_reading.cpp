@@ -299,6 +299,8 @@ void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun&
   read_solved(json.at("solver"), run.response);
   read_collapses(
       json, file, run.problem.buildings, [](const PlanBuilding&) { return Eigen::Index(1); }, run.response);
+  if (!run.response.collapse) run.problem.duration = json.at("solver").at("end_time");
+  run.response.duration = run.problem.duration;
   const std::vector<LargestDrift> drifts = take_judged_by(json.at("judged_by"), run.response);
   for (std::size_t b = 0; b < std::min(drifts.size(), run.response.buildings_no_contact.size()); ++b) {
     PlanPeaks& peaks = run.response.buildings_no_contact[b];

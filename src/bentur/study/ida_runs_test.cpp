@@ -9,6 +9,7 @@
 #include <memory>
 #include <variant>
 
+#include "bentur/model/run_results.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
 #include "bentur/study/study_runs.h"
@@ -83,8 +84,8 @@ TEST(IdaRuns, EachRunIsTheCaseWithItsRecordScaled) {
     Problem closed = problem;
     for (ContactPoint& point : closed.points) point.width = 0;
     std::vector<double> row(row_size(runs.quantities()));
-    fill_row(runs.quantities(), {problem, FreeResponse(closed, read.c.analysis.solver).solve(problem), read.c.units},
-             row);
+    const RunResults alone = run_results(read.c, problem, FreeResponse(closed, read.c.analysis.solver).solve(problem));
+    fill_row(runs.quantities(), alone.view(), row);
     if (choices[2].level == 0) {
       EXPECT_EQ(std::memcmp(result.values.data(), row.data(), row.size() * sizeof(double)), 0) << result.run;
     }

@@ -67,7 +67,8 @@ class Runs : public testing::Test {
     EXPECT_TRUE(diagnostics.ok());
     const Problem problem = make_problem(read.c);
     std::vector<double> row(row_size(runs.quantities()));
-    fill_row(runs.quantities(), {problem, solve(problem, read.c.analysis.solver), read.c.units}, row);
+    const RunResults alone = run_results(read.c, problem, solve(problem, read.c.analysis.solver));
+    fill_row(runs.quantities(), alone.view(), row);
     return row;
   }
 

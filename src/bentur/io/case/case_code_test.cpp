@@ -90,15 +90,27 @@ ntc-2018 = { ground_acceleration = "0.2 g", soil_factor = 1.25 }
   EXPECT_EQ(c.code.rules[11].words.at("neighbour"), std::vector<std::string>{"differs"});
 }
 
-TEST(CaseCode, AlignmentComesFromTheElevationsOfEachGap) {
-  const Case c = read_with("\n[code]\nis-1893-1 = { response_reduction = 1 }\n");
-  const Problem problem = make_problem(c);
-  auto points = separations(problem, solve(problem, ExactSolver{}, solve_options(c)), c.code, c.units);
-  std::erase_if(points, [](const LevelSeparation& one) { return !one.level.is_point; });
-  ASSERT_EQ(points.size(), 3U);  // two between A and B, the roofs of B and C
-  EXPECT_NEAR(points[0].codes[0].gap, points[0].abs / 2, 1e-12);
-  EXPECT_NEAR(points[1].codes[0].gap, points[1].abs / 2, 1e-12);
-  EXPECT_NEAR(points[2].codes[0].gap, points[2].abs, 1e-12);
+TEST(CaseCode, NothingIsHalvedUnlessTheCaseAsksForIt) {
+  const auto asked = [](const std::string& code) {
+    const Case c = read_with("\n[code]\n" + code);
+    const Problem problem = make_problem(c);
+    auto points = separations(problem, solve(problem, ExactSolver{}, solve_options(c)), c.code, c.units);
+    std::erase_if(points, [](const LevelSeparation& one) { return !one.level.is_point; });
+    std::vector<double> shares;
+    for (const LevelSeparation& one : points) shares.push_back(one.codes[0].gap / one.abs);
+    return shares;
+  };
+  const std::string whole = "is-1893-1 = { response_reduction = 1 }\n";
+  const std::string half = "is-1893-1 = { response_reduction = 1, halved = true }\n";
+  for (const std::string& code : {whole, half, "floors_aligned = true\n" + whole}) {
+    const std::vector<double> shares = asked(code);
+    ASSERT_EQ(shares.size(), 3U);  // two between A and B, the roofs of B and C
+    for (const double share : shares) EXPECT_NEAR(share, 1, 1e-12) << code;
+  }
+  const std::vector<double> shares = asked("floors_aligned = [true, false]\n" + half);
+  EXPECT_NEAR(shares.at(0), 0.5, 1e-12);
+  EXPECT_NEAR(shares.at(1), 0.5, 1e-12);
+  EXPECT_NEAR(shares.at(2), 1, 1e-12);
 }
 
 TEST(CaseCode, JsonHasEachRuleWithClauseAndWording) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -15,6 +17,7 @@ template <class AnyResponse>
 nlohmann::ordered_json judged_by_json(const AnyResponse& response, const std::vector<LargestDrift>& drifts) {
   using OrderedJson = nlohmann::ordered_json;
   const auto or_null_of = [](const std::optional<double>& value) {
+    if (value && std::isinf(*value)) return OrderedJson("record left");  // nobody knows
     return value ? OrderedJson(*value) : OrderedJson(nullptr);
   };
   const auto drifts_json = [](const std::vector<LargestDrift>& all) {
@@ -58,6 +61,7 @@ nlohmann::ordered_json judged_by_json(const AnyResponse& response, const std::ve
 template <class AnyResponse, class AnyJson>
 std::vector<LargestDrift> take_judged_by(const AnyJson& json, AnyResponse& response) {
   const auto number = [](const AnyJson& value) {
+    if (value.is_string()) return std::optional(std::numeric_limits<double>::infinity());
     return value.is_null() ? std::nullopt : std::optional(value.template get<double>());
   };
   const auto drifts = [](const AnyJson& list) {

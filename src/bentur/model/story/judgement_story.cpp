@@ -1,6 +1,7 @@
 #include "bentur/model/story/judgement_story.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "bentur/model/plan/plan_pair.h"
@@ -35,6 +36,7 @@ std::string reason_key(const Reason& reason) {
     case Reason::Kind::doubt:
       return key + "doubt";
     case Reason::Kind::motion_left:
+      if (std::isinf(reason.value)) return key + "record_left";
       key += "motion_left";
       break;
     case Reason::Kind::not_looked_at:
@@ -130,6 +132,8 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
     for (const Reason& reason : judged.reasons) {
       if (says_too_small(reason.kind) != is_small || (reason.kind == Reason::Kind::doubt && has_doubt)) continue;
       has_doubt = has_doubt || reason.kind == Reason::Kind::doubt;
+      // A record that goes on does so in both directions.
+      if (std::isinf(reason.value) && reason.way == Way::reversed) continue;
       statement.items.push_back(reason_item(view, gap, reason));
     }
   } else if (view.response == nullptr) {

@@ -33,6 +33,24 @@ double step_of(const System& system) {
   return std::isfinite(least) ? least : 0.0;
 }
 
+/// When the last value of a record but zero is over at every body [s]; 0 where nothing is sampled.
+double end_of_records(const System& system) {
+  double latest = 0;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) latest = std::max(latest, system.delay(b));
+  double end = 0;
+  for (const GroundMotion& motion : system.motions) {
+    const auto* const sampled = std::get_if<SampledMotion>(&motion);
+    if (sampled == nullptr) continue;
+    const std::vector<double>& values = sampled->acceleration;
+    const auto last = std::find_if(values.rbegin(), values.rend(), [](double value) { return value != 0; });
+    const auto count = std::min<std::ptrdiff_t>(values.rend() - last, std::ssize(values) - 1);  // down to the next zero
+    if (last != values.rend()) end = std::max(end, static_cast<double>(count) * sampled->time_step + latest);
+  }
+  return end;
+}
+
+bool goes_on_after(const System& system) { return end_of_records(system) > system.duration * (1 + 1e-12); }
+
 /// Whether no δ, nor where the response is mirrored −δ, can go farther than it has from so long after the end on.
 bool is_over(const Solution& free, bool mirrored, double after) {
   constexpr double round_off = 1e-9;
@@ -73,6 +91,10 @@ bool motion_ends(const System& system) {
 
 FreeSolution free_solution(System system, const Solver& solver, const std::function<bool(double)>& progress,
                            const RunLimits& limits, bool goes_on, bool mirrored) {
+  if (goes_on && goes_on_after(system)) {
+    const double step = step_of(system);
+    system.duration = std::ceil(end_of_records(system) / step - 1e-9) * step;
+  }
   FreeSolution free(system, solver, progress, limits);
   if (!goes_on || free.solution().status != Status::done || !motion_ends(system)) return free;
   const double more = time_after(system, free.solution(), mirrored);
@@ -85,8 +107,10 @@ void take_to_come(const System& system, const Solution& free, const std::vector<
                   std::vector<PointSummary>& points, std::vector<WatchedSummary>& watched) {
   if (!motion_ends(system) || free.status != Status::done) return;
   const std::vector<ToCome>& all = free.to_come;
+  const bool is_cut = goes_on_after(system);
   const auto take = [&](const ToCome& one, auto& summary) {
-    if (!one.known) return;
+    if (is_cut) summary.to_come = summary.to_come_reversed = std::numeric_limits<double>::infinity();
+    if (!one.known || is_cut) return;
     summary.to_come = std::max(0.0, one.most(0));
     if (mirrored) summary.to_come_reversed = std::max(0.0, one.most(0, -1));
   };

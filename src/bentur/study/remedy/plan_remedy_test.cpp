@@ -60,7 +60,7 @@ class PlanRemedies : public testing::Test {
     PlanProblem problem;
     const auto c = read_plan_case_text(case_of(gap, north), folder_.path() / "case.toml", diagnostics, &problem);
     for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
-    PlanResponse response = solve(problem, c->analysis.solver, {.levels = true});
+    PlanResponse response = solve(problem, c->analysis.solver, {.levels = true, .both_ways = true});
     return {*c, std::move(problem), std::move(response)};
   }
   [[nodiscard]] RemedySearch found(const std::string& study) const {

@@ -141,6 +141,11 @@ bool ended_in_time(const SuiteRecordRun& one) { return one.status == Status::don
 
 }  // namespace
 
+bool SuiteRun::all_ran() const {
+  return is_whole() && std::none_of(records.begin(), records.end(),
+                                    [](const SuiteRecordRun& one) { return one.status == Status::failed; });
+}
+
 double SuiteRun::mean(std::size_t quantity) const {
   if (!is_whole() || !std::all_of(records.begin(), records.end(), ended_in_time)) return NAN;
   double sum = 0;

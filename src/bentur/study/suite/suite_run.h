@@ -35,6 +35,8 @@ struct SuiteRun {
   std::vector<SuiteRecordRun> records;  ///< in the suite's order; fewer where it was stopped
 
   [[nodiscard]] bool is_whole() const { return records.size() == c.excitation.suite->records.size(); }
+  /// Whether each record has been run to its end, or to a collapse.
+  [[nodiscard]] bool all_ran() const;
   /// Of a quantity over all records; NaN unless each of them has it and ended in its time.
   [[nodiscard]] double mean(std::size_t quantity) const;
   /// Over those that have it; NaN where none has.
