@@ -115,6 +115,8 @@ def agrees(statement, sentence, language):
 
 
 def badge_of(statement, language):
+    if statement["kind"].startswith("remark."):  # a doubt has one
+        return text_of("remark.doubted", language) if statement["severity"] != "remark" else None
     return text_of(f"story.{statement['kind']}.badge", language)
 
 

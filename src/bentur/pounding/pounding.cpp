@@ -171,6 +171,7 @@ Response CheckedFree::solve(const Problem& other, const SolveOptions& options) c
   Solution solution = free.solve(contacts, run_options(options));
   if (factor != 1.0) solution = scaled(std::move(solution), factor);
   const SelfMeasures measures = solution.checks;
+  take_to_come_struck(solution, {}, with.points, with.watched);
   take_solution(other, std::move(solution), with);
   check_itself(other, solver, measures, with);
   with.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -252,6 +252,7 @@ Solution FreeSolution::solve(const std::vector<Contact>& contacts, const std::ve
   const Status status = run.to_end(options.progress);
   run.elements().finish(run.passed() ? run.passed()->time : parts.system.duration);
   engine::report(parts.system, parts.modal, status, run, solution);
+  solution.to_come = engine::to_come(parts.system, parts.modal, run.state(), run.elements());
   solution.impacts = std::move(run.elements().impacts());
   solution.events = run.elements().events();
   run.sampler().finish(solution);

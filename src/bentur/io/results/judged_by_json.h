@@ -27,7 +27,9 @@ nlohmann::ordered_json judged_by_json(const AnyResponse& response, const std::ve
   };
   const auto to_come = [&](const auto& all) {
     OrderedJson list = OrderedJson::array();
-    for (const auto& one : all) list.push_back({or_null_of(one.to_come), or_null_of(one.to_come_reversed)});
+    for (const auto& one : all) {
+      list.push_back({or_null_of(one.to_come), or_null_of(one.to_come_reversed), or_null_of(one.to_come_struck)});
+    }
     return list;
   };
   const auto collapse = [](const std::optional<Collapse>& one) {
@@ -42,10 +44,15 @@ nlohmann::ordered_json judged_by_json(const AnyResponse& response, const std::ve
   const ReversedRun& other = *response.reversed;
   OrderedJson points = OrderedJson::array(), watched = OrderedJson::array();
   for (const PointSummary& one : other.points) {
-    points.push_back({{"impacts", one.impacts}, {"settling", one.settling}, {"peak_force", one.peak_force}});
+    points.push_back({{"impacts", one.impacts},
+                      {"settling", one.settling},
+                      {"peak_force", one.peak_force},
+                      {"to_come", or_null_of(one.to_come_struck)}});
   }
   for (const WatchedSummary& one : other.watched) {
-    watched.push_back({{"closes", one.closes}, {"least_opening", one.least_opening}});
+    watched.push_back({{"closes", one.closes},
+                       {"least_opening", one.least_opening},
+                       {"to_come", or_null_of(one.to_come_struck)}});
   }
   json["reversed"] = {{"collapse", collapse(other.collapse)},
                       {"collapse_no_contact", collapse(other.collapse_no_contact)},
@@ -73,6 +80,7 @@ std::vector<LargestDrift> take_judged_by(const AnyJson& json, AnyResponse& respo
     for (std::size_t i = 0; i < all.size(); ++i) {
       all[i].to_come = number(list.at(i).at(0));
       all[i].to_come_reversed = number(list.at(i).at(1));
+      all[i].to_come_struck = number(list.at(i).at(2));
     }
   };
   const auto collapse = [](const AnyJson& one) -> std::optional<Collapse> {
@@ -93,11 +101,13 @@ std::vector<LargestDrift> take_judged_by(const AnyJson& json, AnyResponse& respo
       point.impacts = one.at("impacts");
       point.settling = one.at("settling");
       point.peak_force = one.at("peak_force");
+      point.to_come_struck = number(one.at("to_come"));
     }
     for (const AnyJson& one : told.at("watched_floors")) {
       WatchedSummary& floor = other.watched.emplace_back();
       floor.closes = one.at("closes");
       floor.least_opening = one.at("least_opening");
+      floor.to_come_struck = number(one.at("to_come"));
     }
     response.reversed = std::move(other);
   }

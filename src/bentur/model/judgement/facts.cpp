@@ -11,16 +11,21 @@ namespace {
 
 using Eigen::Index;
 
+void raise(std::optional<double>& value, const std::optional<double>& other) {
+  if (other) value = std::max(value.value_or(0), *other);
+}
+
 int touches(const PointSummary& point) { return point.impacts + point.settling; }
 
-/// Of a contact point; `with`: of the run the same way with contact, null: the other way, which was not run.
-LevelFacts level_facts(const FacingLevel& at, const Response& response) {
+/// Of a contact point or a watched floor. @param others_close so that these buildings move as those that are struck
+LevelFacts level_facts(const FacingLevel& at, const Response& response, bool others_close) {
   LevelFacts facts{.at = at};
   const auto take = [&](const auto& summary) {
     if (!response.collapse_no_contact) facts.given.need = summary.gap_needed;
     facts.given.to_come = summary.to_come;
     facts.reversed.need = summary.gap_needed_reversed;
     facts.reversed.to_come = summary.to_come_reversed;
+    if (others_close) raise(facts.given.to_come, summary.to_come_struck);
   };
   const auto index = static_cast<std::size_t>(at.index);
   const ReversedRun* const other = response.reversed ? &*response.reversed : nullptr;
@@ -32,13 +37,16 @@ LevelFacts level_facts(const FacingLevel& at, const Response& response) {
     if (other != nullptr && other->has_contact) {
       facts.reversed.impacts = touches(other->points.at(index));
       facts.reversed.peak_force = other->points.at(index).peak_force;
+      if (others_close) raise(facts.reversed.to_come, other->points.at(index).to_come_struck);
     }
   } else {
     const WatchedSummary& floor = response.watched.at(index);
     take(floor);
     if (floor.closes) facts.given.depth = -floor.least_opening;
-    if (other != nullptr && other->has_contact && other->watched.at(index).closes) {
-      facts.reversed.depth = -other->watched.at(index).least_opening;
+    if (other != nullptr && other->has_contact) {
+      const WatchedSummary& found = other->watched.at(index);
+      if (found.closes) facts.reversed.depth = -found.least_opening;
+      if (others_close) raise(facts.reversed.to_come, found.to_come_struck);
     }
   }
   return facts;
@@ -87,7 +95,7 @@ GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
   GapFacts facts = common_facts(problem, gap, std::move(rules), run);
   facts.others_close = others_close;
   facts.scale = displacement_scale(problem, response, gap);
-  for (const LevelSeparation& level : levels) facts.levels.push_back(level_facts(level.level, response));
+  for (const LevelSeparation& level : levels) facts.levels.push_back(level_facts(level.level, response, others_close));
   // Where only this gap can close it does so exactly where it needs more than it has.
   facts.reversed.contact_looked_at = !others_close || (response.reversed && response.reversed->has_contact);
   for (const Way way : ways_of_motion) {
@@ -123,7 +131,7 @@ std::vector<Remark> doubts_of(const std::vector<Remark>& remarks) {
 
 bool closes_either_way(const Problem& problem, const Response& response, Index gap) {
   for (const FacingLevel& level : facing_levels(problem, gap)) {
-    const LevelFacts facts = level_facts(level, response);
+    const LevelFacts facts = level_facts(level, response, false);
     for (const Way way : ways_of_motion) {
       if (facts.in(way).impacts > 0) return true;
     }

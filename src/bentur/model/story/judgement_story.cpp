@@ -36,7 +36,7 @@ std::string reason_key(const Reason& reason) {
     case Reason::Kind::doubt:
       return key + "doubt";
     case Reason::Kind::motion_left:
-      if (std::isinf(reason.value)) return key + "record_left";
+      if (std::isinf(reason.value)) return key + "record_left";  // or touch at the end
       key += "motion_left";
       break;
     case Reason::Kind::not_looked_at:

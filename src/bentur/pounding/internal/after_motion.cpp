@@ -71,9 +71,12 @@ bool is_over(const Solution& free, bool mirrored, double after) {
 /// How long after the end something larger can still come [s], in steps of the motion.
 double time_after(const System& system, const Solution& free, bool mirrored) {
   const double longest = most_periods_after * slowest_period(system), step = step_of(system);
-  if (longest == 0 || step == 0 || is_over(free, mirrored, 0)) return 0;
+  const bool yields = std::any_of(system.bodies.begin(), system.bodies.end(),
+                                  [](const Body& one) { return !one.elements.empty() || !one.coupled.empty(); });
+  if (longest == 0 || step == 0 || (!yields && is_over(free, mirrored, 0))) return 0;
   double from = 0, to = longest;
-  if (is_over(free, mirrored, longest)) {
+  // What yields on is no longer where it is bound to swing.
+  if (!yields && is_over(free, mirrored, longest)) {
     while (to - from > step) {
       const double middle = 0.5 * (from + to);
       (is_over(free, mirrored, middle) ? to : from) = middle;
@@ -114,6 +117,20 @@ void take_to_come(const System& system, const Solution& free, const std::vector<
     summary.to_come = std::max(0.0, one.most(0));
     if (mirrored) summary.to_come_reversed = std::max(0.0, one.most(0, -1));
   };
+  for (std::size_t i = 0; i < points.size(); ++i) take(all[i], points[places.empty() ? i : places[i]]);
+  for (std::size_t i = 0; i < watched.size(); ++i) take(all[points.size() + i], watched[i]);
+}
+
+void take_to_come_struck(const Solution& with, const std::vector<Index>& places, std::vector<PointSummary>& points,
+                         std::vector<WatchedSummary>& watched) {
+  const bool touch = std::any_of(with.impacts.begin(), with.impacts.end(), [](const Impact& one) { return one.open_ended; });
+  const auto take = [&](const ToCome& one, auto& summary) {
+    summary.to_come_struck.reset();
+    if (one.known) summary.to_come_struck = std::max(0.0, one.most(0));
+    if (touch) summary.to_come_struck = std::numeric_limits<double>::infinity();
+  };
+  const std::vector<ToCome>& all = with.to_come;
+  if (all.size() < points.size() + watched.size()) return;
   for (std::size_t i = 0; i < points.size(); ++i) take(all[i], points[places.empty() ? i : places[i]]);
   for (std::size_t i = 0; i < watched.size(); ++i) take(all[points.size() + i], watched[i]);
 }

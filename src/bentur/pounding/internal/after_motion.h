@@ -27,4 +27,8 @@ namespace bentur {
 void take_to_come(const System& system, const Solution& free, const std::vector<Eigen::Index>& places, bool mirrored,
                   std::vector<PointSummary>& points, std::vector<WatchedSummary>& watched);
 
+/// The same of the run with contact, in which others are struck. @param places likewise
+void take_to_come_struck(const Solution& with, const std::vector<Eigen::Index>& places,
+                         std::vector<PointSummary>& points, std::vector<WatchedSummary>& watched);
+
 }  // namespace bentur

@@ -426,8 +426,9 @@ void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveO
     reversed.has_contact = true;
     reversed.collapse = collapse_of(problem, with);
     reversed.points.resize(response.points.size());
-    summarise(in_places(std::move(with.impacts), places_of(problem)), reversed.points);
     reversed.watched.resize(response.watched.size());
+    take_to_come_struck(with, places_of(problem), reversed.points, reversed.watched);
+    summarise(in_places(std::move(with.impacts), places_of(problem)), reversed.points);
     summarise(with, watched_widths(problem), reversed.watched);
   }
   response.reversed = std::move(reversed);
@@ -472,6 +473,7 @@ PlanResponse solve(const PlanProblem& problem, const Solver& solver, const Solve
   summarise(solution, watched_widths(problem), response.watched);
   if (options.output_step > 0) response.histories = histories_of(problem, solution, places);
   response.links = links_of(solution);
+  take_to_come_struck(solution, places, response.points, response.watched);
   response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);
   summarise_friction(response.impacts, response.friction);

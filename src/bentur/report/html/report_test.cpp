@@ -104,12 +104,12 @@ TEST(Report, VerdictComesFirstWithNumbersOfTheResponse) {
 
 TEST(Report, NoPoundingIsSaidSo) {
   const std::string wide = replaced(example("m12-el-centro"), "width = 0.2 ", "width = 5.0 ");
-  const std::string page = plain(run(replaced(wide, "duration = 10.0", "duration = 31.18")).page());
+  const std::string page = plain(run(replaced(wide, "duration = 10.0", "")).page());
   const std::string cut = plain(run(wide).page());
   EXPECT_FALSE(has(cut, "No pounding"));
-  EXPECT_TRUE(has(cut, "the record goes on after the end of the run"));
+  EXPECT_TRUE(has(cut, "the motion goes on after the end of the run"));
   EXPECT_TRUE(has(page, "No pounding"));
-  EXPECT_TRUE(has(page, "do not touch in 31.18 s."));
+  EXPECT_TRUE(has(page, "do not touch in 31."));
   EXPECT_TRUE(has(page, "4.274 cm to spare"));
   EXPECT_FALSE(has(page, "<table id=\"impact-list\""));
   EXPECT_TRUE(has(page, "There were no impacts."));

@@ -101,7 +101,7 @@ TEST(Overview, BarsAreGivenAndNeeded) {
 /// A free response that ended in a collapse tells nothing of what would have been needed.
 TEST(Overview, HasNoBarFromAPartOfTheFacts) {
   RunResults pair = example_run("linked-pair");
-  pair.response.collapse_no_contact = Collapse{};
+  pair.response.collapse_no_contact = pair.response.reversed.value().collapse_no_contact = Collapse{};
   const Panel bars = overview(pair).panels.back();
   EXPECT_EQ(ends_of_bars(bars), std::vector<double>{0.03});
   EXPECT_EQ(bars.y.names[1], "needed: not known");

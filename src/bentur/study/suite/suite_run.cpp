@@ -257,7 +257,9 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   Story of_gaps = gap_study_story(gaps, are_enough);
   std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.gap; });
   std::erase_if(of_gaps.tables, [](const StoryTable& one) { return !one.gap; });
-  if (are_many) put(std::move(of_gaps.statements));
+  // Of one record what it needs is said already.
+  if (!are_many) std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.kind.starts_with("suite_"); });
+  put(std::move(of_gaps.statements));
   Story scaled = bentur::suite_story(suite, run.c.units);
   put(std::move(scaled.statements));
   sort_by_severity(told.statements);
