@@ -81,8 +81,8 @@ Remark remark(const UnorderedJson& json) {
     const UnorderedJson& value = json.at("usual").at(i);
     return value.is_null() ? std::nullopt : std::optional(value.get<double>());
   };
-  return {json.at("key"), json.at("subject"), json.at("value"), json.at("unit"), side(0), side(1),
-          json.value("doubt", false)};
+  return {json.at("key"), json.at("subject"),        json.at("value"), json.at("unit"), side(0),
+          side(1),        json.value("doubt", false)};
 }
 
 /// Of one watched floor, an entry of a gap's JSON.
@@ -232,7 +232,8 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
   if (links != results.problem.links.size()) fail(file, "is not of the same run as histories.nc");
   const std::vector<LargestDrift> drifts = take_judged_by(json.at("judged_by"), results.response);
   for (std::size_t b = 0; b < std::min(drifts.size(), results.response.buildings.size()); ++b) {
-    results.response.buildings[b].drift_ratio_no_contact = with_one(results.problem.buildings[b].model.floors(), drifts[b]);
+    results.response.buildings[b].drift_ratio_no_contact =
+        with_one(results.problem.buildings[b].model.floors(), drifts[b]);
   }
 }
 

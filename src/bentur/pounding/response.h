@@ -107,8 +107,8 @@ struct PointSummary {
   /// How much the free vibration after the end could need at most, of this motion and of the reversed one [length];
   /// nothing where that is not known, or of a motion that does not end.
   std::optional<double> to_come = {}, to_come_reversed = {};
-  /// How far the vibration after the end of the run with contact could go at most, were nothing struck [length]; infinite
-  /// where bodies touch at the end.
+  /// How far the vibration after the end of the run with contact could go at most, were nothing struck [length];
+  /// infinite where bodies touch at the end.
   std::optional<double> to_come_struck = {};
   /// max |x| of both faces in the free response, relative to the own base [length]; NaN where not asked for.
   double peak_left = not_known, peak_right = not_known;
@@ -137,10 +137,10 @@ struct LinkSummary {
 
 /// How near a watched floor came to what it faces, of the continuous response.
 struct WatchedSummary {
-  double gap_needed = 0;                                      ///< as PointSummary::gap_needed [length]
-  std::optional<double> gap_needed_reversed = {};             ///< likewise [length]
+  double gap_needed = 0;                           ///< as PointSummary::gap_needed [length]
+  std::optional<double> gap_needed_reversed = {};  ///< likewise [length]
   std::optional<double> to_come = {}, to_come_reversed = {}, to_come_struck = {};  ///< likewise [length]
-  double peak_left = not_known, peak_right = not_known;       ///< likewise [length]
+  double peak_left = not_known, peak_right = not_known;                            ///< likewise [length]
   double least_opening =
       0;                  ///< of the run; what it is at most where the floor never comes nearer than at rest [length]
   double least_time = 0;  ///< when [s]

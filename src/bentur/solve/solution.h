@@ -143,8 +143,8 @@ struct Solution {
   std::vector<std::vector<ElementFound>> members = {};  ///< per body, as Body::elements
   std::vector<CoupledState> coupled = {};               ///< of all bodies' Body::coupled, at the end
   std::vector<Reach> watched = {}, watched_free = {};   ///< as in the system
-  std::vector<ToCome> to_come = {};  ///< per contact (those that rub last), then as watched
-  std::vector<double> scales = {};   ///< per watched interface, the lengths whose difference δ is [length]
+  std::vector<ToCome> to_come = {};                     ///< per contact (those that rub last), then as watched
+  std::vector<double> scales = {};  ///< per watched interface, the lengths whose difference δ is [length]
   Sampled samples = {}, course = {};
   std::optional<EnergyAudit> energy = {};
   SelfMeasures checks = {};

@@ -9,8 +9,8 @@
 #include <memory>
 #include <variant>
 
-#include "bentur/model/run_results.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/run_results.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
 #include "bentur/study/study_runs.h"
 

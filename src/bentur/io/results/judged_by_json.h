@@ -50,9 +50,8 @@ nlohmann::ordered_json judged_by_json(const AnyResponse& response, const std::ve
                       {"to_come", or_null_of(one.to_come_struck)}});
   }
   for (const WatchedSummary& one : other.watched) {
-    watched.push_back({{"closes", one.closes},
-                       {"least_opening", one.least_opening},
-                       {"to_come", or_null_of(one.to_come_struck)}});
+    watched.push_back(
+        {{"closes", one.closes}, {"least_opening", one.least_opening}, {"to_come", or_null_of(one.to_come_struck)}});
   }
   json["reversed"] = {{"collapse", collapse(other.collapse)},
                       {"collapse_no_contact", collapse(other.collapse_no_contact)},

@@ -13,8 +13,8 @@
 #include "bentur/io/results/internal/hinges_json.h"
 #include "bentur/io/results/judged_by_json.h"
 #include "bentur/io/results/story_json.h"
-#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/story/story.h"
 #include "bentur/structure/modes.h"
 

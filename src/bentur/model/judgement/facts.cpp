@@ -100,7 +100,7 @@ GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
   facts.reversed.contact_looked_at = !others_close || (response.reversed && response.reversed->has_contact);
   for (const Way way : ways_of_motion) {
     const WayFacts& of = facts.in(way);
-    if (of.looked_at && !of.fall && of.drifts.empty()) continue;
+    if (!of.fall && of.drifts.empty()) continue;
     for (LevelFacts& level : facts.levels) level.in(way).need.reset();
   }
   return facts;

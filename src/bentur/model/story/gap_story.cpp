@@ -360,7 +360,6 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
   Statement all{.kind = "rules", .gap = gap, .buildings = {gap, gap + 1}};
   Statement too_close = all, too_small = all, silent = all;
   too_close.kind = "rules_short";
-  too_close.severity = Severity::warning;
   too_small.kind = "rules_understate";
   silent.kind = "rules_silent";
   if (!judged_of(facts, gap).is_enough()) {
@@ -368,6 +367,9 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
   }
   for (const RuleFinding& found : findings_of(facts, levels, gap)) {
     const StoryValue title = text_of("rule", found.title);
+    // Rules of thumb do not decide.
+    const bool decides = find_code_rule(found.rule) != nullptr || !judged_of(facts, gap).is_enough();
+    if (found.is_short && decides) too_close.severity = Severity::warning;
     if (found.at) {
       const double elevation = levels[*found.at].level.elevation;
       (found.is_short ? too_close : all)

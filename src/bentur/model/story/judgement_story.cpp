@@ -121,6 +121,9 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
     return;
   }
   if (facts.levels.empty()) return;
+  const bool is_need_alone = std::all_of(judged.reasons.begin(), judged.reasons.end(),
+                                         [](const Reason& one) { return one.kind == Reason::Kind::need; });
+  if (view.response == nullptr && is_need_alone) return;  // what is needed says so
   if (!judged.is_enough()) {
     const bool is_small = judged.value == Sufficiency::too_small;
     statement.kind = is_small ? "too_small" : "not_known";
@@ -136,8 +139,6 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
       if (std::isinf(reason.value) && reason.way == Way::reversed) continue;
       statement.items.push_back(reason_item(view, gap, reason));
     }
-  } else if (view.response == nullptr) {
-    return;  // a mean is told as such
   }
   statements.push_back(std::move(statement));
 }

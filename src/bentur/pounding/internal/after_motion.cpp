@@ -51,6 +51,18 @@ double end_of_records(const System& system) {
 
 bool goes_on_after(const System& system) { return end_of_records(system) > system.duration * (1 + 1e-12); }
 
+bool some_yield(const System& system) {
+  return std::any_of(system.bodies.begin(), system.bodies.end(),
+                     [](const Body& one) { return !one.elements.empty() || !one.coupled.empty(); });
+}
+
+/// Whether a bound says little, of what yields or is tied to others, and the run has gone on as long as any does.
+bool has_gone_on(const System& system) {
+  const double longest = most_periods_after * slowest_period(system);
+  return (some_yield(system) || !system.joints.empty()) &&
+         system.duration + step_of(system) >= end_of_records(system) + longest;
+}
+
 /// Whether no δ, nor where the response is mirrored −δ, can go farther than it has from so long after the end on.
 bool is_over(const Solution& free, bool mirrored, double after) {
   constexpr double round_off = 1e-9;
@@ -71,8 +83,7 @@ bool is_over(const Solution& free, bool mirrored, double after) {
 /// How long after the end something larger can still come [s], in steps of the motion.
 double time_after(const System& system, const Solution& free, bool mirrored) {
   const double longest = most_periods_after * slowest_period(system), step = step_of(system);
-  const bool yields = std::any_of(system.bodies.begin(), system.bodies.end(),
-                                  [](const Body& one) { return !one.elements.empty() || !one.coupled.empty(); });
+  const bool yields = some_yield(system);
   if (longest == 0 || step == 0 || (!yields && is_over(free, mirrored, 0))) return 0;
   double from = 0, to = longest;
   // What yields on is no longer where it is bound to swing.
@@ -108,7 +119,7 @@ FreeSolution free_solution(System system, const Solver& solver, const std::funct
 
 void take_to_come(const System& system, const Solution& free, const std::vector<Index>& places, bool mirrored,
                   std::vector<PointSummary>& points, std::vector<WatchedSummary>& watched) {
-  if (!motion_ends(system) || free.status != Status::done) return;
+  if (!motion_ends(system) || free.status != Status::done || has_gone_on(system)) return;
   const std::vector<ToCome>& all = free.to_come;
   const bool is_cut = goes_on_after(system);
   const auto take = [&](const ToCome& one, auto& summary) {
@@ -123,7 +134,8 @@ void take_to_come(const System& system, const Solution& free, const std::vector<
 
 void take_to_come_struck(const Solution& with, const std::vector<Index>& places, std::vector<PointSummary>& points,
                          std::vector<WatchedSummary>& watched) {
-  const bool touch = std::any_of(with.impacts.begin(), with.impacts.end(), [](const Impact& one) { return one.open_ended; });
+  const bool touch =
+      std::any_of(with.impacts.begin(), with.impacts.end(), [](const Impact& one) { return one.open_ended; });
   const auto take = [&](const ToCome& one, auto& summary) {
     summary.to_come_struck.reset();
     if (one.known) summary.to_come_struck = std::max(0.0, one.most(0));

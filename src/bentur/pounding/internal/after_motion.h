@@ -9,10 +9,10 @@
 // What buildings do once their ground rests, of rows and plans alike (docs/theory/exact-solver.md, After the motion).
 namespace bentur {
 
-/// The free response; where it `goes_on`, past the duration of its system to the end of its records at the body that they
-/// reach last, and until no gap can need more than it has needed
-/// so far, at most most_periods_after first periods of the slowest body. FreeSolution::system() has the duration that
-/// it comes to. @param mirrored whether −δ, the first ones of System::watched_free, is what the reversed motion needs
+/// The free response; where it `goes_on`, past the duration of its system to the end of its records at the body that
+/// they reach last, and until no gap can need more than it has needed so far, at most most_periods_after first periods
+/// of the slowest body. FreeSolution::system() has the duration that it comes to. @param mirrored whether −δ, the first
+/// ones of System::watched_free, is what the reversed motion needs
 [[nodiscard]] FreeSolution free_solution(System system, const Solver& solver,
                                          const std::function<bool(double)>& progress, const RunLimits& limits,
                                          bool goes_on, bool mirrored);
@@ -20,8 +20,8 @@ namespace bentur {
 /// Whether all motions of a system end before it does, or with it.
 [[nodiscard]] bool motion_ends(const System& system);
 
-/// Puts into summaries what the vibration after the free response of a system can still need; infinite where its records
-/// go on after it has ended.
+/// Puts into summaries what the vibration after the free response of a system can still need; infinite where its
+/// records go on after it has ended.
 /// @param places of the system's contacts, those that rub last, among the points; empty: they are the points
 /// @param mirrored as above
 void take_to_come(const System& system, const Solution& free, const std::vector<Eigen::Index>& places, bool mirrored,

@@ -31,7 +31,7 @@ Simulated run(const std::string& text) {
   auto c = read_case_text(text, std::string(BENTUR_SOURCE_DIR) + "/examples/case.toml", diagnostics);
   if (!c) throw std::runtime_error(diagnostics.errors().front().text());
   Problem problem = make_problem(*c);
-  SolveOptions options;
+  SolveOptions options = solve_options(*c);
   options.output_step = report_output_step(problem);
   Response response = solve(problem, c->analysis.solver, options);
   return {run_results(std::move(*c), std::move(problem), std::move(response))};

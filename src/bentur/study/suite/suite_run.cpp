@@ -258,7 +258,8 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.gap; });
   std::erase_if(of_gaps.tables, [](const StoryTable& one) { return !one.gap; });
   // Of one record what it needs is said already.
-  if (!are_many) std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.kind.starts_with("suite_"); });
+  if (!are_many)
+    std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.kind.starts_with("suite_"); });
   put(std::move(of_gaps.statements));
   Story scaled = bentur::suite_story(suite, run.c.units);
   put(std::move(scaled.statements));
@@ -272,7 +273,7 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   std::erase_if(table.columns, [](const StoryColumn& one) { return one.texts.empty() && one.numbers.empty(); });
   if (run.problem.buildings.size() == 2) table.columns.push_back(verdicts_of(run));
   told.tables.push_back(std::move(table));
-  for (Story* const other : {&scaled, &of_gaps}) {
+  for (Story* const other : {&of_gaps, &scaled}) {
     for (StoryTable& one : other->tables) told.tables.push_back(std::move(one));
   }
   return told;
