@@ -572,6 +572,7 @@ class Run(CommandLine):
                                          "remark_counts"])
         self.assertEqual(summary["units"], {"length": "cm", "force": "kgf"})
         self.assertEqual(set(summary["solver"]), {
+            "end_time",
             "name", "steps", "events", "wall_time", "energy_residual", "peak_input_energy"})
         self.assertEqual(summary["excitation"]["count"], 1560)
         self.assertEqual([building["name"] for building in summary["buildings"]], ["Model 1", "Model 2"])
