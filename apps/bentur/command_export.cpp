@@ -105,8 +105,9 @@ void export_taxonomy(const ExportArguments& arguments) {
   const auto tell = [&](const std::vector<JudgedGap>& all) {
     for (std::size_t gap = 0; gap < all.size(); ++gap) {
       const auto& reasons = all[gap].judgement.reasons;
-      pounds[gap + 1] =
+      const bool small =
           std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); });
+      pounds[gap + 1] = small ? 1 : 0;
     }
   };
   if (c.excitation.spectrum) {

@@ -35,7 +35,9 @@ BEYOND = {
             link-order link-unknown-name""",
         "other files": """
             project-logo-missing project-logo-runs record-channel-missing record-channel-outside record-column-missing
-            record-column-outside record-count record-empty record-header record-heading-like-a-row
+            record-column-outside record-component-missing record-component-of-one record-component-twice
+            record-component-unknown record-count record-empty record-header record-heading-like-a-row
+            record-heading-peak record-heading-unit
             record-is-folder record-missing-file record-nan record-pga-of-zeros record-ragged
             record-time-step-contradicts record-time-step-missing record-uneven-time
             record-unit-missing record-unit-of-at2 record-unit-of-network record-units-of-line-3

@@ -91,7 +91,7 @@ class Results(Sweep):
     def test_example_101_gaps_and_two_ground_motions(self):
         output = self.folder / "r.nc"
         result = self.done(SOURCE / "examples/studies/m12-gaps.toml", "-o", output)
-        self.assertRegex(result.stdout, r"^202 runs, \d+ impacts, 0 failed, \S+ runs/s \(202 runs in \S+ s\): .*r\.nc\n$")
+        self.assertRegex(result.stdout, r"^202 runs, \d+ impacts, 0 failed, 202 with remarks, 0 in doubt, \S+ runs/s \(202 runs in \S+ s\): .*r\.nc\n$")
         self.assertEqual(result.stderr, "", "no progress where nobody watches")
         self.assertFalse(pathlib.Path(f"{output}.part").exists())
         found = self.in_python("""

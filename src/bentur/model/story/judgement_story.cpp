@@ -50,7 +50,7 @@ std::string reason_key(const Reason& reason) {
 std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason& reason) {
   const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
   const std::string& length = view.c.units.length;
-  std::vector<StoryValue> item = {word_of("why", reason_key(reason))};
+  std::vector<StoryValue> item;
   if (reason.level) {
     const FacingLevel& at = facts.levels.at(*reason.level).at;
     add_level(view, at.is_point, at.index, at.elevation, item);
@@ -95,6 +95,7 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
     item.push_back(text_of("building", reason.subject));
     item.push_back(count_of("storey", static_cast<long>(reason.storey)));
   }
+  item.push_back(word_of("why", reason_key(reason)));  // after the words that fill it
   return item;
 }
 

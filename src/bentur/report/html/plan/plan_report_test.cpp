@@ -54,6 +54,21 @@ TEST(PlanReport, HasThePartsOfARowsReport) {
   EXPECT_TRUE(has(page, "Case file twisting-pair.toml") || has(page, "Case file case.toml"));
 }
 
+/// Between what is needed as given and reversed nothing collides, and it is said why the gap is too small.
+TEST(PlanReport, SaysWhyAGapIsTooSmallInWhichNothingCollides) {
+  const PlanRun run = test::plan_run(test::twisting_pair("corner = [12.04, 0.0]", "corner = [12.088, 0.0]"));
+  for (const PointSummary& point : run.response.points) ASSERT_EQ(point.impacts, 0);
+  for (const std::string language : {"en", "id"}) {
+    const Words say(language);
+    const std::vector<SaidStatement> told = said(plan_story(run).statements, say);
+    const auto found = std::find_if(told.begin(), told.end(), [](const auto& one) { return one.kind == "too_small"; });
+    ASSERT_NE(found, told.end());
+    EXPECT_TRUE(has(found->text, "0.08825") && has(found->text, "Walled")) << found->text;
+    EXPECT_FALSE(has(found->text, "{") || has(found->text, "reason.")) << found->text;
+  }
+  EXPECT_TRUE(has(page_of(run), "under the motion reversed without contact they need"));
+}
+
 /// With [project] it is one to hand in: numbered sections in the order of a row's, checks that follow from the run.
 TEST(PlanReport, IsOneToHandIn) {
   const PlanRun run = test::plan_run(
