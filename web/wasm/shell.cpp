@@ -305,7 +305,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
 
 std::string Studio::summary() const {
   if (plan_run_) return plan_summary_json(*plan_run_, version());
-  if (suite_run_) return suite_run_json(*suite_run_, version());
+  if (suite_run_) return suite_run_json(*suite_run_, *suite_gaps_, version());
   return run_ ? summary_json(*run_, version()) : "";
 }
 
@@ -317,7 +317,7 @@ std::string Studio::impacts() const {
 std::string Studio::gaps() const {
   if (plan_run_) return plan_gap_json(*plan_run_, version());
   if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, version());
-  if (suite_gaps_) return gap_study_json(*suite_gaps_, version());
+  if (suite_gaps_) return gap_study_json(*suite_gaps_, version(), suite_said_json(*suite_run_, *suite_gaps_));
   return run_ ? gap_json(*run_, version()) : "";
 }
 

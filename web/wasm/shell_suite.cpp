@@ -97,7 +97,7 @@ Json Studio::suite_overview(const Words& say) const {
     longest = std::max(longest, suite_->duration.value_or(one.echo.duration));
   }
   Json all =
-      overview_of(case_->title, case_->units, longest, gaps, names, suite_page_story(*suite_run_, *suite_gaps_), say);
+      overview_of(case_->title, case_->units, longest, gaps, names, suite_story(*suite_run_, *suite_gaps_), say);
   all["spectral"] = false;
   all["suite"] = suite_choice(*suite_, 0);
   all["figures"] = Json::array(
