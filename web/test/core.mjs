@@ -64,7 +64,7 @@ export const spaced = (text) => text.replaceAll("\u00a0", " ");
 
 /** A statement as a terminal has it: "Gap: BADGE: text", behind the gap's name in a row of several. */
 export const lineOf = ({ gap, badge, text, severity, kind }, row) =>
-  `${row && gap !== null && severity !== "remark" ? `${gap}: ` : ""}${badge ? `${badge.toUpperCase()}: ` : ""}${kind.startsWith("remark.") ? "remark: " : ""}${spaced(text)}`;
+  `${row && gap !== null && severity !== "remark" ? `${gap}: ` : ""}${badge ? `${badge.toUpperCase()}: ` : ""}${kind.startsWith("remark.") && !badge ? "remark: " : ""}${spaced(text)}`;
 
 /** What `bentur run` says in a language: the lines of its verdict and of its remarks, wrapped ones joined. */
 export function terminal(file, language) {

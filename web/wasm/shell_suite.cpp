@@ -96,8 +96,7 @@ Json Studio::suite_overview(const Words& say) const {
   for (const SuiteRecord& one : suite_->records) {
     longest = std::max(longest, suite_->duration.value_or(one.echo.duration));
   }
-  Json all =
-      overview_of(case_->title, case_->units, longest, gaps, names, suite_story(*suite_run_, *suite_gaps_), say);
+  Json all = overview_of(case_->title, case_->units, longest, gaps, names, suite_story(*suite_run_, *suite_gaps_), say);
   all["spectral"] = false;
   all["suite"] = suite_choice(*suite_, 0);
   all["figures"] = Json::array(

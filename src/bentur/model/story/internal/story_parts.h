@@ -156,10 +156,23 @@ void tell_links(const AnyProblem& problem, const std::vector<LinkSummary>& found
     pair->force = most;
     pair->hardest = i;
   }
+  const auto gap_of = [&](Eigen::Index left, Eigen::Index right) -> std::optional<Eigen::Index> {
+    if constexpr (requires { problem.gaps; }) {
+      for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
+        const auto& gap = problem.gaps[g];
+        const bool is_it = (gap.left == left && gap.right == right) || (gap.left == right && gap.right == left);
+        if (is_it) return static_cast<Eigen::Index>(g);
+      }
+      return std::nullopt;
+    } else {
+      return left + 1 == right ? std::optional(left) : std::nullopt;
+    }
+  };
   for (const Pair& pair : pairs) {
     const double level = link_at(pair.hardest).elevation;
     statements.push_back(
         {.kind = "links",
+         .gap = gap_of(static_cast<Eigen::Index>(pair.left), static_cast<Eigen::Index>(pair.right)),
          .buildings = {static_cast<Eigen::Index>(pair.left), static_cast<Eigen::Index>(pair.right)},
          .level = level,
          .values = {text_of("left", problem.buildings[pair.left].name),
