@@ -146,7 +146,6 @@ namespace {
 using Eigen::Index;
 using story::count_of;
 using story::GapView;
-using story::percent;
 using story::text_of;
 using story::value_in;
 using story::word_of;
