@@ -149,6 +149,7 @@ test("the page says which bentur it is, as the command line does", () => {
   const summary = solved(read("m12-el-centro.toml"), "m12-el-centro.toml");
   const told = [summary, JSON.parse(one.gaps()), JSON.parse(one.overview("en"))];
   assert.deepEqual(told.map((part) => part.version), [version, version, version]);
+  assert.ok(JSON.parse(one.solve(null, null)).ok);  // a report draws histories
   assert.ok(one.report("en").includes(`Pounding analysis, bentur ${version}<`));
 });
 
