@@ -85,6 +85,7 @@ class Generator {
     if (chance(0.7)) of.residual = number(0.05, 0.6);
     if (chance(0.3)) of.ultimate = of.plastic + number(0.002, 0.03);
     if (told_.kind != Kind::wears) return of;
+    of.ultimate += 0.5 * of.plastic;  // infinite where there is none
     of.plastic *= 1.5;
     of.wear = number(0.5, 20);
     if (chance(0.3)) of.wear_exponent = number(1, 2);
