@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bentur/contact/laws/restitution.h"
 #include "bentur/elements/link_laws.h"
 #include "bentur/elements/peak_oriented.h"
 #include "tests/support/free_masses.h"
@@ -86,6 +87,18 @@ TEST_P(LinkedBuildings, ComeTogetherThroughADashpot) {
               within(10 * speed * speed));
   const Eigen::Index last = response.energy->histories.damping.size() - 1;
   EXPECT_NEAR(response.energy->histories.damping(last), is.energy_dissipated, within(10 * speed * speed));
+}
+
+/// Masses that touch at the start part at once with the speed times the coefficient of restitution.
+TEST_P(LinkedBuildings, CarryWhatTheyCarryBeforeTheFirstImpact) {
+  const double c = 6, restitution = 0.3;
+  Problem problem = free_masses(left_mass, right_mass, 0, speed, std::make_shared<Restitution>(restitution), 2);
+  problem.links = {link(std::make_shared<SpringDashpot>(0, c))};
+  const Response response = run(problem, 0.05);
+  ASSERT_EQ(response.impacts.size(), 1u);
+  const LinkSummary& is = response.links[0];
+  EXPECT_NEAR(is.peak_compression, c * speed, within(c * speed));
+  EXPECT_NEAR(is.peak_tension, c * restitution * speed, within(c * speed));
 }
 
 TEST_P(LinkedBuildings, SwingAgainstEachOtherOnADampedSpring) {

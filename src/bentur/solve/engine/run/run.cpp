@@ -389,8 +389,8 @@ bool Run::step(double time, double longest) {
 }
 
 /// Of contacts that change at one instant one comes first, by round-off. The state between them, where the one pushes
-/// and the other does not, is none of the motion.
-bool Run::lasts(double length) const { return length > instant * given_.duration; }
+/// and the other does not, is none of the motion. What the first of them finds at the start is.
+bool Run::lasts(double length) const { return steps_ == 0 || length > instant * given_.duration; }
 
 /// Takes [0, cut] of the expanded step into the peaks.
 void Run::watch_step(double time, double cut) {
