@@ -156,6 +156,14 @@ def prose(root):
 def alone(root):
     """What is cloned works by itself: only tests name files beside the repository, and they are skipped without them."""
     beside = re.compile(r"\.\./shared\b")
+    folder = re.compile(r"""(SOURCE|parent|\.\.").*\bshared\b""")  # in a test, which asks for it by its one name
+    asked = {"shared_folder.h", "shared_folder.py", "check_sources.py"}
+    for path in sorted([*(root / "tests").rglob("*"), *(root / "src").rglob("*_test.cpp")]):
+        if path.suffix not in (".cpp", ".h", ".py") or path.name in asked or "__pycache__" in path.parts:
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            if folder.search(line) and not line.lstrip().startswith(("//", "#", "again =")):
+                yield f"{path}:{number}: names the folder beside the repository, which shared_folder.h and .py do"
     left_out = {"build", "node_modules", ".venv", ".venv-peers", ".git", "tests", "records", "__pycache__"}
     for path in sorted(root.rglob("*")):
         if left_out & set(path.relative_to(root).parts) or not path.is_file() or "_test." in path.name:

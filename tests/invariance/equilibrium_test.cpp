@@ -15,6 +15,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/pounding/pounding.h"
 #include "tests/invariance/random_case.h"
+#include "tests/reference/shared_folder.h"
 #include "tests/support/column_case.h"
 
 namespace bentur {
@@ -188,7 +189,7 @@ int of_folder(const fs::path& folder) {
 TEST(Equilibrium, OfEveryExample) { EXPECT_GT(of_folder(fs::path(BENTUR_SOURCE_DIR) / "examples"), 30); }
 
 TEST(Equilibrium, OfEveryReferenceCase) {
-  const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / "../shared/reference";
+  const fs::path folder = test::shared_folder() / "reference";
   if (!fs::exists(folder)) GTEST_SKIP() << "the reference cases (../shared) are not here";
   EXPECT_GT(of_folder(folder), 50);
 }

@@ -21,6 +21,7 @@
 #include "bentur/model/plan/plan_pair.h"
 #include "tests/invariance/plan_twin.h"
 #include "tests/invariance/random_building.h"
+#include "tests/reference/shared_folder.h"
 
 namespace bentur {
 namespace {
@@ -237,8 +238,7 @@ class TwinsOfRows {
 
 TEST(PlanTwins, GiveTheNumbersOfTheirRows) {
   TwinsOfRows found;
-  for (const fs::path& folder :
-       {fs::path(BENTUR_SOURCE_DIR) / "examples", fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference"}) {
+  for (const fs::path& folder : {fs::path(BENTUR_SOURCE_DIR) / "examples", test::shared_folder() / "reference"}) {
     if (!fs::exists(folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder)) {
       if (entry.path().extension() != ".toml") continue;
@@ -339,7 +339,7 @@ TEST(PlanTwins, OfUnevenStoreys) {
 
 /// The reference cases of frames with hinges that a plan can have: seen from both ends, and along y.
 TEST(PlanTwins, OfFramesWithHinges) {
-  const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference" / "hinges";
+  const fs::path folder = test::shared_folder() / "reference" / "hinges";
   if (!fs::exists(folder)) GTEST_SKIP();
   Eigen::Matrix2d quarter;
   quarter << 0, -1, 1, 0;

@@ -20,10 +20,10 @@ import xml.etree.ElementTree as xml
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"]).resolve()
-sys.path.insert(0, str(SOURCE / "tests/support"))
+sys.path[:0] = [str(SOURCE / "tests"), str(SOURCE / "tests/support")]
 from same_picture import same_picture  # noqa: E402
+from shared_folder import SHARED  # noqa: E402
 
-SHARED = SOURCE.parent / "shared"
 RECORD = SHARED / "records/el-centro-1940-s00e.txt"
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 OWN = ("calibrate_period = .*\n", "")

@@ -11,13 +11,14 @@
 
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/plan/plan_json.h"
+#include "tests/reference/shared_folder.h"
 
 namespace bentur {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path plan_folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference" / "plan";
+const fs::path plan_folder = test::shared_folder() / "reference" / "plan";
 const std::set<std::string> cases = {"plan-asymmetric-pair", "plan-symmetric", "plan-friction", "plan-l-of-three"};
 // Its edges touch at rest, and push from the start on, as they do without friction. The answers have three of four ends
 // begin 4e-6 s later, where δ, which grows as t⁴, leaves their round-off: durations may be so much longer.

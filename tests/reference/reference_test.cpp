@@ -13,6 +13,7 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/pounding/pounding.h"
+#include "tests/reference/shared_folder.h"
 #include "tests/support/same_response.h"
 
 namespace bentur {
@@ -20,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path shared = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared";
+const char* const loosen = BENTUR_SOURCE_DIR "/tests/reference/loosen.py";
+const fs::path shared = test::shared_folder();
 
 const char* const all_cases[] = {"absolute-delay",
                                  "bilinear",
@@ -88,8 +90,8 @@ class Reference : public testing::TestWithParam<const char*> {
       return fs::path(BENTUR_BINARY_DIR) / ("reference-" + stem + "-" + solver + kind + ".json");
     };
     std::ofstream(file("")) << summary_json(run_results(*case_, problem_, response), "test");
-    run(BENTUR_SOURCE_DIR "/tests/reference/loosen.py", {(shared / "reference" / (name_ + ".expected.json")).string(),
-                                                         std::to_string(factor), file("-expected").string()});
+    run(loosen, {(shared / "reference" / (name_ + ".expected.json")).string(), std::to_string(factor),
+                 file("-expected").string()});
     run((shared / "tools/compare.py").string(), {file("-expected").string(), file("").string()});
   }
 

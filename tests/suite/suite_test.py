@@ -8,6 +8,7 @@ import pathlib
 import re
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -17,10 +18,13 @@ try:
 except ImportError:
     numpy = None
 
+sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
+from shared_folder import SHARED
+
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
-SHARED = SOURCE / ".." / "shared" / "records"
+RECORDS = SHARED / "records"
 FAR_FIELD = SOURCE / "records" / "far-field"
 GRAVITY = 9.80665
 # Steps are cut until ω h ≤ 2π/40: a peak that lies between two of them is then missed by less than (π/40)²/2 of it.
@@ -146,9 +150,9 @@ class Suites(unittest.TestCase):
                         suite["zero_period"]["mean"] / suite["zero_period"]["target"] if scale == "en-1998-1" else math.inf)
             self.assertAlmostEqual(spare, 1, places=12)
 
-    @unittest.skipUnless(numpy and SHARED.exists(), "no numpy, or no ../shared/records")
+    @unittest.skipUnless(numpy and RECORDS.exists(), "no numpy, or no records of ../shared")
     def test_shared_records(self):
-        shared = SHARED.resolve()
+        shared = RECORDS.resolve()
         texts = sorted(f.name for f in shared.glob("*.txt") if not f.name.startswith(("mexico", "el-centro")))
         files = ", ".join([f'"{shared}/*.AT2"', f'{{ file = "{shared}/el-centro*.txt", unit = "g" }}',
                            *(f'{{ file = "{shared}/{name}", unit = "m/s2" }}' for name in texts)])
@@ -166,10 +170,10 @@ class Suites(unittest.TestCase):
 
                 self.check_clause(suite, read, scale, every=8 if SANITIZED else 1)
 
-    @unittest.skipUnless(SHARED.exists(), "no ../shared/records")
+    @unittest.skipUnless(RECORDS.exists(), "the records of ../shared are not here")
     def test_one_of_each_event(self):
         # Four of the PEER files are of Cape Mendocino, two of Borah Peak, spelled in two ways.
-        shared = SHARED.resolve()
+        shared = RECORDS.resolve()
         suite = self.gap(self.case(f'files = ["{shared}/*.AT2"]\nscale = "asce-7-16"\nper_event = 1\n'))["suite"]
         events = [one["event"] for one in suite["records"] if one["event"]]
         self.assertEqual(len(set(events)), len(events))

@@ -17,10 +17,9 @@ import sys
 import time
 import unittest
 
-from sweep_test import BENTUR, ENVIRONMENT, MPIRUN, SOURCE, Sweep, journal_done
+from sweep_test import BENTUR, ENVIRONMENT, MPIRUN, SHARED, SOURCE, Sweep, journal_done
 
 STUDIES = SOURCE / "examples" / "studies"
-SHARED = SOURCE / ".." / "shared"
 FAR_FIELD = SOURCE / "records" / "far-field"
 SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"  # some twenty times slower
 NORMAL = statistics.NormalDist()
@@ -171,7 +170,7 @@ print(json.dumps({"dims": list(d.peak_force.dims), "coords": sorted(d.impacts.co
 
     def test_every_shared_record(self):
         if not (SHARED / "records").exists():
-            self.skipTest("no ../shared/records")
+            self.skipTest("the records of ../shared are not here")
         text = (STUDIES / "ida-own-records.toml").read_text().replace('"eight-and-six.toml"', f'"{STUDIES}/eight-and-six.toml"')
         study, output, records = self.folder / "study.toml", self.folder / "r.nc", SHARED / "records"
         study.write_text(re.sub(r"files = \[.*?\n\]", lambda _: f"""files = [

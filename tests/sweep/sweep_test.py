@@ -21,6 +21,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
 from part import part_of_tests
+from shared_folder import SHARED
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
@@ -155,9 +156,9 @@ duration = 10.0
         self.assertAlmostEqual(found["other"], force, delta=1e-9 * force)
 
     def test_gaps_and_ground_motions_meet_the_answers_of_another_program(self):
-        reference = SOURCE / ".." / "shared" / "reference"
+        reference = SHARED / "reference"
         if not reference.exists():
-            self.skipTest("no ../shared/reference")
+            self.skipTest("the answers of ../shared are not here")
         study = self.study(f"""
 case = "{reference / 'm12-el-centro-gap-02.toml'}"
 [[vary]]

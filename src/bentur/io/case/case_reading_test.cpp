@@ -15,6 +15,7 @@
 
 #include "bentur/contact/laws.h"
 #include "bentur/io/case/case_toml.h"
+#include "tests/reference/shared_folder.h"
 
 namespace bentur {
 namespace {
@@ -367,7 +368,7 @@ TEST(CaseReading, AccelerationsWithTheirUnit) {
 }
 
 TEST(CaseReading, EveryReferenceCaseIsRead) {
-  const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference";
+  const fs::path folder = test::shared_folder() / "reference";
   if (!fs::exists(folder)) GTEST_SKIP() << "the folder shared/reference is not beside the sources";
   int cases = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -478,7 +479,7 @@ TEST(CaseReading, AxialStiffnessCountsWhereValuesMustGoTogether) {
 }
 
 TEST(CaseReading, MonographCase) {
-  const fs::path file = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "reference" / "m12-el-centro-gap-02.toml";
+  const fs::path file = test::shared_folder() / "reference" / "m12-el-centro-gap-02.toml";
   if (!fs::exists(file)) GTEST_SKIP() << "the folder shared/reference is not beside the sources";
   Diagnostics diagnostics;
   const auto c = read_case(file, diagnostics);

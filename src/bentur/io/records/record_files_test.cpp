@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "tests/reference/shared_folder.h"
 #include "tests/support/record_file.h"
 
 namespace bentur {
@@ -100,7 +101,7 @@ TEST_F(RecordFile, ErrorsAreCutAfterTen) {
 }
 
 TEST(RecordFiles, RecordsOfRealEarthquakes) {
-  const fs::path folder = fs::path(BENTUR_SOURCE_DIR) / ".." / "shared" / "records";
+  const fs::path folder = test::shared_folder() / "records";
   if (!fs::exists(folder)) GTEST_SKIP() << "the folder shared/records is not beside the sources";
   struct Known {
     const char* name;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bentur/io/toml/parameter_path.h"
+#include "tests/reference/shared_folder.h"
 
 namespace bentur {
 namespace {
@@ -136,7 +137,7 @@ TEST(TextInUnits, EveryExampleAndReferenceCaseComesBackAsItWas) {
   const fs::path root = BENTUR_SOURCE_DIR;
   std::size_t cases = 0;
   for (const fs::path& folder : {root / "examples", root / "examples" / "gaps", root / "examples" / "monograph",
-                                 root.parent_path() / "shared" / "reference", root / "tests" / "reference"}) {
+                                 test::shared_folder() / "reference", root / "tests" / "reference"}) {
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       if (entry.path().extension() != ".toml") continue;
