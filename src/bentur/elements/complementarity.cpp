@@ -1,9 +1,9 @@
 #include "bentur/elements/complementarity.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <vector>
+
+#include "bentur/core/algebra/factors.h"
 
 namespace bentur {
 
@@ -18,9 +18,9 @@ namespace {
 std::vector<Index> pushing_alone(const Eigen::MatrixXd& a, const VectorXd& b, std::vector<Index> set, VectorXd& p) {
   constexpr double apart = 1e-9;  // of the largest pivot
   while (!set.empty()) {
-    const Eigen::LDLT<Eigen::MatrixXd> factors(a(set, set));
+    const Ldlt factors(a(set, set));
     const VectorXd wanted = factors.solve(b(set));
-    if (!(factors.vectorD().minCoeff() > apart * factors.vectorD().maxCoeff())) return {};
+    if (!factors.is_definite(apart)) return {};
     std::vector<Index> push;
     for (Index n = 0; n < wanted.size(); ++n) {
       if (wanted(n) > 0.0) push.push_back(set[n]);
@@ -54,7 +54,7 @@ std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& 
     if (worst < 0) return p;
     pushed.insert(std::lower_bound(pushed.begin(), pushed.end(), worst), worst);
     for (bool first = true; !pushed.empty(); first = false) {
-      const VectorXd wanted = a(pushed, pushed).ldlt().solve(b(pushed));
+      const VectorXd wanted = Ldlt(a(pushed, pushed)).solve(b(pushed));
       if (!wanted.allFinite()) return std::nullopt;
       // As far towards it as none pulls.
       double part = 1.0;
@@ -88,7 +88,7 @@ std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& 
 std::optional<VectorXd> complementary(const MatrixXd& a, const VectorXd& b, Index free) {
   if (free == 0) return complementary(a, b);
   const Index bound = b.size() - free;
-  const Eigen::LDLT<MatrixXd> of_free(a.bottomRightCorner(free, free));
+  const Ldlt of_free(a.bottomRightCorner(free, free));
   const MatrixXd coupling = of_free.solve(a.bottomLeftCorner(free, bound));
   const VectorXd alone = of_free.solve(b.tail(free));
   const auto found = complementary(a.topLeftCorner(bound, bound) - a.topRightCorner(bound, free) * coupling,
@@ -114,8 +114,7 @@ VectorXd least_norm(const MatrixXd& a, const VectorXd& b, VectorXd p) {
   }
   if (may_push.size() < 2) return p;
   MatrixXd among = a(may_push, may_push);
-  const VectorXd pivots = among.ldlt().vectorD();
-  if (pivots.minCoeff() > apart * pivots.maxCoeff()) return p;
+  if (Ldlt(among).is_definite(apart)) return p;
   among.diagonal().array() += little * among.diagonal().maxCoeff();
   const auto shared = complementary(among, b(may_push));
   if (!shared) return p;
@@ -124,9 +123,7 @@ VectorXd least_norm(const MatrixXd& a, const VectorXd& b, VectorXd p) {
     if ((*shared)(n) > 0.0) push.push_back(may_push[n]);
   }
   if (push.empty()) return p;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> of_those;
-  of_those.setThreshold(apart);
-  const VectorXd least = of_those.compute(a(may_push, push)).solve(b(may_push));
+  const VectorXd least = least_norm_solution(a(may_push, push), b(may_push), apart);
   VectorXd all = VectorXd::Zero(p.size());
   all(push) = least.cwiseMax(0.0);
   const bool agrees = least.minCoeff() >= -agreed * least.cwiseAbs().maxCoeff() &&

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/hinges/falling.h"
@@ -92,7 +92,7 @@ std::vector<char> HingeLaw::moving_freely(const CoupledState& state) const {
       if (breaks(h) != of_slips || !nothing_left(state, h)) continue;
       if (!of_slips && !so_far.empty()) {
         const VectorXd with = of_.stiffness(so_far, h);
-        const double alone = of_.stiffness(h, h) - with.dot(of_.stiffness(so_far, so_far).ldlt().solve(with));
+        const double alone = of_.stiffness(h, h) - with.dot(Ldlt(of_.stiffness(so_far, so_far)).solve(with));
         if (!(alone > apart * of_.stiffness(h, h))) continue;
       }
       so_far.push_back(h);

@@ -1,6 +1,5 @@
 #include "bentur/model/case.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +7,7 @@
 
 #include "bentur/contact/axial_stiffness.h"
 #include "bentur/contact/laws.h"
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 #include "bentur/model/suite/suite.h"
 #include "bentur/structure/modes.h"
@@ -149,8 +149,7 @@ Eigen::VectorXd from_floors(const StructuralModel& model, const std::vector<doub
   all.head(floors) = Eigen::Map<const Eigen::VectorXd>(values.data(), floors);
   if (rotations > 0) {
     all.segment(floors, rotations) =
-        -model.stiffness.block(floors, floors, rotations, rotations)
-             .ldlt()
+        -Ldlt(model.stiffness.block(floors, floors, rotations, rotations))
              .solve(model.stiffness.block(floors, 0, rotations, floors) * all.head(floors));
   }
   return all;

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <cmath>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 #include "bentur/elements/hinges.h"
 #include "bentur/pounding/internal/problem_checks.h"
@@ -16,7 +16,7 @@ namespace {
 Eigen::RowVectorXd beside_nodes(const StructuralModel& model, const Eigen::RowVectorXd& row) {
   if (model.nodes() == 0) return row;
   const Eigen::MatrixXd nodes = model.stiffness.middleRows(model.floors(), model.nodes());
-  const Eigen::VectorXd of_nodes = nodes.transpose().colPivHouseholderQr().solve(row.transpose());
+  const Eigen::VectorXd of_nodes = combination_of(nodes, row);
   return row - of_nodes.transpose() * nodes;
 }
 

@@ -1,7 +1,5 @@
 #include "bentur/structure/modes.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bentur/core/algebra/factors.h"
+#include "bentur/core/algebra/symmetric.h"
 #include "bentur/core/require.h"
 
 namespace bentur {
@@ -17,11 +17,11 @@ namespace {
 
 // Cholesky factor L of M = LLᵀ.
 Eigen::MatrixXd mass_factor(const Eigen::MatrixXd& mass) {
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(mass);
-  if (cholesky.info() != Eigen::Success || !mass.allFinite()) {
+  const Cholesky cholesky(mass);
+  if (!cholesky.is_positive_definite() || !mass.allFinite()) {
     throw std::runtime_error("the mass matrix is not positive definite");
   }
-  return cholesky.matrixL();
+  return cholesky.lower();
 }
 
 // ω ascending from ω² in any order; the first entry of each shape above 1e-9 of its largest is made positive.
@@ -81,9 +81,9 @@ Modes modes(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
   if (!(stiffness.diagonal().array() / mass.diagonal().array()).allFinite()) {
     throw std::runtime_error("stiffness over mass is beyond what numbers can hold");
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, mass);
-  if (solver.info() != Eigen::Success) throw std::runtime_error("the eigenvalue iteration did not converge");
-  return sorted(solver.eigenvalues(), solver.eigenvectors());
+  const SymmetricModes found = generalised_modes(stiffness, mass);
+  if (!found.converged) throw std::runtime_error("the eigenvalue iteration did not converge");
+  return sorted(found.values, found.vectors);
 }
 
 Modes modes_by_jacobi(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness) {
@@ -114,9 +114,7 @@ Modes modes_by_jacobi(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffn
   return sorted(a.diagonal(), lower.transpose().solve(vectors));
 }
 
-double smallest_eigenvalue(const Eigen::MatrixXd& matrix) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()(0);
-}
+double smallest_eigenvalue(const Eigen::MatrixXd& matrix) { return symmetric_values(matrix)(0); }
 
 ModalProperties modal_properties(const Modes& modes, const Eigen::VectorXd& load) {
   ModalProperties result;
@@ -132,7 +130,7 @@ ModalProperties modal_properties(const Building& building) {
   ModalProperties properties = modal_properties(building.modes, building.model.load);
   if (building.modes.omega.size() >= building.model.dofs() || building.is_rigid()) return properties;
   const Eigen::VectorXd& load = building.model.load;
-  const double moving = load.dot(building.model.mass.ldlt().solve(load));
+  const double moving = load.dot(Ldlt(building.model.mass).solve(load));
   properties.effective_mass_fraction = properties.participation.cwiseAbs2() / moving;
   return properties;
 }

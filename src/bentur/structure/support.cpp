@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "bentur/core/algebra/factors.h"
+#include "bentur/core/algebra/symmetric.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/modes.h"
@@ -37,8 +37,6 @@ MatrixXd geometric_stiffness(const VectorXd& softening, const MatrixXd& drifts) 
   return drifts.transpose() * softening.asDiagonal() * drifts;
 }
 
-bool is_positive_definite(const MatrixXd& matrix) { return Eigen::LLT<MatrixXd>(matrix).info() == Eigen::Success; }
-
 /// Names what is wrong with loads under which a structure does not stand.
 [[noreturn]] void refuse_loads(const StructuralModel& model, const VectorXd& softening, const MatrixXd& geometric) {
   // A storey's own stiffness: its shear by a unit drift alone.
@@ -55,9 +53,7 @@ bool is_positive_definite(const MatrixXd& matrix) { return Eigen::LLT<MatrixXd>(
       weakest = j;
     }
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(geometric, model.stiffness,
-                                                                  Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
-  const double critical = 1 / solver.eigenvalues().maxCoeff();
+  const double critical = 1 / generalised_values(geometric, model.stiffness).maxCoeff();
   throw InvalidParameter("gravity_loads", fmt::format("{:.4g} times what the building bears", 1 / critical),
                          fmt::format("must leave the building standing: storey {} has the least margin, and all loads "
                                      "times {:.3g} are critical",

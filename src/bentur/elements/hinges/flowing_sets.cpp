@@ -1,7 +1,7 @@
 #include "bentur/elements/hinges/flowing_sets.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include "bentur/core/algebra/factors.h"
+#include "bentur/core/algebra/symmetric.h"
 
 namespace bentur {
 
@@ -22,7 +22,7 @@ FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowi
   } else {
     q.diagonal() += Eigen::Map<const VectorXd>(slopes.data(), moving);
   }
-  set.inverse = q.llt().solve(MatrixXd::Identity(moving, moving));
+  set.inverse = Cholesky(q).solve(MatrixXd::Identity(moving, moving));
   set.seen.moving = flowing;
   set.seen.stiffness = -0.5 * (set.inverse + set.inverse.transpose());
   set.seen.own.resize(count);
@@ -72,20 +72,19 @@ std::optional<VectorXd> free_shape(const MatrixXd& frame_stiffness, const Matrix
   constexpr double spin_near = 1e-6;  // of the largest pivot
   const MatrixXd rows = frame_rows(flowing, Eigen::all);
   // Where no spin is near, and K − G_Aᵀ K_AA⁻¹ G_A − 10⁻⁹ K is positive definite, nothing is as soft as that.
-  const Eigen::LDLT<MatrixXd> factors(hinge_stiffness(flowing, flowing));
-  if (factors.vectorD().minCoeff() > spin_near * factors.vectorD().maxCoeff()) {
+  const Ldlt factors(hinge_stiffness(flowing, flowing));
+  if (factors.is_definite(spin_near)) {
     const MatrixXd bends = (1.0 - FlowingSet::bends) * frame_stiffness - rows.transpose() * factors.solve(rows);
-    if (bends.llt().info() == Eigen::Success) return std::nullopt;
+    if (is_positive_definite(bends)) return std::nullopt;
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_hinges(hinge_stiffness(flowing, flowing));
-  const VectorXd& values = of_hinges.eigenvalues();
+  const SymmetricModes of_hinges = symmetric_modes(hinge_stiffness(flowing, flowing));
+  const VectorXd& values = of_hinges.values;
   const VectorXd inverse = (values.array() > singular * values.maxCoeff()).select(values.cwiseInverse(), 0.0);
-  const MatrixXd turned = of_hinges.eigenvectors().transpose() * rows;
+  const MatrixXd turned = of_hinges.vectors.transpose() * rows;
   const MatrixXd tangent = frame_stiffness - turned.transpose() * inverse.asDiagonal() * turned;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> shapes(0.5 * (tangent + tangent.transpose()),
-                                                                  frame_stiffness);
-  if (!(shapes.eigenvalues()(0) < FlowingSet::bends)) return std::nullopt;
-  return shapes.eigenvectors().col(0);
+  const SymmetricModes shapes = generalised_modes(0.5 * (tangent + tangent.transpose()), frame_stiffness);
+  if (!(shapes.values(0) < FlowingSet::bends)) return std::nullopt;
+  return shapes.vectors.col(0);
 }
 
 }  // namespace bentur

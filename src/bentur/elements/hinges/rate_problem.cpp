@@ -1,9 +1,9 @@
 #include "bentur/elements/hinges/rate_problem.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/elements/complementarity.h"
 
 namespace bentur {
@@ -50,7 +50,7 @@ RateSolution least_pushing(const MatrixXd& a, const VectorXd& b) {
     for (bool moves = false;;) {
       VectorXd way = VectorXd::Zero(count);
       way(next) = 1.0;
-      if (!pushed.empty()) way(pushed) = -a(pushed, pushed).ldlt().solve(a(pushed, next));
+      if (!pushed.empty()) way(pushed) = -Ldlt(a(pushed, pushed)).solve(a(pushed, next));
       const double stiffness = a.row(next).dot(way), lacks = b(next) - a.row(next).dot(p);
       const double most = stiffness > bends ? lacks / stiffness : std::numeric_limits<double>::infinity();
       double part = most;
@@ -79,7 +79,7 @@ RateSolution least_pushing(const MatrixXd& a, const VectorXd& b) {
     }
   }
   if (pushed.empty()) return found;
-  const VectorXd exact = a(pushed, pushed).ldlt().solve(b(pushed));
+  const VectorXd exact = Ldlt(a(pushed, pushed)).solve(b(pushed));
   if ((exact.array() > 0.0).all()) p(pushed) = exact;
   return found;
 }
@@ -96,7 +96,7 @@ RateSolution least_rate(const MatrixXd& a, const VectorXd& b, Index free, const 
     found.pace = found.pace.cwiseProduct(unit);
     return found;
   }
-  const Eigen::LDLT<MatrixXd> of_free(scaled.bottomRightCorner(free, free));
+  const Ldlt of_free(scaled.bottomRightCorner(free, free));
   const MatrixXd coupling = of_free.solve(scaled.bottomLeftCorner(free, bound));
   const VectorXd alone = of_free.solve(pushes.tail(free));
   const RateSolution bound_ones =

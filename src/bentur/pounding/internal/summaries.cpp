@@ -1,12 +1,12 @@
 #include "bentur/pounding/internal/summaries.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "bentur/core/algebra/factors.h"
+#include "bentur/core/algebra/symmetric.h"
 #include "bentur/elements/hinges.h"
 #include "bentur/structure/body.h"
 #include "bentur/structure/frame/infill.h"
@@ -103,20 +103,20 @@ Eigen::VectorXd unloaded_drifts(const Hinges& hinges, const HingeLaw& law, const
   }
   const Eigen::MatrixXd& k = hinges.frame_stiffness;
   Eigen::VectorXd pushed = hinges.frame_rows.transpose() * theta;
-  if (free.empty()) return hinges.frame_drifts * k.llt().solve(pushed);
+  if (free.empty()) return hinges.frame_drifts * Cholesky(k).solve(pushed);
   // Their forces Q = G x − K_hh θ are those at rest, −Q₀.
   const Eigen::MatrixXd rows = hinges.frame_rows(free, Eigen::all);
-  const Eigen::LLT<Eigen::MatrixXd> of_free(hinges.stiffness(free, free));
+  const Cholesky of_free(hinges.stiffness(free, free));
   const Eigen::VectorXd fixed = hinges.at_rest(free) - hinges.stiffness(free, Eigen::all) * theta;
   pushed += rows.transpose() * of_free.solve(fixed);
   const Eigen::MatrixXd left = k - rows.transpose() * of_free.solve(rows);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> shapes(0.5 * (left + left.transpose()), k);
+  const SymmetricModes shapes = generalised_modes(0.5 * (left + left.transpose()), k);
   Eigen::VectorXd drifts = Eigen::VectorXd::Zero(hinges.frame_drifts.rows());
   for (Eigen::Index n = 0; n < k.rows(); ++n) {
-    const Eigen::VectorXd shape = shapes.eigenvectors().col(n);
+    const Eigen::VectorXd shape = shapes.vectors.col(n);
     const Eigen::VectorXd of_storeys = hinges.frame_drifts * shape;
-    if (shapes.eigenvalues()(n) > HingeLaw::bends) {
-      drifts += of_storeys * (shape.dot(pushed) / shapes.eigenvalues()(n));
+    if (shapes.values(n) > HingeLaw::bends) {
+      drifts += of_storeys * (shape.dot(pushed) / shapes.values(n));
       continue;
     }
     const double least = still * shape.cwiseAbs().maxCoeff();

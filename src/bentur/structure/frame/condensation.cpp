@@ -1,13 +1,12 @@
 #include "bentur/structure/frame/condensation.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 #include "bentur/structure/modes.h"
 
@@ -59,7 +58,7 @@ StructuralModel reduce_at(const StructuralModel& model, Eigen::Index primary, do
   const Eigen::Index secondary = model.dofs() - primary;
   const Eigen::MatrixXd d = model.stiffness - omega_squared * model.mass;
   const Eigen::MatrixXd bottom =
-      -d.bottomRightCorner(secondary, secondary).partialPivLu().solve(d.bottomLeftCorner(secondary, primary));
+      -solve_general(d.bottomRightCorner(secondary, secondary), d.bottomLeftCorner(secondary, primary));
   StructuralModel reduced = with_mass_and_load(model, transformation(bottom));
   // D̄ = D_pp + D_ps T_s, K̄ = D̄ + ω² M̄.
   const Eigen::MatrixXd d_bar = d.topLeftCorner(primary, primary) + d.topRightCorner(primary, secondary) * bottom;
@@ -73,8 +72,8 @@ StructuralModel condense_statically(const StructuralModel& model, Eigen::Index p
   check(model, primary);
   const Eigen::Index secondary = model.dofs() - primary;
   if (secondary == 0) return model;
-  const Eigen::LLT<Eigen::MatrixXd> cholesky(model.stiffness.bottomRightCorner(secondary, secondary));
-  if (cholesky.info() != Eigen::Success) {
+  const Cholesky cholesky(model.stiffness.bottomRightCorner(secondary, secondary));
+  if (!cholesky.is_positive_definite()) {
     throw std::runtime_error("static condensation: the stiffness of what is condensed is not positive definite");
   }
   const Eigen::MatrixXd bottom = -cholesky.solve(model.stiffness.bottomLeftCorner(secondary, primary));

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 
 namespace bentur {
@@ -157,7 +157,7 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
     for (Index end = 0; end < ends_count; ++end) {
       if (ends_[end].joint >= 0) on_joints(ends_[end].joint) += at_rest(end);
     }
-    at_rest -= all.rows * stiffness.llt().solve(on_joints);
+    at_rest -= all.rows * Cholesky(stiffness).solve(on_joints);
   }
   std::vector<End> ends = ends_;
   hold_ends_that_never_flow(ends);

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/frame/condensation.h"
@@ -333,7 +333,7 @@ StructuralModel reduced(const PlaneFrame& frame, const StructuralModel& model) {
     }
     return condense_dynamically(model, sways);
   }
-  if (Eigen::LLT<Eigen::MatrixXd>(model.mass).info() != Eigen::Success) {
+  if (!is_positive_definite(model.mass)) {
     throw InvalidParameter("condensation", "none", "needs a column or beam with mass at every floor");
   }
   return model;

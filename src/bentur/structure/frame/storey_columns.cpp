@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/frame/element_stiffness.h"
@@ -49,7 +50,8 @@ void condense(Pieces& pieces) {
       }
     }
   }
-  const MatrixXd turned = -k.bottomRightCorner(rotations, rotations).llt().solve(k.bottomLeftCorner(rotations, sways));
+  const MatrixXd turned =
+      -Cholesky(k.bottomRightCorner(rotations, rotations)).solve(k.bottomLeftCorner(rotations, sways));
   pieces.stiffness = k.topLeftCorner(sways, sways) + k.topRightCorner(sways, rotations) * turned;
   pieces.forces = ends.leftCols(sways) + ends.rightCols(rotations) * turned;
 }

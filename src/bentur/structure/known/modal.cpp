@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "bentur/core/algebra/symmetric.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 
@@ -76,8 +76,7 @@ ModalModel modal_model(const ModalBuilding& building, double base_elevation) {
           "first?");
     }
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(products);
-  result.modes.shapes = shapes * solver.operatorInverseSqrt();
+  result.modes.shapes = shapes * inverse_square_root(products);
   for (Index j = 0; j < count; ++j) {
     auto shape = result.modes.shapes.col(j);
     Index first = 0;

@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "bentur/core/algebra/factors.h"
+#include "bentur/core/algebra/symmetric.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/frame/frame_hinges.h"
@@ -297,12 +297,12 @@ std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
       const Eigen::Vector3d row = scale.asDiagonal() * spring.above.transpose();
       stiffness += spring.stiffness * row * row.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(stiffness);
+    const SymmetricModes solved = symmetric_modes_of_3(stiffness);
     std::array<bool, 3> free = {};
     for (Index k = 0; k < 3; ++k) {
-      if (solved.eigenvalues()(k) > unheld * solved.eigenvalues()(2)) continue;
+      if (solved.values(k) > unheld * solved.values(2)) continue;
       Index largest = 0;
-      solved.eigenvectors().col(k).cwiseAbs().maxCoeff(&largest);
+      solved.vectors.col(k).cwiseAbs().maxCoeff(&largest);
       free[static_cast<std::size_t>(largest)] = true;
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -351,7 +351,7 @@ PlanPoint centre_of_rigidity(const Plan& plan, Index storey) {
     k += spring.stiffness * spring.above.transpose() * spring.above;
   }
   // A translation u makes the torque r × (K_t u) about the centre of mass, r from there.
-  const PlanPoint turned = k.topLeftCorner<2, 2>().ldlt().solve(k.block<2, 1>(0, 2));
+  const PlanPoint turned = Ldlt(k.topLeftCorner<2, 2>()).solve(k.block<2, 1>(0, 2));
   return centre_of_mass(plan, storey) + PlanPoint(turned.y(), -turned.x());
 }
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "bentur/core/algebra/factors.h"
+#include "bentur/core/algebra/symmetric.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/structure/modes.h"
@@ -48,9 +48,8 @@ MatrixXd rigid_above(const PlanModel& model, Index storey) {
 
 /// Names what is wrong with loads under which a building does not stand; `model` before they act.
 [[noreturn]] void refuse_loads(const PlanModel& model, const std::vector<double>& loads, const MatrixXd& softening) {
-  using Solver = Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>;
   const auto share = [](const MatrixXd& part, const MatrixXd& whole) {
-    return Solver(part, whole, Eigen::EigenvaluesOnly | Eigen::Ax_lBx).eigenvalues().maxCoeff();
+    return generalised_values(part, whole).maxCoeff();
   };
   Index weakest = 0;
   double most = 0;
@@ -76,7 +75,7 @@ void take_softening(PlanModel& model) {
   for (Index j = model.first_storey(); j < model.floors(); ++j)
     softening += softening_of(model, model.gravity_loads, j);
   const MatrixXd left = model.stiffness - softening;
-  if (Eigen::LLT<MatrixXd>(left).info() != Eigen::Success) refuse_loads(model, model.gravity_loads, softening);
+  if (!is_positive_definite(left)) refuse_loads(model, model.gravity_loads, softening);
   model.stiffness = left;
   model.softening = std::move(softening);
 }

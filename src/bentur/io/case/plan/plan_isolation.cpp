@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "bentur/core/algebra/factors.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
@@ -26,7 +26,7 @@ std::vector<double> weights_on(const PlanIsolation& isolation, const Plan& plan,
     lever.col(i) << 1, arm.x(), arm.y();
   }
   const Eigen::Vector3d borne(mass * gravity, 0, 0);
-  const Eigen::VectorXd weights = lever.completeOrthogonalDecomposition().solve(borne);  // of least norm
+  const Eigen::VectorXd weights = least_norm_solution(lever, borne);  // of least norm
   if (!((lever * weights - borne).norm() <= 1e-9 * borne.norm())) return {};
   return {weights.begin(), weights.end()};
 }

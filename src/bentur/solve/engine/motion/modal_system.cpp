@@ -1,12 +1,11 @@
 #include "bentur/solve/engine/motion/modal_system.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "bentur/core/algebra/factors.h"
+#include "bentur/core/algebra/symmetric.h"
 #include "bentur/core/errors.h"
 #include "bentur/core/require.h"
 #include "bentur/solve/engine/motion/kernels/series.h"
@@ -316,7 +315,7 @@ ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at
   const auto norms = [](const MatrixXd& inner, bool symmetric, double& above, double& below) {
     above = below = inner.norm();
     if (!symmetric) return;
-    const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(inner, Eigen::EigenvaluesOnly).eigenvalues();
+    const VectorXd values = symmetric_values(inner);
     above = std::max(values.maxCoeff(), 0.0);
     below = std::max(-values.minCoeff(), 0.0);
   };
@@ -326,8 +325,8 @@ ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at
     return of;
   }
   // Rᵀ X R of coupled rows R has the norm of Lᵀ X L, R Rᵀ = L Lᵀ.
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(coupling(at, at));
-  const MatrixXd l = gram.eigenvectors() * gram.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const SymmetricModes gram = symmetric_modes(coupling(at, at));
+  const MatrixXd l = gram.vectors * gram.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
   norms(l.transpose() * stiffness * l, symmetric, of.stiffer, of.softer);
   if (damping.size() > 0) {
     norms(l.transpose() * damping * l, damping == damping.transpose(), of.damped, of.driven);
@@ -426,12 +425,9 @@ VectorXd ModalSystem::forces_for(const std::vector<Index>& at, const VectorXd& m
   }
   if (count == 0) return missing;
   constexpr double apart = 1e-11;  // of the largest pivot: what holds more than can move does so with the least norm
-  const Eigen::LDLT<MatrixXd> factors(matrix);
-  const bool regular = factors.vectorD().minCoeff() > apart * factors.vectorD().maxCoeff();
-  if (regular) return factors.solve(missing);
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least;
-  least.setThreshold(apart);
-  return least.compute(matrix).solve(missing);
+  const Ldlt factors(matrix);
+  if (factors.is_definite(apart)) return factors.solve(missing);
+  return least_norm_solution(matrix, missing, apart);
 }
 
 void ModalSystem::advance(GroundInput* input, double dt) const {

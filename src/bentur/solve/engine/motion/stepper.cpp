@@ -1,9 +1,10 @@
 #include "bentur/solve/engine/motion/stepper.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+
+#include "bentur/core/algebra/factors.h"
 
 namespace bentur::engine {
 namespace {
@@ -237,7 +238,7 @@ void Stepper::fill_resting(const Start& start, const State& to, Expansion& motio
     for (int n = 0; n < nodes; ++n) {
       for (int k = 0; k < nodes; ++k) powers(n, k) = std::pow(n / (nodes - 1.0), k);
     }
-    return Square(powers.inverse());
+    return Square(solve_general(powers, Square::Identity()));
   }();
   Eigen::MatrixXd values(nodes, std::ssize(system_->elements));
   State state = to;
