@@ -1,5 +1,8 @@
 #include "bentur/files/netcdf.h"
 
+#ifdef BENTUR_NETCDF_FILE
+#include <dlfcn.h>
+#endif
 #include <fmt/format.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
@@ -25,6 +28,71 @@
 
 namespace bentur {
 namespace {
+
+#ifdef BENTUR_NETCDF_FILE
+// The library is opened when the first file is: it brings HDF5, libcurl and forty others, and most runs read and write
+// none of its files. Where it was when this was built, or else where the system has one of that name.
+void* opened_library() {
+  if (void* library = ::dlopen(BENTUR_NETCDF_FILE, RTLD_NOW)) return library;
+  return ::dlopen(BENTUR_NETCDF_NAME, RTLD_NOW);
+}
+
+/// @throws std::runtime_error where there is no library, or it does not have the function.
+void* function_of_library(const char* name) {
+  static void* const library = opened_library();
+  if (library == nullptr) {
+    throw std::runtime_error("results in NetCDF need the library " BENTUR_NETCDF_NAME
+                             ", which is not installed or cannot be opened; everything else works without it");
+  }
+  if (void* const function = ::dlsym(library, name)) return function;
+  throw std::runtime_error("results in NetCDF need " + std::string(name) + "(), which " BENTUR_NETCDF_NAME " lacks");
+}
+
+// Each function by its own name, which hides that of <netcdf.h>.
+#define BENTUR_NETCDF(name)                                                                       \
+  template <class... Arguments>                                                                   \
+  auto name(Arguments... arguments) {                                                             \
+    static const auto function = reinterpret_cast<decltype(&::name)>(function_of_library(#name)); \
+    return function(arguments...);                                                                \
+  }
+BENTUR_NETCDF(nc_abort)
+BENTUR_NETCDF(nc_close)
+BENTUR_NETCDF(nc_close_memio)
+BENTUR_NETCDF(nc_create)
+BENTUR_NETCDF(nc_create_mem)
+BENTUR_NETCDF(nc_def_dim)
+BENTUR_NETCDF(nc_def_grp)
+BENTUR_NETCDF(nc_def_var)
+BENTUR_NETCDF(nc_def_var_chunking)
+BENTUR_NETCDF(nc_def_var_fill)
+BENTUR_NETCDF(nc_free_string)
+BENTUR_NETCDF(nc_get_att_text)
+BENTUR_NETCDF(nc_get_var_double)
+BENTUR_NETCDF(nc_get_var_string)
+BENTUR_NETCDF(nc_get_vara_double)
+BENTUR_NETCDF(nc_inq_att)
+BENTUR_NETCDF(nc_inq_dim)
+BENTUR_NETCDF(nc_inq_dimids)
+BENTUR_NETCDF(nc_inq_dimlen)
+BENTUR_NETCDF(nc_inq_grpname)
+BENTUR_NETCDF(nc_inq_grps)
+BENTUR_NETCDF(nc_inq_nvars)
+BENTUR_NETCDF(nc_inq_var)
+BENTUR_NETCDF(nc_inq_vardimid)
+BENTUR_NETCDF(nc_inq_varndims)
+BENTUR_NETCDF(nc_inq_vartype)
+BENTUR_NETCDF(nc_open)
+BENTUR_NETCDF(nc_open_mem)
+BENTUR_NETCDF(nc_put_att_double)
+BENTUR_NETCDF(nc_put_att_schar)
+BENTUR_NETCDF(nc_put_att_text)
+BENTUR_NETCDF(nc_put_var)
+BENTUR_NETCDF(nc_put_vara)
+BENTUR_NETCDF(nc_set_var_chunk_cache)
+BENTUR_NETCDF(nc_strerror)
+#undef BENTUR_NETCDF
+
+#endif
 
 std::size_t count_of(const std::vector<std::size_t>& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
@@ -55,6 +123,12 @@ std::string own_name(const std::string& name) { return name.substr(name.rfind('/
 
 }  // namespace
 
+void require_netcdf() {
+#ifdef BENTUR_NETCDF_FILE
+  function_of_library("nc_open");
+#endif
+}
+
 NetcdfReader::NetcdfReader(const std::filesystem::path& file) : NetcdfReader(file, Examined::no) {}
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& file, Examined examined) : name_(file.string()) {
@@ -62,6 +136,7 @@ NetcdfReader::NetcdfReader(const std::filesystem::path& file, Examined examined)
   if (!problem.empty()) throw NetcdfError(name_, problem);
   std::error_code unknown;
   size_ = std::filesystem::file_size(file, unknown);
+  require_netcdf();  // opened once, and not in each child
   if (examined == Examined::no) examine();
   check(nc_open(name_.c_str(), NC_NOWRITE, &id_));
   list();
@@ -357,7 +432,7 @@ std::string NetcdfWriter::finish() {
     return "";
   }
   NC_memio memory{};
-  check(nc_close_memio(id, &memory));
+  check((nc_close_memio)(id, &memory));  // in brackets: not the one beside the type of `memory`
   const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
   return {static_cast<const char*>(memory.memory), memory.size};
 }

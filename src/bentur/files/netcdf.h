@@ -20,6 +20,10 @@ struct NetcdfError : std::runtime_error {
   std::string reason;
 };
 
+/// Opens the library, which else the first file does.
+/// @throws std::runtime_error where it is not there, as whatever is done with a file does: better before hours of work.
+void require_netcdf();
+
 /// Reads what bentur has written, a variable at a time; those of a group are called "group/variable". A missing or
 /// broken file, and a variable that is not there or of another type, are NetcdfError. The library dies of some damaged
 /// files, so a file is first read in a process of its own.

@@ -48,6 +48,7 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
     work(*runs, ranks, work_options);
     return report;
   }
+  require_netcdf();
   StudyOutputOptions output_options = static_cast<const StudyOutputOptions&>(options);
   output_options.is_netcdf = &is_netcdf_result;
   output_options.attribute = [](const fs::path& file, const std::string& name) {
