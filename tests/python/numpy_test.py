@@ -1,6 +1,6 @@
 """Arrays have the numbers of the command line under NumPy 1 and NumPy 2.
 
-They are made by the Python that BENTUR_NUMPY_PYTHON names, whose NumPy ./dev test has put into build/numpy, else by this one.
+They are made by the Python that BENTUR_NUMPY_PYTHON names, whose NumPy ./dev test --all has put into build/numpy, else by this one.
 """
 
 import csv

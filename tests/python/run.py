@@ -11,7 +11,7 @@ if __name__ == "__main__":  # and not in the processes that a test starts
         sys.exit(77)
     python = os.environ.get("BENTUR_NUMPY_PYTHON", sys.executable)
     if not os.path.exists(python):
-        print(f"skipped: {python} is not there: ./dev test makes it, where PyPI has that NumPy for this Python")
+        print(f"skipped: {python} is not there: ./dev test --all makes it, where PyPI has that NumPy for this Python")
         sys.exit(77)
 
     import pytest

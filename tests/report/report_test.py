@@ -29,7 +29,7 @@ from figure_script import blocks  # noqa: E402
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
 PHONE, A4 = 390, 794  # CSS pixels
-AXE = SOURCE / "build" / "axe" / "node_modules" / "axe-core" / "axe.min.js"  # fetched by ./dev test
+AXE = SOURCE / "build" / "axe" / "node_modules" / "axe-core" / "axe.min.js"  # fetched by ./dev test --all
 FONTS = "DejaVu Sans", "Liberation Sans"
 SMALLEST = """Math.min(...[...document.querySelectorAll('figure svg')].flatMap(svg =>
     [...svg.querySelectorAll('text')].map(text => svg.getBoundingClientRect().width && text.textContent.trim() ?
@@ -155,7 +155,7 @@ class Reports(unittest.TestCase):
 
     def accessible(self):
         if not AXE.exists():
-            self.skipTest("axe-core is not installed: ./dev test fetches it where npm is")
+            self.skipTest("axe-core is not installed: ./dev test --all fetches it where npm is")
         self.js(AXE.read_text() + ";0")
         found = self.js("axe.run(document, {resultTypes: ['violations']}).then(r => r.violations.map(v => v.id + ': ' +"
                         "v.nodes.slice(0, 3).map(n => n.html.slice(0, 120) + ' ' + (n.any[0] || n.all[0] || {}).message).join(' | ')))")
