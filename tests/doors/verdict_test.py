@@ -1,6 +1,6 @@
 """What is said of a run is the same at every door: terminal, report, Python; web/test has the studio.
 
-Half of the examples (tests/part.py), in English and Indonesian. The statements of summary.json, numbers and names without words, are held against
+Every other example (tests/part.py), in English and Indonesian. The statements of summary.json, numbers and names without words, are held against
 the sentences kind by kind and value by value, by the texts that translators have; the sentences of one door against those of
 another letter by letter, with ordinary spaces and wrapped lines joined. Environment as tests/python.
 """

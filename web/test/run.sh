@@ -1,18 +1,13 @@
 #!/usr/bin/env bash
-# run.sh build [--part] MODULE...: builds the studio and unit tests of modules; --part: of one of three (tests/part.py).
-# run.sh core|page: tests that part of it, of the page a half, the other one with the next commit (BENTUR_PART=all: all);
-# run.sh units [--part] MODULE...: runs those tests. 77 where something for it is missing.
+# run.sh build MODULE...: builds the studio and unit tests of modules.
+# run.sh core|page: tests that part of it, of the page every other test (BENTUR_PART=all: all).
+# run.sh units MODULE...: runs those tests. 77 where something for it is missing.
 set -eu
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 here=$root/web/test
 export BENTUR_WASM=$root/build/web/bentur_web.mjs
 part=$1
 shift
-if [ "${1:-}" = --part ]; then
-  shift
-  mapfile -t modules < <(printf '%s\n' "$@" | python3 "$root/tests/part.py" 3)
-  set -- "${modules[@]}"
-fi
 built() { [ -e "$1" ] || { echo "skipped: ${1#"$root/"} has not been built"; exit 77; }; }
 case $part in
   build)
@@ -39,7 +34,6 @@ case $part in
     command -v chromium >/dev/null || { echo "skipped: chromium is not installed"; exit 77; }
     export BENTUR_PAGE=$root/build/web/bentur-studio.html
     built "$BENTUR_PAGE"
-    export BENTUR_PART=${BENTUR_PART:-$(git -C "$root" rev-list --count HEAD || echo 0)}
     node --test "$here/page.test.mjs" "$here/plan.test.mjs" "$here/suite.test.mjs" "$here/doors.test.mjs"
     ;;
 esac
