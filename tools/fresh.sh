@@ -3,6 +3,8 @@
 # `walk`: tools/walk.sh) in a Debian as debootstrap leaves it, on a clean clone of what is committed at ROOT. It uses this machine's mirror, proxies, name servers and certificates, and nothing else of it.
 # Status 77: cannot be tried here (no root, no debootstrap, no network). The bare system is kept as build/fresh/SUITE.tar
 # (remove it to fetch it anew), a folder in which a command failed as build/fresh/SUITE.
+# What `run` and `test` compile is kept in build/fresh/SUITE.ccache for the next time, in the same way: BENTUR_FRESH=cold does
+# without. What newcomers are told to wait for (`walk`, `wheel`) is always compiled.
 # What is mounted is mounted in a namespace of its own, and gone with the last process in there, whatever happens.
 set -euo pipefail
 
@@ -12,10 +14,14 @@ skip() {
   exit 77
 }
 
-# Inside the namespace: devices of its own, so that no command reaches this machine's.
+# Inside the namespace: devices of its own, so that no command reaches this machine's; CACHE is a folder, or empty.
 inside() {
-  local tree=$1 node
-  shift
+  local tree=$1 cache=$2 node
+  shift 2
+  if [ -n "$cache" ]; then
+    mkdir -p "$tree/root/.cache/ccache"
+    mount --bind "$cache" "$tree/root/.cache/ccache"
+  fi
   mount -t proc proc "$tree/proc"
   mount -t sysfs -o ro sysfs "$tree/sys"
   mount -t tmpfs -o mode=755 devices "$tree/dev"
@@ -95,7 +101,7 @@ try_package() {
   mkdir -p "$other/etc/ssl/certs"
   cp -r "$tree/etc/ssl/certs/." "$other/etc/ssl/certs/"
   cp "$tree"/root/bentur/build/package/*.deb "$other/root"
-  setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$other" \
+  setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$other" "" \
     /usr/bin/env -i "${variables[@]}" bash -euc '
       cd ~
       export DEBIAN_FRONTEND=noninteractive
@@ -127,9 +133,14 @@ for name in "$@"; do
     command="(apt-get update -q && apt-get install -y -q --no-install-recommends python3-venv ca-certificates) >/dev/null &&
       time ~/bentur/tools/newcomer.sh ~/wheels"
   fi
+  cache=
+  if [ "${BENTUR_FRESH:-}" != cold ] && [[ $name == run || $name == test ]]; then
+    cache=$folder/$suite.ccache
+    mkdir -p "$cache"
+  fi
   log=$folder/$suite-$name.log begin=$(date +%s) status=0
   # All processes in there end when this one does, however it ends.
-  setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$tree" \
+  setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child "${BASH_SOURCE[0]}" --inside "$tree" "$cache" \
     /usr/bin/env -i "${variables[@]}" bash -c "$command" >"$log" 2>&1 || status=$?
   seconds=$(($(date +%s) - begin))
   if [ $status != 0 ]; then
