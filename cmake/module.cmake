@@ -7,6 +7,38 @@ function(bentur_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# bentur_in_batches(TARGET file...): adds sources so that in a unity build all batches are of one size, and those sources
+# come first and together that include a library of many templates (or one of our headers that does): a batch reads and
+# instantiates it once. Which are compiled alone has been said before.
+function(bentur_in_batches target)
+  set(of_templates "#include [<\"](CLI/|nlohmann/|commands|bentur/report/html/internal/motion_data)")
+  set(first)
+  set(rest)
+  set(merged 0)
+  foreach(source IN LISTS ARGN)
+    file(STRINGS ${source} found LIMIT_COUNT 1 REGEX "${of_templates}")
+    if(found)
+      list(APPEND first ${source})
+    else()
+      list(APPEND rest ${source})
+    endif()
+    get_source_file_property(alone ${source} SKIP_UNITY_BUILD_INCLUSION)
+    if(NOT alone)
+      math(EXPR merged "${merged} + 1")
+    endif()
+  endforeach()
+  target_sources(${target} PRIVATE ${first} ${rest})
+  if(CMAKE_UNITY_BUILD AND merged)
+    math(EXPR batches "(${merged} + ${CMAKE_UNITY_BUILD_BATCH_SIZE} - 1) / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+    math(EXPR size "(${merged} + ${batches} - 1) / ${batches}")
+    list(LENGTH first together)
+    if(together GREATER size AND NOT together GREATER CMAKE_UNITY_BUILD_BATCH_SIZE)
+      set(size ${together})
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${size})
+  endif()
+endfunction()
+
 # bentur_module(NAME [LIGHTLY] [DEPENDS target...] [PRIVATE_DEPENDS target...] [TESTS_USE target...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
 # Every header is public, and installed, but those in folders named engine or internal, which only the module itself
@@ -29,7 +61,8 @@ function(bentur_module name)
       set_property(GLOBAL APPEND PROPERTY BENTUR_NEEDS_${name} ${dependency})
     endif()
   endforeach()
-  add_library(bentur_${name} STATIC ${sources})
+  add_library(bentur_${name} STATIC)
+  bentur_in_batches(bentur_${name} ${sources})
   add_library(bentur::${name} ALIAS bentur_${name})
   set_target_properties(bentur_${name} PROPERTIES EXPORT_NAME ${name})
   target_sources(bentur_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
@@ -53,6 +86,20 @@ function(bentur_module name)
   endif()
 endfunction()
 
+# bentur_generated(MODULE SOURCE): a source that the build writes becomes part of the module. It is compiled by a target of
+# its own: where a target has such a source, CMake lets none of its other sources begin before all of its libraries are there.
+function(bentur_generated module source)
+  get_filename_component(name ${source} NAME_WE)
+  set(target bentur_${module}_${name})
+  add_library(${target} OBJECT ${source})
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../src)
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  bentur_compile_options(${target})
+  target_compile_options(${target} PRIVATE -Wno-overlength-strings)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  target_sources(bentur_${module} PRIVATE $<TARGET_OBJECTS:${target}>)
+endfunction()
+
 # bentur_embed(MODULE FUNCTION HEADER file...): the files become part of the module, so that the program needs none of
 # them installed; HEADER declares std::span<const EmbeddedFile> FUNCTION().
 function(bentur_embed module function header)
@@ -63,9 +110,7 @@ function(bentur_embed module function header)
     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${source} -DHEADER=${header} -DFUNCTION=${function} "-DFILES=${ARGN}" -P ${script}
     DEPENDS ${ARGN} ${script}
     COMMENT "Embedding files in ${module}" VERBATIM)
-  bentur_alone(${source})
-  set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS -Wno-overlength-strings)
-  target_sources(bentur_${module} PRIVATE ${source})
+  bentur_generated(${module} ${source})
 endfunction()
 
 # bentur_test(NAME SOURCES file... [LIBRARIES target...]): a GoogleTest executable; CTest knows each of its cases, under the

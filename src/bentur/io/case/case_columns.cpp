@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
