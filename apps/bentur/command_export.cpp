@@ -29,7 +29,7 @@ namespace {
 struct ExportArguments {
   std::string file, output = "-", building, taxonomy, language = "en";
   std::vector<std::string> only, events;
-  bool force = false;
+  bool force = false, misfits = false;
 };
 
 OutputFile output_file(const ExportArguments& arguments, ResultKind kind) {
@@ -79,7 +79,7 @@ void export_fragility(const ExportArguments& arguments) {
   }
   if (!diagnostics.ok()) throw Failure(diagnostics, arguments.language);
   std::string error;
-  const auto made = nrml_of(read, arguments.taxonomy, error);
+  const auto made = nrml_of(read, arguments.taxonomy, arguments.misfits, error);
   if (!made) {
     diagnostics.error({arguments.file, 0, 0}, error);
     throw Failure(diagnostics, arguments.language);
@@ -90,6 +90,7 @@ void export_fragility(const ExportArguments& arguments) {
     if (!names.empty()) message(say(key, {{"names", fmt::format("{}", fmt::join(names, "; "))}}));
   };
   warn("cli.curves_left_out", made->left_out);
+  warn(arguments.misfits ? "cli.curves_misfit" : "cli.curves_misfit_left_out", made->misfits);
   warn("cli.curves_extrapolated", made->extrapolated);
   if (made->model.period && made->damping != 0.05) {
     message(say("cli.curves_damping", {{"damping", fmt::format("{:.3g}", 100 * made->damping)}}));
@@ -154,6 +155,8 @@ void add_export_command(CLI::App& app) {
       ->required()
       ->check(not_empty());
   openquake->add_option("--event", arguments->events, "a limit state, as in bentur fragility; default \"impacts > 0\"");
+  openquake->add_flag("--misfits", arguments->misfits,
+                      "also those whose runs a lognormal does not describe (KS, see bentur fragility)");
   openquake->callback([arguments] { export_fragility(*arguments); });
   CLI::App* gem =
       format(*command, "gem", "Of each building its GEM taxonomy, with POP where it may pound", "a case", *arguments);

@@ -123,6 +123,10 @@ std::string beyond(const CaseFragility& one, const std::string& unit) {
                      with_unit_of(highest, unit));
 }
 
+/// That θ and β do not describe what they were found from.
+constexpr const char* misfit =
+    "a lognormal does not describe these runs, KS is beyond what 19 of 20 samples of one have";
+
 /// θ and β of a part of the runs, or why there are none.
 std::string part_text(const Fragility& fit, const std::vector<IntensityCount>& counts, const std::string& unit) {
   CaseFragility part;
@@ -131,7 +135,8 @@ std::string part_text(const Fragility& fit, const std::vector<IntensityCount>& c
   if (fit.kind != Fragility::Kind::fitted) return reason(part, unit);
   return fmt::format("θ {}, β {}, KS {}{}", with_unit_of(fit.median, unit), number(fit.dispersion),
                      number(fit_distance(counts, fit).value_or(none)),
-                     is_extrapolated(counts, fit) ? "; " + beyond(part, unit) : "");
+                     (is_misfit(counts, fit) ? fmt::format("; {}", misfit) : "") +
+                         (is_extrapolated(counts, fit) ? "; " + beyond(part, unit) : ""));
 }
 
 /// Collapse by itself, and what a cloud or stripes are made of.
@@ -177,6 +182,7 @@ std::string curves_text(const FragilityReport& report, const std::string& unit) 
     const std::string of = name.empty() ? "" : name + ": ";
     distance.push_back(one.distance().value_or(none));
     if (!known) notes += fmt::format("  {}{}.\n", of, reason(one, unit));
+    if (one.is_misfit()) notes += fmt::format("  {}{}.\n", of, misfit);
     if (is_extrapolated(one.counts, one.fit)) notes += fmt::format("  {}{}.\n", of, beyond(one, unit));
     notes += more(one, of, unit);
   }

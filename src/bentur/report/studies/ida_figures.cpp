@@ -247,6 +247,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       if (const auto distance = fragility.distance()) {
         finding += ", " + word(options, "distance from observed {}", number(*distance));
       }
+      if (fragility.is_misfit()) finding += ", " + word(options, "not lognormal");
       if (is_extrapolated(fragility.counts, fit)) finding += ", " + word(options, "extrapolated");
     }
     if (fit.kind == Fragility::Kind::fitted) {

@@ -191,7 +191,9 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
                       : is_extrapolated(one.counts, one.fit)
                           ? number(one.fit.median) + " (" + say("ida.extrapolated") + ")"
                           : known(one.fit.median, fitted));
-    distances.push_back(one.distance() ? number(*one.distance()) : "–");
+    distances.push_back(!one.distance()   ? "–"
+                        : one.is_misfit() ? number(*one.distance()) + " (" + say("ida.misfit") + ")"
+                                          : number(*one.distance()));
     median_bounds.push_back(bounded ? interval_text(one.bounds->median.lower, one.bounds->median.upper) : "–");
     dispersions.push_back(known(one.fit.dispersion, fitted));
     dispersion_bounds.push_back(bounded ? interval_text(one.bounds->dispersion.lower, one.bounds->dispersion.upper)

@@ -79,7 +79,7 @@ IdaResults results(const std::string& unit, const std::string& intensity) {
 TEST(Nrml, OfResultsInTheUnitOfOpenQuake) {
   const IdaResults given = results("m/s2", "spectral acceleration, period 0.8 s, damping 2 %");
   std::string error;
-  const auto made = nrml_of({{"impacts > 0", given}}, "CR/LFM", error);
+  const auto made = nrml_of({{"impacts > 0", given}}, "CR/LFM", false, error);
   ASSERT_TRUE(made) << error;
   EXPECT_EQ(made->model.period, 0.8);
   EXPECT_NEAR(made->damping, 0.02, 1e-15);
@@ -93,14 +93,14 @@ TEST(Nrml, OfResultsInTheUnitOfOpenQuake) {
   EXPECT_EQ(made->left_out[0], "CR/LFM/width=0.2 (impacts > 0)");
   IdaResults never = given;
   for (Outcome& one : never.table.outcomes) one = Outcome::no_event;
-  EXPECT_FALSE(nrml_of({{"peak_force > 20", never}}, "X", error));
+  EXPECT_FALSE(nrml_of({{"peak_force > 20", never}}, "X", false, error));
   EXPECT_FALSE(error.empty());
 }
 
 TEST(Nrml, AMedianBeyondTheLevelsIsMarked) {
   IdaResults given = results("g", "peak ground acceleration");
   std::string error;
-  const auto within = nrml_of({{"impacts > 0", given}}, "X", error);
+  const auto within = nrml_of({{"impacts > 0", given}}, "X", false, error);
   ASSERT_TRUE(within) << error;
   EXPECT_TRUE(within->extrapolated.empty());
   EXPECT_EQ(nrml_fragility(within->model, "1").find("extrapolated"), std::string::npos);
@@ -110,7 +110,7 @@ TEST(Nrml, AMedianBeyondTheLevelsIsMarked) {
       given.table.outcomes[record * 4 + level] = record == 2 && level > 1 ? Outcome::event : Outcome::no_event;
     }
   }
-  const auto beyond = nrml_of({{"impacts > 0", given}}, "X", error);
+  const auto beyond = nrml_of({{"impacts > 0", given}}, "X", false, error);
   ASSERT_TRUE(beyond) << error;
   const NrmlCurve& curve = beyond->model.functions.at(0).curves.at(0);
   EXPECT_GT(curve.median, beyond->model.highest);
@@ -119,6 +119,31 @@ TEST(Nrml, AMedianBeyondTheLevelsIsMarked) {
   const std::size_t mark = xml.find("<!-- extrapolated: median ");
   ASSERT_NE(mark, std::string::npos);
   EXPECT_LT(mark, xml.find("<params"));
+}
+
+TEST(Nrml, ACurveThatItsRunsDoNotFollowIsLeftOutUnlessAskedFor) {
+  // Two of forty records have the event at four levels, all of them at the last: no lognormal is so flat, then so
+  // steep.
+  IdaResults given = results("g", "peak ground acceleration");
+  given.table.cases = 1;
+  given.axes[0].coordinates[0].numbers = {0.1};
+  given.table.records = 40;
+  given.table.levels = {0.1, 0.2, 0.4, 0.8, 1.6};
+  given.table.outcomes.clear();
+  for (std::size_t record = 0; record < 40; ++record) {
+    for (std::size_t level = 0; level < 5; ++level) {
+      given.table.outcomes.push_back(record < (level < 4 ? 2U : 40U) ? Outcome::event : Outcome::no_event);
+    }
+  }
+  std::string error;
+  EXPECT_TRUE(fit_case(given.table, 0, {.resamples = 1}).is_misfit());
+  EXPECT_FALSE(nrml_of({{"impacts > 0", given}}, "X", false, error));
+  EXPECT_NE(error.find("--misfits"), std::string::npos);
+  const auto taken = nrml_of({{"impacts > 0", given}}, "X", true, error);
+  ASSERT_TRUE(taken) << error;
+  EXPECT_EQ(taken->misfits, std::vector<std::string>{"X (impacts > 0)"});
+  const std::string xml = nrml_fragility(taken->model, "1");
+  EXPECT_LT(xml.find("<!-- misfit:"), xml.find("<params"));
 }
 
 TEST(Gem, HasSystemStoreysPlaceAndPounding) {

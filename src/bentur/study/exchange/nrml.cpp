@@ -76,7 +76,7 @@ LognormalMoments lognormal_moments(double median, double dispersion) {
 }
 
 std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaResults>>& events, const std::string& id,
-                                   std::string& error) {
+                                   bool misfits, std::string& error) {
   const IdaResults& first = events.at(0).second;
   NrmlResults made;
   NrmlModel& model = made.model;
@@ -98,6 +98,7 @@ std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaR
       }
     }
     std::string fault;
+    bool left_out = false;
     for (const auto& [event, results] : events) {
       const CaseFragility fragility = fit_case(results.table, c, {.resamples = 1});
       if (fragility.fit.kind != Fragility::Kind::fitted) {
@@ -107,8 +108,13 @@ std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaR
       function.curves.push_back({.limit_state = state_name(event),
                                  .median = fragility.fit.median * in_g,
                                  .dispersion = fragility.fit.dispersion,
-                                 .extrapolated = is_extrapolated(fragility.counts, fragility.fit)});
+                                 .extrapolated = is_extrapolated(fragility.counts, fragility.fit),
+                                 .misfit = fragility.is_misfit()});
+      if (!function.curves.back().misfit) continue;
+      made.misfits.push_back(function.id + " (" + event + ")");
+      left_out = left_out || !misfits;
     }
+    if (left_out) continue;
     if (fault.empty()) {
       for (std::size_t i = 0; i < events.size(); ++i) {
         if (function.curves[i].extrapolated) made.extrapolated.push_back(function.id + " (" + events[i].first + ")");
@@ -119,7 +125,10 @@ std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaR
     }
   }
   if (model.functions.empty()) {
-    error = "no case has a median and a dispersion for every event; bentur fragility says why";
+    error = made.misfits.empty()
+                ? "no case has a median and a dispersion for every event; bentur fragility says why"
+                : "no case has a curve for every event that its runs follow; bentur fragility says which do not, "
+                  "--misfits takes them all the same";
     return std::nullopt;
   }
   return made;
@@ -159,6 +168,7 @@ std::string nrml_fragility(const NrmlModel& model, std::string_view version) {
         xml += fmt::format("      <!-- extrapolated: median {} g, levels analysed from {} g to {} g -->\n",
                            curve.median, model.lowest, model.highest);
       }
+      if (curve.misfit) xml += "      <!-- misfit: the runs do not follow a lognormal (KS, 5 %) -->\n";
       xml +=
           fmt::format("      <params ls=\"{}\" mean=\"{}\" stddev=\"{}\"/>\n", states[i], moments.mean, moments.stddev);
     }

@@ -28,6 +28,8 @@ struct NrmlCurve {
   double dispersion = 0;  ///< β [-]
   /// θ is beyond the levels analysed: a comment says so.
   bool extrapolated = false;
+  /// The runs do not follow the curve, is_misfit(): a comment says so.
+  bool misfit = false;
 };
 
 struct NrmlFunction {
@@ -49,16 +51,19 @@ struct NrmlModel {
 [[nodiscard]] std::string nrml_fragility(const NrmlModel& model, std::string_view version);
 
 /// The model of the results of an incremental dynamic analysis, a limit state an event, a function a combination of
-/// whatever else varies. Cases without θ and β for every event are left out.
+/// whatever else varies. Cases without θ and β for every event are left out, and those with a curve that their runs do
+/// not follow, unless they are asked for.
 struct NrmlResults {
   NrmlModel model;
   std::vector<std::string> left_out = {};      ///< ids of the cases without, each with the event at fault
   std::vector<std::string> extrapolated = {};  ///< the same of medians beyond the levels analysed
+  std::vector<std::string> misfits = {};       ///< the same of curves that runs do not follow, left out or not
   double damping = 0.05;                       ///< of the spectral acceleration [-]
 };
 /// @param events as read, one IdaResults each, of one file @param id taxonomy of the asset, told apart by what varies
-/// @return nothing where no case has θ and β; `error` says so.
+/// @param misfits whether curves that their runs do not follow are taken
+/// @return nothing where no case is left; `error` says why.
 [[nodiscard]] std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaResults>>& events,
-                                                 const std::string& id, std::string& error);
+                                                 const std::string& id, bool misfits, std::string& error);
 
 }  // namespace bentur

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <tuple>
 
 #include "bentur/core/errors.h"
@@ -115,6 +117,38 @@ TEST(Distance, IsTheLargestOfTheLevels) {
   fit.kind = Fragility::Kind::no_event;
   EXPECT_FALSE(fit_distance(counts, fit));
   EXPECT_FALSE(is_extrapolated(counts, fit));
+}
+
+/// Of records with these capacities, the intensities from which on they have the event, at 20 levels.
+std::vector<IntensityCount> counts_of(const std::vector<double>& capacities) {
+  std::vector<IntensityCount> counts;
+  for (int level = 0; level < 20; ++level) {
+    IntensityCount one{0.1 * std::pow(10.0, level / 9.5), static_cast<long>(capacities.size()), 0};
+    one.events = std::count_if(capacities.begin(), capacities.end(), [&](double c) { return c <= one.intensity; });
+    counts.push_back(one);
+  }
+  return counts;
+}
+
+TEST(Distance, OfALognormalIsSeldomTooLargeAndOfTwoGroupsOften) {
+  EXPECT_NEAR(fit_distance_limit(20), 0.19238, 5e-6);  // by hand: 0.895/(4.47214 − 0.01 + 0.19007)
+  long misfits = 0, found = 0, fitted = 0;
+  constexpr unsigned samples = 400;
+  for (unsigned seed = 1; seed <= samples; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<double> one(20), two(20);
+    for (double& capacity : one) capacity = std::exp(0.5 * normal(random));
+    for (std::size_t i = 0; i < two.size(); ++i) two[i] = (i % 2 == 0 ? 0.2 : 3.0) * std::exp(0.1 * normal(random));
+    const auto of_one = counts_of(one), of_two = counts_of(two);
+    const Fragility fit = fit_fragility(of_one), unfit = fit_fragility(of_two);
+    fitted += fit.kind == Fragility::Kind::fitted ? 1 : 0;
+    misfits += is_misfit(of_one, fit) ? 1 : 0;
+    found += is_misfit(of_two, unfit) ? 1 : 0;
+  }
+  EXPECT_EQ(fitted, samples);
+  EXPECT_LT(misfits, samples / 20);
+  EXPECT_GT(found, samples * 9 / 10);
 }
 
 /// One case of four records at two levels.

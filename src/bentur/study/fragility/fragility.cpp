@@ -140,6 +140,12 @@ Fragility classified(const std::vector<IntensityCount>& levels) {
   return result;
 }
 
+/// Of what was observed at an intensity from the curve; 0 without runs.
+double distance_at(const IntensityCount& one, const Fragility& fit) {
+  if (one.runs == 0) return 0.0;
+  return std::abs(static_cast<double>(one.events) / static_cast<double>(one.runs) - fit.probability(one.intensity));
+}
+
 }  // namespace
 
 double Fragility::probability(double intensity) const {
@@ -224,12 +230,19 @@ Fragility fit_fragility(const std::vector<IntensityCount>& counts) {
 std::optional<double> fit_distance(const std::vector<IntensityCount>& counts, const Fragility& fit) {
   if (fit.kind != Fragility::Kind::fitted) return std::nullopt;
   double largest = 0;
-  for (const IntensityCount& one : counts) {
-    if (one.runs == 0) continue;
-    const double observed = static_cast<double>(one.events) / static_cast<double>(one.runs);
-    largest = std::max(largest, std::abs(observed - fit.probability(one.intensity)));
-  }
+  for (const IntensityCount& one : counts) largest = std::max(largest, distance_at(one, fit));
   return largest;
+}
+
+double fit_distance_limit(long runs) {
+  const double root = std::sqrt(static_cast<double>(runs));
+  return 0.895 / (root - 0.01 + 0.85 / root);
+}
+
+bool is_misfit(const std::vector<IntensityCount>& counts, const Fragility& fit) {
+  return fit.kind == Fragility::Kind::fitted && std::any_of(counts.begin(), counts.end(), [&](const auto& one) {
+           return one.runs > 0 && distance_at(one, fit) > fit_distance_limit(one.runs);
+         });
 }
 
 bool is_extrapolated(const std::vector<IntensityCount>& counts, const Fragility& fit) {

@@ -110,6 +110,7 @@ Json part_json(const Fragility& fit, const std::vector<IntensityCount>& counts) 
           {"median", known ? Json(fit.median) : Json(nullptr)},
           {"dispersion", known ? Json(fit.dispersion) : Json(nullptr)},
           {"distance", distance ? Json(*distance) : Json(nullptr)},
+          {"misfit", is_misfit(counts, fit)},
           {"extrapolated", is_extrapolated(counts, fit)},
           {"runs", runs},
           {"events", events}};
@@ -135,6 +136,7 @@ Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& f
                {"failed", fragility.failed},
                {"counts", counts},
                {"distance", distance ? Json(*distance) : Json(nullptr)},
+               {"misfit", fragility.is_misfit()},
                {"extrapolated", is_extrapolated(fragility.counts, fragility.fit)}};
   if (fragility.split) {
     json["collapse"] = part_json(fragility.split->collapse, fragility.split->collapse_counts);

@@ -125,6 +125,10 @@ std::optional<double> CaseFragility::distance() const {
   return fit_distance(cloud && split ? split->standing_counts : counts, fit);
 }
 
+bool CaseFragility::is_misfit() const {
+  return bentur::is_misfit(cloud && split ? split->standing_counts : counts, fit);
+}
+
 CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options,
                        FragilityMethod method) {
   require_size("outcomes", table.outcomes.size(), table.cases * table.records * table.levels.size());

@@ -56,6 +56,8 @@ struct CaseFragility {
   std::vector<Stripe> stripes = {};    ///< by that method
   /// fit_distance() of what was counted; by a cloud of the runs that stand.
   [[nodiscard]] std::optional<double> distance() const;
+  /// is_misfit() of the same.
+  [[nodiscard]] bool is_misfit() const;
 
   /// P(event | intensity) at an intensity from the lowest to the highest level. It is 0 where no run has the event and
   /// 1 where every run has it; where data are separated it is 1 above the last level without an event, the safe side;
