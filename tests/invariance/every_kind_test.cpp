@@ -84,9 +84,16 @@ TEST(EveryKind, IsNotChangedByWhatIsAskedForBesideIt) {
     if (apart && !plain.impacts.empty() && !other.impacts.empty()) {
       EXPECT_NEAR(plain.impacts[0].start, other.impacts[0].start, 1e-5 * problem.duration);
     }
+    // Impulses at one instant take energy together: the part of a point that was opening is less than nothing.
+    std::vector<double> taken;
+    double last = -problem.duration;
     for (const Impact& impact : looked.impacts) {
-      EXPECT_GE(impact.energy_lost, -1e-10 * looked.energy->peak_input) << impact.point << " at " << impact.start;
+      const bool impulse = impact.start == impact.end;
+      if (!impulse || impact.start - last > 1e-10 * problem.duration) taken.push_back(0.0);
+      taken.back() += impact.energy_lost;
+      last = impulse ? impact.start : -problem.duration;
     }
+    for (const double energy : taken) EXPECT_GE(energy, -1e-10 * looked.energy->peak_input);
     impacts += static_cast<long>(plain.impacts.size());
     still += plain.impacts.empty() ? 1 : 0;
   }
