@@ -40,6 +40,10 @@ std::optional<VectorXd> complementary(const Eigen::MatrixXd& a, const VectorXd& 
   const Index count = b.size();
   VectorXd p = VectorXd::Zero(count);
   if (count == 0) return p;
+  if (count == 1) {  // what most impacts are: no factors, to the bit the same
+    if (b(0) > 0.0) p(0) = b(0) / a(0, 0);
+    return p.allFinite() ? std::optional(p) : std::nullopt;
+  }
   const double round_off = 0x1p-48 * b.cwiseAbs().maxCoeff();
   std::vector<Index> pushed = pushing_alone(a, b, std::move(guess), p);
   std::vector<char> refused(b.size(), 0);             // what has been tried from this p, and pushes by round-off alone

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <cmath>
 #include <optional>
 #include <random>
 #include <vector>
@@ -78,6 +79,15 @@ TEST(Complementarity, OfOne) {
   EXPECT_EQ((*complementary(a, VectorXd::Constant(1, 3)))(0), 12);
   EXPECT_EQ((*complementary(a, VectorXd::Constant(1, -3)))(0), 0);
   EXPECT_EQ((*complementary(a, VectorXd::Zero(1)))(0), 0);
+  // To the bit as factors find it: of a pair the other of which neither pushes nor is pushed.
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  for (int n = 0; n < 1000; ++n) {
+    const double stiffness = std::exp(5 * normal(random)), wanted = normal(random);
+    const MatrixXd pair = VectorXd{{stiffness, 1.0}}.asDiagonal();
+    EXPECT_EQ(complementary(MatrixXd{{stiffness}}, VectorXd{{wanted}}).value()(0),
+              complementary(pair, VectorXd{{wanted, -1.0}}).value()(0));
+  }
 }
 
 /// Built to make least-index pivoting go through 2^n sets (Murty 1978): that is no reason not to end.

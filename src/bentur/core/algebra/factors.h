@@ -5,9 +5,9 @@
 
 namespace bentur {
 
-// Dense factorisations by Eigen, instantiated in one source: each costs a compiler seconds wherever it is spelt. Matrices
-// have any consistent dimension; expressions are evaluated when they are passed. Nothing throws: what cannot be
-// factorised is known by is_positive_definite() and pivots(), and solutions of it are not finite or meaningless.
+// Dense factorisations by Eigen, instantiated in one source: each costs a compiler seconds wherever it is spelt.
+// Matrices have any consistent dimension; expressions are evaluated when they are passed. Nothing throws: what cannot
+// be factorised is known by is_positive_definite() and pivots(), and solutions of it are not finite or meaningless.
 
 /// A = LLᵀ of a symmetric positive definite n × n matrix, of which the lower triangle is read.
 class Cholesky {
