@@ -270,6 +270,34 @@ def test_python_makes_the_page_that_says_so(case, summary, language):
     assert noted == expected_notes
 
 
+def suite_of_one(case, folder):
+    """The case with its record as the only one of a suite, unscaled; None where it has no record of its own that has times."""
+    given = tomllib.loads(case.read_text(encoding="utf-8"))
+    excitation = given["excitation"]
+    if excitation.get("kind") != "record" or "time_step" in excitation or any("plan" in one for one in given["building"]):
+        return None
+    taken = {key: excitation[key] for key in ("format", "unit", "column", "channel", "component") if key in excitation}
+    entry = ", ".join(f"{key} = {value!r}" for key, value in
+                      {"file": str((case.parent / excitation["file"]).resolve()), **taken}.items())
+    kept = [line for line in re.search(r"^\[excitation\]\n(.*?)(?=^\[|\Z)", case.read_text(encoding="utf-8"), re.M | re.S)[1].splitlines()
+            if line.split("=")[0].strip() in ("delays", "distances", "wave_speed")]
+    section = "\n".join(["[excitation]", 'kind = "suite"', f"files = [{{ {entry} }}]", "scale = { factors = [1.0] }",
+                         'target = { shape = "en-1998-1", ground_acceleration = "0.3 g", ground_type = "B", spectrum_type = 1 }', *kept])
+    text = re.sub(r"^\[excitation\]\n.*?(?=^\[|\Z)", lambda _: section + "\n\n", case.read_text(encoding="utf-8"), flags=re.M | re.S)
+    made = folder / "suite.toml"
+    made.write_text(text, encoding="utf-8")
+    return made
+
+
+def test_a_suite_of_one_says_what_its_record_says(case, tmp_path):
+    suite = suite_of_one(case, tmp_path)
+    if suite is None:
+        pytest.skip("no record of a row")
+    of_suite, of_record = (json.loads(output("run", suite, "--json", *more))["statements"] for more in ([], ["--record", "1"]))
+    said = [one for one in of_suite if one["kind"] not in ("suite", "suite_mean")]  # how it was chosen and scaled
+    assert list(doors.differences(of_record, [{k: v for k, v in one.items() if k != "many"} for one in said])) == []
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_column_that_fails_is_told_first(language):
     case = doors.ROOT / "examples" / "struck-column.toml"
