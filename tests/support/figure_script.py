@@ -10,6 +10,13 @@ def figure_of(script):
     return ast.literal_eval(re.search(r"^figure = (\{.*?^\]\})$", script.read_text(), re.M | re.S)[1])
 
 
+def table_of(script):
+    """The columns of its table, each without the empty cells below its last value."""
+    with script.with_name(figure_of(script)["data"]).open(newline="", encoding="utf-8") as file:
+        columns = list(zip(*list(csv.reader(file))[1:]))
+    return [[float(cell) for cell in column if cell] for column in columns]
+
+
 def blocks(script):
     """What is drawn, panel by panel: maps, curves, instants, each as a list of rows."""
     figure = figure_of(script)

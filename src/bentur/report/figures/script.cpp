@@ -19,9 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// In matplotlib's terms, in the order of Line and Mark.
-constexpr const char* lines[] = {"", "-", "--", ":", "-."};
-constexpr const char* marks[] = {"", ".", "o", "s", "^", "D", "x"};
+// In matplotlib's terms, in the order of Line and Mark; how wide marks are [pt].
+constexpr const char* lines[] = {"None", "-", "--", ":", "-."};
+constexpr const char* marks[] = {"None", "o", "o", "s", "^", "D", "x"};
+constexpr double mark_sizes[] = {0, 2.4, 2.7, 2.6, 3, 2.4, 2.7};
 
 /// What every script does with its figure.
 constexpr const char* drawing = R"(
@@ -30,6 +31,7 @@ sys.path = [path for path in sys.path if pathlib.Path(path or ".").resolve() != 
 import matplotlib.pyplot as plt
 from matplotlib.collections import PatchCollection
 from matplotlib.colors import LogNorm, Normalize
+from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 with here.with_name(figure["data"]).open(newline="", encoding="utf-8") as file:
@@ -40,7 +42,19 @@ def values(column):
     return [float(cell) for cell in columns[column] if cell]
 
 
-plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.5, "svg.fonttype": "none", "text.parse_math": False})
+def style(of):
+    """Of a line with its marks: open ones show what is below them, large ones have an edge."""
+    large = of["mark_size"] >= 1.5
+    inside, edge = (of["color"], "white" if large else of["color"]) if of["filled"] else (
+        "white" if large else "none", of["color"])
+    return {"color": of["color"], "linestyle": of["line"], "linewidth": 0.75 * of["width"], "marker": of["mark"],
+            "markersize": of["mark_points"] * of["mark_size"], "markerfacecolor": inside, "markeredgecolor": edge,
+            "markeredgewidth": 0.75}
+
+
+plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.5, "svg.fonttype": "none", "text.parse_math": False,
+                     "lines.dashed_pattern": [4.6, 2.3], "lines.dotted_pattern": [1.5, 1.7],
+                     "lines.dashdot_pattern": [5, 1.9, 1.5, 1.9]})
 sheet = plt.figure(figsize=figure["size"])
 for panel in figure["panels"]:
     ax = sheet.add_axes(panel["place"])
@@ -49,8 +63,7 @@ for panel in figure["panels"]:
         if len(data) == 3:
             ax.fill_between(*data, color=curve["color"], label=curve["label"], linewidth=0)
         else:
-            ax.plot(*data, curve["line"], marker=curve["mark"], color=curve["color"], label=curve["label"],
-                    linewidth=0.75 * curve["width"], markersize=3 * curve["mark_size"])
+            ax.plot(*data, label=curve["label"], **style(curve))
     for rule in panel["rules"]:
         (ax.axvline if rule["vertical"] else ax.axhline)(
             rule["at"], linestyle=rule["line"], color=rule["color"], label=rule["label"], linewidth=0.5, zorder=0)
@@ -68,7 +81,9 @@ for panel in figure["panels"]:
                                 cmap="PuOr_r" if scale["ratio"] else "YlGnBu", norm=norm)
         boxes.set_array([cell[-1] for cell in cells])
         ax.add_collection(boxes)
-        sheet.colorbar(boxes, cax=ax.inset_axes([1.02, 0, 0.03, 1]), label=scale["label"])
+        bar = sheet.colorbar(boxes, cax=ax.inset_axes([1.02, 0, 0.03, 1]), label=scale["label"])
+        bar.set_ticks(scale["ticks"], labels=scale["numbers"])
+        bar.minorticks_off()
     for axis, name in (ax.xaxis, "x"), (ax.yaxis, "y"):
         wanted = panel[name]
         getattr(ax, f"set_{name}scale")("log" if wanted["logarithmic"] else "linear")
@@ -84,9 +99,17 @@ for panel in figure["panels"]:
         ax.text(0.5, 0.5, panel["note"], transform=ax.transAxes, ha="center")
     if panel["title"]:
         ax.set_title("\n".join(panel["title"]), fontsize=8, y=panel["title_y"], pad=0, verticalalignment="center")
-    if panel["legend"]:
-        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=panel["legend"], frameon=False, borderpad=0.2,
-                  labelspacing=0.2)
+    for entry in panel["legend"]:
+        begin, end, text, y = entry["place"]
+        if entry["area"]:
+            sheet.add_artist(Rectangle((begin, y - entry["half"]), end - begin, 2 * entry["half"],
+                                       transform=sheet.transFigure, color=entry["color"], linewidth=0))
+        else:
+            ends = {**style(entry), "marker": "None"}
+            sheet.add_artist(Line2D([begin, end], [y, y], transform=sheet.transFigure, **ends))
+            at = {**style(entry), "linestyle": "None"}
+            sheet.add_artist(Line2D([(begin + end) / 2], [y], transform=sheet.transFigure, **at))
+        sheet.text(text, y, entry["label"], verticalalignment="center")
 sheet.savefig(sys.argv[1] if len(sys.argv) > 1 else here.with_suffix(".svg"), dpi=300, bbox_inches="tight")
 )";
 
@@ -190,9 +213,8 @@ class Writer {
       texts.push_back({one.x, one.y, plain_text(one.text), across, up});
     }
     const double height = placed.top - placed.bottom;
-    // As many side by side as in the first line of the legend.
-    const auto beside = std::count_if(placed.legend.begin(), placed.legend.end(),
-                                      [&](const LegendEntry& entry) { return entry.y == placed.legend.front().y; });
+    Json legend = Json::array();
+    for (const LegendEntry& entry : placed.legend) legend.push_back(entry_of(entry));
     return {{"place",
              {placed.left / layout_.width, placed.bottom / layout_.height, (placed.right - placed.left) / layout_.width,
               height / layout_.height}},
@@ -200,7 +222,7 @@ class Writer {
             {"title_y", (middle - placed.bottom) / height},
             {"note", plain_text(panel.note)},
             {"to_scale", static_cast<int>(panel.to_scale)},
-            {"legend", beside},
+            {"legend", std::move(legend)},
             {"upright", static_cast<int>(placed.x.upright)},
             {"x", axis(panel.x, placed.x)},
             {"y", axis(panel.y, placed.y)},
@@ -230,13 +252,34 @@ class Writer {
       const Points points = visible(curve, placed.right - placed.left);
       columns = {column(x, points.x), column(y, points.y)};
     }
-    return {{"label", plain_text(curve.label)},
-            {"columns", std::move(columns)},
-            {"color", colour(curve.tone).paper},
-            {"line", lines[static_cast<std::size_t>(curve.line)]},
-            {"mark", marks[static_cast<std::size_t>(curve.mark)]},
-            {"width", curve.width},
-            {"mark_size", curve.mark_size}};
+    Json described = {{"label", plain_text(curve.label)}, {"columns", std::move(columns)}};
+    described.update(drawn(curve.tone, curve.line, curve.mark, curve.width, curve.mark_size));
+    return described;
+  }
+
+  static Json drawn(Tone tone, Line line, Mark mark, double width, double mark_size) {
+    return {{"color", colour(tone).paper},
+            {"line", lines[static_cast<std::size_t>(line)]},
+            {"mark", marks[static_cast<std::size_t>(mark)]},
+            {"filled", static_cast<int>(mark == Mark::disc)},
+            {"width", width},
+            {"mark_points", mark_sizes[static_cast<std::size_t>(mark)]},
+            {"mark_size", mark_size}};
+  }
+
+  /// Where its line begins and ends, where its text begins, and at what height.
+  [[nodiscard]] Json entry_of(const LegendEntry& entry) const {
+    const double end = entry.x + sample_width;
+    Json described = {{"label", plain_text(entry.label)},
+                      {"place",
+                       {entry.x / layout_.width, end / layout_.width, (end + beside_sample) / layout_.width,
+                        entry.y / layout_.height}},
+                      {"area", static_cast<int>(entry.area)},
+                      {"half", sample_height / 2 / layout_.height}};
+    described.update(
+        drawn(entry.event ? Tone::grey : entry.tone, entry.line, entry.mark, entry.width, entry.mark_size));
+    if (entry.event) described.update({{"mark", "v"}, {"filled", 1}, {"mark_points", 2.0}});
+    return described;
   }
 
   Json cells(const PlacedPanel& placed) {
@@ -254,14 +297,18 @@ class Writer {
     Json columns = Json::array();
     for (std::size_t c = 0; c < 7; ++c) columns.push_back(column(headings[c], parts[c]));
     Ticks scale = placed.scale;
+    Json places = Json::array(), numbers = Json::array();
+    for (const auto& [at, text] : scale.labels) {
+      places.push_back(at);
+      numbers.push_back(plain_text(text));
+    }
     if (map.ratio) {  // 1 in the middle of the colours
       scale.to = std::max(scale.to, 1 / scale.from);
       scale.from = 1 / scale.to;
     }
-    return {{"columns", std::move(columns)},
-            {"label", plain_text(scaled(map.label, scale))},
-            {"range", {scale.from, scale.to}},
-            {"logarithmic", static_cast<int>(scale.logarithmic)},
+    return {{"columns", std::move(columns)},       {"label", plain_text(scaled(map.label, scale))},
+            {"ticks", std::move(places)},          {"numbers", std::move(numbers)},
+            {"range", {scale.from, scale.to}},     {"logarithmic", static_cast<int>(scale.logarithmic)},
             {"ratio", static_cast<int>(map.ratio)}};
   }
 

@@ -192,15 +192,16 @@ class Drawing {
     for (const LegendEntry& entry : placed.legend) {
       const double begin = x(entry.x), end = x(entry.x + sample_width), middle = y(entry.y);
       if (entry.area) {
-        out_ += fmt::format("<path d=\"M{} {}H{}v7.6H{}Z\" {}/>\n", length(begin), length(middle - 3.8), length(end),
-                            length(begin), drawn_in("fill", colour(entry.tone)));
+        const double tall = sample_height / pixel;
+        out_ += fmt::format("<path d=\"M{} {}H{}v{}H{}Z\" {}/>\n", length(begin), length(middle - tall / 2),
+                            length(end), length(tall), length(begin), drawn_in("fill", colour(entry.tone)));
       } else if (entry.line != Line::none) {
         path(fmt::format("M{} {}H{}", length(begin), length(middle), length(end)),
              line_style(entry.tone, entry.line, entry.width));
       }
       if (entry.event) event((begin + end) / 2, middle);
       mark(entry.mark, entry.tone, (begin + end) / 2, middle, entry.mark_size);
-      text(entry.label, x(entry.x + sample_width + 0.1), middle, "start");
+      text(entry.label, x(entry.x + sample_width + beside_sample), middle, "start");
     }
   }
 

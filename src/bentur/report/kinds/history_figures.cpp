@@ -71,7 +71,8 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
     return Curve{.label = run.problem.buildings[b].name,
                  .x = course_of(run).time,
                  .y = row_of(course_of(run).displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor)),
-                 .tone = building_tone(b)};
+                 .tone = building_tone(b),
+                 .line = b == point.left ? Line::solid : Line::dashed};
   };
   const std::vector<Building>& buildings = run.problem.buildings;
   const bool of_two_that_move = !buildings[point.left].is_rigid() && !buildings[point.left + 1].is_rigid();
@@ -208,14 +209,14 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
 
 Figure column_shear_figure(const RunResults& run, const FigureOptions& options) {
   const Eigen::Index i = chosen_struck_point(run, options);
-  return column_figure(
-      run, options, i,
-      {.label = word(options, "Shear V"),
-       .symbol = "V",
-       .form = "F",
-       .rows = {{0, {.label = word(options, "below")}}, {1, {.label = word(options, "above"), .tone = Tone::teal}}},
-       .largest = run.response.points[i].column->shear,
-       .capacity = run.problem.points[i].column_shear_capacity});
+  return column_figure(run, options, i,
+                       {.label = word(options, "Shear V"),
+                        .symbol = "V",
+                        .form = "F",
+                        .rows = {{0, {.label = word(options, "below")}},
+                                 {1, {.label = word(options, "above"), .tone = Tone::teal, .line = Line::dashed}}},
+                        .largest = run.response.points[i].column->shear,
+                        .capacity = run.problem.points[i].column_shear_capacity});
 }
 
 Figure column_moment_figure(const RunResults& run, const FigureOptions& options) {
@@ -226,7 +227,7 @@ Figure column_moment_figure(const RunResults& run, const FigureOptions& options)
                         .form = "F L",
                         .rows = {{2, {.label = word(options, "bottom"), .tone = Tone::grey, .line = Line::dashed}},
                                  {3, {.label = word(options, "where struck")}},
-                                 {5, {.label = word(options, "top"), .tone = Tone::teal}}},
+                                 {5, {.label = word(options, "top"), .tone = Tone::teal, .line = Line::dash_dot}}},
                         .largest = run.response.points[i].column->moment,
                         .capacity = run.problem.points[i].column_moment_capacity});
 }

@@ -5,6 +5,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
 #include "bentur/report/story_text.h"
 
@@ -90,7 +91,7 @@ void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& optio
   panel.height = 1.8;
 }
 
-/// Gaps by the numbers of their buildings, the leftmost uppermost; of many those that lack most.
+/// Gaps by the names of their buildings, the leftmost uppermost; of many those that lack most.
 void add_gaps(Panel& panel, const RunResults& run, const FigureOptions& options) {
   constexpr std::size_t most = 5;
   std::vector<GapBars> gaps;
@@ -109,7 +110,9 @@ void add_gaps(Panel& panel, const RunResults& run, const FigureOptions& options)
   for (std::size_t place = 0; place < gaps.size(); ++place) {
     const auto& [gap, lacking, bars] = gaps[place];
     const std::string unknown = std::isnan(bars[1].value) ? ": " + word(options, "not known") : "";
-    panel.y.names.push_back(std::to_string(gap + 1) + " | " + std::to_string(gap + 2) + unknown);
+    constexpr double longest = 1.5;  // of a name [cm]
+    const auto name = [&](Eigen::Index b) { return cut_to(run.problem.buildings[b].name, longest); };
+    panel.y.names.push_back(name(gap) + " | " + name(gap + 1) + unknown);
     for (std::size_t k = 0; k < bars.size(); ++k) {
       add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
     }

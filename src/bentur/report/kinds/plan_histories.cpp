@@ -175,7 +175,8 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
       curves.push_back({.label = run.problem.buildings[b].name,
                         .x = histories.time,
                         .y = times(row_of(quantity.list[b], floor), quantity.factor),
-                        .tone = building_tone(b)});
+                        .tone = building_tone(b),
+                        .line = side == 0 ? Line::solid : Line::dashed});
       const auto most = std::max_element(curves.back().y.begin(), curves.back().y.end(),
                                          [](double a, double c) { return std::abs(a) < std::abs(c); });
       if (*most == 0) continue;

@@ -11,7 +11,8 @@ int SceneHinge::level(double time) const {
   return static_cast<int>(std::count_if(reached.begin(), reached.end(), [&](double at) { return at <= time; }));
 }
 
-Tone hinge_tone(int level) {
+Tone hinge_tone(const HingeBounds& bounds, int level) {
+  if (!bounds.are_limits) return Tone::black;
   constexpr Tone tones[] = {Tone::black, Tone::teal, Tone::amber, Tone::red};
   return tones[std::clamp(level, 1, SceneHinge::levels) - 1];
 }

@@ -65,8 +65,9 @@ struct HingeBounds {
   double largest = 0;  ///< max |θ| of all [rad]
   static constexpr std::array<double, 3> parts{0.25, 0.5, 0.75};
 };
-/// Of a level from 1 to 4: the worse the more it warns.
-[[nodiscard]] Tone hinge_tone(int level);
+/// Of a level from 1 to 4: the worse the more it warns, where levels are limits; parts of the largest rotation say
+/// nothing about damage and have the tone of all that is not a building.
+[[nodiscard]] Tone hinge_tone(const HingeBounds& bounds, int level);
 
 struct Scene {
   std::vector<double> breadths;  ///< of the buildings [length]

@@ -109,7 +109,20 @@ bool is_ida(const NetcdfReader& results) {
 
 namespace {
 
-/// One record a line, and the fractiles of all, for one case.
+constexpr const char* median_label = "50 %";
+constexpr std::size_t least_for_fractiles = 7;  ///< runs: the 16 % one of fewer is below all of them
+
+/// "11 records"; where each was applied in both directions, so.
+std::string records_text(const SweepData& sweep, const FigureOptions& options, const Analysis& ida, std::size_t runs) {
+  const bool both = std::any_of(ida.record.begin(), ida.record.end(), [&](std::size_t d) {
+    return sweep.dimensions()[d].name == "polarity" && sweep.dimensions()[d].size == 2;
+  });
+  const std::size_t records = both ? runs / 2 : runs;
+  if (records == 1) return word(options, both ? "1 record in both directions" : "1 record");
+  return word(options, both ? "{} records in both directions" : "{} records", fmt::format("{}", records));
+}
+
+/// One record a line, and the fractiles of all where there are enough, for one case.
 Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Analysis& ida,
                 const std::vector<std::vector<std::size_t>>& places) {
   const SweepDimension& levels = sweep.dimensions()[ida.level];
@@ -121,7 +134,7 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
   std::vector<std::vector<double>> at_level(levels.size);
   bool any_force = false;
   for (const std::vector<std::size_t>& place : places) {
-    Curve record{.label = panel.curves.empty() ? word(options, "{} records", fmt::format("{}", places.size())) : "",
+    Curve record{.label = panel.curves.empty() ? records_text(sweep, options, ida, places.size()) : "",
                  .tone = Tone::grey,
                  .width = 0.5};
     for (std::size_t i = 0; i < levels.size; ++i) {
@@ -135,7 +148,9 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
   }
   const std::pair<double, Line> fractiles[] = {{0.16, Line::dashed}, {0.5, Line::solid}, {0.84, Line::dash_dot}};
   for (const auto& [fraction, line] : fractiles) {
-    Curve curve{.label = fmt::format("{:.0f} %", 100 * fraction), .line = line, .width = 1.5};
+    if (places.size() < least_for_fractiles) break;
+    Curve curve{
+        .label = fraction == 0.5 ? median_label : fmt::format("{:.0f} %", 100 * fraction), .line = line, .width = 1.5};
     for (std::size_t i = 0; i < levels.size; ++i) {
       if (at_level[i].empty()) continue;
       const double value = quantile_of(at_level[i], fraction);
@@ -180,11 +195,12 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     Panel panel = ida_panel(sweep, options, ida, sweep.combinations(one, ida.record));
     panel.title = case_name(sweep, ida, one);
     if (cases.size() > 1) panel.height = 4.6;
-    const Curve& median = panel.curves[panel.curves.size() - 2];
-    if (panel.note.empty() && !median.x.empty()) {
+    const auto median = std::find_if(panel.curves.begin(), panel.curves.end(),
+                                     [](const Curve& each) { return each.label == median_label; });
+    if (panel.note.empty() && median != panel.curves.end() && !median->x.empty()) {
       figure.finding += (figure.finding.empty() ? "" : "; ") + (panel.title.empty() ? "" : panel.title + ": ") +
-                        word(options, "median {} at {}", number(median.x.back()) + " " + sweep.unit("peak_force"),
-                             intensity_text(sweep.dimensions()[ida.level], median.y.back()));
+                        word(options, "median {} at {}", number(median->x.back()) + " " + sweep.unit("peak_force"),
+                             intensity_text(sweep.dimensions()[ida.level], median->y.back()));
     } else if (!panel.note.empty()) {
       figure.finding += (figure.finding.empty() ? "" : "; ") + panel.note;
     }

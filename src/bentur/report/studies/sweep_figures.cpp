@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "bentur/core/number_text.h"
@@ -118,19 +119,20 @@ class SweepDrawing {
     });
   }
 
-  /// Maps of a ratio have colours alike.
+  /// Maps of one quantity have colours alike, so that panels can be compared.
   static void share_range(Figure& figure) {
-    std::optional<std::pair<double, double>> range;
+    std::map<std::string, std::pair<double, double>> ranges;
     for (const Panel& panel : figure.panels) {
-      if (!panel.map || !panel.map->ratio) continue;
+      if (!panel.map) continue;
       for (const double value : panel.map->values) {
         if (!std::isfinite(value)) continue;
-        if (!range) range.emplace(value, value);
-        range = {std::min(range->first, value), std::max(range->second, value)};
+        auto& range = ranges.try_emplace(panel.map->label, value, value).first->second;
+        range = {std::min(range.first, value), std::max(range.second, value)};
       }
     }
     for (Panel& panel : figure.panels) {
-      if (panel.map && panel.map->ratio) panel.map->range = range;
+      if (!panel.map) continue;
+      if (const auto found = ranges.find(panel.map->label); found != ranges.end()) panel.map->range = found->second;
     }
   }
 

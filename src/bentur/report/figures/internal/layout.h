@@ -10,8 +10,10 @@ namespace bentur {
 
 // Room [cm].
 constexpr double line_height = 0.38;
-constexpr double sample_width = 0.7;    ///< of the line in front of a legend's text
-constexpr double events_height = 0.09;  ///< of a frame, kept free for marks along its upper edge
+constexpr double sample_width = 0.7;               ///< of the line in front of a legend's text
+constexpr double sample_height = 7.6 * 2.54 / 96;  ///< of an area there
+constexpr double beside_sample = 0.1;              ///< between it and the text
+constexpr double events_height = 0.09;             ///< of a frame, kept free for marks along its upper edge
 
 /// One line of a legend.
 struct LegendEntry {

@@ -140,6 +140,18 @@ void put_at(Ticks& ticks, const std::vector<double>& places, double room) {
   }
 }
 
+namespace {
+
+/// A name as long as there is room for; the number that follows a colon stays whole.
+std::string name_in_room(const std::string& name) {
+  const std::size_t colon = name.rfind(": ");
+  if (text_width(name) <= longest_name || colon == std::string::npos) return cut_to(name, longest_name);
+  const std::string value = name.substr(colon);
+  return cut_to(name.substr(0, colon), std::max(longest_name - text_width(value), 0.5)) + value;
+}
+
+}  // namespace
+
 Ticks named_ticks(const std::vector<std::string>& names, bool numbered, int most) {
   Ticks ticks;
   ticks.from = -0.5;
@@ -148,8 +160,7 @@ Ticks named_ticks(const std::vector<std::string>& names, bool numbered, int most
   const double count = static_cast<double>(names.size());
   const auto stride = numbered ? static_cast<std::size_t>(round_step(std::max(1.0, count / most))) : std::size_t{1};
   for (std::size_t i = stride - 1; i < names.size(); i += stride) {
-    ticks.labels.emplace_back(static_cast<double>(i),
-                              numbered ? std::to_string(i + 1) : cut_to(names[i], longest_name));
+    ticks.labels.emplace_back(static_cast<double>(i), numbered ? std::to_string(i + 1) : name_in_room(names[i]));
   }
   return ticks;
 }

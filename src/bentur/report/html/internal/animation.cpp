@@ -64,7 +64,8 @@ Json hinges_json(const Report& report, const Scene& scene) {
     worst = std::max(worst, hinge.level(report.problem.duration));
   }
   for (int level = 1; level <= worst; ++level) {
-    levels.push_back({{"tone", colour(hinge_tone(level)).name}, {"text", hinge_level_text(say, scene.bounds, level)}});
+    levels.push_back(
+        {{"tone", colour(hinge_tone(scene.bounds, level)).name}, {"text", hinge_level_text(say, scene.bounds, level)}});
   }
   return {{"dots", dots}, {"levels", levels}};
 }

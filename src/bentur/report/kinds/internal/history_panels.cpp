@@ -13,23 +13,22 @@
 namespace bentur {
 namespace {
 
-/// Appends an impact that is too short for its course to be seen: it starts and ends when the impact does, reaches the
-/// peak when it does, and the area below is the impulse.
+/// Of a window: an impact that is shorter is less than a hair's breadth of a panel.
+constexpr double seen = 1.0 / 600;
+
+/// Appends an impact that is too short for its course to be seen: when it starts, its peak, and when it ends.
 void append_short(const Impact& impact, Curve& force) {
   const auto add = [&](double x, double y) {
     force.x.push_back(std::max(x, force.x.empty() ? x : force.x.back()));
     force.y.push_back(y);
   };
-  const double length = impact.end - impact.start;
-  const double edge = length > 0 ? 2 * impact.impulse / length - impact.peak_force : 0;          // height at both ends
-  const double part = edge >= 0 || !(impact.peak_force > 0) ? 1 : 1 + edge / impact.peak_force;  // of a slender peak
   add(impact.start, 0);
-  if (edge > 0) add(impact.start, edge);
-  if (edge < 0) add(impact.peak_force_time - part * (impact.peak_force_time - impact.start), 0);
   add(impact.peak_force_time, impact.peak_force);
-  if (edge < 0) add(impact.peak_force_time + part * (impact.end - impact.peak_force_time), 0);
-  if (edge > 0) add(impact.end, edge);
   add(impact.end, 0);
+}
+
+bool is_within(const HistoryPlace& place, const TimeWindow& window, const Impact& impact) {
+  return impact.point == place.point && impact.peak_force > 0 && impact.end >= window.from && impact.start <= window.to;
 }
 
 }  // namespace
@@ -111,13 +110,11 @@ Events contacts_within(const HistoryPlace& place, const TimeWindow& window, cons
 
 Curve force_curve(const HistoryPlace& place, const std::vector<double>& time, const std::vector<double>& force,
                   const TimeWindow& window) {
-  constexpr double seen = 1.0 / 600;  // of the window: less than a hair's breadth of a panel
   Curve curve{.x = {window.from}, .y = {0}, .complete = true};
   for (const Impact& impact : *place.impacts) {
-    if (impact.point != place.point || !(impact.peak_force > 0)) continue;
-    if (impact.end < window.from || impact.start > window.to) continue;
+    if (!is_within(place, window, impact)) continue;
     const double length = impact.end - impact.start;
-    if (time.empty() || length < seen * (window.to - window.from)) {
+    if (length < seen * (window.to - window.from)) {
       append_short(impact, curve);
       continue;
     }
@@ -138,16 +135,19 @@ Curve force_curve(const HistoryPlace& place, const std::vector<double>& time, co
   return curve;
 }
 
-std::optional<Curve> force_peaks(const HistoryPlace& place, const TimeWindow& window) {
+std::optional<Curve> force_peaks(const HistoryPlace& place, const TimeWindow& window, bool has_course) {
   constexpr std::size_t most = 130;  // two pixels each in a journal's column
   Curve peaks{.line = Line::none, .mark = Mark::disc, .complete = true};
+  bool lacks = false;
   for (const Impact& impact : *place.impacts) {
-    if (impact.point != place.point || !(impact.peak_force > 0)) continue;
+    if (!is_within(place, window, impact)) continue;
+    lacks = lacks || (!has_course && impact.end - impact.start >= seen * (window.to - window.from));
     if (impact.peak_force_time < window.from || impact.peak_force_time > window.to) continue;
     peaks.x.push_back(impact.peak_force_time);
     peaks.y.push_back(impact.peak_force);
   }
-  return peaks.x.size() > most ? std::optional(std::move(peaks)) : std::nullopt;
+  const bool alone = !peaks.x.empty() && (lacks || peaks.x.size() > most);
+  return alone ? std::optional(std::move(peaks)) : std::nullopt;
 }
 
 std::pair<double, double> range_of(const std::vector<Curve>& curves, const TimeWindow& window) {
@@ -207,7 +207,7 @@ Figure force_history_figure(const HistoryPlace& place, const FigureOptions& opti
   Figure figure = history_figure(place, options, {Curve{}}, {.label = label});
   for (Panel& panel : figure.panels) {
     const TimeWindow shown{*panel.x.from, *panel.x.to};
-    const std::optional<Curve> peaks = force_peaks(place, shown);
+    const std::optional<Curve> peaks = force_peaks(place, shown, !time.empty());
     panel.curves = {peaks ? *peaks : force_curve(place, time, force, shown)};
     if (peaks) panel.curves.front().label = word(options, "peak of each impact");
     std::vector<double>& forces = panel.curves.front().y;
@@ -235,9 +235,11 @@ Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& as
                       {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
                  part(energy.contact_stored + energy.contact_lost,
                       {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2})}};
-  if (energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0) {
+  const bool yields = energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0;
+  if (yields) {
     panel.curves.push_back(
-        part(energy.hysteretic, {.label = word(options, "yielding"), .tone = Tone::teal, .line = Line::dashed}));
+        part(energy.hysteretic,
+             {.label = word(options, "yielding"), .tone = Tone::teal, .line = Line::dotted, .width = 1.2}));
   }
   constexpr double round_off = 1e-9;  // of the energy that came in
   const auto at_end = [&](const Eigen::VectorXd& sum) {
@@ -247,7 +249,8 @@ Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& as
   };
   return {.title = "Where the energy is, of all buildings together",
           .finding = word(options, "at the end {} have come in, damping has taken {}, contact {}", at_end(energy.input),
-                          at_end(energy.damping), at_end(energy.contact_stored + energy.contact_lost)),
+                          at_end(energy.damping), at_end(energy.contact_stored + energy.contact_lost)) +
+                     (yields ? ", " + word(options, "yielding {}", at_end(energy.hysteretic)) : ""),
           .panels = {panel},
           .width = options.width};
 }

@@ -44,12 +44,13 @@ struct HistoryPlace {
 /// Room for all curves within a window and for marks above them, so that panels can be compared.
 [[nodiscard]] std::pair<double, double> range_of(const std::vector<Curve>& curves, const TimeWindow& window);
 
-/// The contact force over a window: of each impact that is long enough to be seen its course, `force` at `time`, where
-/// that is known, of others start, peak, end and impulse.
+/// The contact force over a window: of each impact that is long enough to be seen its course, `force` at `time`, of
+/// shorter ones start, peak and end.
 [[nodiscard]] Curve force_curve(const HistoryPlace& place, const std::vector<double>& time,
                                 const std::vector<double>& force, const TimeWindow& window);
-/// The peak of each impact, where there are so many that their courses would fill the frame.
-[[nodiscard]] std::optional<Curve> force_peaks(const HistoryPlace& place, const TimeWindow& window);
+/// The peak of each impact alone, where there are so many that their courses would fill the frame, or where one is long
+/// enough for its course to be seen and no course is known.
+[[nodiscard]] std::optional<Curve> force_peaks(const HistoryPlace& place, const TimeWindow& window, bool has_course);
 
 /// What a figure of histories shows besides its curves.
 struct HistoryPanels {

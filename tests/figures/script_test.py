@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""The script beside each figure draws by matplotlib what the figure shows: its data, lines, marks, texts and legend.
+
+The program under test is the environment variable BENTUR, the repository BENTUR_SOURCE. The texts are held against those of the
+SVG, data and styles against what the script says of its figure (tests/support/figure_script.py).
+"""
+
+import os
+import pathlib
+import runpy
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+from collections import Counter
+
+BENTUR = os.environ["BENTUR"]
+SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+sys.path.insert(0, str(SOURCE / "tests/support"))
+from figure_script import figure_of, table_of  # noqa: E402
+
+try:
+    import matplotlib
+
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+    from matplotlib.collections import PatchCollection, PolyCollection
+except ImportError:
+    plt = None
+
+SVG = "{http://www.w3.org/2000/svg}"
+RUNS = ["hinged-frame", "m12-el-centro", "plan/corner", "row-of-three"]
+STUDIES = {"m12-gap-period": ("sweep", [["displacement"], ["peak-force"], ["acceleration-ratio"]]),
+           "twisting-pair-ida": ("ida", [["ida", "--at", "corner=12.02"], ["fragility"]])}
+
+
+def spaced(text):
+    return " ".join(text.replace("\u00a0", " ").split())
+
+
+def plain(text):
+    """Without what the SVG has set lower or higher, as matplotlib's texts have it in letters of their own."""
+    return text.translate(str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789-")).replace("−", "-").replace("_", "")
+
+
+def texts_of_svg(file):
+    """Each text once for every time that it stands there."""
+    found = Counter()
+    for text in xml.fromstring(file.read_text(encoding="utf-8")).iter(SVG + "text"):
+        found["".join(spaced("".join(text.itertext())).split())] += 1
+    return found
+
+
+@unittest.skipIf(plt is None, "matplotlib is not installed")
+class Scripts(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="bentur-scripts-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        for run in RUNS:
+            cls.bentur("run", SOURCE / f"examples/{run}.toml", "-q", "-o", cls.folder / run, "--figures", "svg")
+        for study, (command, kinds) in STUDIES.items():
+            results = cls.folder / f"{study}.nc"
+            cls.bentur(command, SOURCE / f"examples/studies/{study}.toml", "-q", "-o", results)
+            for kind in kinds:
+                cls.bentur("plot", results, *kind, "-o", cls.folder / f"{study}-{kind[0]}.svg")
+        cls.scripts = sorted(cls.folder.rglob("*.py"))
+
+    @classmethod
+    def bentur(cls, *arguments):
+        subprocess.run([BENTUR, *map(str, arguments)], check=True, capture_output=True, text=True, timeout=300)
+
+    def setUp(self):
+        self.assertGreater(len(self.scripts), 40)
+
+    @staticmethod
+    def drawn(script):
+        """The figure as the script draws it."""
+        before = sys.argv, sys.path[:]
+        sys.argv = [str(script), str(script.with_suffix(".png"))]
+        plt.close("all")
+        try:
+            runpy.run_path(str(script), run_name="__main__")
+        finally:
+            sys.argv, sys.path[:] = before
+        return plt.gcf()
+
+    def test_scripts_draw_what_the_picture_shows(self):
+        for script in self.scripts:
+            with self.subTest(script=str(script.relative_to(self.folder))):
+                figure, sheet, table = figure_of(script), self.drawn(script), table_of(script)
+                frames = [ax for ax in sheet.axes if ax.get_label() != "<colorbar>"]
+                self.assertEqual(len(frames), len(figure["panels"]))
+                for ax, panel in zip(frames, figure["panels"]):
+                    self.curves(ax, panel, table)
+                    for name, axis in ("x", ax.xaxis), ("y", ax.yaxis):
+                        self.assertEqual(axis.get_label_text(), panel[name]["label"])
+                        self.assertEqual(list(axis.get_view_interval()), panel[name]["range"])
+                self.legend(sheet, figure)
+                self.texts(script, sheet)
+
+    def curves(self, ax, panel, table):
+        given = [curve for curve in panel["curves"]]
+        lines = [line for line in ax.lines if len(line.get_xdata()) and line.get_transform() == ax.transData]
+        areas = [one for one in ax.collections if isinstance(one, PolyCollection)]
+        rows = [[table[column] for column in curve["columns"]] for curve in given]
+        self.assertEqual(len(areas), sum(len(data) == 3 for data in rows))
+        drawn = iter(lines)
+        for curve, data in zip(given, rows):
+            if len(data) == 3 or not data[0]:
+                continue
+            line = next(drawn)
+            self.assertEqual(Counter(map(str, line.get_xdata())), Counter(map(str, data[0])))
+            self.assertEqual(Counter(map(str, line.get_ydata())), Counter(map(str, data[1])))
+            self.assertEqual(line.get_linestyle(), curve["line"])
+            self.assertEqual(line.get_marker(), curve["mark"])
+            if curve["mark"] != "None" and not curve["filled"]:
+                self.assertIn(line.get_markerfacecolor(), ("none", "white"))
+            self.assertTrue(curve["line"] != "None" or curve["mark"] != "None", "a curve that cannot be seen")
+        for scale, boxes in zip(panel["map"], [one for one in ax.collections if isinstance(one, PatchCollection)], strict=True):
+            self.assertEqual(list(boxes.get_array()), list(table[scale["columns"][-1]]))
+
+    def legend(self, sheet, figure):
+        """Of each entry a text and what stands before it; no text lies on another."""
+        entries = [entry for panel in figure["panels"] for entry in panel["legend"]]
+        self.assertEqual([text.get_text() for text in sheet.texts], [entry["label"] for entry in entries])
+        renderer = sheet.canvas.get_renderer()
+        titles = [ax.title for ax in sheet.axes if ax.title.get_text()]
+        boxes = [text.get_window_extent(renderer) for text in [*sheet.texts, *titles]]
+        for i, one in enumerate(boxes):
+            for other in boxes[:i]:
+                across = min(one.x1, other.x1) - max(one.x0, other.x0)
+                up = min(one.y1, other.y1) - max(one.y0, other.y0)
+                self.assertFalse(across > 1 and up > 0.25 * min(one.height, other.height), "texts on one another")
+
+    def texts(self, script, sheet):
+        shown = Counter()
+        sheet.canvas.draw()
+        for text in sheet.findobj(matplotlib.text.Text):
+            if text.get_visible() and text.get_text():
+                shown["".join(spaced(text.get_text()).split())] += 1
+        self.assertFalse([text for text in shown if "$" in text or "mathdefault" in text])
+        wanted = texts_of_svg(script.with_suffix(".svg"))
+        joined = plain("".join(sorted(shown)))
+        for text in wanted:
+            # A title or label of several lines is one text there.
+            self.assertIn(plain(text), joined)
+
+
+if __name__ == "__main__":
+    unittest.main()
