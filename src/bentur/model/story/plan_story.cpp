@@ -69,6 +69,21 @@ void tell_hit(const PlanRun& run, std::size_t g, Statement statement, std::vecto
   statements.push_back(std::move(statement));
 }
 
+void tell_block(const PlanRun& run, const std::vector<JudgedGap>& judged, Story& told) {
+  std::vector<story::GapLine> lines;
+  for (std::size_t g = 0; g < judged.size(); ++g) {
+    story::GapLine line{.name = gap_name(run.problem, run.problem.gaps[g]),
+                        .facts = &judged[g].facts,
+                        .judged = judged[g].judgement.value};
+    for (const LevelFacts& level : judged[g].facts.levels) {
+      line.impacts += level.given.impacts;
+      line.peak_force = std::max(line.peak_force, level.given.peak_force);
+    }
+    lines.push_back(std::move(line));
+  }
+  story::tell_gaps(lines, shown_units(run), run.c.units.length, told);
+}
+
 /// What is told of the gaps of rows too, as of a gap in plan.
 class PairStory {
  public:
@@ -266,6 +281,7 @@ GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pa
   GapView view = view_of(pair);
   view.in_plan = &run.problem.gaps[gap];
   view.plan = &run.problem;
+  view.from_case = !run.c.buildings.empty();
   view.screened = {plan_screening(run.c, run.problem, gap)};
   view.facts.push_back(std::move(judged.facts));
   view.judged.push_back(std::move(judged.judgement));
@@ -325,6 +341,7 @@ Story plan_story(const PlanRun& run) {
   tell_collapse(run, told.statements);
   story::tell_drifts(run, told.statements);
   std::vector<JudgedGap> judged = judged_gaps(run);
+  tell_block(run, judged, told);
   for (std::size_t g = 0; g < judged.size(); ++g) PairStory(run, g, std::move(judged[g])).tell(told.statements);
   tell_pairs_without_contact(run, told.statements);
   story::tell_yielding(run, told);

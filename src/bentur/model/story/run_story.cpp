@@ -123,7 +123,11 @@ GapView judged_view_of(const RunResults& run) {
 }
 
 GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  GapView view{.c = c, .problem = problem, .levels = spectral.levels, .screened = screened(c, problem)};
+  GapView view{.c = c,
+               .problem = problem,
+               .levels = spectral.levels,
+               .screened = screened(c, problem),
+               .from_case = !c.buildings.empty()};
   for (JudgedGap& one : judged_gaps(c, problem, spectral)) {
     view.facts.push_back(std::move(one.facts));
     view.judged.push_back(std::move(one.judgement));
@@ -137,7 +141,8 @@ GapView view_of(const RunResults& run) {
           .response = &run.response,
           .levels = separations(run.problem, run.response, run.c.code, run.c.units),
           .collapsed = run.response.collapse_no_contact.has_value(),
-          .screened = screened(run.c, run.problem)};
+          .screened = screened(run.c, run.problem),
+          .from_case = !run.c.buildings.empty()};
 }
 
 }  // namespace story
@@ -348,48 +353,17 @@ void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
                                    value_in("in_g", pga / run.c.units.gravity, "g")}});
 }
 
-/// Of a row of more than two buildings: how many gaps are too small, of how many that is not known, and the worst.
 void tell_row(const RunResults& run, const GapView& view, const std::vector<GapOutcome>& all, Story& told) {
-  if (all.size() < 2) return;
-  const std::string& length = run.c.units.length;
-  StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
-  StoryColumn given{"column.given", length}, needed{"column.simulated", length}, lacking{"column.short_by", length};
-  const ShownUnits shown = shown_units(run.c.units, run.response);
-  StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
-  StoryTable table{.kind = "row"};
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  long small = 0, unknown = 0;
+  std::vector<story::GapLine> lines;
   for (const GapOutcome& one : all) {
     const auto gap = static_cast<std::size_t>(one.gap.left);
-    const Judgement& judged = view.judged.at(gap);
-    const auto& levels = view.facts.at(gap).levels;
-    const bool is_known =
-        std::all_of(levels.begin(), levels.end(), [](const auto& l) { return l.given.need.has_value(); });
-    if (judged.value == Sufficiency::too_small) table.marked.push_back(name.texts.size());
-    small += judged.value == Sufficiency::too_small ? 1 : 0;
-    unknown += judged.value == Sufficiency::unknown ? 1 : 0;
-    name.texts.push_back(gap_name(run.problem, one.gap.left));
-    verdict.texts.emplace_back(judgement_word(judged.value));
-    given.numbers.push_back(one.governing.width);
-    needed.numbers.push_back(is_known ? one.governing.gap_needed : none);
-    lacking.numbers.push_back(is_known && one.governing.is_short() ? one.governing.gap_needed - one.governing.width
-                                                                   : none);
-    impacts.texts.push_back(std::to_string(one.impacts));
-    const double force = one.hardest ? run.response.points[*one.hardest].peak_force : 0;
-    hardest.numbers.push_back(force > 0 ? shown.force * force : none);
+    lines.push_back({.name = gap_name(run.problem, one.gap.left),
+                     .facts = &view.facts.at(gap),
+                     .judged = view.judged.at(gap).value,
+                     .impacts = one.impacts,
+                     .peak_force = one.hardest ? run.response.points[*one.hardest].peak_force : 0});
   }
-  table.columns = {name, verdict, given, needed, lacking, impacts, hardest};
-  told.tables.push_back(std::move(table));
-  const long count = std::ssize(all);
-  Statement statement{.kind = small == count ? "row_all"
-                              : small > 0    ? "row_some"
-                              : unknown > 0  ? "row_unknown"
-                                             : "row_none",
-                      .severity = small + unknown == 0 ? Severity::finding : Severity::warning};
-  statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown)};
-  const bool more = small > 0 && unknown > 0;
-  statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
-  told.statements.push_back(std::move(statement));
+  story::tell_gaps(lines, shown_units(run.c.units, run.response), run.c.units.length, told);
 }
 
 /// Of every gap.

@@ -8,26 +8,44 @@
 namespace bentur::html {
 namespace {
 
-/// Bars of the given gap, the gap needed as given and reversed and those of the rules where one gap falls short the
-/// most, all at one scale.
-Html gap_bars(const Report& report, const GapFacts& facts) {
-  const auto found = governing_need(facts);
+/// A bar of a verdict: `style`, its class in the style sheet, "given", "needed", "short" or "rule".
+struct GapBar {
+  std::string name;
+  double value = 0;
+  const char* style = "";
+};
+
+/// The given gap, the gap needed as given and reversed where a gap falls short the most, and what rules ask.
+std::vector<GapBar> bars_of(const VerdictGap& gap, const std::string& simulated, const Words& say) {
+  const auto found = gap.facts != nullptr ? governing_need(*gap.facts) : std::nullopt;
   if (!found) return {};
-  std::vector<GapBar> bars = {{report.say("column.given"), found->at.width, "given"}};
-  const bool by_spectrum = report.response.buildings.empty();
-  put_bar(report.say(by_spectrum ? "spectral.difference" : "column.simulated"), found->given, bars);
-  put_bar(report.say("column.reversed"), found->reversed, bars);
-  for (const RuleFinding& rule : facts.rules) {
-    if (rule.at) bars.push_back({rule.title, rule.gap, "rule"});
+  std::vector<GapBar> bars = {{say("column.given"), found->at.width, "given"}};
+  const auto put = [&](const std::string& name, const GoverningNeed::OneWay& one) {
+    if (one.needed) bars.push_back({name, *one.needed, one.is_short ? "short" : "needed"});
+  };
+  put(simulated, found->given);
+  put(say("column.reversed"), found->reversed);
+  for (const RuleFinding& rule : gap.facts->rules) {
+    if (rule.at) bars.push_back({rule.title, rule.gap, rule.is_short ? "short" : "rule"});
   }
-  return gap_bars(bars, report.c.units.length);
+  return bars;
+}
+
+/// `largest`: what the whole width stands for.
+Html drawn_bars(const std::vector<GapBar>& bars, double largest, const std::string& unit) {
+  if (bars.empty() || !(largest > 0)) return {};
+  Html rows;
+  for (const GapBar& bar : bars) {
+    const Html drawn = element(
+        "svg", Html(),  // which has a width without a style, that the page's policy refuses
+        fmt::format("class=\"bar {}\" width=\"{:.1f}%\" aria-hidden=\"true\"", bar.style, 100 * bar.value / largest));
+    rows += element("tr", element("th", bar.name, "scope=\"row\"") + element("td", drawn, "class=\"bars\"") +
+                              element("td", quantity(bar.value, unit)));
+  }
+  return element("table", element("tbody", rows), "class=\"gapbars\"");
 }
 
 }  // namespace
-
-void put_bar(const std::string& name, const GoverningNeed::OneWay& one, std::vector<GapBar>& bars) {
-  if (one.needed) bars.push_back({name, *one.needed, one.is_short ? "short" : "needed"});
-}
 
 Html paragraphs(const SaidStatement& statement, std::string& badge, const std::string& gap) {
   Html block;
@@ -38,21 +56,6 @@ Html paragraphs(const SaidStatement& statement, std::string& badge, const std::s
   const bool leads = statement.severity == Severity::danger || !statement.badge.empty();
   const std::string text = gap.empty() ? statement.text : gap + ": " + statement.text;
   return block + element("p", text, leads ? "class=\"lead\"" : "");
-}
-
-Html gap_bars(const std::vector<GapBar>& bars, const std::string& unit) {
-  double largest = 0;
-  for (const GapBar& bar : bars) largest = std::max(largest, bar.value);
-  if (!(largest > 0)) return {};
-  Html rows;
-  for (const GapBar& bar : bars) {
-    const Html drawn = element(
-        "svg", Html(),  // which has a width without a style, that the page's policy refuses
-        fmt::format("class=\"bar {}\" width=\"{:.1f}%\" aria-hidden=\"true\"", bar.style, 100 * bar.value / largest));
-    rows += element("tr", element("th", bar.name, "scope=\"row\"") + element("td", drawn, "class=\"bars\"") +
-                              element("td", quantity(bar.value, unit)));
-  }
-  return element("table", element("tbody", rows), "class=\"gapbars\"");
 }
 
 Html table_of(const SaidTable& table) {
@@ -66,39 +69,60 @@ Html table_of(const SaidTable& table) {
   return shown.markup();
 }
 
-PageSection verdict_section(const Report& report) {
-  const std::vector<SaidStatement> all = said(report.story.statements, report.say);
-  const std::size_t gaps = report.problem.buildings.size() - 1;
-  const bool is_row = gaps > 1;
+PageSection verdict_section(const Verdict& verdict, const Words& say) {
+  const std::vector<SaidStatement> all = said(verdict.story.statements, say);
+  const std::vector<VerdictGap>& gaps = verdict.gaps;
+  const bool are_many = gaps.size() > 1;
   const bool grave = std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity); });
   Html block;
   std::string badge;
-  std::vector<Html> of_gaps(gaps);
-  std::vector<std::string> badges(gaps);
+  std::vector<Html> of_gaps(gaps.size());
+  std::vector<std::string> badges(gaps.size());
   for (const SaidStatement& statement : all) {
     if (statement.severity == Severity::remark) continue;
-    if (is_row && statement.gap && statement.severity != Severity::danger) {
-      // Of a row what each gap needs is folded away behind the table.
+    if (are_many && statement.gap && statement.severity != Severity::danger) {
+      // Of many gaps what each needs is folded away behind the table.
       of_gaps[*statement.gap] += paragraphs(statement, badges[*statement.gap], "");
     } else {
-      block += paragraphs(statement, badge, is_row && statement.gap ? short_gap_name(report, *statement.gap) : "");
+      block += paragraphs(statement, badge, are_many && statement.gap ? gaps[*statement.gap].in_short : "");
     }
   }
-  for (const StoryTable& table : report.story.tables) {
-    if (table.kind == "row") block += table_of(said(table, report.say));
+  for (const StoryTable& table : verdict.story.tables) {
+    if (table.kind.starts_with("row")) block += table_of(said(table, say));
   }
-  if (is_row && numbers_buildings(report)) block += element("p", building_key(report), "class=\"note\"");
-  for (std::size_t gap = 0; gap < gaps; ++gap) {
-    const auto number = static_cast<Eigen::Index>(gap);
-    const Html bars = gap < report.judged.size() ? gap_bars(report, report.judged[gap].facts) : Html();
-    if (is_row) {
-      block += element("details", element("summary", gap_name(report.problem, number)) + of_gaps[gap] + bars) +
-               Html::markup("\n");
+  block += verdict.key;
+  std::vector<std::vector<GapBar>> bars;
+  double largest = 0;  // all bars at one scale
+  for (const VerdictGap& gap : gaps) {
+    bars.push_back(bars_of(gap, verdict.simulated, say));
+    for (const GapBar& bar : bars.back()) largest = std::max(largest, bar.value);
+  }
+  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+    const Html drawn = drawn_bars(bars[gap], largest, verdict.length);
+    if (are_many) {
+      block += element("details", element("summary", gaps[gap].name) + of_gaps[gap] + drawn) + Html::markup("\n");
     } else {
-      block += bars;
+      block += drawn;
     }
   }
-  return {"verdict", report.say("heading.verdict"), element("div", block, verdict_class(grave))};
+  return {"verdict", say("heading.verdict"), element("div", block, verdict_class(grave))};
+}
+
+PageSection verdict_section(const Report& report) {
+  const bool by_spectrum = report.response.buildings.empty();
+  Verdict verdict{.story = report.story,
+                  .length = report.c.units.length,
+                  .simulated = report.say(by_spectrum ? "spectral.difference" : "column.simulated")};
+  for (std::size_t gap = 0; gap + 1 < report.problem.buildings.size(); ++gap) {
+    const auto number = static_cast<Eigen::Index>(gap);
+    verdict.gaps.push_back({.name = gap_name(report.problem, number),
+                            .in_short = short_gap_name(report, number),
+                            .facts = gap < report.judged.size() ? &report.judged[gap].facts : nullptr});
+  }
+  if (verdict.gaps.size() > 1 && numbers_buildings(report)) {
+    verdict.key = element("p", building_key(report), "class=\"note\"");
+  }
+  return verdict_section(verdict, report.say);
 }
 
 PageSection remarks_section(const Report& report) {

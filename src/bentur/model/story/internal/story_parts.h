@@ -27,6 +27,7 @@ struct GapView {
   std::vector<LevelSeparation> levels;                       ///< of all gaps
   bool collapsed = false;                                    ///< the free response
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
+  bool from_case = true;                                     ///< not of results that are read back
   const PlanGap* in_plan = nullptr;                          ///< of the pair of a gap in plan: where its levels are
   const PlanProblem* plan = nullptr;                         ///< likewise: whose gap it is
   std::vector<GapFacts> facts = {};                          ///< per gap; empty: nothing is judged
@@ -119,6 +120,16 @@ struct WorstDrift {
 void tell_drift_beyond(const WorstDrift& worst, double limit, std::vector<Statement>& statements);
 /// The same of every building in plan.
 void tell_drifts(const PlanRun& run, std::vector<Statement>& statements);
+/// A gap among others.
+struct GapLine {
+  std::string name;
+  const GapFacts* facts = nullptr;
+  Sufficiency judged = Sufficiency::unknown;
+  long impacts = 0;       ///< slow ones too
+  double peak_force = 0;  ///< [force]; 0: none
+};
+/// Of more than one gap: how many are too small, of how many that is not known, and a table; of many gaps of the worst.
+void tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const std::string& length, Story& told);
 /// The item of model_statement() where gravity acts on `loaded` of so many buildings.
 [[nodiscard]] std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted);
 /// The storey that has least of its strength left of those that have softened, from 0; −1: none has.

@@ -97,16 +97,20 @@ struct AppliedRecord {
 /// A statement of the verdict as paragraphs: its badge where that is not `badge`, the one before, and its text, behind
 /// the name of its gap unless that is empty.
 [[nodiscard]] Html paragraphs(const SaidStatement& statement, std::string& badge, const std::string& gap);
-/// A gap that is given, needed, or asked for by a rule [length].
-struct GapBar {
-  std::string name;
-  double value = 0;
-  const char* style = "";  ///< a class of report.css
+/// What a verdict shows of a gap.
+struct VerdictGap {
+  std::string name, in_short;       ///< the latter before sentences
+  const GapFacts* facts = nullptr;  ///< for bars; nothing: none
 };
-/// Adds what is needed in one way of the motion, where it is known.
-void put_bar(const std::string& name, const GoverningNeed::OneWay& one, std::vector<GapBar>& bars);
-/// All at one scale; nothing where all are zero.
-[[nodiscard]] Html gap_bars(const std::vector<GapBar>& bars, const std::string& unit);
+struct Verdict {
+  const Story& story;
+  std::vector<VerdictGap> gaps = {};  ///< by their numbers in statements
+  Html key = {};                      ///< of short names, below the table of gaps
+  std::string length = {};            ///< unit
+  std::string simulated = {};         ///< what the bar of the gap needed is called
+};
+/// The outcome, gravest first, and bars at one scale; of several gaps a table, what is of each folded away.
+[[nodiscard]] PageSection verdict_section(const Verdict& verdict, const Words& say);
 /// Remarks of a story as a list, and what else is to be remarked below it. @param to_hand_in what is said of the model
 /// stands elsewhere
 [[nodiscard]] PageSection remarks_section(const Story& story, const Words& say, bool to_hand_in);

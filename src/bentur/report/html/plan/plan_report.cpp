@@ -44,20 +44,9 @@ class PlanPage {
         judged_(judged_gaps(run)) {}
 
   [[nodiscard]] html::PageSection verdict() const {
-    const std::vector<SaidStatement> all = said(story_.statements, say_);
-    const bool grave = std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity); });
-    Html block;
-    std::string badge;
-    for (const SaidStatement& statement : all) {
-      if (statement.severity == Severity::remark) continue;
-      block += html::paragraphs(statement, badge, gaps_.size() > 1 && statement.gap ? gaps_.at(*statement.gap) : "");
-    }
-    for (std::size_t g = 0; g < gaps_.size(); ++g) {
-      const Html bars = gap_bars(g);
-      if (gaps_.size() > 1 && !bars.str().empty()) block += element("p", gaps_[g]);
-      block += bars;
-    }
-    return {"verdict", say_("heading.verdict"), element("div", block, html::verdict_class(grave))};
+    html::Verdict verdict{.story = story_, .length = length_, .simulated = say_("column.simulated")};
+    for (std::size_t g = 0; g < gaps_.size(); ++g) verdict.gaps.push_back({gaps_[g], gaps_[g], &judged_.at(g).facts});
+    return html::verdict_section(verdict, say_);
   }
 
   /// What every level needs, what rules ask of it, how the buildings stand.
@@ -91,6 +80,7 @@ class PlanPage {
       content += floors(b, false) + floors(b, true) + foundation(b) + bearings(b) + planes(b);
     }
     for (const StoryTable& table : story_.tables) {
+      if (table.kind.starts_with("row")) continue;  // it stands in the verdict
       const SaidTable shown = said(table, say_);
       content += element("h3", shown.heading) + html::table_of(shown);
     }
@@ -164,15 +154,6 @@ class PlanPage {
   }
 
  private:
-  [[nodiscard]] Html gap_bars(std::size_t g) const {
-    const auto found = governing_need(judged_.at(g).facts);
-    if (!found) return {};
-    std::vector<html::GapBar> bars = {{say_("column.given"), found->at.width, "given"}};
-    html::put_bar(say_("column.simulated"), found->given, bars);
-    html::put_bar(say_("column.reversed"), found->reversed, bars);
-    return html::gap_bars(bars, length_);
-  }
-
   void add_places(HtmlTable& table, const std::vector<Index>& points) const {
     std::vector<double> elevation, x, y;
     for (const Index point : points) {
