@@ -271,16 +271,6 @@ test("the form has the schema that bentur writes, and the units that it knows", 
   assert.equal(units.force.kip, 453.59237 * 9.80665);
 });
 
-test("a record says its unit, whatever its name, or none", () => {
-  const unit = (bytes) => { one.putFile("some.txt", bytes); return one.recordUnit("some.txt"); };
-  assert.equal(unit(readFileSync(`${source}/tests/bad_input/good.AT2`)), "g");
-  assert.equal(unit("0.00 0.1\n0.01 0.2\n0.02 0.1\n"), "");
-  assert.equal(unit(readFileSync(`${source}/tests/bad_input/good-two-channels.V2`)), "cm/s2");
-  assert.equal(unit(readFileSync(`${source}/tests/bad_input/good-components.csv`)), "cm/s2");
-  assert.equal(unit(""), "");
-  assert.equal(one.recordUnit("none.txt"), "");
-});
-
 test("no case of the page says in its title what a slider changes", () => {
   const used = readFileSync(`${source}/web/app/src/cases.ts`, "utf8");
   const files = [...used.matchAll(/from "(?:@repo\/|\.\.\/)([\w/.-]+\.toml)\?raw"/g)].map(([, file]) => file);

@@ -804,6 +804,49 @@ test("another record is made as strong as the one before, and stands the same wa
   });
 });
 
+test("a record that the case names goes to its place, and nothing else changes", async () => {
+  const files = [`${source}/examples/frame-and-wall.toml`, `${source}/data/four-lobes.csv`];
+  for (const given of [files, files.toReversed()]) {
+    await on(async (page) => {
+      await solved(page);
+      await page.setInputFiles(".cases input[type=file]", given);
+      await page.waitForFunction((at) => document.querySelector(at).value.includes("four-lobes"), editor);
+      await solved(page);
+      assert.equal(await page.inputValue(editor), readFileSync(files[0], "utf8"));
+    });
+  }
+});
+
+test("another record that does not say its unit asks for it", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.setInputFiles(".cases input[type=file]", `${source}/examples/frame-and-wall.toml`);
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("four-lobes"), editor);
+    await page.setInputFiles(".cases input[type=file]", { name: "mine.csv", mimeType: "text/csv", buffer: Buffer.from("0.00,0.1\n0.01,0.2\n0.02,-0.1\n0.03,0\n") });
+    await solved(page, "errors");
+    assert.match(await page.textContent(".errors"), /unit/);
+    assert.doesNotMatch(await page.inputValue(editor), /unit = "m\/s2"/);
+    await openForm(page);
+    await page.getByRole("combobox", { name: "Unit" }).selectOption("g");
+    await solved(page);
+    assert.match(await page.inputValue(editor), /file = "mine.csv"\nunit = "g"/);
+  });
+});
+
+test("the slider marks what the reversed motion and the rules ask for, and reaches the largest", async () => {
+  await on(async (page) => {
+    await solved(page);
+    await page.setInputFiles(".cases input[type=file]", `${source}/examples/hinged-frame.toml`);
+    await page.waitForFunction((at) => document.querySelector(at).value.includes("moment_capacity"), editor);
+    await solved(page);
+    const shown = await page.textContent(".marks");
+    for (const one of ["reversed", "SRSS", "ABS"]) assert.ok(shown.includes(one), `${one}: ${shown}`);
+    const largest = Math.max(...[...shown.matchAll(/[\d.]+/g)].map(Number));
+    assert.ok(Number(await page.locator("#gap").getAttribute("max")) > largest);
+    assert.match(await page.locator("#gap").getAttribute("aria-valuetext"), / m$/);
+  });
+});
+
 test("the tick of the gap needed stands where the slider's thumb has it", async () => {
   await on(async (page) => {
     for (const id of ["frames", "monograph", "moat"]) {

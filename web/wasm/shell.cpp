@@ -19,7 +19,6 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/records/record_files.h"
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
@@ -217,15 +216,6 @@ std::string Studio::schema() const {
   return fmt::format("{{\"case\": {}, \"units\": {}}}", json_schema(case_keys(), "A case"), text_of(units));
 }
 
-std::string Studio::record_unit(const std::string& path) const {
-  // Of a file with several channels or columns it is that of the first.
-  for (const RecordOptions& options : {RecordOptions{}, RecordOptions{.channel = 1}, RecordOptions{.column = 2}}) {
-    Diagnostics unread;
-    if (const auto record = read_record(folder / "cases" / path, options, unread)) return record->unit;
-  }
-  return "";
-}
-
 namespace {
 
 /// A run with what a page takes of time and memory, beside what its case allows. @param refused why the case refuses it
@@ -380,7 +370,6 @@ EMSCRIPTEN_BINDINGS(bentur) {
       .function("chooseRecord", &Studio::choose_record)
       .function("inUnits", &Studio::in_units)
       .function("schema", &Studio::schema)
-      .function("recordUnit", &Studio::record_unit)
       .function("solve", &Studio::solve)
       .function("summary", &Studio::summary)
       .function("impacts", &Studio::impacts)

@@ -56,9 +56,6 @@ class Studio {
   /// of figures}, units in metres and newtons.
   [[nodiscard]] std::string schema() const;
 
-  /// The unit that a record says it is in; empty where it says none, or is none.
-  [[nodiscard]] std::string record_unit(const std::string& path) const;
-
   /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
   /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
   /// answers false the run ends. A case with a spectrum has its gaps computed instead, one with a suite the runs of all

@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bentur/core/version.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_quantities.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/model/story/story.h"
@@ -53,8 +57,27 @@ GoverningLevel governing(const SpectralGaps& spectral, Eigen::Index gap) {
   return governing_level(levels, 0).value_or(GoverningLevel{});
 }
 
-Json gap_overview(const Problem& problem, Eigen::Index gap, const GoverningLevel& found) {
-  return {{"name", gap_name(problem, gap)}, {"width", found.width}, {"needed", found.gap_needed}};
+/// The widths that a slider marks: what the motion needs in the other direction, and what rules ask at most, ascending.
+Json marks_of(const GapFacts& facts, const Words& say) {
+  std::vector<std::pair<double, std::string>> marks;
+  if (const auto need = governing_need(facts); need && need->reversed.needed) {
+    marks.emplace_back(*need->reversed.needed, say("records.reversed"));
+  }
+  for (const RuleFinding& one : facts.rules) {
+    if (one.at && std::isfinite(one.most)) marks.emplace_back(one.most, one.title);
+  }
+  std::sort(marks.begin(), marks.end());
+  Json all = Json::array();
+  for (const auto& [at, name] : marks) all.push_back({{"at", at}, {"name", name}});
+  return all;
+}
+
+Json gap_overview(const Problem& problem, Eigen::Index gap, const GoverningLevel& found, const GapFacts& facts,
+                  const Words& say) {
+  return {{"name", gap_name(problem, gap)},
+          {"width", found.width},
+          {"needed", number_or_null(found.gap_needed)},
+          {"marks", marks_of(facts, say)}};
 }
 
 /// What is to be said, in words, the gravest first. @param gaps by name
@@ -200,8 +223,11 @@ std::string Studio::overview(const std::string& language) const {
     if (suite_run_) return suite_overview(say);
     Json gaps = Json::array();
     if (spectral_) {
-      for (const Gap& gap : gaps_of(*problem_))
-        gaps.push_back(gap_overview(*problem_, gap.left, governing(*spectral_, gap.left)));
+      const std::vector<JudgedGap> judged = judged_gaps(*case_, *problem_, *spectral_);
+      for (const Gap& gap : gaps_of(*problem_)) {
+        gaps.push_back(
+            gap_overview(*problem_, gap.left, governing(*spectral_, gap.left), judged.at(gap.left).facts, say));
+      }
       Json all = overview_of(case_->title, case_->units, problem_->duration, gaps, names_of(*problem_),
                              spectral_story(*case_, *problem_, *spectral_), say);
       all["spectral"] = true;
@@ -209,8 +235,10 @@ std::string Studio::overview(const std::string& language) const {
     }
     if (!run_) return failure("nothing was run");
     const RunResults& run = *run_;
+    const std::vector<JudgedGap> judged = judged_gaps(run);
     for (const Gap& gap : gaps_of(run.problem)) {
-      gaps.push_back(gap_overview(run.problem, gap.left, gap_outcome(run.problem, run.response, gap.left).governing));
+      gaps.push_back(gap_overview(run.problem, gap.left, gap_outcome(run.problem, run.response, gap.left).governing,
+                                  judged.at(gap.left).facts, say));
     }
     Json points = Json::array();
     for (const ContactPoint& point : run.problem.points) {

@@ -1,10 +1,11 @@
 import type { ComponentChildren } from "preact";
+import { batch } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { found, gap, inPlan, result, text } from "./case";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
 import { type CaseError, type Files, type Key, type Node, schema } from "./solver";
-import { addFile, addFiles, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, travel, type, width } from "./state";
+import { addFiles, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, travel, type, width } from "./state";
 import { canRedo, canUndo } from "./steps";
 import { count, type Part } from "./storeys";
 import { isSuite, placeOf, withFile } from "./suite";
@@ -233,18 +234,18 @@ async function bytesOf(file: File): Promise<Uint8Array | null> {
   return null;
 }
 
-/** A record that no case names yet: it becomes the ground motion of the case, of a suite one more. */
-async function addRecord(file: File, bytes: Uint8Array) {
+/** A record that no case names yet: it becomes the ground motion of the case, of a suite one more. The unit is a key of the
+ *  file: one that does not say its own asks for it (an error tells where). */
+function addRecord(file: File, bytes: Uint8Array) {
   const name = file.name.replace(/[^\w.+ -]/g, "_").slice(0, 80), quoted = JSON.stringify(name);
-  // A file that says its unit refuses another one; a plain column does not say it.
-  await addFile(name, bytes, (stated) => {
-    const unit = leaf(found.value, ["excitation", "unit"])?.text ?? '"g"';
-    if (isSuite(found.value)) change(withFile(text.value, found.value, stated === "" ? `{ file = ${quoted}, unit = ${unit} }` : quoted));
-    else excite("record", { file: quoted, ...(stated === "" && { unit }) });
+  batch(() => {
+    addFiles([[name, bytes]]);
+    if (isSuite(found.value)) change(withFile(text.value, found.value, quoted));
+    else excite("record", { file: quoted });
   });
 }
 
-/** A case is opened; anything else is a record: of those that a suite names each goes to its place. */
+/** A case is opened; anything else is a record: one that the case names goes to its place, and nothing changes. */
 export async function openFiles(given: File[]) {
   problem.value = null;
   const opened = given.find(isCaseFile), bytes = opened && await bytesOf(opened);
@@ -256,7 +257,7 @@ export async function openFiles(given: File[]) {
     else if (record) others.push([file, record]);
   }
   if (placed.length > 0) addFiles(placed);
-  for (const [file, record] of isSuite(found.value) ? others : others.slice(0, 1)) await addRecord(file, record);
+  for (const [file, record] of isSuite(found.value) ? others : others.slice(0, 1)) addRecord(file, record);
 }
 
 export function FilePicker({ label: shown }: { label: string }) {
@@ -294,8 +295,8 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
   // In plan a gap is as wide as footprints stand apart: no number of its own can be slid.
   if (!overview || !one || overview.plan || one.needed === null) return <div class="head">{children}<p><Travel /></p></div>;
   const key = `${gap.value}|${loads.value}|${one.name}|${overview.units.length}`;
-  const wanted = Math.max(1.3 * one.needed, 1.3 * width.value, 1e-9);
-  if (most.current.key !== key || Math.max(width.value, one.needed) > most.current.value) most.current = { key, value: Number(wanted.toPrecision(2)) };
+  const marks = one.marks ?? [], furthest = Math.max(width.value, one.needed, ...marks.map(({ at }) => at));
+  if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2)) };
   const span = most.current.value, several = overview.gaps.length > 1;
   return (
     <div class="gap-slider" style={{ "--at": one.needed / span, "--now": Math.min(1, width.value / span) }}>
@@ -305,8 +306,9 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
         {children}
       </div>
       <div class="track"><Travel /><div>
-        <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber), "gap")} />
-        <div class="needed"><i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber), "gap")} />
+        <div class="needed">{marks.map(({ at, name }) => <b key={name} style={{ "--at": at / span }} title={`${name} ${number(at)} ${overview.units.length}`} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        {marks.length > 0 && <p class="marks">{marks.map(({ at, name }) => `${name} ${number(at)}`).join(" · ")} {overview.units.length}</p>}
       </div></div>
     </div>
   );

@@ -14,7 +14,6 @@ declare module "*/bentur_web.mjs" {
     open(text: string, file: string): string;
     chooseRecord(number: number): string;
     schema(): string;
-    recordUnit(path: string): string;
     inUnits(text: string, length: string, force: string): string;
     solve(outputStep: number | null, progress: ((done: number) => boolean) | null): string;
     summary(): string;

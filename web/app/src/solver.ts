@@ -25,7 +25,8 @@ export interface Histories {
   /** By what is told of floors, of a row displacement, drift and shear. */
   buildings: Record<string, Float64Array[]>[];
 }
-export interface GapOverview { name: string; width: number; needed: number | null }
+/** `marks`: widths beside the one needed, of the motion reversed and of rules. */
+export interface GapOverview { name: string; width: number; needed: number | null; marks?: { at: number; name: string }[] }
 export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; text: string }
 export interface BuildingOverview {
   name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
@@ -72,7 +73,6 @@ export type Request = Common & (
   | { kind: "take"; what: Take; draw?: Draw }
   | { kind: "contacts" }
   | { kind: "units"; length: string; force: string }
-  | { kind: "record"; name: string }
   | { kind: "curve"; gap: number; widths: number[] });
 export type Result = { overview: Overview; motion: string; drawn: Record<string, Drawn>; tables: PagePart[]; milliseconds: number; fine: boolean };
 export type Answer = { id: number } & (

@@ -66,13 +66,12 @@ export const width = computed(() => {
 const behind = new Solver(); // curves and files, so that nothing waits for them
 const give = (more: Placed) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
 const builtIn = records.flatMap(([name, bytes]): Files => [[name, bytes], [`../data/${name}`, bytes], [`../../data/${name}`, bytes]]);
-const coming = new Map<string, Uint8Array>(); // of which it is not known yet how a case is to name them
 let stand = new Map<string, Uint8Array>();
 
 /** Puts the files of the case that stands there where it may name them, and takes away those that are no longer its own. No
  *  pattern of a suite finds the page's records. */
 function place() {
-  const next = new Map([...builtIn.filter(([name]) => !isSuite(found.value) || named(found.value).includes(name)), ...files.value, ...coming]);
+  const next = new Map([...builtIn.filter(([name]) => !isSuite(found.value) || named(found.value).includes(name)), ...files.value]);
   const gone = [...stand.keys()].filter((name) => !next.has(name)).map((name): Placed[number] => [name, null]);
   const come = [...next].filter(([name, bytes]) => stand.get(name) !== bytes);
   if (gone.length + come.length > 0) give([...gone, ...come]);
@@ -222,21 +221,6 @@ export function inUnits(length: string, force: string) {
 /** Files that the case names already. */
 export function addFiles(added: Files) {
   files.value = [...files.value.filter(([one]) => !added.some(([name]) => name === one)), ...added];
-}
-
-/** A file that cases may name from then on, as far as `then` makes it so when it is told which unit the file says it is in;
- *  "" where it says none. */
-export function addFile(name: string, bytes: Uint8Array, then: (unit: string) => void): Promise<void> {
-  coming.set(name, bytes);
-  place();
-  return new Promise((done) => live.ask({ kind: "record", name }, (answer) => {
-    coming.delete(name);
-    batch(() => {
-      addFiles([[name, bytes]]);
-      then(answer.kind === "text" ? answer.text : "");
-    });
-    done();
-  }));
 }
 
 let growing = Promise.resolve();

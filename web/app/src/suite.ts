@@ -1,4 +1,4 @@
-// The records that a case with a suite names: which of the files at hand are among them, and where they are to stand.
+// The records that a case names: which of the files at hand are among them, and where they are to stand.
 import { apply, leaf, type Outline, same } from "./toml";
 
 const FILES = ["excitation", "files"];
@@ -24,8 +24,10 @@ function fits(pattern: string, name: string): boolean {
 /** Whether a suite has use for a file at that place. */
 export const uses = (found: Outline | null, place: string) => named(found).some((one) => fits(one, place));
 
-/** Where a file of that name is to stand for the suite to find it; nothing where it names none such. */
+/** Where a file of that name is to stand for the case to find it; nothing where it names none such. */
 export function placeOf(found: Outline | null, name: string): string | undefined {
+  const alone = leaf(found, ["excitation", "kind"])?.value === "record" ? String(leaf(found, ["excitation", "file"])?.value ?? "") : "";
+  if (alone.slice(alone.lastIndexOf("/") + 1) === name) return alone;
   const all = named(found).map((one) => one.slice(0, one.lastIndexOf("/") + 1) + name);
   return all.find((one, i) => one === named(found)[i]) ?? all.find((one, i) => fits(named(found)[i], one));
 }

@@ -37,7 +37,6 @@ async function answer(request: Request): Promise<void> {
     opened = "";
   }
   const refused = ({ errors }: { errors: CaseError[] }) => post({ id, kind: "refused", errors });
-  if (request.kind === "record") return post({ id, kind: "text", text: studio.recordUnit(request.name) });
   if (request.kind === "units") {
     const result = JSON.parse(studio.inUnits(request.text, request.length, request.force));
     return result.ok ? post({ id, kind: "text", text: result.text }) : refused(result);
