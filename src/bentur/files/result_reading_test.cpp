@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bentur/files/result_netcdf.h"
 #include "bentur/io/case/case_toml.h"
@@ -14,6 +15,7 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "tests/support/same_response.h"
 
 namespace bentur {
@@ -51,6 +53,15 @@ TEST_P(ReadBack, WhatWasWrittenIsWhatIsRead) {
   }
   EXPECT_EQ(name(results.c.analysis.solver), name(c->analysis.solver));
   EXPECT_EQ(results.response.events, response.events);
+  // Judged alike, for the same reasons, though the samples of a record are not read back.
+  const std::vector<JudgedGap> judged = judged_gaps(results), as_written = judged_gaps(written);
+  ASSERT_EQ(judged.size(), as_written.size());
+  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
+    std::vector<std::string> reasons, wanted;
+    for (const Reason& one : judged[gap].judgement.reasons) reasons.push_back(word_of(one));
+    for (const Reason& one : as_written[gap].judgement.reasons) wanted.push_back(word_of(one));
+    EXPECT_EQ(reasons, wanted) << gap;
+  }
   ASSERT_EQ(results.problem.buildings.size(), problem.buildings.size());
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& one = problem.buildings[b];

@@ -35,15 +35,22 @@ std::vector<Beyond> beyond(const std::vector<LargestDrift>& drifts, const Buildi
   return found;
 }
 
+/// Whether the ground moves, so that it can move the other way; results that are read back have it in their
+/// excitation, and of a record that there is one.
+bool moves(const GroundMotion& motion, const ExcitationSpec& excitation) {
+  const auto is_motion = [](const GroundMotion& one) { return !std::holds_alternative<NoMotion>(one); };
+  return is_motion(motion) || is_motion(excitation.motion) || excitation.record;
+}
+
 /// What rows and plans tell alike.
 template <class Run>
-RunFacts common_facts(const Run& run, const std::vector<LargestDrift>& drifts, bool moves) {
+RunFacts common_facts(const Run& run, const std::vector<LargestDrift>& drifts, bool has_other_way) {
   RunFacts facts;
   facts.given = {.looked_at = true,
                  .fall = fall_of(run.response.collapse_no_contact, run.problem.buildings),
                  .fall_with_contact = fall_of(run.response.collapse, run.problem.buildings),
                  .drifts = beyond(drifts, run.problem.buildings, run.problem.collapse_drift)};
-  facts.has_other_way = moves;
+  facts.has_other_way = has_other_way;
   if (const auto& other = run.response.reversed) {
     facts.reversed = {.looked_at = true,
                       .fall = fall_of(other->collapse_no_contact, run.problem.buildings),
@@ -87,7 +94,7 @@ std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) {
 }
 
 RunFacts run_facts(const RunResults& run) {
-  RunFacts facts = common_facts(run, drifts_no_contact(run), !std::holds_alternative<NoMotion>(run.problem.motion));
+  RunFacts facts = common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation));
   for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
     facts.names.push_back(gap_name(run.problem, gap));
     facts.closes.push_back(closes_either_way(run.problem, run.response, gap));
@@ -96,9 +103,9 @@ RunFacts run_facts(const RunResults& run) {
 }
 
 RunFacts run_facts(const PlanRun& run) {
-  const bool moves = std::any_of(run.problem.motions.begin(), run.problem.motions.end(),
-                                 [](const GroundMotion& one) { return !std::holds_alternative<NoMotion>(one); });
-  RunFacts facts = common_facts(run, drifts_no_contact(run), moves);
+  bool either = false;
+  for (const std::size_t i : {0U, 1U}) either = either || moves(run.problem.motions[i], run.c.excitation[i]);
+  RunFacts facts = common_facts(run, drifts_no_contact(run), either);
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
     const RunResults pair = pair_of(run, g);
     facts.names.push_back(gap_name(run.problem, run.problem.gaps[g]));
