@@ -66,7 +66,7 @@ void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<Lev
                              : level->is_short()         ? "reversed_short"
                                                          : "reversed_enough";
     statements.push_back(need_statement(facts, gap, *level, kind));
-  } else if (known.has_other_way && facts.from_case) {
+  } else if (known.has_other_way) {
     statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = {gap, gap + 1}});
   }
 }

@@ -281,7 +281,6 @@ GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pa
   GapView view = view_of(pair);
   view.in_plan = &run.problem.gaps[gap];
   view.plan = &run.problem;
-  view.from_case = !run.c.buildings.empty();
   view.screened = {plan_screening(run.c, run.problem, gap)};
   view.facts.push_back(std::move(judged.facts));
   view.judged.push_back(std::move(judged.judgement));

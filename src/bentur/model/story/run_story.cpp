@@ -123,11 +123,7 @@ GapView judged_view_of(const RunResults& run) {
 }
 
 GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  GapView view{.c = c,
-               .problem = problem,
-               .levels = spectral.levels,
-               .screened = screened(c, problem),
-               .from_case = !c.buildings.empty()};
+  GapView view{.c = c, .problem = problem, .levels = spectral.levels, .screened = screened(c, problem)};
   for (JudgedGap& one : judged_gaps(c, problem, spectral)) {
     view.facts.push_back(std::move(one.facts));
     view.judged.push_back(std::move(one.judgement));
@@ -141,8 +137,7 @@ GapView view_of(const RunResults& run) {
           .response = &run.response,
           .levels = separations(run.problem, run.response, run.c.code, run.c.units),
           .collapsed = run.response.collapse_no_contact.has_value(),
-          .screened = screened(run.c, run.problem),
-          .from_case = !run.c.buildings.empty()};
+          .screened = screened(run.c, run.problem)};
 }
 
 }  // namespace story

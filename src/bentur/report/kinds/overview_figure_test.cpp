@@ -95,7 +95,7 @@ TEST(Overview, BarsAreGivenAndNeeded) {
     expected.insert(expected.end(), {one.width, one.gap_needed, one.gap_needed_reversed.value()});
   }
   EXPECT_EQ(ends_of_bars(overview(row).panels.back()), expected);
-  EXPECT_EQ(overview(row).panels.back().y.names, (std::vector<std::string>{"2 | 3", "1 | 2"}));
+  EXPECT_EQ(overview(row).panels.back().y.names, (std::vector<std::string>{"Middle | East", "West | Middle"}));
 }
 
 /// A free response that ended in a collapse tells nothing of what would have been needed.

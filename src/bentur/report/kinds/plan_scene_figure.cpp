@@ -251,6 +251,9 @@ std::string instant_text(const PlanRun& run, const PlanInstant& instant, const F
                                      ? shown_value(run, impact.peak_force, "F")
                                      : fmt::format("{} {}/s", number(impact.closing_speed), run.c.units.length);
     what = word(options, "impact {}", std::to_string(*instant.impact + 1)) + ": " + strength;
+    if (run.problem.gaps.size() > 1) {
+      what += ", " + gap_name(run.problem, run.problem.gaps[contact_at(run.problem, impact.point).gap]);
+    }
   }
   return fmt::format("t = {:.4f} s{}{}, {}, {}", instant.time, between, what, level_text(run, *instant.point, options),
                      along_text(run, *instant.point));

@@ -16,7 +16,7 @@ namespace {
 
 bool is_of_building(const SceneShape& shape) { return shape.role >= SceneRole::wall; }
 
-/// "impact 12: 5300 kN, level 300 cm".
+/// "impact 12: 5300 kN, level 300 cm", in a row of more than two buildings with theirs.
 std::string impact_text(const RunResults& run, Eigen::Index index, const FigureOptions& options) {
   const Impact& impact = run.response.impacts[index];
   const Units& units = run.c.units;
@@ -24,7 +24,9 @@ std::string impact_text(const RunResults& run, Eigen::Index index, const FigureO
                                    ? shown_value(run, impact.peak_force, "F")
                                    : fmt::format("{} {}/s", number(impact.closing_speed), units.length);
   const double level = run.problem.points[impact.point].elevation;
-  return fmt::format("{}: {}, {}", word(options, "impact {}", std::to_string(index + 1)), strength,
+  const bool are_many = run.problem.buildings.size() > 2;
+  const std::string pair = are_many ? gap_name(run.problem, run.problem.points[impact.point].left) + ", " : "";
+  return fmt::format("{}: {}, {}{}", word(options, "impact {}", std::to_string(index + 1)), strength, pair,
                      word(options, "level {}", number(level) + " " + units.length));
 }
 

@@ -19,16 +19,18 @@ double force(int record, int level, int width) { return std::max(0, (record + 1)
 
 /// Results as docs/studies.md has them: record × width × intensity × point.
 /// @param step at the first width all records pound from the second level on
-std::filesystem::path write_results(const std::filesystem::path& folder, bool step = false) {
+std::filesystem::path write_results(const std::filesystem::path& folder, bool step = false, int records = 3) {
   const std::filesystem::path path = folder / "ida.nc";
   NetcdfWriter file(path.string(), NetcdfWriter::Place::disk);
   const ResultDimension record{"record", records}, width{"width", widths}, intensity{"intensity", levels},
       point{"point", 1};
   const std::string measure = "spectral acceleration, period 1.2 s, damping 5 %";
-  file.add({"record", {record}, "", "excitation.file", {}, std::vector<std::string>{"a", "b", "c"}});
+  std::vector<std::string> names;
+  for (int r = 0; r < records; ++r) names.push_back(std::string(1, static_cast<char>('a' + r)));
+  file.add({"record", {record}, "", "excitation.file", {}, names});
   file.add({"width", {width}, "m", "gap[0].width", {}, std::vector{0.1, 0.2}});
   file.add({"intensity", {intensity}, "gravity", measure, {}, std::vector{0.5, 1.0, 1.5, 2.0}});
-  file.add({"record_intensity", {record}, "gravity", measure, {}, std::vector{1.0, 1.0, 1.0}});
+  file.add({"record_intensity", {record}, "gravity", measure, {}, std::vector<double>(names.size(), 1.0)});
   std::vector<double> forces, impacts;
   for (int r = 0; r < records; ++r) {
     for (int w = 0; w < widths; ++w) {
@@ -59,21 +61,32 @@ const Curve& labelled(const Figure& figure, const std::string& label) {
 
 TEST(IdaFigure, FractilesOfTheRecords) {
   const TemporaryFolder folder;
-  const NetcdfReader results(write_results(folder.path()));
+  constexpr int count = 7;
+  const NetcdfReader results(write_results(folder.path(), false, count));
   FigureOptions options;
   options.at = {{"width", "0.1"}};
   const Figure figure = make_figure(results, "ida", options);
   EXPECT_EQ(figure.panels[0].y.label, "Sa (1.2 s, 5 %) [g]");
-  EXPECT_EQ(figure.panels[0].curves.size(), 6U);
+  EXPECT_EQ(figure.panels[0].curves.size(), count + 3U);
   const Curve& median = labelled(figure, "50 %");
   const Curve& low = labelled(figure, "16 %");
   EXPECT_EQ(median.y, (std::vector<double>{0.5, 1, 1.5, 2}));
   for (int level = 0; level < levels; ++level) {
     const auto i = static_cast<std::size_t>(level);
-    EXPECT_EQ(median.x[i], force(1, level, 0));
-    EXPECT_NEAR(low.x[i], force(0, level, 0) + 0.32 * (force(1, level, 0) - force(0, level, 0)), 1e-12);
+    EXPECT_EQ(median.x[i], force(3, level, 0));
+    EXPECT_NEAR(low.x[i], force(0, level, 0) + 0.96 * (force(1, level, 0) - force(0, level, 0)), 1e-12);
   }
   EXPECT_THROW(static_cast<void>(make_figure(results, "ida")), NoFigure);  // which width?
+}
+
+/// The 16 % fractile of three records would be below all of them.
+TEST(IdaFigure, HasNoFractilesOfFewRecords) {
+  const TemporaryFolder folder;
+  FigureOptions options;
+  options.at = {{"width", "0.1"}};
+  const Figure figure = make_figure(NetcdfReader(write_results(folder.path())), "ida", options);
+  EXPECT_EQ(figure.panels[0].curves.size(), 3U);
+  EXPECT_EQ(figure.panels[0].curves[0].label, "3 records");
 }
 
 /// Of the records the median and what lies between 16 and 84 %, in place of those of one of them.

@@ -119,11 +119,15 @@ class SweepDrawing {
     });
   }
 
-  /// Maps of one quantity have colours alike, so that panels can be compared.
+  /// Several maps of one quantity have colours alike, so that panels can be compared.
   static void share_range(Figure& figure) {
     std::map<std::string, std::pair<double, double>> ranges;
+    const auto is_alone = [&](const Panel& panel) {
+      return std::count_if(figure.panels.begin(), figure.panels.end(),
+                           [&](const Panel& other) { return other.map && other.map->label == panel.map->label; }) == 1;
+    };
     for (const Panel& panel : figure.panels) {
-      if (!panel.map) continue;
+      if (!panel.map || (is_alone(panel) && !panel.map->ratio)) continue;
       for (const double value : panel.map->values) {
         if (!std::isfinite(value)) continue;
         auto& range = ranges.try_emplace(panel.map->label, value, value).first->second;

@@ -27,7 +27,6 @@ struct GapView {
   std::vector<LevelSeparation> levels;                       ///< of all gaps
   bool collapsed = false;                                    ///< the free response
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
-  bool from_case = true;                                     ///< not of results that are read back
   const PlanGap* in_plan = nullptr;                          ///< of the pair of a gap in plan: where its levels are
   const PlanProblem* plan = nullptr;                         ///< likewise: whose gap it is
   std::vector<GapFacts> facts = {};                          ///< per gap; empty: nothing is judged

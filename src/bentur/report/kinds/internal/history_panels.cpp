@@ -16,7 +16,7 @@ namespace {
 /// Of a window: an impact that is shorter is less than a hair's breadth of a panel.
 constexpr double seen = 1.0 / 600;
 
-/// Appends an impact that is too short for its course to be seen: when it starts, its peak, and when it ends.
+/// Appends an impact whose course is not known, and too short to be seen: when it starts, its peak, and when it ends.
 void append_short(const Impact& impact, Curve& force) {
   const auto add = [&](double x, double y) {
     force.x.push_back(std::max(x, force.x.empty() ? x : force.x.back()));
@@ -114,7 +114,7 @@ Curve force_curve(const HistoryPlace& place, const std::vector<double>& time, co
   for (const Impact& impact : *place.impacts) {
     if (!is_within(place, window, impact)) continue;
     const double length = impact.end - impact.start;
-    if (length < seen * (window.to - window.from)) {
+    if (time.empty() || length == 0) {
       append_short(impact, curve);
       continue;
     }

@@ -44,8 +44,8 @@ struct HistoryPlace {
 /// Room for all curves within a window and for marks above them, so that panels can be compared.
 [[nodiscard]] std::pair<double, double> range_of(const std::vector<Curve>& curves, const TimeWindow& window);
 
-/// The contact force over a window: of each impact that is long enough to be seen its course, `force` at `time`, of
-/// shorter ones start, peak and end.
+/// The contact force over a window: of each impact its course, `force` at `time`, or where that is not known
+/// start, peak and end.
 [[nodiscard]] Curve force_curve(const HistoryPlace& place, const std::vector<double>& time,
                                 const std::vector<double>& force, const TimeWindow& window);
 /// The peak of each impact alone, where there are so many that their courses would fill the frame, or where one is long
