@@ -123,7 +123,13 @@ Curve force_curve(const HistoryPlace& place, const std::vector<double>& time, co
     const auto last = std::upper_bound(first, time.end(), impact.end + slack);
     curve.x.push_back(impact.start);
     curve.y.push_back(0);
+    bool has_peak = false;  // which stands between two places of the course, or at one but for round-off
     for (auto at = first; at != last; ++at) {
+      if (!has_peak && *at >= impact.peak_force_time) {
+        curve.x.push_back(impact.peak_force_time);
+        curve.y.push_back(impact.peak_force);
+        has_peak = true;
+      }
       curve.x.push_back(std::clamp(*at, impact.start, impact.end));
       curve.y.push_back(force[at - time.begin()]);
     }
