@@ -22,8 +22,8 @@ double force(int record, int level, int width) { return std::max(0, (record + 1)
 std::filesystem::path write_results(const std::filesystem::path& folder, bool step = false, int records = 3) {
   const std::filesystem::path path = folder / "ida.nc";
   NetcdfWriter file(path.string(), NetcdfWriter::Place::disk);
-  const ResultDimension record{"record", records}, width{"width", widths}, intensity{"intensity", levels},
-      point{"point", 1};
+  const ResultDimension record{"record", static_cast<std::size_t>(records)}, width{"width", widths},
+      intensity{"intensity", levels}, point{"point", 1};
   const std::string measure = "spectral acceleration, period 1.2 s, damping 5 %";
   std::vector<std::string> names;
   for (int r = 0; r < records; ++r) names.push_back(std::string(1, static_cast<char>('a' + r)));
