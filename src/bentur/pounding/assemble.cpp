@@ -48,15 +48,6 @@ std::vector<Element> drift_limits(const Problem& problem) {
 
 }  // namespace
 
-std::vector<Contact> contacts_of(const Problem& problem) {
-  std::vector<Contact> contacts;
-  for (const ContactPoint& point : problem.points) {
-    contacts.push_back(
-        {between(problem, point.left, point.left_floor, point.left + 1, point.right_floor), point.law, point.width});
-  }
-  return contacts;
-}
-
 std::optional<Index> face_floor(const Problem& problem, std::size_t level, int side) {
   const std::size_t points = problem.points.size();
   return level < points ? face_floor(problem, problem.points[level], side)
@@ -66,7 +57,10 @@ std::optional<Index> face_floor(const Problem& problem, std::size_t level, int s
 System system_of(const Problem& problem, bool levels) {
   System system;
   for (const Building& building : problem.buildings) system.bodies.push_back(body_of(building));
-  system.contacts = contacts_of(problem);
+  for (const ContactPoint& point : problem.points) {
+    system.contacts.push_back(
+        {between(problem, point.left, point.left_floor, point.left + 1, point.right_floor), point.law, point.width});
+  }
   for (const Link& link : problem.links) {
     Element& joint = system.joints.emplace_back();
     joint.at = between(problem, link.left, link.left_floor, link.right, link.right_floor);

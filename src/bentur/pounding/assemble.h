@@ -13,7 +13,4 @@ namespace bentur {
 /// Index of the floor that a face is of a level, points first and watched floors after them; nothing of a column's.
 [[nodiscard]] std::optional<Eigen::Index> face_floor(const Problem& problem, std::size_t level, int side);
 
-/// Its contact points alone.
-[[nodiscard]] std::vector<Contact> contacts_of(const Problem& problem);
-
 }  // namespace bentur

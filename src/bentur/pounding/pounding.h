@@ -29,16 +29,6 @@ struct SolveOptions {
   std::function<bool(double)> progress = {};
 };
 
-/// Whether the free response to the ground motion times −1 is the free response times −1: the buildings start from rest
-/// and every law of a storey, bearing or link is odd. What acts in one direction alone, as cables do, makes another
-/// one.
-[[nodiscard]] bool is_mirrored(const Problem& problem);
-
-/// Whether `factor` times the ground motion and all gap widths give `factor` times the response, whatever widths and
-/// laws the contact points have: the buildings are elastic, start from rest and bear no gravity loads, and links have
-/// no length or force of their own.
-[[nodiscard]] bool is_homogeneous(const Problem& problem);
-
 /// Runs the free response (contact off) first, then the response with contact.
 /// Numerical trouble is a status with time and reason, never an exception.
 /// @throws InvalidParameter when the problem or the solver's parameter is not valid.
@@ -48,37 +38,45 @@ struct SolveOptions {
 /// What a run takes (effort.h). @throws InvalidParameter as solve().
 [[nodiscard]] Effort effort(const Problem& problem, const Solver& solver, const SolveOptions& options);
 
-/// The response without contact and whatever else problems share that differ in gap widths and contact laws alone.
-/// Immutable; may serve many threads.
-class FreeResponse {
+/// The response without contact and whatever else problems share that differ in gap widths and contact laws alone: of
+/// buildings in a row, or in plan (plan/plan_pounding.h). Immutable; may serve many threads.
+template <class AnyProblem, class AnyResponse>
+class FreeResponseOf {
  public:
+  struct Parts;
+
   /// @throws InvalidParameter as solve().
   /// @param levels as SolveOptions::levels; what the reversed motion needs comes with it where it follows from this
-  /// response, as is_mirrored() says.
-  explicit FreeResponse(Problem problem, const Solver& solver = ExactSolver{},
-                        const std::function<bool(double)>& progress = {}, const RunLimits& limits = {},
-                        bool levels = false);
+  /// response, as is_mirrored() of its system says.
+  explicit FreeResponseOf(AnyProblem problem, const Solver& solver = ExactSolver{},
+                          const std::function<bool(double)>& progress = {}, const RunLimits& limits = {},
+                          bool levels = false);
 
   /// The response of the same buildings, motion, delays, initial state and duration with the gap widths and laws of
   /// `problem`, whose points must be at the same places. The same as solve() gives, to the bit.
   /// @throws InvalidParameter when anything else differs, or of a scaled() one a law is not homogeneous.
-  [[nodiscard]] Response solve(const Problem& problem, const SolveOptions& options = {}) const;
+  [[nodiscard]] AnyResponse solve(const AnyProblem& problem, const SolveOptions& options = {}) const;
+
+  /// Whether solve() takes `problem`. @throws InvalidParameter where it is not valid
+  [[nodiscard]] bool serves(const AnyProblem& problem) const;
 
   /// The free response of `problem`, whose ground motion is a number of times (> 0) this one's, and that differs in
   /// nothing else but widths and laws of contact: nothing is solved anew. What it gives agrees to round-off with what
-  /// is solved. Nothing where the motions are not such, the solver is not exact, or is_homogeneous() says no.
-  /// @throws InvalidParameter as the constructor, and when anything else differs.
-  [[nodiscard]] std::optional<FreeResponse> scaled(Problem problem) const;
+  /// is solved. Nothing where that is not so, the solver is not exact, or is_homogeneous() of the system says no.
+  /// @throws InvalidParameter as the constructor.
+  [[nodiscard]] std::optional<FreeResponseOf> scaled(AnyProblem problem) const;
 
   /// The response without contact, whatever widths and laws the problem gave: status and message, the peaks of the
   /// buildings, and of points and watched floors what they need (`gap_needed` and, where asked for, what belongs to
   /// it); all else of them is zero. It lives as long as this object and its copies.
-  [[nodiscard]] const Response& response() const;
+  [[nodiscard]] const AnyResponse& response() const;
 
  private:
-  struct Parts;
-  FreeResponse() = default;
+  FreeResponseOf() = default;
   std::shared_ptr<const Parts> parts_;
 };
+
+using FreeResponse = FreeResponseOf<Problem, Response>;
+extern template class FreeResponseOf<Problem, Response>;
 
 }  // namespace bentur

@@ -218,12 +218,46 @@ FreeSolution::FreeSolution(System system, const Solver& solver, const std::funct
   parts_ = parts;
 }
 
-const System& FreeSolution::system() const { return parts_->system; }
+struct FreeSolution::Scaled {
+  double factor;  // the motions of the system are so many times those of the parts
+  System system;
+  Solution solution;
+};
 
-const Solution& FreeSolution::solution() const { return parts_->solution; }
+std::optional<FreeSolution> FreeSolution::scaled(const std::vector<GroundMotion>& motions) const {
+  const auto factor = times(motions, parts_->system.motions);
+  if (!factor || !parts_->exact || parts_->solution.status != Status::done || !is_homogeneous(parts_->system)) {
+    return std::nullopt;
+  }
+  Scaled scaled{*factor, parts_->system, bentur::scaled(parts_->solution, *factor)};
+  scaled.system.motions = motions;
+  FreeSolution free = *this;
+  free.scaled_ = std::make_shared<const Scaled>(std::move(scaled));
+  return free;
+}
+
+bool FreeSolution::takes(const std::vector<Contact>& contacts, const std::vector<RubbingContact>& rubbing) const {
+  return !scaled_ || are_homogeneous(contacts, rubbing);
+}
+
+const System& FreeSolution::system() const { return scaled_ ? scaled_->system : parts_->system; }
+
+const Solution& FreeSolution::solution() const { return scaled_ ? scaled_->solution : parts_->solution; }
 
 Solution FreeSolution::solve(const std::vector<Contact>& contacts, const std::vector<RubbingContact>& rubbing,
                              const RunOptions& options) const {
+  if (scaled_) {
+    if (!takes(contacts, rubbing)) {
+      throw InvalidParameter("contacts.law", "one of them", "must be homogeneous where a free solution is scaled");
+    }
+    const auto narrower = [&](auto list) {
+      for (auto& one : list) one.width /= scaled_->factor;
+      return list;
+    };
+    FreeSolution of_parts = *this;
+    of_parts.scaled_ = nullptr;
+    return bentur::scaled(of_parts.solve(narrower(contacts), narrower(rubbing), options), scaled_->factor);
+  }
   const engine::FreeParts& parts = *parts_;
   Solution solution = parts.solution;
   if (solution.status != Status::done && solution.status != Status::collapsed) return solution;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -67,20 +68,30 @@ class FreeSolution {
   FreeSolution(System system, const Solver& solver, const std::function<bool(double)>& progress = {},
                const RunLimits& limits = {});
 
+  /// The free solution where the ground moves by these motions, which are all so many times (> 0) those of the system:
+  /// nothing is solved anew. What it gives agrees to round-off with what is solved. Nothing where they are not, the
+  /// solver is not exact, this one has not got to its end, or is_homogeneous() says no.
+  [[nodiscard]] std::optional<FreeSolution> scaled(const std::vector<GroundMotion>& motions) const;
+
   [[nodiscard]] const System& system() const;
   /// The response without contact, whatever widths and laws the contacts have. It lives as long as this object and its
   /// copies.
   [[nodiscard]] const Solution& solution() const;
   /// The response with these contacts, which are at the places of the system's. Of a free response that did not get to
-  /// its end it is that one.
+  /// its end it is that one. @throws InvalidParameter where it is scaled() and a law of a contact is not homogeneous
   [[nodiscard]] Solution solve(const std::vector<Contact>& contacts, const RunOptions& options = {}) const {
     return solve(contacts, system().rubbing, options);
   }
   [[nodiscard]] Solution solve(const std::vector<Contact>& contacts, const std::vector<RubbingContact>& rubbing,
                                const RunOptions& options) const;
 
+  /// Whether solve() takes the laws of these contacts: of a scaled() one homogeneous ones alone.
+  [[nodiscard]] bool takes(const std::vector<Contact>& contacts, const std::vector<RubbingContact>& rubbing) const;
+
  private:
+  struct Scaled;
   std::shared_ptr<const engine::FreeParts> parts_;
+  std::shared_ptr<const Scaled> scaled_;  // null: it is that of the parts
 };
 
 }  // namespace bentur

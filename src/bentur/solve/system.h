@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "bentur/elements/law.h"
@@ -71,5 +72,24 @@ struct System {
   /// τ_b [s] of a body: 0 where no delays are given.
   [[nodiscard]] double delay(std::size_t body) const { return delays.empty() ? 0.0 : delays.at(body); }
 };
+
+/// Whether the ground moves.
+[[nodiscard]] bool is_shaken(const System& system);
+
+/// Whether the free response to the ground motions times −1 is the free response times −1: the bodies start from rest
+/// and every law of an element or joint is odd. What acts in one direction alone, as cables do, makes another one.
+[[nodiscard]] bool is_mirrored(const System& system);
+
+/// Whether `factor` > 0 times the ground motions and all widths give `factor` times the response, whatever widths and
+/// homogeneous laws the contacts have: the bodies are elastic and start from rest, no limit ends a run, and joints have
+/// no length or force of their own.
+[[nodiscard]] bool is_homogeneous(const System& system);
+
+/// Whether all laws of contacts are, of those that rub of what pushes.
+[[nodiscard]] bool are_homogeneous(const std::vector<Contact>& contacts, const std::vector<RubbingContact>& rubbing);
+
+/// How many times these motions are the others, one by one, > 0; nothing where they are not, or are not all sampled.
+[[nodiscard]] std::optional<double> times(const std::vector<GroundMotion>& motions,
+                                          const std::vector<GroundMotion>& others);
 
 }  // namespace bentur

@@ -11,6 +11,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/remarks.h"
+#include "bentur/pounding/assemble.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
@@ -62,7 +63,8 @@ struct StudyRuns::Group {
   TomlValue root;  // of one of its runs
   ReadCase read;
   Problem problem;
-  FreeResponse free;
+  std::optional<FreeResponse> free;
+  std::optional<PlanFreeResponse> free_in_plan;  // of buildings in plan, in place of all of these
 };
 
 struct StudyRuns::Place {
@@ -86,6 +88,9 @@ StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> me
   widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
     return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
   });
+  // In plan laws may vary within a group: a run that a scaled response does not serve is solved by itself.
+  const System system = facts_.plan ? system_of(*facts_.plan) : system_of(facts_.problem);
+  scales_ = (facts_.plan || widths_only_) && are_homogeneous(system.contacts, system.rubbing);
 }
 
 StudyRuns::~StudyRuns() = default;
@@ -110,27 +115,45 @@ TomlValue StudyRuns::root_of(std::size_t run) const {
   return root;
 }
 
-std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run) const {
+ReadPlan StudyRuns::plan_of(std::size_t run) const {
   Diagnostics found;
-  TomlValue root = root_of(run);
-  ReadCase read = read_chosen(study_, root, *memo_, found);
+  ReadPlan read = read_chosen_plan(study_, root_of(run), *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
-  Problem problem = read.problem();
-  if (!same_places(problem, facts_.problem)) throw NotACase("other numbers of floors, contact points or links");
-  std::optional<FreeResponse> free = scaled_response(run, problem);
-  if (!free) free.emplace(problem, read.c.analysis.solver, nullptr, run_limits(read.c.analysis));
-  return std::make_shared<const Group>(
-      Group{plan_.group(run), std::move(root), std::move(read), std::move(problem), std::move(*free)});
+  if (!same_places(read.problem, *facts_.plan)) {
+    throw NotACase("other numbers of floors, planes, bearings or contact points");
+  }
+  return read;
 }
 
-/// That of a run whose record is scaled to another level, of the one at the first level, which all have in common;
-/// nothing where there is no such thing.
-std::optional<FreeResponse> StudyRuns::scaled_response(std::size_t run, const Problem& problem) const {
+std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run, const ReadPlan* in_plan) const {
+  Group group{.number = plan_.group(run)};
+  if (facts_.plan) {
+    const std::optional<ReadPlan> read = in_plan == nullptr ? std::optional(plan_of(run)) : std::nullopt;
+    const ReadPlan& chosen = read ? *read : *in_plan;
+    group.free_in_plan = free_response_of(run, chosen.problem, chosen.c.analysis, &Group::free_in_plan);
+    return std::make_shared<const Group>(std::move(group));
+  }
+  Diagnostics found;
+  group.root = root_of(run);
+  group.read = read_chosen(study_, group.root, *memo_, found);
+  if (!found.ok()) throw NotACase(first_message(found));
+  group.problem = group.read.problem();
+  if (!same_places(group.problem, facts_.problem)) throw NotACase("other numbers of floors, contact points or links");
+  group.free = free_response_of(run, group.problem, group.read.c.analysis, &Group::free);
+  return std::make_shared<const Group>(std::move(group));
+}
+
+/// Of a run whose record is scaled to another level that of the one at the first level, scaled, where that can be.
+template <class Free, class AnyProblem>
+Free StudyRuns::free_response_of(std::size_t run, const AnyProblem& problem, const AnalysisSpec& analysis,
+                                 std::optional<Free> Group::*of) const {
   const std::optional<std::size_t> first = at_first_level(run);
-  if (!first || *first == run || !widths_only_ || !is_homogeneous(problem)) return std::nullopt;
-  const auto homogeneous = [](const ContactPoint& point) { return point.law->is_homogeneous(); };
-  if (!std::all_of(problem.points.begin(), problem.points.end(), homogeneous)) return std::nullopt;
-  return shared_group(*first)->free.scaled(problem);
+  if (first && *first != run && scales_ && is_homogeneous(system_of(problem))) {
+    const std::shared_ptr<const Group> group = shared_group(*first);
+    std::optional<Free> scaled = (*group.*of)->scaled(problem);
+    if (scaled && (facts_.plan || scaled->serves(problem))) return *std::move(scaled);
+  }
+  return Free(problem, analysis.solver, nullptr, run_limits(analysis), facts_.plan.has_value());
 }
 
 std::optional<std::size_t> StudyRuns::at_first_level(std::size_t run) const {
@@ -138,12 +161,12 @@ std::optional<std::size_t> StudyRuns::at_first_level(std::size_t run) const {
   return plan_.at_level(run, study_.ida->axis, 0);
 }
 
-std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run) const {
+std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run, const ReadPlan* in_plan) const {
   const bool is_shared = plan_.has_groups() || at_first_level(run) == run;
-  return is_shared ? shared_group(run) : made_group(run);
+  return is_shared ? shared_group(run, in_plan) : made_group(run, in_plan);
 }
 
-std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run) const {
+std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run, const ReadPlan* in_plan) const {
   const std::uint64_t number = plan_.group(run);
   std::shared_ptr<Place> place;
   {
@@ -160,7 +183,7 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run)
     }
   }
   const std::lock_guard lock(place->mutex);  // others that need the same group wait for it
-  if (!place->group) place->group = made_group(run);
+  if (!place->group) place->group = made_group(run, in_plan);
   return place->group;
 }
 
@@ -210,7 +233,7 @@ std::optional<RunResult> result_of(std::size_t run, const Of& response, std::siz
 std::optional<RunResult> StudyRuns::solved(Workspace& workspace, std::size_t run, SolveOptions& options) const {
   set_problem(workspace, run);
   options.limits = run_limits(workspace.group->read.c.analysis);
-  const Response response = workspace.group->free.solve(workspace.problem, options);
+  const Response response = workspace.group->free->solve(workspace.problem, options);
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
     RunView view(workspace.problem, response, facts_.units);
     const std::vector<Remark> found = remarks(workspace.group->read.c, workspace.problem, response);
@@ -219,16 +242,18 @@ std::optional<RunResult> StudyRuns::solved(Workspace& workspace, std::size_t run
   });
 }
 
-std::optional<RunResult> StudyRuns::solved_in_plan(std::size_t run, SolveOptions& options) const {
-  Diagnostics found;
-  ReadPlan chosen = read_chosen_plan(study_, root_of(run), *memo_, found);
-  if (!found.ok()) throw NotACase(first_message(found));
-  if (!same_places(chosen.problem, *facts_.plan)) {
-    throw NotACase("other numbers of floors, planes, bearings or contact points");
+std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::size_t run, SolveOptions& options) const {
+  ReadPlan chosen = plan_of(run);
+  if (!workspace.group || workspace.group->number != plan_.group(run)) {
+    workspace.group = nullptr;
+    workspace.group = group_of(run, &chosen);
   }
+  const PlanFreeResponse& shared = *workspace.group->free_in_plan;
   options.limits = run_limits(chosen.c.analysis);
   options.levels = true;
-  PlanResponse response = bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
+  PlanResponse response = shared.serves(chosen.problem)
+                              ? shared.solve(chosen.problem, options)
+                              : bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
     fill_row(quantities_, run_results(std::move(chosen.c), std::move(chosen.problem), std::move(response)), row);
   });
@@ -245,7 +270,8 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
     if (!go_on()) break;
     RunResult result{run, RunStatus::done, {}, {}};
     try {
-      std::optional<RunResult> one = facts_.plan ? solved_in_plan(run, options) : solved(workspace, run, options);
+      std::optional<RunResult> one =
+          facts_.plan ? solved_in_plan(workspace, run, options) : solved(workspace, run, options);
       if (!one) break;
       result = std::move(*one);
     } catch (const NotACase& error) {

@@ -29,8 +29,7 @@ struct RunResult {
 
 /// The runs of a study. Runs of one group (SweepPlan) share buildings, record and the response without contact, runs of
 /// different groups what is alike in them; runs of one record at several intensities share that response too where it
-/// only scales with them. What a run gives does not depend on which others are run, or where.
-/// Runs of buildings in plan share nothing but records. May serve many threads.
+/// only scales with them. What a run gives does not depend on which others are run, or where. May serve many threads.
 class StudyRuns {
  public:
   /// `study` has been checked, with these facts.
@@ -57,16 +56,22 @@ class StudyRuns {
 
   /// Its case, with the record at its intensity.
   [[nodiscard]] TomlValue root_of(std::size_t run) const;
-  [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run) const;
+  [[nodiscard]] ReadPlan plan_of(std::size_t run) const;
+  /// @param in_plan the run's case of buildings in plan, where it has been read
+  [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run, const ReadPlan* in_plan) const;
   /// Of an [ida] in a grid, the run that differs from `run` by its intensity alone and has the first one.
   [[nodiscard]] std::optional<std::size_t> at_first_level(std::size_t run) const;
-  [[nodiscard]] std::optional<FreeResponse> scaled_response(std::size_t run, const Problem& problem) const;
-  [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run) const;
-  [[nodiscard]] std::shared_ptr<const Group> shared_group(std::size_t run) const;
+  /// @param of the free response of a group
+  template <class Free, class AnyProblem>
+  [[nodiscard]] Free free_response_of(std::size_t run, const AnyProblem& problem, const AnalysisSpec& analysis,
+                                      std::optional<Free> Group::*of) const;
+  [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run, const ReadPlan* in_plan = nullptr) const;
+  [[nodiscard]] std::shared_ptr<const Group> shared_group(std::size_t run, const ReadPlan* in_plan = nullptr) const;
   void set_problem(Workspace& workspace, std::size_t run) const;
   /// A run until its end, with its values where it got there; nothing where it was stopped.
   [[nodiscard]] std::optional<RunResult> solved(Workspace& workspace, std::size_t run, SolveOptions& options) const;
-  [[nodiscard]] std::optional<RunResult> solved_in_plan(std::size_t run, SolveOptions& options) const;
+  [[nodiscard]] std::optional<RunResult> solved_in_plan(Workspace& workspace, std::size_t run,
+                                                        SolveOptions& options) const;
 
   Study study_;
   StudyFacts facts_;
@@ -74,6 +79,7 @@ class StudyRuns {
   SweepPlan plan_;
   std::vector<RowPart> quantities_;
   bool widths_only_ = false;  // nothing but widths varies within a group
+  bool scales_ = false;       // free responses of other intensities serve the contacts of a group
   mutable std::mutex mutex_;
   mutable std::map<std::uint64_t, std::shared_ptr<Place>> groups_;  // those in use
   mutable std::vector<std::uint64_t> recent_;                       // their numbers, oldest first

@@ -104,23 +104,25 @@ bool motion_ends(const System& system) {
 }
 
 FreeSolution free_solution(System system, const Solver& solver, const std::function<bool(double)>& progress,
-                           const RunLimits& limits, bool goes_on, bool mirrored) {
+                           const RunLimits& limits, bool goes_on) {
   if (goes_on && goes_on_after(system)) {
     const double step = step_of(system);
     system.duration = std::ceil(end_of_records(system) / step - 1e-9) * step;
   }
   FreeSolution free(system, solver, progress, limits);
   if (!goes_on || free.solution().status != Status::done || !motion_ends(system)) return free;
-  const double more = time_after(system, free.solution(), mirrored);
+  const double more = time_after(system, free.solution(), is_mirrored(system));
   if (more == 0) return free;
   system.duration += more;
   return FreeSolution(std::move(system), solver, progress, limits);
 }
 
-void take_to_come(const System& system, const Solution& free, const std::vector<Index>& places, bool mirrored,
-                  std::vector<PointSummary>& points, std::vector<WatchedSummary>& watched) {
-  if (!motion_ends(system) || free.status != Status::done || has_gone_on(system)) return;
-  const std::vector<ToCome>& all = free.to_come;
+void take_to_come(const FreeSolution& free, const std::vector<Index>& places, std::vector<PointSummary>& points,
+                  std::vector<WatchedSummary>& watched) {
+  const System& system = free.system();
+  if (!motion_ends(system) || free.solution().status != Status::done || has_gone_on(system)) return;
+  const std::vector<ToCome>& all = free.solution().to_come;
+  const bool mirrored = is_mirrored(system);
   const bool is_cut = goes_on_after(system);
   const auto take = [&](const ToCome& one, auto& summary) {
     if (is_cut) summary.to_come = summary.to_come_reversed = std::numeric_limits<double>::infinity();

@@ -19,4 +19,11 @@ GroundMotion reversed(GroundMotion motion) {
   return motion;
 }
 
+bool some_point_closes(const std::vector<PointSummary>& points, const std::vector<double>& widths) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].impacts > 0 || points[i].gap_needed_reversed.value_or(0) > widths[i]) return true;
+  }
+  return false;
+}
+
 }  // namespace bentur

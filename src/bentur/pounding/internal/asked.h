@@ -23,13 +23,7 @@ void take_reversed(const std::vector<Summary>& from, std::vector<Summary>& to) {
   }
 }
 
-/// Whether bodies touch at some point, or would in the reversed motion. @param width_at that of point i [length]
-template <typename Width>
-bool some_point_closes(const std::vector<PointSummary>& points, const Width& width_at) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].impacts > 0 || points[i].gap_needed_reversed.value_or(0) > width_at(i)) return true;
-  }
-  return false;
-}
+/// Whether bodies touch at some point, or would in the reversed motion. @param widths of the points [length]
+[[nodiscard]] bool some_point_closes(const std::vector<PointSummary>& points, const std::vector<double>& widths);
 
 }  // namespace bentur

@@ -1,6 +1,5 @@
 #include "bentur/pounding/internal/problem_checks.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace bentur {
@@ -22,10 +21,6 @@ void check_delays(const std::vector<double>& delays, std::size_t buildings) {
   for (const double delay : delays) {
     require(std::isfinite(delay) && delay >= 0.0, "delays", delay, "must be finite and ≥ 0");
   }
-}
-
-bool rests(const std::vector<Eigen::VectorXd>& initial) {
-  return std::all_of(initial.begin(), initial.end(), [](const auto& x) { return x.isZero(0.0); });
 }
 
 }  // namespace bentur

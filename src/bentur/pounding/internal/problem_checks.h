@@ -27,7 +27,4 @@ void check_initial(const std::vector<Eigen::VectorXd>& values, const std::vector
 /// @throws InvalidParameter unless there are none, or one that is finite and ≥ 0 per building.
 void check_delays(const std::vector<double>& delays, std::size_t buildings);
 
-/// Whether nothing is displaced or moves at the start.
-[[nodiscard]] bool rests(const std::vector<Eigen::VectorXd>& initial);
-
 }  // namespace bentur

@@ -8,6 +8,8 @@
 #include "bentur/core/algebra/factors.h"
 #include "bentur/core/algebra/symmetric.h"
 #include "bentur/elements/hinges.h"
+#include "bentur/pounding/assemble.h"
+#include "bentur/pounding/internal/levels.h"
 #include "bentur/structure/body.h"
 #include "bentur/structure/frame/infill.h"
 
@@ -418,6 +420,23 @@ Response free_response(const Problem& problem, const Solution& free) {
   response.links = links_of(free);
   response.coupled = free.coupled;
   return response;
+}
+
+void take_levels(const Problem& problem, const Solution& free, bool reversed, Response& response) {
+  const auto peak_of = [&](std::size_t level, int side) -> std::optional<double> {
+    const std::optional<Eigen::Index> floor = face_floor(problem, level, side);
+    if (!floor) return std::nullopt;
+    const std::size_t points = problem.points.size();
+    const Eigen::Index left = level < points ? problem.points[level].left : problem.watched[level - points].left;
+    return response.buildings[left + side].displacement_no_contact(*floor);
+  };
+  report_levels(free.watched_free, reversed, peak_of, response.points, response.watched);
+}
+
+std::vector<LargestDrift> drifts_no_contact(const Response& response) {
+  std::vector<LargestDrift> drifts;
+  for (const BuildingPeaks& one : response.buildings) drifts.push_back(largest_drift(one.drift_ratio_no_contact));
+  return drifts;
 }
 
 void take_solution(const Problem& problem, Solution&& solution, Response& response) {

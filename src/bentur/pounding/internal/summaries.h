@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
@@ -8,8 +9,19 @@
 
 namespace bentur {
 
+// What free_response_of.h asks of rows.
+[[nodiscard]] inline std::span<GroundMotion> motions_in(Problem& problem) { return {&problem.motion, 1}; }
+[[nodiscard]] inline std::size_t gap_count(const Problem& problem) { return problem.buildings.size() - 1; }
+/// Of the points of the system: they are those of the problem.
+[[nodiscard]] inline std::vector<Eigen::Index> places_of(const Problem& /*problem*/) { return {}; }
+[[nodiscard]] inline bool keeps_course(const Problem& /*problem*/) { return true; }
+
 /// What the response without contact says of buildings, points and watched floors.
 [[nodiscard]] Response free_response(const Problem& problem, const Solution& free);
+/// What rules for gaps combine. @param reversed whether the reversed motion gives the response times −1
+void take_levels(const Problem& problem, const Solution& free, bool reversed, Response& response);
+/// The largest drift of each building without contact.
+[[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const Response& response);
 
 /// Puts what storey `storey` of so many has lost of its strength among what yielding did.
 void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding);

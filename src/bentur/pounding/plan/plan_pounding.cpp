@@ -1,20 +1,15 @@
 #include "bentur/pounding/plan/plan_pounding.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "bentur/pounding/checks/self_checks.h"
-#include "bentur/pounding/internal/after_motion.h"
-#include "bentur/pounding/internal/asked.h"
+#include "bentur/pounding/internal/free_response_of.h"
 #include "bentur/pounding/internal/levels.h"
-#include "bentur/pounding/internal/problem_checks.h"
-#include "bentur/pounding/internal/progress_of_parts.h"
 #include "bentur/pounding/internal/summaries.h"
 #include "bentur/structure/plan/plan_body.h"
 
@@ -159,41 +154,11 @@ std::vector<PlanPeaks> peaks_of(const PlanProblem& problem, const Solution& solu
   return peaks;
 }
 
-/// Whether the free response to the ground motion times −1 is the free response times −1.
-bool is_mirrored(const PlanProblem& problem) {
-  const auto odd = [](const auto& law) { return law == nullptr || law->is_odd(); };
-  const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
-                                 [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
-  const auto odd_link = [](const PlanLink& link) { return link.link.law->is_odd(); };
-  return moves && std::all_of(problem.links.begin(), problem.links.end(), odd_link) &&
-         rests(problem.initial_displacement) && rests(problem.initial_velocity) &&
-         std::all_of(problem.buildings.begin(), problem.buildings.end(), [&](const PlanBuilding& building) {
-           const auto& bearings = building.model.bearings;
-           return std::all_of(bearings.begin(), bearings.end(), [&](const auto& one) { return odd(one.law); }) &&
-                  std::all_of(
-                      building.model.planes.begin(), building.model.planes.end(),
-                      [&](const auto& plane) { return std::all_of(plane.laws.begin(), plane.laws.end(), odd); }) &&
-                  std::all_of(building.coupled.begin(), building.coupled.end(),
-                              [](const CoupledElement& one) { return one.law->is_odd(); });
-         });
-}
-
 bool some_contact_is_integrated(const PlanProblem& problem) {
   return std::any_of(problem.gaps.begin(), problem.gaps.end(), [](const PlanGap& gap) {
     return std::any_of(gap.contacts.begin(), gap.contacts.end(),
                        [](const PlanContact& contact) { return is_integrated(*contact.law); });
   });
-}
-
-/// Of each point of a system its place among the contacts of all gaps: those that rub are the system's last.
-std::vector<Index> places_of(const PlanProblem& problem) {
-  std::vector<Index> places, rubbing;
-  Index place = 0;
-  for (const PlanGap& gap : problem.gaps) {
-    for (const PlanContact& contact : gap.contacts) (contact.rubbing ? rubbing : places).push_back(place++);
-  }
-  places.insert(places.end(), rubbing.begin(), rubbing.end());
-  return places;
 }
 
 /// Impacts of a system's points as those of the problem's, by start, then point, then end.
@@ -329,8 +294,93 @@ bool is_finite(const PlanResponse& response) {
          });
 }
 
-void check_response(const PlanProblem& problem, const Solver& solver, const SelfMeasures& measures,
-                    PlanResponse& response) {
+std::vector<double> watched_widths(const PlanProblem& problem) {
+  std::vector<double> widths;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanWatched& watched : gap.watched) widths.push_back(gap.stretch.width_at(watched.along));
+  }
+  return widths;
+}
+
+}  // namespace
+
+// What free_response_of.h asks of buildings in plan, as summaries.h has it of rows: by argument alone it finds nothing
+// in an unnamed namespace.
+
+std::span<GroundMotion> motions_in(PlanProblem& problem) { return problem.motions; }
+
+std::size_t gap_count(const PlanProblem& problem) { return problem.gaps.size(); }
+
+bool keeps_course(const PlanProblem& /*problem*/) { return false; }
+
+std::vector<Index> places_of(const PlanProblem& problem) {
+  std::vector<Index> places, rubbing;
+  Index place = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) (contact.rubbing ? rubbing : places).push_back(place++);
+  }
+  places.insert(places.end(), rubbing.begin(), rubbing.end());
+  return places;
+}
+
+std::vector<double> gap_widths(const PlanProblem& problem) {
+  std::vector<double> widths;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) widths.push_back(gap.stretch.width_at(contact.along));
+  }
+  return widths;
+}
+
+PlanResponse free_response(const PlanProblem& problem, const Solution& free) {
+  PlanResponse response;
+  response.status = free.status;
+  response.message = free.message;
+  response.steps = free.steps;
+  response.collapse = response.collapse_no_contact = collapse_of(problem, free);
+  response.buildings = response.buildings_no_contact = peaks_of(problem, free);
+  const std::vector<Index> places = places_of(problem);
+  response.points.resize(places.size());
+  response.friction.resize(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) response.points[places[i]].gap_needed = free.needed[i];
+  for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
+  response.links = links_of(free);
+  for (Index i = 0; i < 2; ++i) {
+    response.peak_ground_acceleration(i) =
+        peak_acceleration(problem.motions, {problem.axes(i, 0), problem.axes(i, 1)}).value_or(nothing);
+  }
+  return response;
+}
+
+void take_levels(const PlanProblem& /*problem*/, const Solution& free, bool reversed, PlanResponse& response) {
+  const auto no_floor = [](std::size_t, int) -> std::optional<double> { return std::nullopt; };
+  report_levels(free.watched_free, reversed, no_floor, response.points, response.watched);
+}
+
+std::vector<LargestDrift> drifts_no_contact(const PlanResponse& response) {
+  std::vector<LargestDrift> drifts;
+  for (const PlanPeaks& one : response.buildings_no_contact) drifts.push_back(one.largest_drift());
+  return drifts;
+}
+
+void take_solution(const PlanProblem& problem, Solution&& solution, PlanResponse& response) {
+  const std::vector<Index> places = places_of(problem);
+  response.status = solution.status;
+  response.message = std::move(solution.message);
+  response.collapse = collapse_of(problem, solution);
+  response.steps = solution.steps;
+  response.events = solution.events;
+  response.buildings = peaks_of(problem, solution);
+  summarise(solution, watched_widths(problem), response.watched);
+  if (!solution.samples.time.empty()) response.histories = histories_of(problem, solution, places);
+  response.links = links_of(solution);
+  response.impacts = in_places(std::move(solution.impacts), places);
+  summarise(response.impacts, response.points);
+  summarise_friction(response.impacts, response.friction);
+  response.energy = std::move(solution.energy);
+}
+
+void check_itself(const PlanProblem& problem, const Solver& solver, const SelfMeasures& measures,
+                  PlanResponse& response) {
   if (response.status != Status::done && response.status != Status::collapsed) return;
   if (!is_finite(response)) {
     response.status = Status::failed;
@@ -353,89 +403,6 @@ void check_response(const PlanProblem& problem, const Solver& solver, const Self
                  {response.status, response.message, response.discrepancies});
 }
 
-/// What points and watched floors need in the free response, and with `levels` what rules take.
-/// @param mirrored whether the reversed motion gives the response times −1
-void take_free(const PlanProblem& problem, const FreeSolution& solved, bool levels, bool mirrored,
-               PlanResponse& response) {
-  const Solution& free = solved.solution();
-  const std::vector<Index> places = places_of(problem);
-  response.points.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) response.points[places[i]].gap_needed = free.needed[i];
-  for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
-  take_to_come(solved.system(), free, places, mirrored, response.points, response.watched);
-  if (!levels) return;
-  const auto no_floor = [](std::size_t, int) -> std::optional<double> { return std::nullopt; };
-  report_levels(free.watched_free, mirrored, no_floor, response.points, response.watched);
-}
-
-std::vector<double> watched_widths(const PlanProblem& problem) {
-  std::vector<double> widths;
-  for (const PlanGap& gap : problem.gaps) {
-    for (const PlanWatched& watched : gap.watched) widths.push_back(gap.stretch.width_at(watched.along));
-  }
-  return widths;
-}
-
-bool is_over(Status status) { return status == Status::done || status == Status::collapsed; }
-
-/// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
-/// where some gap closes.
-void add_reversed(const PlanProblem& problem, const Solver& solver, const SolveOptions& options, bool mirrored,
-                  PlanResponse& response) {
-  if (!options.both_ways) {
-    take_reversed({}, response.points);
-    take_reversed({}, response.watched);
-  }
-  const bool moves = std::any_of(problem.motions.begin(), problem.motions.end(),
-                                 [](const GroundMotion& motion) { return !std::holds_alternative<NoMotion>(motion); });
-  if (!options.both_ways || !is_over(response.status) || !moves) return;
-  PlanProblem other = problem;
-  for (GroundMotion& motion : other.motions) motion = reversed(std::move(motion));
-  const System system = system_of(other);
-  std::optional<FreeSolution> free;
-  const auto solve_free = [&] {
-    const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
-    if (!free) free.emplace(free_solution(system, solver, go_on, options.limits, problem.goes_on, false));
-    return is_over(free->solution().status);
-  };
-  ReversedRun reversed;
-  reversed.collapse_no_contact = response.collapse_no_contact;
-  for (const PlanPeaks& one : response.buildings_no_contact) reversed.drifts.push_back(one.largest_drift());
-  if (!mirrored) {
-    if (!solve_free()) return;
-    reversed.collapse_no_contact = collapse_of(problem, free->solution());
-    reversed.drifts.clear();
-    for (const PlanPeaks& one : peaks_of(problem, free->solution())) reversed.drifts.push_back(one.largest_drift());
-    if (free->solution().status == Status::done) {
-      PlanResponse needs;
-      take_free(other, *free, false, false, needs);
-      take_reversed(needs.points, response.points);
-      take_reversed(needs.watched, response.watched);
-    }
-  }
-  std::vector<double> widths;
-  for (const PlanGap& gap : problem.gaps) {
-    for (const PlanContact& contact : gap.contacts) widths.push_back(gap.stretch.width_at(contact.along));
-  }
-  if (problem.gaps.size() > 1 && some_point_closes(response.points, [&](std::size_t i) { return widths[i]; })) {
-    if (!solve_free()) return;
-    RunOptions rest{.limits = options.limits};
-    if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
-    Solution with = free->solve(system.contacts, rest);
-    if (!is_over(with.status)) return;
-    reversed.has_contact = true;
-    reversed.collapse = collapse_of(problem, with);
-    reversed.points.resize(response.points.size());
-    reversed.watched.resize(response.watched.size());
-    take_to_come_struck(with, places_of(problem), reversed.points, reversed.watched);
-    summarise(in_places(std::move(with.impacts), places_of(problem)), reversed.points);
-    summarise(with, watched_widths(problem), reversed.watched);
-  }
-  response.reversed = std::move(reversed);
-}
-
-}  // namespace
-
 LargestDrift PlanPeaks::largest_drift() const {
   LargestDrift largest = bentur::largest_drift(edge_drift_ratio());
   for (const Plane& plane : planes) {
@@ -444,48 +411,10 @@ LargestDrift PlanPeaks::largest_drift() const {
   return largest;
 }
 
+template class FreeResponseOf<PlanProblem, PlanResponse>;
+
 PlanResponse solve(const PlanProblem& problem, const Solver& solver, const SolveOptions& options) {
-  const auto began = std::chrono::steady_clock::now();
-  validate(problem);
-  const bool levels = options.levels || options.both_ways;
-  const System system = system_of(problem, levels);
-  const ProgressOfParts progress(options.progress);
-  RunOptions rest = run_options(options);
-  rest.course = false;
-  rest.progress = progress.rest;
-  const bool is_odd = is_mirrored(problem);
-  const FreeSolution free = free_solution(system, solver, progress.free, options.limits, problem.goes_on, is_odd);
-  PlanResponse response;
-  response.duration = free.system().duration;
-  response.buildings_no_contact = peaks_of(problem, free.solution());
-  response.collapse_no_contact = collapse_of(problem, free.solution());
-  const bool mirrored = free.solution().status == Status::done && is_odd;
-  take_free(problem, free, levels, mirrored, response);
-  response.friction.resize(response.points.size());
-  const std::vector<Index> places = places_of(problem);
-  Solution solution = free.solve(system.contacts, rest);
-  response.status = solution.status;
-  response.message = std::move(solution.message);
-  response.collapse = collapse_of(problem, solution);
-  response.steps = solution.steps;
-  response.events = solution.events;
-  response.buildings = peaks_of(problem, solution);
-  summarise(solution, watched_widths(problem), response.watched);
-  if (options.output_step > 0) response.histories = histories_of(problem, solution, places);
-  response.links = links_of(solution);
-  take_to_come_struck(solution, places, response.points, response.watched);
-  response.impacts = in_places(std::move(solution.impacts), places);
-  summarise(response.impacts, response.points);
-  summarise_friction(response.impacts, response.friction);
-  response.energy = std::move(solution.energy);
-  check_response(problem, solver, solution.checks, response);
-  add_reversed(problem, solver, options, mirrored, response);
-  for (Index i = 0; i < 2; ++i) {
-    response.peak_ground_acceleration(i) =
-        peak_acceleration(problem.motions, {problem.axes(i, 0), problem.axes(i, 1)}).value_or(nothing);
-  }
-  response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  return response;
+  return any_problem::solution_of<PlanResponse>(problem, solver, options);
 }
 
 Effort effort(const PlanProblem& problem, const Solver& solver, const SolveOptions& options) {

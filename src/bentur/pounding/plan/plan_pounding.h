@@ -102,6 +102,10 @@ struct PlanResponse {
 [[nodiscard]] PlanResponse solve(const PlanProblem& problem, const Solver& solver = ExactSolver{},
                                  const SolveOptions& options = {});
 
+/// What runs share that differ in widths and laws of contacts alone.
+using PlanFreeResponse = FreeResponseOf<PlanProblem, PlanResponse>;
+extern template class FreeResponseOf<PlanProblem, PlanResponse>;
+
 /// What a run takes (effort.h). @throws InvalidParameter as solve().
 [[nodiscard]] Effort effort(const PlanProblem& problem, const Solver& solver, const SolveOptions& options);
 

@@ -359,10 +359,9 @@ class Work {
     return result;
   }
 
-  /// Of buildings in plan contact is solved too, as nothing tells their response without it apart.
   [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadPlan& read) {
-    const SolveOptions options{.limits = run_limits(read.c.analysis), .levels = true};
-    const PlanRun run = run_results(read.c, read.problem, solve(read.problem, read.c.analysis.solver, options));
+    const PlanFreeResponse free(read.problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
+    const PlanRun run = run_results(read.c, read.problem, free.response());
     if (run.response.status != Status::done && run.response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + run.response.message);
     RecordNeed result{record, 0, run.response.collapse_no_contact.has_value(), {}, {}};

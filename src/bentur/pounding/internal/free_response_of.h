@@ -1,0 +1,210 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "bentur/core/errors.h"
+#include "bentur/pounding/internal/after_motion.h"
+#include "bentur/pounding/internal/asked.h"
+#include "bentur/pounding/internal/progress_of_parts.h"
+#include "bentur/pounding/internal/same_but_gaps.h"
+#include "bentur/pounding/pounding.h"
+
+// What problems of rows and of plans are solved by alike. Of either there are, by overloads:
+//   validate, system_of, motions_in, gap_widths, gap_count, places_of, keeps_course: of a problem;
+//   free_response, take_levels, take_solution: a solution told as a response;
+//   check_itself, drifts_no_contact: of a response.
+namespace bentur {
+
+template <class AnyProblem, class AnyResponse>
+struct FreeResponseOf<AnyProblem, AnyResponse>::Parts {
+  AnyProblem problem;  // valid
+  Solver solver;
+  FreeSolution free;
+  bool levels;
+  AnyResponse response;  // as far as it goes without contact
+};
+
+namespace any_problem {
+
+[[nodiscard]] inline bool is_over(Status status) { return status == Status::done || status == Status::collapsed; }
+
+template <class AnyProblem>
+[[nodiscard]] AnyProblem valid(AnyProblem problem) {
+  validate(problem);
+  return problem;
+}
+
+/// What the free solution says.
+template <class AnyResponse, class AnyProblem>
+[[nodiscard]] AnyResponse told(const AnyProblem& problem, const FreeSolution& free, bool levels) {
+  AnyResponse response = free_response(problem, free.solution());
+  response.duration = free.system().duration;
+  take_to_come(free, places_of(problem), response.points, response.watched);
+  const bool mirrored = free.solution().status == Status::done && is_mirrored(free.system());
+  if (levels) take_levels(problem, free.solution(), mirrored, response);
+  return response;
+}
+
+template <class Parts, class AnyResponse, class AnyProblem>
+[[nodiscard]] Parts parts_of(AnyProblem given, const Solver& solver, const std::function<bool(double)>& progress,
+                             const RunLimits& limits, bool levels) {
+  AnyProblem problem = valid(std::move(given));
+  FreeSolution free = free_solution(system_of(problem, levels), solver, progress, limits, problem.goes_on);
+  AnyResponse response = told<AnyResponse>(problem, free, levels);
+  return {std::move(problem), solver, std::move(free), levels, std::move(response)};
+}
+
+/// What `other`, a valid problem whose system is given, is not of the free response's but gaps.
+template <class AnyProblem>
+[[nodiscard]] std::optional<Difference> difference(const AnyProblem& problem, const System& free,
+                                                   const AnyProblem& other, const System& system) {
+  const auto number = [](double value) { return fmt::format("{}", value); };
+  if (problem.kinematics != other.kinematics) {
+    return Difference{"kinematics", other.kinematics == Kinematics::absolute ? "absolute" : "relative"};
+  }
+  if (problem.duration != other.duration) return Difference{"duration", number(other.duration)};
+  if (problem.goes_on != other.goes_on) return Difference{"goes_on", fmt::format("{}", other.goes_on)};
+  if (problem.collapse_drift != other.collapse_drift) return Difference{"collapse_drift", number(other.collapse_drift)};
+  if (!alike(free.motions, system.motions)) return Difference{"motion", "another one"};
+  return difference_but_gaps(free, system);
+}
+
+inline void require_none(const std::optional<Difference>& found) {
+  if (found) throw InvalidParameter(found->what, found->value, "must be that of the free response");
+}
+
+/// With the contacts of `other`, which its system has, and which is the parts' problem but for gaps and laws.
+template <class Parts, class AnyProblem>
+[[nodiscard]] auto solved(const Parts& parts, const AnyProblem& other, const System& system,
+                          const SolveOptions& options) {
+  const auto began = std::chrono::steady_clock::now();
+  auto with = parts.response;
+  if (!is_over(with.status)) return with;
+  RunOptions asked = run_options(options);
+  asked.course = asked.course && keeps_course(other);
+  Solution solution = parts.free.solve(system.contacts, system.rubbing, asked);
+  const SelfMeasures measures = solution.checks;
+  take_to_come_struck(solution, places_of(other), with.points, with.watched);
+  take_solution(other, std::move(solution), with);
+  check_itself(other, parts.solver, measures, with);
+  with.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return with;
+}
+
+/// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
+/// where some gap of several closes, so that others are struck that move otherwise than freely.
+template <class AnyProblem, class AnyResponse>
+void add_reversed(const AnyProblem& problem, const Solver& solver, const SolveOptions& options, const System& system,
+                  AnyResponse& response) {
+  if (!options.both_ways) {
+    take_reversed({}, response.points);
+    take_reversed({}, response.watched);
+  }
+  if (!options.both_ways || !is_over(response.status) || !is_shaken(system)) return;
+  AnyProblem other = problem;
+  for (GroundMotion& motion : motions_in(other)) motion = reversed(std::move(motion));
+  std::optional<FreeResponseOf<AnyProblem, AnyResponse>> free;
+  const auto solve_free = [&] {
+    const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
+    if (!free) free.emplace(other, solver, go_on, options.limits);
+    return is_over(free->response().status);
+  };
+  ReversedRun reversed;
+  const auto take_free = [&](const AnyResponse& found) {
+    reversed.collapse_no_contact = found.collapse_no_contact;
+    reversed.drifts = drifts_no_contact(found);
+  };
+  if (is_mirrored(system)) {
+    take_free(response);
+  } else {
+    if (!solve_free()) return;
+    const AnyResponse& found = free->response();
+    take_free(found);
+    if (found.status == Status::done) {
+      take_reversed(found.points, response.points);
+      take_reversed(found.watched, response.watched);
+    }
+  }
+  if (gap_count(problem) > 1 && some_point_closes(response.points, gap_widths(problem))) {
+    if (!solve_free()) return;
+    SolveOptions rest;
+    rest.limits = options.limits;
+    if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
+    AnyResponse with = free->solve(other, rest);
+    if (!is_over(with.status)) return;
+    reversed.has_contact = true;
+    reversed.collapse = with.collapse;
+    reversed.points = std::move(with.points);
+    reversed.watched = std::move(with.watched);
+  }
+  response.reversed = std::move(reversed);
+}
+
+/// As solve() of a problem is.
+template <class AnyResponse, class AnyProblem>
+[[nodiscard]] AnyResponse solution_of(const AnyProblem& problem, const Solver& solver, const SolveOptions& options) {
+  using Parts = typename FreeResponseOf<AnyProblem, AnyResponse>::Parts;
+  const auto began = std::chrono::steady_clock::now();
+  const ProgressOfParts progress(options.progress);
+  SolveOptions rest = options;
+  rest.progress = progress.rest;
+  const bool levels = options.levels || options.both_ways;
+  const Parts parts = parts_of<Parts, AnyResponse>(problem, solver, progress.free, options.limits, levels);
+  AnyResponse response = solved(parts, problem, parts.free.system(), rest);
+  add_reversed(problem, solver, options, parts.free.system(), response);
+  response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return response;
+}
+
+}  // namespace any_problem
+
+template <class AnyProblem, class AnyResponse>
+FreeResponseOf<AnyProblem, AnyResponse>::FreeResponseOf(AnyProblem problem, const Solver& solver,
+                                                        const std::function<bool(double)>& progress,
+                                                        const RunLimits& limits, bool levels)
+    : parts_(std::make_shared<const Parts>(
+          any_problem::parts_of<Parts, AnyResponse>(std::move(problem), solver, progress, limits, levels))) {}
+
+template <class AnyProblem, class AnyResponse>
+std::optional<FreeResponseOf<AnyProblem, AnyResponse>> FreeResponseOf<AnyProblem, AnyResponse>::scaled(
+    AnyProblem problem) const {
+  AnyProblem given = any_problem::valid(std::move(problem));
+  const System system = system_of(given);
+  std::optional<FreeSolution> free = parts_->free.scaled(system.motions);
+  if (!free || any_problem::difference(parts_->problem, free->system(), given, system)) return std::nullopt;
+  AnyResponse response = any_problem::told<AnyResponse>(given, *free, parts_->levels);
+  FreeResponseOf result;
+  result.parts_ = std::make_shared<const Parts>(
+      Parts{std::move(given), parts_->solver, std::move(*free), parts_->levels, std::move(response)});
+  return result;
+}
+
+template <class AnyProblem, class AnyResponse>
+const AnyResponse& FreeResponseOf<AnyProblem, AnyResponse>::response() const {
+  return parts_->response;
+}
+
+template <class AnyProblem, class AnyResponse>
+bool FreeResponseOf<AnyProblem, AnyResponse>::serves(const AnyProblem& problem) const {
+  validate(problem);
+  const System system = system_of(problem);
+  return parts_->free.takes(system.contacts, system.rubbing) &&
+         !any_problem::difference(parts_->problem, parts_->free.system(), problem, system);
+}
+
+template <class AnyProblem, class AnyResponse>
+AnyResponse FreeResponseOf<AnyProblem, AnyResponse>::solve(const AnyProblem& problem,
+                                                           const SolveOptions& options) const {
+  validate(problem);
+  const System system = system_of(problem);
+  any_problem::require_none(any_problem::difference(parts_->problem, parts_->free.system(), problem, system));
+  return any_problem::solved(*parts_, problem, system, options);
+}
+
+}  // namespace bentur
