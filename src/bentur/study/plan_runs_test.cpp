@@ -57,6 +57,24 @@ values = [12.01, 12.03]
   EXPECT_GT(ductility, 1);
 }
 
+/// Its rows over the degrees of freedom are the same to the bit wherever a building stands along x.
+TEST_F(PlanRuns, WhereABuildingStandsDoesNotMatterWithoutContact) {
+  std::ofstream(folder_.path() / "case.toml") << case_;
+  const auto problem = [&](const std::string& corner) {
+    std::string text = case_;
+    put(text, "[12.02, 0]", corner);
+    Diagnostics diagnostics;
+    PlanProblem made;
+    EXPECT_TRUE(read_plan_case_text(text, folder_.path() / "case.toml", diagnostics, &made));
+    return made;
+  };
+  const PlanFreeResponse free(problem("[12.02, 0]"));
+  for (const char* const corner : {"[12.01, 0]", "[12.03, 0]", "[12.0371, 0]"}) {
+    EXPECT_TRUE(free.serves(problem(corner))) << corner;
+  }
+  EXPECT_FALSE(free.serves(problem("[12.02, 0.1]"))) << "other places of it are struck";
+}
+
 TEST_F(PlanRuns, SaysWhereItsValuesAre) {
   const auto runs =
       runs_of("[[vary]]\nparameter = 'building[1].plan.corner[0]'\nname = 'corner'\nvalues = [12.01, 12.03]\n");

@@ -83,7 +83,7 @@ StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> me
     : study_(std::move(study)),
       facts_(std::move(facts)),
       memo_(std::move(memo)),
-      plan_(plan_axes(study_), study_.sampling),
+      plan_(plan_axes(study_, true), study_.sampling),
       quantities_(quantities_of(facts_)) {
   widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
     return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
@@ -161,6 +161,15 @@ std::optional<std::size_t> StudyRuns::at_first_level(std::size_t run) const {
   return plan_.at_level(run, study_.ida->axis, 0);
 }
 
+/// Of those of its group the one that the group is made of, whichever comes first: at the first level of all inner
+/// axes.
+std::size_t StudyRuns::representative(std::size_t run) const {
+  for (std::size_t axis = 0; plan_.is_grid() && axis < plan_.axes().size(); ++axis) {
+    if (plan_.axes()[axis].inner) run = plan_.at_level(run, axis, 0);
+  }
+  return run;
+}
+
 std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run, const ReadPlan* in_plan) const {
   const bool is_shared = plan_.has_groups() || at_first_level(run) == run;
   return is_shared ? shared_group(run, in_plan) : made_group(run, in_plan);
@@ -183,7 +192,8 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run,
     }
   }
   const std::lock_guard lock(place->mutex);  // others that need the same group wait for it
-  if (!place->group) place->group = made_group(run, in_plan);
+  const std::size_t of = facts_.plan ? representative(run) : run;
+  if (!place->group) place->group = made_group(of, of == run ? in_plan : nullptr);
   return place->group;
 }
 
@@ -246,13 +256,17 @@ std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::si
   ReadPlan chosen = plan_of(run);
   if (!workspace.group || workspace.group->number != plan_.group(run)) {
     workspace.group = nullptr;
-    workspace.group = group_of(run, &chosen);
+    try {
+      workspace.group = group_of(run, &chosen);
+    } catch (const NotACase&) {  // another run, which the group is made of
+    } catch (const InvalidParameter&) {
+    }
   }
-  const PlanFreeResponse& shared = *workspace.group->free_in_plan;
+  const PlanFreeResponse* const shared = workspace.group ? &*workspace.group->free_in_plan : nullptr;
   options.limits = run_limits(chosen.c.analysis);
   options.levels = true;
-  PlanResponse response = shared.serves(chosen.problem)
-                              ? shared.solve(chosen.problem, options)
+  PlanResponse response = shared != nullptr && shared->serves(chosen.problem)
+                              ? shared->solve(chosen.problem, options)
                               : bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
     fill_row(quantities_, run_results(std::move(chosen.c), std::move(chosen.problem), std::move(response)), row);

@@ -65,6 +65,7 @@ class StudyRuns {
   template <class Free, class AnyProblem>
   [[nodiscard]] Free free_response_of(std::size_t run, const AnyProblem& problem, const AnalysisSpec& analysis,
                                       std::optional<Free> Group::*of) const;
+  [[nodiscard]] std::size_t representative(std::size_t run) const;
   [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run, const ReadPlan* in_plan = nullptr) const;
   [[nodiscard]] std::shared_ptr<const Group> shared_group(std::size_t run, const ReadPlan* in_plan = nullptr) const;
   void set_problem(Workspace& workspace, std::size_t run) const;

@@ -168,7 +168,8 @@ FoundationRows rows_of_foundation(const PlanModel& model) {
 }  // namespace
 
 Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
-  const PlanModel& model = building.model;
+  PlanModel model = building.model;
+  model.footprint.corner.setZero();  // the same rows to the bit wherever it stands
   const Index floors = model.floors(), dofs = model.dofs();
   const PlanPoint x = PlanPoint::UnitX(), y = PlanPoint::UnitY();
   const PlanPoint low = model.footprint.lower(), high = model.footprint.far_corner();

@@ -289,6 +289,12 @@ bool is_of_contact(const ParameterPath& path) {
   return path.size() > 1 && path[0] == PathStep("plan") && path[1] == PathStep("contact");
 }
 
+/// Whether it moves a building in plan as a whole.
+bool is_of_place(const ParameterPath& path) {
+  return path.size() > 3 && path[0] == PathStep("building") && path[2] == PathStep("plan") &&
+         path[3] == PathStep("corner");
+}
+
 bool touches(const ParameterPath& path, const char* table, const char* key) {
   if (path.empty() || std::get<std::string>(path[0]) != table) return false;
   const auto* last = path.size() > 2 ? std::get_if<std::string>(&path[2]) : nullptr;
@@ -371,7 +377,7 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
   return found.ok() ? std::optional(trial.take()) : std::nullopt;
 }
 
-std::vector<SweepAxis> plan_axes(const Study& study) {
+std::vector<SweepAxis> plan_axes(const Study& study, bool places) {
   const bool wave =
       has_wave_velocity(study.case_root) ||
       std::any_of(study.varies.begin(), study.varies.end(), [](const Vary& vary) { return has_wave_velocity(vary); });
@@ -380,7 +386,7 @@ std::vector<SweepAxis> plan_axes(const Study& study) {
     SweepAxis& axis = axes[vary.axis];
     axis.levels = vary.values.size();
     axis.inner = axis.inner && (touches(vary.path, "gap", "width") || touches(vary.path, "gap", "contact") ||
-                                is_of_contact(vary.path));
+                                is_of_contact(vary.path) || (places && is_of_place(vary.path)));
   }
   if (study.ida) axes[study.ida->axis] = {.levels = study.ida->levels.size(), .inner = false};
   return axes;

@@ -66,8 +66,8 @@ struct ChosenCase {
 [[nodiscard]] std::vector<std::string> building_names(const StudyFacts& facts);
 
 /// The axes as a plan takes them: runs that differ in gap widths and contacts alone share the response without contact,
-/// unless delays are reckoned from the widths.
-[[nodiscard]] std::vector<SweepAxis> plan_axes(const Study& study);
+/// unless delays are reckoned from the widths. @param places so may those in plan that differ in where buildings stand
+[[nodiscard]] std::vector<SweepAxis> plan_axes(const Study& study, bool places = false);
 
 /// The message of an error about a case made by a study, without its place in a file.
 [[nodiscard]] std::string first_message(const Diagnostics& diagnostics);
