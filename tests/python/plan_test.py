@@ -152,5 +152,5 @@ def test_ida(tmp_path):
 
 
 def test_what_does_not_go_with_them():
-    with pytest.raises(bentur.CaseError, match="does not go with buildings in plan"):
+    with pytest.raises(bentur.CaseError, match="does not go with friction"):
         bentur.run(bentur.Case.from_file(CASE).replace({"analysis": {"duration": 2.0, "solver": "runge-kutta"}}))

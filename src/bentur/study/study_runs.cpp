@@ -59,12 +59,12 @@ void set_widths(const WidthPlace& place, const TomlValue& value, Problem& proble
 }  // namespace
 
 struct StudyRuns::Group {
-  std::uint64_t number;
-  TomlValue root;  // of one of its runs
-  ReadCase read;
-  Problem problem;
-  std::optional<FreeResponse> free;
-  std::optional<PlanFreeResponse> free_in_plan;  // of buildings in plan, in place of all of these
+  std::uint64_t number = 0;
+  TomlValue root = {};  // of one of its runs
+  ReadCase read = {};
+  Problem problem = {};
+  std::optional<FreeResponse> free = {};
+  std::optional<PlanFreeResponse> free_in_plan = {};  // of buildings in plan, in place of all of these
 };
 
 struct StudyRuns::Place {

@@ -19,12 +19,18 @@
 namespace bentur {
 namespace {
 
-/// What analyses of a row have and these have not.
-void refuse_analysis(const TomlView& root) {
+/// Steps of one length do not follow friction.
+void refuse_analysis(const TomlView& root, const std::vector<PlanGapSpec>& gaps) {
+  const bool rubs = std::any_of(gaps.begin(), gaps.end(), [](const PlanGapSpec& gap) {
+    const auto friction = gap.contact.numbers.find("friction");
+    return friction != gap.contact.numbers.end() &&
+           std::any_of(friction->second.begin(), friction->second.end(), [](double value) { return value > 0; });
+  });
+
   const auto analysis = root.find("analysis");
   if (!analysis || !analysis->is(TomlValue::Kind::table)) return;
   const auto solver = analysis->find("solver");
-  if (solver && solver->value().text == "runge-kutta") solver->error_value("does not go with buildings in plan");
+  if (rubs && solver && solver->value().text == "runge-kutta") solver->error_value("does not go with friction");
 }
 
 /// The excitation that says how long the ground moves: the longer record.
@@ -50,7 +56,7 @@ PlanCase read_parts(const TomlView& root, const CaseFiles& files, PlanProblem* p
   c.initial = read_plan_initial(root, buildings, moves);
   c.screening = read_screening(root);
   c.project = read_project(root, files.folder, files.diagnostics);
-  refuse_analysis(root);
+  refuse_analysis(root, c.gaps);
   c.analysis = read_analysis(root, longer_of(c.excitation));
   check_values(root, case_keys());
   if (!files.diagnostics.ok()) return c;
