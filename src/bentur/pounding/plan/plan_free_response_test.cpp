@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "tests/support/drawn_plan.h"
+#include "tests/invariance/drawn_plan.h"
 
 namespace bentur {
 namespace {

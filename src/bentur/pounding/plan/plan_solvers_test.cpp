@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bentur/core/errors.h"
-#include "tests/support/drawn_plan.h"
+#include "tests/invariance/drawn_plan.h"
 
 namespace bentur {
 namespace {
