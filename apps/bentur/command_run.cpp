@@ -65,7 +65,8 @@ Table quantity_table(const RunView& run, Owner owner, const std::vector<Quantity
 /// What the storeys of a building do that yield, each by the floor above it; empty where none can.
 std::string yielding_table(const RunView& run, Eigen::Index building, const Words& say) {
   const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
-  std::vector<TableColumn> columns = yielding_columns(run, floors_from_top(run.problem, building), say.number());
+  std::vector<TableColumn> columns =
+      table_columns(Owner::floor, run, floors_from_top(run.problem, building), say.number(), QuantityTable::yielding);
   if (columns.empty()) return "";
   return "\n" + say("cli.yielding", {{"building", run.problem.buildings[building].name}}) + "\n\n" +
          table_of(std::move(columns), run, {levels.rbegin(), levels.rend()}, say).text();
@@ -74,8 +75,9 @@ std::string yielding_table(const RunView& run, Eigen::Index building, const Word
 /// Accelerations and storey shears of a building with and without contact, storeys by the floor above them.
 std::string force_table(const RunView& run, Eigen::Index building, const Words& say) {
   const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
-  return "\n" + table_of(force_columns(run, floors_from_top(run.problem, building), say.number()), run,
-                         {levels.rbegin(), levels.rend()}, say)
+  return "\n" + table_of(table_columns(Owner::floor, run, floors_from_top(run.problem, building), say.number(),
+                                       QuantityTable::forces),
+                         run, {levels.rbegin(), levels.rend()}, say)
                     .text();
 }
 
@@ -94,7 +96,8 @@ std::string struck_table(const RunView& run, const Gap& gap, const Words& say) {
     elevations.push_back(point.elevation);
     struck.push_back(run.problem.buildings[struck_column(run.problem, point)->building].name);
   }
-  std::vector<TableColumn> columns = struck_column_columns(run, places_of(points), say.number());
+  std::vector<TableColumn> columns =
+      table_columns(Owner::point, run, places_of(points), say.number(), QuantityTable::struck);
   columns.insert(columns.begin(), {say("cli.column_of"), "", struck});
   return "\n" + say("cli.columns", {{"gap", gap_name(run.problem, gap.left)}}) + "\n\n" +
          table_of(std::move(columns), run, elevations, say).text();

@@ -133,10 +133,12 @@ TEST(InfillResults, StandInTheSummaryAndItsTables) {
   EXPECT_EQ(building["infill_shear"][0], infill.shear(0));
   EXPECT_TRUE(building["infill_failed_time"][0].is_null());
   EXPECT_FALSE(json["buildings"][1].contains("infill_force"));
-  const std::vector<TableColumn> columns = yielding_columns(lost().view(), floors_from_top(lost().problem, 0), 0);
+  const std::vector<TableColumn> columns =
+      table_columns(Owner::floor, lost().view(), floors_from_top(lost().problem, 0), 0, QuantityTable::yielding);
   ASSERT_EQ(columns.size(), 6U);
   EXPECT_EQ(columns[1].label, "On the column");
-  EXPECT_TRUE(yielding_columns(lost().view(), floors_from_top(lost().problem, 1), 0).empty());
+  EXPECT_TRUE(table_columns(Owner::floor, lost().view(), floors_from_top(lost().problem, 1), 0, QuantityTable::yielding)
+                  .empty());
 }
 
 TEST(InfillResults, HaveTheCourseOfEveryStrut) {
@@ -200,7 +202,7 @@ TEST(InfillResults, AreReadBackFromTheHistories) {
   const RunResults read = read_run(NetcdfReader(histories_netcdf(lost(), "1"), "histories.nc"));
   int compared = 0;
   for (const Quantity* quantity : quantities_of(Owner::floor)) {
-    if (!is_of_infill(*quantity)) continue;
+    if (quantity->source.when != When::infill && quantity->source.when != When::infill_columns) continue;
     for (const QuantityPlace& at : floors_of(lost().problem, 0)) {
       const double one = value_of(*quantity, lost().view(), at), other = value_of(*quantity, read.view(), at);
       EXPECT_TRUE(one == other || (std::isnan(one) && std::isnan(other))) << quantity->key << at.floor;

@@ -1,12 +1,14 @@
 // A quantity is one line of a table. Here one of each owner is added to it, and found in everything that is told of a
 // run or a study.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,7 +57,7 @@ class NewQuantity : public testing::Test {
                     .symbol = "M",
                     .long_name = "made up",
                     .label = {"Made up", "Buatan"},
-                    .source = made_up});
+                    .source = {.row = {.value = made_up}}});
     }
     Diagnostics diagnostics;
     Case c = read_case(example, diagnostics).value();
@@ -142,7 +144,8 @@ TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
 
 /// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-files.md.
 std::string row_of(const Quantity& quantity) {
-  const std::string_view owners[] = {"run", "building", "floor", "point", "gap", "impact", "link", "hinge", "column"};
+  const std::string_view owners[] = {"run",    "building", "floor", "plane",  "point",  "gap",
+                                     "impact", "link",     "hinge", "column", "bearing"};
   std::string unit = unit_text(quantity.units, {.length = "length", .force = "force"}), symbol;
   for (const char c : quantity.symbol) symbol += c == '|' ? "\\|" : std::string(1, c);
   return fmt::format("| `{}` | {} | {} | {} | {} |\n", quantity.key, owners[static_cast<int>(quantity.owner)],
@@ -156,6 +159,30 @@ TEST(Quantities, EveryOneIsInTheDocuments) {
     if (quantity.long_name == "made up") continue;
     EXPECT_NE(page.find(row_of(quantity)), std::string::npos) << row_of(quantity);
   }
+}
+
+/// What rows and plans both have has the same name in both; along x and y it ends in the axis, and what storeys do by
+/// themselves is told of planes. What is left rows have alone.
+TEST(Quantities, PlansHaveThoseOfRows) {
+  std::set<std::string> alone;
+  const auto has = [](const std::string& key, Owner owner) {
+    return std::any_of(quantities().begin(), quantities().end(), [&](const Quantity& one) {
+      return one.key == key && one.owner == owner && one.source.plan.value;
+    });
+  };
+  const auto along = [](std::string key, const char* axis) {
+    const std::size_t end = key.find("_no_contact");
+    return key.insert(end == std::string::npos ? key.size() : end, axis);
+  };
+  for (const Quantity& quantity : quantities()) {
+    const std::string key(quantity.key);
+    if (!quantity.source.row.value || quantity.long_name == "made up") continue;
+    const bool is_along = has(along(key, "_x"), quantity.owner) && has(along(key, "_y"), quantity.owner);
+    const bool of_planes = quantity.owner == Owner::floor && has(key, Owner::plane);
+    if (!has(key, quantity.owner) && !is_along && !of_planes) alone.insert(key);
+  }
+  std::erase_if(alone, [](const std::string& key) { return key.starts_with("infill_") || key.starts_with("column_"); });
+  EXPECT_TRUE(alone.empty()) << fmt::format("{}", fmt::join(alone, ", "));
 }
 
 }  // namespace

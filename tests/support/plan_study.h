@@ -13,7 +13,7 @@
 
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/temporary_folder.h"
-#include "bentur/model/plan/plan_row.h"
+#include "bentur/model/quantity_row.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur::test {

@@ -9,7 +9,7 @@
 #include "bentur/core/version.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/html/page_parts.h"
@@ -162,7 +162,7 @@ std::vector<std::string> names_of(const Problem& problem) {
 double largest_amplification(const PlanRun& run) {
   double largest = 0;
   for (const char* const key : {"amplification_x", "amplification_y"}) {
-    const PlanQuantity& quantity = plan_quantity_named(key, PlanOwner::floor);
+    const Quantity& quantity = quantity_named(key, Owner::floor, true);
     for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
       for (const double value : values_at(quantity, run, floors_of(run.problem, b))) {
         if (value > largest) largest = value;  // NaN: none

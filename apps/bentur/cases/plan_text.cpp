@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bentur/core/number_text.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/plan_story.h"
 #include "session.h"
 #include "text/table.h"
@@ -21,15 +21,15 @@ std::string with_columns(Table table, std::vector<TableColumn> columns) {
 
 /// The contact points of a gap, level after level from the top down, each along the stretch.
 std::string contact_table(const PlanRun& run, std::size_t g, const Words& say) {
-  std::vector<PlanPlace> places;
+  std::vector<QuantityPlace> places;
   for (Index i = 0; i < std::ssize(run.problem.gaps[g].contacts); ++i) {
     places.push_back({first_contact(run.problem, g) + i});
   }
-  std::stable_sort(places.begin(), places.end(), [&](const PlanPlace& a, const PlanPlace& b) {
+  std::stable_sort(places.begin(), places.end(), [&](const QuantityPlace& a, const QuantityPlace& b) {
     return contact_at(run.problem, a.item).contact->elevation > contact_at(run.problem, b.item).contact->elevation;
   });
   std::vector<double> elevation, x, y;
-  for (const PlanPlace& at : places) {
+  for (const QuantityPlace& at : places) {
     const PlanContactPlace place = contact_at(run.problem, at.item);
     elevation.push_back(place.contact->elevation);
     x.push_back(place.at.x());
@@ -39,24 +39,25 @@ std::string contact_table(const PlanRun& run, std::size_t g, const Words& say) {
   table.add(say("cli.level"), run.c.units.length, elevation);
   table.add("x", run.c.units.length, x);
   table.add("y", run.c.units.length, y);
-  return with_columns(std::move(table), table_columns(PlanOwner::point, false, run, places, say.number()));
+  return with_columns(std::move(table), table_columns(Owner::point, run, places, say.number()));
 }
 
 std::string floor_table(const PlanRun& run, Index building, bool of_forces, const Words& say) {
-  std::vector<PlanPlace> places = floors_of(run.problem, building);
+  std::vector<QuantityPlace> places = floors_of(run.problem, building);
   std::reverse(places.begin(), places.end());
   const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
   Table table;
   table.add(say("cli.level"), run.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  return with_columns(std::move(table), table_columns(PlanOwner::floor, of_forces, run, places, say.number()));
+  return with_columns(std::move(table), table_columns(Owner::floor, run, places, say.number(),
+                                                      of_forces ? QuantityTable::forces : QuantityTable::main));
 }
 
 std::string plane_table(const PlanRun& run, Index building, const Words& say) {
   const PlanModel& model = run.problem.buildings[building].model;
-  const std::vector<PlanPlace> places = planes_from_top(run.problem, building);
+  const std::vector<QuantityPlace> places = planes_from_top(run.problem, building);
   std::vector<std::string> names;
   std::vector<double> levels;
-  for (const PlanPlace& place : places) {
+  for (const QuantityPlace& place : places) {
     names.push_back(model.planes[place.plane].name);
     levels.push_back(model.elevations[place.floor]);
   }
@@ -65,17 +66,17 @@ std::string plane_table(const PlanRun& run, Index building, const Words& say) {
   table.add(say("column.plane"), "", names);
   table.add(say("cli.level"), run.c.units.length, levels);
   return "\n" + say("cli.planes", {{"building", run.problem.buildings[building].name}}) + "\n\n" +
-         with_columns(std::move(table), table_columns(PlanOwner::plane, false, run, places, say.number()));
+         with_columns(std::move(table), table_columns(Owner::plane, run, places, say.number()));
 }
 
 std::string foundation_table(const PlanRun& run, Index building, const Words& say) {
-  std::vector<TableColumn> columns = table_columns(PlanOwner::building, false, run, {{building}}, say.number());
+  std::vector<TableColumn> columns = table_columns(Owner::building, run, {{building}}, say.number());
   if (columns.empty()) return {};
   return "\n" + say("plan.foundation") + "\n\n" + with_columns(Table(), std::move(columns));
 }
 
 std::string bearing_table(const PlanRun& run, Index building, const Words& say) {
-  const std::vector<PlanPlace> places = bearings_of(run.problem, building);
+  const std::vector<QuantityPlace> places = bearings_of(run.problem, building);
   if (places.empty()) return {};
   const PlanModel& model = run.problem.buildings[building].model;
   std::vector<double> x, y;
@@ -87,7 +88,7 @@ std::string bearing_table(const PlanRun& run, Index building, const Words& say) 
   table.add("x", run.c.units.length, x);
   table.add("y", run.c.units.length, y);
   return "\n" + say("plan.bearings") + "\n\n" +
-         with_columns(std::move(table), table_columns(PlanOwner::bearing, false, run, places, say.number()));
+         with_columns(std::move(table), table_columns(Owner::bearing, run, places, say.number()));
 }
 
 /// The links of each [[link]] of the case, from the top down.
@@ -95,7 +96,7 @@ std::string link_tables(const PlanRun& run, const Words& say) {
   std::string text;
   const std::vector<std::vector<Index>> all = links_by_spec(run.c.links);
   for (std::size_t spec = 0; spec < all.size(); ++spec) {
-    std::vector<PlanPlace> places;
+    std::vector<QuantityPlace> places;
     std::vector<double> levels;
     for (auto link = all[spec].rbegin(); link != all[spec].rend(); ++link) {
       places.push_back({*link});
@@ -106,7 +107,7 @@ std::string link_tables(const PlanRun& run, const Words& say) {
     Table table;
     table.add(say("cli.level"), run.c.units.length, levels);
     text += "\n" + say("cli.links", {{"link", name}, {"law", run.c.links[spec].link.law}}) + "\n\n" +
-            with_columns(std::move(table), table_columns(PlanOwner::link, false, run, places, say.number()));
+            with_columns(std::move(table), table_columns(Owner::link, run, places, say.number()));
   }
   return text;
 }

@@ -19,7 +19,7 @@
 #include "bentur/io/results/run_variables.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/plan/plan_report.h"
@@ -134,14 +134,12 @@ py::list impacts(const PyRun& run) {
   py::list found;
   if (run.plan) {
     const Units& units = run.plan->c.units;
-    for (const PlanQuantity& one : plan_quantities()) {
-      if (one.owner != PlanOwner::impact) continue;
+    for (const Quantity* const one : quantities_of(Owner::impact, true)) {
       std::vector<double> values;
       for (Eigen::Index i = 0; i < std::ssize(run.plan->response.impacts); ++i) {
-        values.push_back(one.value(*run.plan, {i}));
+        values.push_back(value_of(*one, *run.plan, {i}));
       }
-      found.append(py::make_tuple(std::string(one.told.key), udunits(one.told.units, units), array_of(values),
-                                  is_whole(one.told)));
+      found.append(py::make_tuple(std::string(one->key), udunits(one->units, units), array_of(values), is_whole(*one)));
     }
     return found;
   }

@@ -466,14 +466,15 @@ TEST(Tables, YieldingHasATableOfItsOwnWhereABuildingCan) {
   const std::string of_floors = "Displacement; Without contact; Amplification; Drift; ";
   for (const Eigen::Index b : {0, 1}) {
     EXPECT_EQ(labels(table_columns(Owner::floor, run, floors_of(f.problem, b))), of_floors);
-    EXPECT_EQ(labels(force_columns(run, floors_of(f.problem, b))),
+    EXPECT_EQ(labels(table_columns(Owner::floor, run, floors_of(f.problem, b), 0, QuantityTable::forces)),
               "Acceleration; Without contact; Ratio; Storey shear; Without contact; Ratio; ");
   }
-  EXPECT_EQ(labels(yielding_columns(run, floors_of(f.problem, 0))),
+  EXPECT_EQ(labels(table_columns(Owner::floor, run, floors_of(f.problem, 0), 0, QuantityTable::yielding)),
             "Ductility; Residual drift; Energy by yielding; Ductility without contact; Residual drift without contact; "
             "Energy by yielding without contact; ");
-  EXPECT_TRUE(yielding_columns(run, floors_of(f.problem, 1)).empty());
-  const TableColumn ductility = yielding_columns(run, floors_of(f.problem, 0)).front();
+  EXPECT_TRUE(table_columns(Owner::floor, run, floors_of(f.problem, 1), 0, QuantityTable::yielding).empty());
+  const TableColumn ductility =
+      table_columns(Owner::floor, run, floors_of(f.problem, 0), 0, QuantityTable::yielding).front();
   EXPECT_EQ(ductility.cells, (std::vector<std::string>{"2.500", "–"}));
   EXPECT_EQ(labels(table_columns(Owner::link, run, first_places(2))),
             "Peak push; Peak pull; Closing; Opening; Energy lost; ");

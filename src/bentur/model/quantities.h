@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "bentur/core/units.h"
@@ -15,15 +15,20 @@
 
 namespace bentur {
 
+struct PlanBuilding;
+struct PlanProblem;
+struct PlanRun;
 struct Remark;
 
-/// What the values of a quantity belong to: one value for the run, or one each. Bearings are those of plans alone.
-enum class Owner { run, building, floor, point, gap, impact, link, hinge, column, bearing };
+/// What the values of a quantity belong to: one value for the run, or one each. Of planes in plan one for each storey;
+/// bearings are those of plans alone.
+enum class Owner { run, building, floor, plane, point, gap, impact, link, hinge, column, bearing };
 
 /// The units in which people are told of a run: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);
+[[nodiscard]] ShownUnits shown_units(const PlanRun& run);
 
-/// A run as quantities are read from it.
+/// A run of a row as quantities are read from it; of buildings in plan that is PlanRun.
 struct RunView {
   RunView(const Problem& p, const Response& r, const Units& u);
 
@@ -35,44 +40,57 @@ struct RunView {
   std::vector<PointRestitution> restitutions;    ///< per contact point
 };
 
-/// Where a value is: number of the building, point, gap, impact or link, and of the floor, the hinge, or the column
-/// that breaks.
+/// Where a value is: number of the building, point, gap, impact or link (0 of the run), of points and impacts in plan
+/// among those of all gaps; of the floor, or the floor above the storey, or the hinge, or the column that breaks; and
+/// in plan of the plane or the bearing.
 struct QuantityPlace {
-  Eigen::Index item = 0;
-  Eigen::Index floor = 0;
+  Eigen::Index item = 0, floor = 0, plane = 0;
 };
 
-/// A list of what storeys that yield do, of the run or of the free response.
-struct YieldingSource {
-  BuildingPeaks::Yielding BuildingPeaks::*of;
-  Eigen::VectorXd BuildingPeaks::Yielding::*list;
+/// Which buildings, points or runs have a quantity.
+enum class When {
+  always,
+  moves,             ///< no wall
+  edges,             ///< it is in plan and has no planes
+  yields,            ///< a storey can yield
+  yields_or_turns,   ///< or a frame has hinges
+  loses_strength,    ///< a storey can
+  infill,            ///< a frame has some
+  infill_columns,    ///< that pushes on columns with a shear capacity
+  soil,              ///< it stands on some
+  hinges,            ///< a frame has some
+  weakening_hinges,  ///< that lose strength
+  breaking_columns,  ///< a frame has some
+  bearings_yield,
+  struck,  ///< a floor strikes a column there; the next ones: whose capacity is given
+  struck_shear,
+  struck_moment,
+  struck_capacity,  ///< one of both
+  rubs,             ///< a contact does
 };
 
-/// A list of what the infill of a frame did.
-struct InfillSource {
-  Eigen::VectorXd BuildingPeaks::Infill::*list;
+/// How a quantity is read from runs of one kind, and kept.
+template <class Run, class Results>
+struct SourceOf {
+  std::function<double(const Run&, const QuantityPlace&)> value =
+      {};  ///< NaN: there is none; empty: such runs have none
+  /// Puts a value read from a file where it stands in results, which have all buildings, planes, points and impacts;
+  /// empty where it is computed of others.
+  std::function<void(Results&, const QuantityPlace&, double)> keep = {};
+  std::function<bool(const Run&, Eigen::Index)> is_told = {};  ///< of an item, whatever its values; empty: always
 };
 
-/// What the foundation of a building on soil did: its sway (0) or its rocking (1).
-struct FoundationSource {
-  Eigen::Index entry = 0;
-};
+/// Tables for people, each of what belongs together.
+enum class QuantityTable { main, forces, yielding, struck };
 
-/// What a column bears that is struck: as it stands in a response, or computed of it and of what the case says of the
-/// contact point.
-struct ColumnSource {
-  double ColumnPeaks::*kept = nullptr;
-  double (*computed)(const ColumnPeaks&, const ContactPoint&) = nullptr;
+/// Where the values of a quantity come from.
+struct QuantitySource {
+  SourceOf<RunView, Response> row = {};
+  SourceOf<PlanRun, PlanRun> plan = {};
+  When when = When::always;
+  enum class Number { real, count, yes_or_no } number = Number::real;
+  QuantityTable table = QuantityTable::main;
 };
-
-/// Where a value stands in a response, or how it is computed. Only the former is read back from files of results.
-using QuantitySource =
-    std::variant<Eigen::VectorXd BuildingPeaks::*, YieldingSource, InfillSource, FoundationSource, ColumnSource,
-                 double PointSummary::*, int PointSummary::*, std::optional<double> PointSummary::*, double Impact::*,
-                 bool Impact::*, double LinkSummary::*, double BuildingPeaks::Hinge::*, int BuildingPeaks::Hinge::*,
-                 std::optional<double> BuildingPeaks::Hinge::*, double BuildingPeaks::Breaking::*,
-                 std::optional<double> BuildingPeaks::Breaking::*, double (*)(const RunView&, const QuantityPlace&),
-                 long (*)(const RunView&, const QuantityPlace&)>;
 
 /// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
 /// are made from the list of these; a new quantity is one line there (docs/result-files.md has them all).
@@ -84,7 +102,7 @@ struct Quantity {
   std::string_view long_name;  ///< in words, of one of its owners
   /// Heads its column in tables, English and Indonesian; empty: it is in none.
   std::string_view label[2];
-  QuantitySource source;             ///< NaN where there is no such value
+  QuantitySource source;
   std::string_view pointer = {};     ///< JSON pointer in the summary, from its owner's object; empty: the key
   std::string_view shown_unit = {};  ///< in tables, where another one reads better: "ms", "%"
   double shown_factor = 1;           ///< what the value is multiplied by for that
@@ -96,52 +114,31 @@ struct Quantity {
 
 /// All of them, in the order in which files and tables have them.
 [[nodiscard]] const std::deque<Quantity>& quantities();
-/// Those of one kind of owner.
-[[nodiscard]] std::vector<const Quantity*> quantities_of(Owner owner);
-/// The one of this key and owner. @throws InvalidParameter where there is none.
-[[nodiscard]] const Quantity& quantity_named(std::string_view key, Owner owner);
+/// Those of one kind of owner that runs of rows have, or runs of buildings in plan.
+[[nodiscard]] std::vector<const Quantity*> quantities_of(Owner owner, bool in_plan = false);
+/// The one of this key and owner among them. @throws InvalidParameter where there is none.
+[[nodiscard]] const Quantity& quantity_named(std::string_view key, Owner owner, bool in_plan = false);
 /// Adds one, for a program that tells of something of its own. Not while others read the list.
 void add_quantity(const Quantity& quantity);
 
 /// Its name in NetCDF, where names of all owners stand side by side: "link_peak_tension", "impact_start", else the key.
 [[nodiscard]] std::string file_name(const Quantity& quantity);
-/// Whether it is told only of buildings that have storeys that can yield.
-[[nodiscard]] bool is_of_yielding(const Quantity& quantity);
-/// Whether it is one of those, and told of this building: of a frame with hinges residual drifts alone are.
-[[nodiscard]] bool is_of_yielding(const Quantity& quantity, const Building& building);
-/// Whether it is told only of buildings that stand on soil.
-[[nodiscard]] bool is_of_foundation(const Quantity& quantity);
-/// Whether it tells what contact does to floor accelerations and storey shears, which have a table of their own.
-[[nodiscard]] bool is_of_forces(const Quantity& quantity);
-/// Whether it is told only of frames that have infill.
-[[nodiscard]] bool is_of_infill(const Quantity& quantity);
-/// Whether it is one of those, and told of this building: what columns bear only where one has a shear capacity.
-[[nodiscard]] bool is_of_infill(const Quantity& quantity, const Building& building);
-/// Whether it is told only of buildings that have hinges, or of hinges.
-[[nodiscard]] bool is_of_hinges(const Quantity& quantity);
-/// Whether it is told only of hinges that lose strength.
-[[nodiscard]] bool is_of_weakening(const Quantity& quantity);
-/// Whether it is told only of columns that can break.
-[[nodiscard]] bool is_of_breaking(const Quantity& quantity);
-/// Whether it is told only of contact points where a floor strikes a column.
-[[nodiscard]] bool is_of_columns(const Quantity& quantity);
-/// Whether a quantity of columns has a value at a contact point: a column is struck there and, of demand over capacity,
-/// the case says what it bears.
-[[nodiscard]] bool column_has(const Quantity& quantity, const Problem& problem, const ContactPoint& point);
-/// Whether it is told of item `item` of its owner.
-[[nodiscard]] bool is_told(const Quantity& quantity, const RunView& run, Eigen::Index item);
-/// The same of any of these places, or where there are none.
+/// Whether it is so of a building, or of a contact point of a problem.
+[[nodiscard]] bool holds(When when, const Building& building);
+[[nodiscard]] bool holds(When when, const PlanBuilding& building);
+[[nodiscard]] bool holds(When when, const Problem& problem, const ContactPoint& point);
+/// Whether a run tells it of any of these places, or where there are none.
 [[nodiscard]] bool is_told_at_any(const Quantity& quantity, const RunView& run,
                                   const std::vector<QuantityPlace>& places);
 
 /// Its value at a place; NaN where there is none.
 [[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
+[[nodiscard]] double value_of(const Quantity& quantity, const PlanRun& run, const QuantityPlace& place = {});
+/// Its values at places of one building, or of points or impacts; empty where it is not told of these.
+[[nodiscard]] std::vector<double> values_at(const Quantity& quantity, const PlanRun& run,
+                                            const std::vector<QuantityPlace>& places);
 /// Whether it is a count, or yes (1) or no.
 [[nodiscard]] bool is_whole(const Quantity& quantity);
-/// Whether a response holds it; else it is computed.
-[[nodiscard]] bool is_kept(const Quantity& quantity);
-/// Puts a value read from a file where it stands in a response; does nothing for one that is computed.
-void put_value(const Quantity& quantity, double value, const QuantityPlace& place, Response& response);
 
 /// "kgf s-1", as UDUNITS reads it, of "F s-1".
 [[nodiscard]] std::string udunits(std::string_view form, const Units& units);
@@ -158,22 +155,15 @@ struct TableColumn {
   std::string label, unit;
   std::vector<std::string> cells;
 };
-/// A column for each quantity of this owner that has a label, with a cell for each place; without those of yielding,
-/// of forces and of struck columns.
+/// A column for each quantity of this owner that has a label and is of this table, with a cell for each place. Of
+/// buildings in plan what none of the places has is left out, and round-off is shown as 0.
 /// @param language 0 English, 1 Indonesian
 [[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const RunView& run,
-                                                     const std::vector<QuantityPlace>& places,
-                                                     std::size_t language = 0);
-/// The same of what the storeys of one building do that yield; none where it cannot.
-[[nodiscard]] std::vector<TableColumn> yielding_columns(const RunView& run, const std::vector<QuantityPlace>& floors,
-                                                        std::size_t language = 0);
-/// The same of accelerations and storey shears of one building, with and without contact.
-[[nodiscard]] std::vector<TableColumn> force_columns(const RunView& run, const std::vector<QuantityPlace>& floors,
-                                                     std::size_t language = 0);
-/// The same of columns that are struck, at contact points where they are.
-[[nodiscard]] std::vector<TableColumn> struck_column_columns(const RunView& run,
-                                                             const std::vector<QuantityPlace>& points,
-                                                             std::size_t language = 0);
+                                                     const std::vector<QuantityPlace>& places, std::size_t language = 0,
+                                                     QuantityTable table = QuantityTable::main);
+[[nodiscard]] std::vector<TableColumn> table_columns(Owner owner, const PlanRun& run,
+                                                     const std::vector<QuantityPlace>& places, std::size_t language = 0,
+                                                     QuantityTable table = QuantityTable::main);
 /// The floors of a building, bottom to top.
 [[nodiscard]] std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index building);
 /// The hinges of a building, in their order, and its columns that can break.
@@ -185,5 +175,7 @@ struct TableColumn {
 [[nodiscard]] std::vector<QuantityPlace> first_places(Eigen::Index count);
 /// Those items as places.
 [[nodiscard]] std::vector<QuantityPlace> places_of(const std::vector<Eigen::Index>& items);
+/// Those that an owner has in a building: its floors, its hinges, …
+[[nodiscard]] std::vector<QuantityPlace> places_in(const Problem& problem, Owner owner, Eigen::Index building);
 
 }  // namespace bentur

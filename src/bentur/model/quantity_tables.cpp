@@ -6,31 +6,48 @@
 #include <sstream>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "bentur/core/number_text.h"
-#include "bentur/model/internal/quantity_column.h"
-#include "bentur/structure/frame/infill.h"
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/quantities.h"
 
 namespace bentur {
 
 namespace {
 
-std::vector<TableColumn> columns_of(Owner owner, bool (*is_wanted)(const Quantity&), const RunView& r,
-                                    const std::vector<QuantityPlace>& places, std::size_t language) {
-  std::vector<TableColumn> columns;
-  for (const Quantity* quantity : quantities_of(owner)) {
-    if (quantity->label[language].empty() || !is_wanted(*quantity)) continue;
-    if (!is_told_at_any(*quantity, r, places)) continue;
-    std::vector<double> values;
-    for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, r, at));
-    columns.push_back(column_of(*quantity, std::move(values), r.shown, language));
+/// What a run has of these units at most, of its lengths, accelerations and forces; turning at the longest side.
+double size_of(const PlanRun& run, std::string_view units) {
+  double displacement = 0, acceleration = 0, force = 0, side = 0;
+  for (const PlanBuilding& one : run.problem.buildings) side = std::max(side, one.model.footprint.size.maxCoeff());
+  const auto most = [](double& of, std::initializer_list<const Eigen::VectorXd*> lists) {
+    for (const Eigen::VectorXd* const list : lists) {
+      for (const double value : *list) of = std::max(of, value);
+    }
+  };
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    most(displacement, {&peaks.x, &peaks.y});
+    most(acceleration, {&peaks.acceleration_x, &peaks.acceleration_y});
+    most(force, {&peaks.shear_x, &peaks.shear_y});
   }
-  return columns;
+  for (const PointSummary& one : run.response.points) force = std::max(force, one.peak_force);
+  if (units == "L") return displacement;
+  if (units == "rad") return displacement / side;
+  if (units == "L s-2") return acceleration;
+  if (units == "rad s-2") return acceleration / side;
+  if (units == "F") return force;
+  return units == "F L" ? force * displacement : 0;
 }
 
-}  // namespace
+bool is_nothing(double value) { return std::isnan(value); }
 
+/// Those of an owner that have a label and are of a table.
+std::vector<const Quantity*> with_label(Owner owner, QuantityTable table, bool in_plan, std::size_t language) {
+  std::vector<const Quantity*> found = quantities_of(owner, in_plan);
+  std::erase_if(found, [&](const Quantity* one) { return one->label[language].empty() || one->source.table != table; });
+  return found;
+}
+
+/// The column of a quantity; values in the case's units, NaN: there is none.
 TableColumn column_of(const Quantity& quantity, std::vector<double> values, const ShownUnits& shown,
                       std::size_t language) {
   for (double& value : values) value *= quantity.shown_factor * shown.factor(quantity.units);
@@ -45,82 +62,82 @@ TableColumn column_of(const Quantity& quantity, std::vector<double> values, cons
           unit.empty() ? unit_text(quantity.units, shown.units) : std::string(unit), std::move(cells)};
 }
 
+}  // namespace
+
 std::vector<TableColumn> table_columns(Owner owner, const RunView& r, const std::vector<QuantityPlace>& places,
-                                       std::size_t language) {
-  const auto is_wanted = [](const Quantity& one) {
-    return !is_of_yielding(one) && !is_of_infill(one) && !is_of_forces(one) && !is_of_columns(one);
-  };
-  return columns_of(owner, is_wanted, r, places, language);
-}
-
-std::vector<TableColumn> yielding_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
-                                          std::size_t language) {
-  const auto is_wanted = [](const Quantity& one) { return is_of_yielding(one) || is_of_infill(one); };
-  return columns_of(Owner::floor, is_wanted, r, floors, language);
-}
-
-std::vector<TableColumn> force_columns(const RunView& r, const std::vector<QuantityPlace>& floors,
-                                       std::size_t language) {
-  return columns_of(Owner::floor, is_of_forces, r, floors, language);
-}
-
-std::vector<TableColumn> struck_column_columns(const RunView& r, const std::vector<QuantityPlace>& points,
-                                               std::size_t language) {
-  return columns_of(Owner::point, is_of_columns, r, points, language);
-}
-
-bool is_of_yielding(const Quantity& quantity) { return std::holds_alternative<YieldingSource>(quantity.source); }
-
-bool is_of_infill(const Quantity& quantity) { return std::holds_alternative<InfillSource>(quantity.source); }
-
-bool is_of_infill(const Quantity& quantity, const Building& building) {
-  const auto* source = std::get_if<InfillSource>(&quantity.source);
-  if (source == nullptr || building.model.infills.empty()) return false;
-  return source->list != &BuildingPeaks::Infill::column_demand || !struts_on_columns(building.model).empty();
-}
-
-bool is_of_foundation(const Quantity& quantity) { return std::holds_alternative<FoundationSource>(quantity.source); }
-
-bool is_of_yielding(const Quantity& quantity, const Building& building) {
-  const auto* source = std::get_if<YieldingSource>(&quantity.source);
-  if (source == nullptr) return false;
-  const bool residual = source->list == &BuildingPeaks::Yielding::residual_drift_ratio;
-  for (const auto list : {&BuildingPeaks::Yielding::strength_left, &BuildingPeaks::Yielding::capped_time,
-                          &BuildingPeaks::Yielding::residual_time, &BuildingPeaks::Yielding::failed_time}) {
-    if (source->list == list) return building.can_lose_strength();
+                                       std::size_t language, QuantityTable table) {
+  std::vector<TableColumn> columns;
+  for (const Quantity* const quantity : with_label(owner, table, false, language)) {
+    if (!is_told_at_any(*quantity, r, places)) continue;
+    std::vector<double> values;
+    for (const QuantityPlace& at : places) values.push_back(value_of(*quantity, r, at));
+    columns.push_back(column_of(*quantity, std::move(values), r.shown, language));
   }
-  return building.storeys_yield() || (residual && building.model.hinges.size() > 0);
+  return columns;
 }
 
-bool is_of_hinges(const Quantity& quantity) { return quantity.owner == Owner::hinge || quantity.key == "hinge_energy"; }
-
-bool is_of_weakening(const Quantity& quantity) {
-  const auto* source = std::get_if<std::optional<double> BuildingPeaks::Hinge::*>(&quantity.source);
-  return source != nullptr && *source != &BuildingPeaks::Hinge::first_yield;
+std::vector<TableColumn> table_columns(Owner owner, const PlanRun& run, const std::vector<QuantityPlace>& places,
+                                       std::size_t language, QuantityTable table) {
+  const ShownUnits shown = shown_units(run);
+  std::vector<TableColumn> columns;
+  for (const Quantity* const quantity : with_label(owner, table, true, language)) {
+    std::vector<double> values = values_at(*quantity, run, places);
+    if (std::all_of(values.begin(), values.end(), is_nothing)) continue;
+    const double least = 1e-12 * size_of(run, quantity->units);
+    for (double& value : values) value = std::abs(value) < least ? 0 : value;
+    columns.push_back(column_of(*quantity, std::move(values), shown, language));
+  }
+  return columns;
 }
 
-bool is_of_breaking(const Quantity& quantity) { return quantity.owner == Owner::column; }
-
-bool is_of_forces(const Quantity& quantity) {
-  return quantity.owner == Owner::floor && (quantity.key.find("acceleration") != std::string_view::npos ||
-                                            quantity.key.find("storey_shear") != std::string_view::npos);
+std::vector<double> values_at(const Quantity& quantity, const PlanRun& run, const std::vector<QuantityPlace>& places) {
+  std::vector<double> values;
+  const When when = quantity.source.when;
+  if (places.empty() || (when == When::moves && run.problem.buildings[places.front().item].is_rigid())) return values;
+  for (const QuantityPlace& at : places) values.push_back(value_of(quantity, run, at));
+  const bool of_frames = quantity.owner == Owner::hinge ? when == When::hinges : quantity.owner == Owner::column;
+  const bool always = when == When::always || when == When::moves || of_frames;
+  if (!always && std::all_of(values.begin(), values.end(), is_nothing)) values.clear();
+  return values;
 }
 
-bool is_of_columns(const Quantity& quantity) { return std::holds_alternative<ColumnSource>(quantity.source); }
+bool is_told_at_any(const Quantity& quantity, const RunView& r, const std::vector<QuantityPlace>& places) {
+  const auto& is_told = quantity.source.row.is_told;
+  return !is_told || places.empty() ||
+         std::any_of(places.begin(), places.end(), [&](const QuantityPlace& at) { return is_told(r, at.item); });
+}
+
+ShownUnits shown_units(const Units& units, const Response& response) {
+  double largest = 0;
+  for (const PointSummary& point : response.points) {
+    largest = std::max({largest, point.peak_force, point.peak_tension});
+  }
+  for (const BuildingPeaks& peaks : response.buildings) {
+    for (const double shear : peaks.storey_shear) largest = std::fmax(largest, shear);
+  }
+  return shown_units(units, largest);
+}
+
+ShownUnits shown_units(const PlanRun& run) {
+  double largest = 0;
+  for (const PointSummary& one : run.response.points) largest = std::max({largest, one.peak_force, one.peak_tension});
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    for (const Eigen::VectorXd* const list : {&peaks.shear_x, &peaks.shear_y}) {
+      for (const double shear : *list) largest = std::max(largest, shear);
+    }
+  }
+  return shown_units(run.c.units, largest);
+}
 
 std::string file_name(const Quantity& quantity) {
   const std::string_view prefix = quantity.owner == Owner::link      ? "link_"
                                   : quantity.owner == Owner::impact  ? "impact_"
                                   : quantity.owner == Owner::hinge   ? "hinge_"
+                                  : quantity.owner == Owner::plane   ? "plane_"
                                   : quantity.owner == Owner::column  ? "breaking_column_"
                                   : quantity.owner == Owner::bearing ? "bearing_"
                                                                      : "";
   return std::string(prefix) + std::string(quantity.key);
-}
-
-bool is_told_at_any(const Quantity& quantity, const RunView& r, const std::vector<QuantityPlace>& places) {
-  return places.empty() || std::any_of(places.begin(), places.end(),
-                                       [&](const QuantityPlace& at) { return is_told(quantity, r, at.item); });
 }
 
 std::vector<QuantityPlace> floors_of(const Problem& problem, Eigen::Index b) {
@@ -157,6 +174,14 @@ std::vector<QuantityPlace> places_of(const std::vector<Eigen::Index>& items) {
   std::vector<QuantityPlace> places;
   for (const Eigen::Index item : items) places.push_back({item, 0});
   return places;
+}
+
+std::vector<QuantityPlace> places_in(const Problem& problem, Owner owner, Eigen::Index building) {
+  if (owner == Owner::building) return {{.item = building}};
+  if (owner == Owner::floor) return floors_of(problem, building);
+  if (owner == Owner::hinge) return hinges_of(problem, building);
+  if (owner == Owner::column) return breaking_columns_of(problem, building);
+  return {};
 }
 
 // tf would be unknown to UDUNITS, since its ton_force is the short one.

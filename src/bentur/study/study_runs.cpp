@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bentur/core/errors.h"
-#include "bentur/model/plan/plan_row.h"
+#include "bentur/model/quantity_row.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/pounding.h"

@@ -13,7 +13,7 @@
 #include "bentur/io/results/run_variables.h"
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/io/toml/toml_view.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/study/fragility/ida_results.h"
 
@@ -185,8 +185,8 @@ class StudyList {
 
   void values_of(const RowPart& part) {
     ResultVariable variable{part.name, file_.runs, part.units, part.long_name};
-    if (part.of_planes) variable.dimensions.push_back(planes_[part.building]);
-    if (part.owner == Owner::floor) variable.dimensions.push_back(floors_[part.building]);
+    if (part.owner == Owner::plane) variable.dimensions.push_back(planes_[part.building]);
+    if (part.owner == Owner::floor || part.owner == Owner::plane) variable.dimensions.push_back(floors_[part.building]);
     if (part.owner == Owner::hinge) {
       variable.dimensions.push_back({fmt::format("hinge_{}", part.building + 1), static_cast<std::size_t>(part.count)});
     }
@@ -262,9 +262,6 @@ void check_names(const Study& study, Diagnostics& diagnostics) {
                                  "link_along",    "link_x",     "link_y"};
   for (const Quantity& quantity : quantities()) {
     if (quantity.owner != Owner::impact) taken.insert(file_name(quantity));
-  }
-  for (const PlanQuantity& quantity : plan_quantities()) {
-    if (quantity.owner != PlanOwner::impact) taken.insert(file_name(quantity.told));
   }
   const auto is_taken = [&](const std::string& name) { return taken.count(name) > 0 || without_number(name) != name; };
   for (const Vary& vary : study.varies) {

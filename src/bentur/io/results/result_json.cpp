@@ -41,7 +41,7 @@ void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index 
   for (const Quantity* quantity : quantities_of(owner)) {
     const Json::json_pointer at(quantity->pointer.empty() ? "/" + std::string(quantity->key)
                                                           : std::string(quantity->pointer));
-    if (object.contains(at) || !is_told(*quantity, run, item)) continue;
+    if (object.contains(at) || !is_told_at_any(*quantity, run, {{.item = item}})) continue;
     if (owner == Owner::floor) {
       Json list = Json::array();
       for (Eigen::Index i = 0; i < run.problem.buildings[item].model.floors(); ++i) {

@@ -75,12 +75,11 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       if (along) variable.dimensions.push_back(*along);
       std::vector<double> values;
       if constexpr (File::reads) {
-        const bool of_some = is_of_yielding(*quantity) || is_of_infill(*quantity) || is_of_foundation(*quantity) ||
-                             is_of_forces(*quantity) || is_of_columns(*quantity) || is_of_hinges(*quantity) ||
-                             is_of_breaking(*quantity);
-        if (!is_kept(*quantity) || (of_some && !file_.has(variable.name, false))) continue;
+        const auto& source = quantity->source.row;
+        const bool of_some = source.is_told || quantity->source.table == QuantityTable::forces;
+        if (!source.keep || (of_some && !file_.has(variable.name, false))) continue;
         made(variable, values);
-        for (std::size_t i = 0; i < values.size(); ++i) put_value(*quantity, values[i], at[i], response_);
+        for (std::size_t i = 0; i < values.size(); ++i) source.keep(response_, at[i], values[i]);
       } else {
         const RunView& view = view_ ? *view_ : view_.emplace(run_.view());
         if (!is_told_at_any(*quantity, view, at)) continue;

@@ -1,11 +1,11 @@
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 
 namespace bentur {
 
 using Eigen::Index;
 
-std::vector<PlanPlace> floors_of(const PlanProblem& problem, Index building, Index plane) {
-  std::vector<PlanPlace> places;
+std::vector<QuantityPlace> floors_of(const PlanProblem& problem, Index building, Index plane) {
+  std::vector<QuantityPlace> places;
   for (Index f = 0; f < problem.buildings[building].model.floors(); ++f) places.push_back({building, f, plane});
   return places;
 }
@@ -14,8 +14,8 @@ namespace {
 
 /// Of each frame of a building as many as there are of a list of its hinges.
 template <class Item>
-std::vector<PlanPlace> of_frames_of(const PlanProblem& problem, Index building, std::vector<Item> Hinges::*list) {
-  std::vector<PlanPlace> places;
+std::vector<QuantityPlace> of_frames_of(const PlanProblem& problem, Index building, std::vector<Item> Hinges::*list) {
+  std::vector<QuantityPlace> places;
   const std::vector<PlanModel::Plane>& planes = problem.buildings[building].model.planes;
   for (Index plane = 0; plane < std::ssize(planes); ++plane) {
     const Index count = std::ssize(planes[plane].hinges.*list);
@@ -26,27 +26,41 @@ std::vector<PlanPlace> of_frames_of(const PlanProblem& problem, Index building, 
 
 }  // namespace
 
-std::vector<PlanPlace> hinges_of(const PlanProblem& problem, Index building) {
+std::vector<QuantityPlace> hinges_of(const PlanProblem& problem, Index building) {
   return of_frames_of(problem, building, &Hinges::places);
 }
 
-std::vector<PlanPlace> breaking_columns_of(const PlanProblem& problem, Index building) {
+std::vector<QuantityPlace> breaking_columns_of(const PlanProblem& problem, Index building) {
   return of_frames_of(problem, building, &Hinges::columns);
 }
 
-std::vector<PlanPlace> planes_from_top(const PlanProblem& problem, Index building) {
-  std::vector<PlanPlace> places;
+std::vector<QuantityPlace> planes_from_top(const PlanProblem& problem, Index building) {
+  std::vector<QuantityPlace> places;
   for (Index plane = 0; plane < std::ssize(problem.buildings[building].model.planes); ++plane) {
-    const std::vector<PlanPlace> storeys = floors_of(problem, building, plane);
+    const std::vector<QuantityPlace> storeys = floors_of(problem, building, plane);
     places.insert(places.end(), storeys.rbegin(), storeys.rend() - problem.buildings[building].model.first_storey());
   }
   return places;
 }
 
-std::vector<PlanPlace> bearings_of(const PlanProblem& problem, Index building) {
-  std::vector<PlanPlace> places;
+std::vector<QuantityPlace> bearings_of(const PlanProblem& problem, Index building) {
+  std::vector<QuantityPlace> places;
   for (Index n = 0; n < std::ssize(problem.buildings[building].model.bearings); ++n) {
     places.push_back({.item = building, .plane = n});
+  }
+  return places;
+}
+
+std::vector<QuantityPlace> places_in(const PlanProblem& problem, Owner owner, Index building) {
+  if (owner == Owner::building) return {{.item = building}};
+  if (owner == Owner::floor) return floors_of(problem, building);
+  if (owner == Owner::hinge) return hinges_of(problem, building);
+  if (owner == Owner::column) return breaking_columns_of(problem, building);
+  if (owner == Owner::bearing) return bearings_of(problem, building);
+  std::vector<QuantityPlace> places;
+  for (Index plane = 0; plane < std::ssize(problem.buildings[building].model.planes); ++plane) {
+    const std::vector<QuantityPlace> storeys = floors_of(problem, building, plane);
+    places.insert(places.end(), storeys.begin(), storeys.end());
   }
   return places;
 }

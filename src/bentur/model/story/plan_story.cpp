@@ -8,7 +8,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_pair.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/internal/small_movements.h"
 #include "bentur/model/story/internal/story_parts.h"
@@ -149,16 +149,16 @@ void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& stat
 /// A quantity of floors where it is largest over all buildings; NaN where none has one.
 struct Largest {
   double value = std::numeric_limits<double>::quiet_NaN();
-  PlanPlace at = {};
+  QuantityPlace at = {};
   const char* axis = "";
 };
 Largest largest(const PlanRun& run, std::initializer_list<std::pair<const char*, const char*>> keys) {
   Largest most;
   for (const auto& [key, axis] : keys) {
-    const PlanQuantity& quantity = plan_quantity_named(key, PlanOwner::floor);
+    const Quantity& quantity = quantity_named(key, Owner::floor, true);
     for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-      for (const PlanPlace& at : floors_of(run.problem, b)) {
-        const double value = quantity.value(run, at);
+      for (const QuantityPlace& at : floors_of(run.problem, b)) {
+        const double value = value_of(quantity, run, at);
         if (std::isnan(value) || value <= most.value) continue;
         most = {value, at, axis};
       }
@@ -190,7 +190,7 @@ bool tell_turns_anew(const PlanRun& run, std::vector<Statement>& statements) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
     const PlanPeaks &with = run.response.buildings[b], &alone = run.response.buildings_no_contact[b];
     const double side = run.problem.buildings[b].model.footprint.size.maxCoeff();
-    for (const PlanPlace& at : floors_of(run.problem, b)) {
+    for (const QuantityPlace& at : floors_of(run.problem, b)) {
       const double moves = round_off * std::max(with.x(at.floor), with.y(at.floor));
       const double value = with.rotation(at.floor);
       if (side * alone.rotation(at.floor) > moves || !(side * value > moves) || value <= most.value) continue;

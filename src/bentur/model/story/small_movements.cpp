@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur::story {

@@ -75,7 +75,7 @@ PageSection columns_section(const Report& report) {
   table.add(say("column.elevation"), report.c.units.length, elevations);
   table.add(say("columns.struck"), "", struck, false);
   table.add(say("columns.hardest"), "s", times);
-  add_columns(table, struck_column_columns(report.run, places_of(points), say.number()));
+  add_columns(table, table_columns(Owner::point, report.run, places_of(points), say.number(), QuantityTable::struck));
   return {"columns", say("heading.columns"),
           lead(report, points) + table.markup() + element("p", Html::text(say("columns.note")), "class=\"note\"")};
 }

@@ -173,9 +173,11 @@ PageSection peaks_section(const Report& report) {
     const std::vector<QuantityPlace> floors = floors_from_top(report.problem, b);
     content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) +
                floors_table(report, b, table_columns(Owner::floor, report.run, floors, language)) +
-               floors_table(report, b, "peaks.forces", force_columns(report.run, floors, language)) +
+               floors_table(report, b, "peaks.forces",
+                            table_columns(Owner::floor, report.run, floors, language, QuantityTable::forces)) +
                proportions_text(report, b) + foundation_text(report, b) +
-               floors_table(report, b, "peaks.yielding", yielding_columns(report.run, floors, language));
+               floors_table(report, b, "peaks.yielding",
+                            table_columns(Owner::floor, report.run, floors, language, QuantityTable::yielding));
   }
   for (const StoryTable& table : report.story.tables) {
     if (table.kind != "hinges" && table.kind != "broken_columns") continue;

@@ -6,7 +6,7 @@
 
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/core/number_text.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "bentur/model/plan/plan_frames.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/internal/run_figures.h"

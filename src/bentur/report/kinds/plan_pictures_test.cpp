@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/scene/plan_scene.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "bentur/core/number_text.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/plan_figures.h"

@@ -9,7 +9,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/report/scene/scene.h"
 
 namespace bentur {

@@ -9,7 +9,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/file_identity.h"
-#include "bentur/model/plan/plan_row.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/study/quantiles.h"
 
@@ -342,7 +342,8 @@ ChosenCase read_chosen_case(const Study& study, const TomlValue& root, bool in_p
 }
 
 std::vector<RowPart> quantities_of(const StudyFacts& facts) {
-  return facts.plan ? row_parts(*facts.plan, facts.units) : row_parts(facts.problem, facts.units, facts.energy_audit);
+  return facts.plan ? row_parts(*facts.plan, facts.units, facts.energy_audit)
+                    : row_parts(facts.problem, facts.units, facts.energy_audit);
 }
 
 std::vector<std::string> building_names(const StudyFacts& facts) {

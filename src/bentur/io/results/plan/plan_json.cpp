@@ -16,7 +16,7 @@
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_pair.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/structure/modes.h"
@@ -34,19 +34,18 @@ Json numbers_or_null(const VectorXd& values) {
 }
 
 /// Every quantity of one owner at these places, by its pointer; of floors and planes a list.
-void put_quantities(Json& json, PlanOwner owner, const PlanRun& run, const std::vector<PlanPlace>& places) {
-  const bool is_list = owner == PlanOwner::floor || owner == PlanOwner::plane;
-  for (const PlanQuantity& one : plan_quantities()) {
-    if (one.owner != owner) continue;
+void put_quantities(Json& json, Owner owner, const PlanRun& run, const std::vector<QuantityPlace>& places) {
+  const bool is_list = owner == Owner::floor || owner == Owner::plane;
+  for (const Quantity* const one : quantities_of(owner, true)) {
     Json list = Json::array();
-    for (const double value : values_at(one, run, places)) {
-      const bool is_flag = std::holds_alternative<bool Impact::*>(one.told.source);
-      list.push_back(is_flag              ? Json(value != 0)
-                     : is_whole(one.told) ? Json(static_cast<long>(value))
-                                          : or_null_if_unknown(value));
+    for (const double value : values_at(*one, run, places)) {
+      const bool is_flag = one->source.number == QuantitySource::Number::yes_or_no;
+      list.push_back(is_flag          ? Json(value != 0)
+                     : is_whole(*one) ? Json(static_cast<long>(value))
+                                      : or_null_if_unknown(value));
     }
     if (list.empty()) continue;
-    const std::string pointer(one.told.pointer.empty() ? "/" + std::string(one.told.key) : one.told.pointer);
+    const std::string pointer(one->pointer.empty() ? "/" + std::string(one->key) : one->pointer);
     json[Json::json_pointer(pointer)] = is_list ? std::move(list) : std::move(list.front());
   }
 }
@@ -84,13 +83,13 @@ Json isolation_json(const PlanRun& run, Index b) {
   const PlanModel& model = run.problem.buildings[b].model;
   const Index slab = 3 * *model.slab;
   Json bearings = Json::array();
-  for (const PlanPlace& place : bearings_of(run.problem, b)) {
+  for (const QuantityPlace& place : bearings_of(run.problem, b)) {
     const PlanModel::Bearing& bearing = model.bearings[place.plane];
     const double stiffness = bearing.shears.row(0).norm() / bearing.drifts.row(0).norm();
     Json json = {{"at", {bearing.at.x(), bearing.at.y()}}, {"initial_stiffness", stiffness}};
     if (bearing.law) json["yield_displacement"] = bearing.law->yield_deformation();
     if (bearing.polygon) json["yield_sides"] = 2 * bearing.polygon->directions.rows();
-    put_quantities(json, PlanOwner::bearing, run, {place});
+    put_quantities(json, Owner::bearing, run, {place});
     bearings.push_back(std::move(json));
   }
   return {
@@ -105,15 +104,15 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
   if (!building.is_rigid()) {
     json["periods"] = numbers_or_null(modal_properties(building.modes, building.model.load.col(0)).periods);
   }
-  put_quantities(json, PlanOwner::floor, run, floors_of(run.problem, item));
+  put_quantities(json, Owner::floor, run, floors_of(run.problem, item));
   if (building.is_rigid()) return json;
   if (const auto& soil = building.model.soil) json["soil"] = soil_json(*soil);
-  put_quantities(json, PlanOwner::building, run, {{item}});
+  put_quantities(json, Owner::building, run, {{item}});
   if (building.model.slab) json["isolation"] = isolation_json(run, item);
   json["planes"] = Json::array();
   for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
     Json plane = {{"name", building.model.planes[p].name}};
-    put_quantities(plane, PlanOwner::plane, run, floors_of(run.problem, item, p));
+    put_quantities(plane, Owner::plane, run, floors_of(run.problem, item, p));
     json["planes"].push_back(std::move(plane));
   }
   put_frames(json["planes"], run, item);
@@ -125,7 +124,7 @@ Json plan_point_json(const PlanRun& run, Index index) {
   const PlanContactPlace place = contact_at(run.problem, index);
   const PlanContact& contact = *place.contact;
   Json json = {{"elevation", contact.elevation}, {"at", {place.at.x(), place.at.y()}}};
-  put_quantities(json, PlanOwner::point, run, {{index}});
+  put_quantities(json, Owner::point, run, {{index}});
   json["contact"] = contact_json(*contact.law, run.c.gaps.at(place.gap).contact);
   if (!contact.rubbing) return json;
   json["contact"]["friction"] = contact.rubbing->friction();
@@ -156,7 +155,7 @@ Json plan_gap_json(const PlanRun& run, std::size_t g) {
                {"normal", normal_json(gap.stretch)},
                {"width", gap.stretch.width},
                {"stretch", {gap.stretch.from, gap.stretch.to}}};
-  put_quantities(json, PlanOwner::gap, run, {{static_cast<Index>(g)}});
+  put_quantities(json, Owner::gap, run, {{static_cast<Index>(g)}});
   json["unmodelled_contact"] = unmodelled_list(pair.problem, pair.response, 0, run.c.units.length, &gap);
   json["points"] = std::move(points);
   json["watched_floors"] = watched_list(pair.problem, pair.response, gap_at(pair.problem, 0), &gap);
@@ -173,7 +172,7 @@ Json plan_impact_json(const PlanRun& run, Index index) {
                {"elevation", place.contact->elevation},
                {"x", place.at.x()},
                {"y", place.at.y()}};
-  put_quantities(json, PlanOwner::impact, run, {{index}});
+  put_quantities(json, Owner::impact, run, {{index}});
   return json;
 }
 
@@ -184,7 +183,7 @@ Json plan_link_json(const PlanRun& run, std::size_t index) {
                {"elevation", link.link.elevation},
                {"at", link.stretch.coordinate(link.along)},
                {"along", direction_json(link.direction)}};
-  put_quantities(json, PlanOwner::link, run, {{static_cast<Index>(index)}});
+  put_quantities(json, Owner::link, run, {{static_cast<Index>(index)}});
   json["link"] = {{"kind", link.link.kind}};
   for (const auto& [name, value] : link.link.law->parameters()) json["link"][std::string(name)] = value;
   return json;
@@ -252,7 +251,7 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
                {"buildings", std::move(buildings)},
                {"gaps", std::move(gaps)},
                {"impacts", std::move(impacts)}};
-  put_quantities(json, PlanOwner::run, run, {PlanPlace{}});
+  put_quantities(json, Owner::run, run, {QuantityPlace{}});
   json["judged_by"] = judged_by_json(run.response, drifts_no_contact(run));
   for (std::size_t i = 0; i < run.problem.links.size(); ++i) json["links"].push_back(plan_link_json(run, i));
   if (run.response.collapse) json["collapse"] = plan_collapse_json(run, *run.response.collapse);

@@ -7,7 +7,7 @@
 
 #include "bentur/io/results/internal/variable_pass.h"
 #include "bentur/io/results/plan/plan_variables.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 
 namespace bentur {
 

@@ -10,7 +10,7 @@
 #include "bentur/io/results/internal/curve_names.h"
 #include "bentur/io/results/internal/place_list.h"
 #include "bentur/io/results/internal/variable_pass.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -64,27 +64,27 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     for (Index b = 0; b < std::ssize(buildings); ++b) of_building(b);
     of_points();
     of_links();
-    quantities(PlanOwner::run, {}, {PlanPlace{}});
+    quantities(Owner::run, {}, {QuantityPlace{}});
     of_impacts();
     energy();
   }
 
  private:
-  void quantities(PlanOwner owner, const std::vector<ResultDimension>& along, const std::vector<PlanPlace>& places,
-                  const std::string& before = "", const std::string& after = "", const std::string& of = "") {
-    for (const PlanQuantity& one : plan_quantities()) {
-      if (one.owner != owner) continue;
-      ResultVariable variable{fmt::format("{}{}{}", before, file_name(one.told), after), along,
-                              udunits(one.told.units, run_.c.units), std::string(one.told.long_name) + of};
+  void quantities(Owner owner, const std::vector<ResultDimension>& along, const std::vector<QuantityPlace>& places,
+                  const std::string& after = "", const std::string& of = "") {
+    for (const Quantity* const one : quantities_of(owner, true)) {
+      ResultVariable variable{file_name(*one) + after, along, udunits(one->units, run_.c.units),
+                              std::string(one->long_name) + of};
       std::vector<double> values;
       if constexpr (reads) {
-        if (!one.keep || !file_.has(variable.name, false)) continue;
+        const auto& keep = one->source.plan.keep;
+        if (!keep || !file_.has(variable.name, false)) continue;
         made(std::move(variable), values);
-        for (std::size_t i = 0; i < values.size(); ++i) one.keep(run_, places[i], values[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) keep(run_, places[i], values[i]);
       } else {
-        values = values_at(one, run_, places);
+        values = values_at(*one, run_, places);
         if (values.empty()) continue;
-        if (!one.told.symbol.empty()) variable.attributes.push_back({"symbol", std::string(one.told.symbol)});
+        if (!one->symbol.empty()) variable.attributes.push_back({"symbol", std::string(one->symbol)});
         made(std::move(variable), values);
       }
     }
@@ -112,8 +112,8 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     history("rotation", histories.rotation, "rad", "rotation, counter-clockwise from above,");
     history("acceleration_x", histories.acceleration_x, length_ + " s-2", "absolute acceleration along x");
     history("acceleration_y", histories.acceleration_y, length_ + " s-2", "absolute acceleration along y");
-    quantities(PlanOwner::floor, {floors}, floors_of(run_.problem, b), "", number, of);
-    quantities(PlanOwner::building, {}, {{b}}, "", number, " of " + owner);
+    quantities(Owner::floor, {floors}, floors_of(run_.problem, b), number, of);
+    quantities(Owner::building, {}, {{b}}, number, " of " + owner);
     foundation(b, number, owner);
     bearings(b, number, owner);
     planes(b, floors, number, owner);
@@ -158,7 +158,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
         file_.tell(std::move(one));
       }
     }
-    quantities(PlanOwner::bearing, {bearing}, bearings_of(run_.problem, b), "", number, " of " + owner);
+    quantities(Owner::bearing, {bearing}, bearings_of(run_.problem, b), number, " of " + owner);
     if (time_.size == 0) return;
     if constexpr (reads) list[b].resize(4 * count, static_cast<Index>(time_.size));
     const auto rows = [&](Index first, const char* name, const std::string& units, const char* what) {
@@ -229,11 +229,11 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
       file_.tell(plane_names(planes, run_.problem.buildings[b]));
       file_.tell(plane_angles(planes, run_.problem.buildings[b], b));
     }
-    std::vector<PlanPlace> places;
+    std::vector<QuantityPlace> places;
     for (Index p = 0; p < std::ssize(all); ++p) {
-      for (const PlanPlace& place : floors_of(run_.problem, b, p)) places.push_back(place);
+      for (const QuantityPlace& place : floors_of(run_.problem, b, p)) places.push_back(place);
     }
-    quantities(PlanOwner::plane, {planes, floors}, places, "plane_", number, ", by the floor above, of " + owner);
+    quantities(Owner::plane, {planes, floors}, places, number, ", by the floor above, of " + owner);
     hinges(b, number, owner);
     breaking_columns(b, number, owner);
     mechanisms(b, planes, floors, number, owner);
@@ -241,7 +241,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
 
   /// Where members of the frames of a building yield, and what they did there.
   void hinges(Index b, const std::string& number, const std::string& owner) {
-    const std::vector<PlanPlace> places = hinges_of(run_.problem, b);
+    const std::vector<QuantityPlace> places = hinges_of(run_.problem, b);
     auto& histories = run_.response.histories;
     fit(histories.hinge_moment, run_.problem.buildings.size());
     fit(histories.hinge_rotation, run_.problem.buildings.size());
@@ -253,14 +253,14 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     } else {
       hinges_told(b, hinges, places, number, of);
     }
-    quantities(PlanOwner::hinge, {hinges}, places, "", number, of);
+    quantities(Owner::hinge, {hinges}, places, number, of);
     if (time_.size == 0) return;
     pass({"hinge_moment" + number, {time_, hinges}, force_ + " " + length_, "moments, that at rest included," + of},
          histories.hinge_moment[b]);
     pass({"hinge_rotation" + number, {time_, hinges}, "rad", "rotations" + of}, histories.hinge_rotation[b]);
   }
 
-  void hinges_told(Index b, const ResultDimension& hinges, const std::vector<PlanPlace>& places,
+  void hinges_told(Index b, const ResultDimension& hinges, const std::vector<QuantityPlace>& places,
                    const std::string& number, const std::string& of) {
     std::vector<std::string> planes;
     std::vector<HingePlace> ends;
@@ -278,7 +278,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
   }
 
   void breaking_columns(Index b, const std::string& number, const std::string& owner) {
-    const std::vector<PlanPlace> places = breaking_columns_of(run_.problem, b);
+    const std::vector<QuantityPlace> places = breaking_columns_of(run_.problem, b);
     if (places.empty()) return;
     const std::string of = " of the columns that can break of " + owner;
     const ResultDimension columns = file_.dimension({"breaking_column" + number, places.size()});
@@ -287,7 +287,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     } else {
       std::vector<std::string> planes;
       std::vector<BreakingColumn> all;
-      for (const PlanPlace& at : places) {
+      for (const QuantityPlace& at : places) {
         const PlanModel::Plane& plane = run_.problem.buildings[b].model.planes[at.plane];
         planes.push_back(plane.name);
         all.push_back(plane.hinges.columns[at.floor]);
@@ -295,7 +295,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
       made({"breaking_column_plane" + number, {columns}, "", "planes" + of}, planes);
       this->breaking_places(all, number, owner, force_);
     }
-    quantities(PlanOwner::column, {columns}, places, "", number, of);
+    quantities(Owner::column, {columns}, places, number, of);
   }
 
   /// When hinges first let storeys of a frame sway without bending, and which; NaN and 0 of all others.
@@ -336,7 +336,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
 
   void of_points() {
     if constexpr (!reads) point_places();
-    quantities(PlanOwner::point, {points_}, places_of(points_.size));
+    quantities(Owner::point, {points_}, places_of(points_.size));
     if (time_.size == 0) return;
     auto& histories = run_.response.histories;
     pass({"opening", {time_, points_}, length_, "opening of the contact points, negative in contact"},
@@ -359,7 +359,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
   void point_places() {
     PlaceVariables places = plan_place_variables(run_.problem, length_, length_);
     for (ResultVariable& variable : places.variables) file_.tell(std::move(variable));
-    quantities(PlanOwner::gap, {places.gaps}, places_of(places.gaps.size));
+    quantities(Owner::gap, {places.gaps}, places_of(places.gaps.size));
   }
 
   void of_links() {
@@ -370,7 +370,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
       if (link.size != links.size()) file_.source.fail("is not of this case");
       run_.response.links.resize(links.size());
     }
-    quantities(PlanOwner::link, {link}, places_of(links.size()));
+    quantities(Owner::link, {link}, places_of(links.size()));
   }
 
   void of_impacts() {
@@ -386,7 +386,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
         all[i].point = at[i];
       }
     }
-    quantities(PlanOwner::impact, {impact}, places_of(all.size()), "", "", " of each impact");
+    quantities(Owner::impact, {impact}, places_of(all.size()), "", " of each impact");
   }
 
   void energy() {
@@ -399,8 +399,8 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     }
   }
 
-  [[nodiscard]] static std::vector<PlanPlace> places_of(std::size_t count) {
-    std::vector<PlanPlace> places;
+  [[nodiscard]] static std::vector<QuantityPlace> places_of(std::size_t count) {
+    std::vector<QuantityPlace> places;
     for (std::size_t i = 0; i < count; ++i) places.push_back({static_cast<Index>(i)});
     return places;
   }

@@ -4,7 +4,7 @@
 #include <functional>
 #include <numeric>
 
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/internal/motion_data.h"
 #include "bentur/report/scene/plan_scene.h"

@@ -12,7 +12,7 @@
 #include "bentur/excitation/motion_measures.h"
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/schema/case_keys.h"
-#include "bentur/model/plan/plan_quantities.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/hand_in.h"
 #include "bentur/model/story/plan_story.h"
 #include "bentur/report/html/internal/echo.h"
@@ -100,7 +100,7 @@ class PlanPage {
     const std::vector<Impact>& all = run_.response.impacts;
     if (all.empty()) return {"impacts", say_("heading.impacts"), element("p", say_("impacts.none"))};
     std::vector<std::string> numbers, gaps;
-    std::vector<PlanPlace> places;
+    std::vector<QuantityPlace> places;
     std::vector<Index> points;
     for (const Index k : listed) {
       numbers.push_back(std::to_string(k + 1));
@@ -113,9 +113,9 @@ class PlanPage {
     if (gaps_.size() > 1) table.add(say_("column.gap"), "", gaps, false);
     add_places(table, points);
     int sorted = gaps_.size() > 1 ? 5 : 4;  // column of the peak force, by which they are
-    const std::string peak_force(plan_quantity_named("peak_force", PlanOwner::impact).told.label[say_.number()]);
+    const std::string peak_force(quantity_named("peak_force", Owner::impact, true).label[say_.number()]);
     bool before = true;
-    for (TableColumn& column : table_columns(PlanOwner::impact, false, run_, places, say_.number())) {
+    for (TableColumn& column : table_columns(Owner::impact, run_, places, say_.number())) {
       before = before && column.label != peak_force;
       sorted += before ? 1 : 0;
       table.add(column.label, column.unit, std::move(column.cells));
@@ -175,17 +175,17 @@ class PlanPage {
     std::stable_sort(points.begin(), points.end(), [&](Index a, Index b) {
       return contact_at(run_.problem, a).contact->elevation > contact_at(run_.problem, b).contact->elevation;
     });
-    std::vector<PlanPlace> places;
+    std::vector<QuantityPlace> places;
     for (const Index point : points) places.push_back({point});
     HtmlTable table;
     add_places(table, points);
-    html::add_columns(table, table_columns(PlanOwner::point, false, run_, places, say_.number()));
+    html::add_columns(table, table_columns(Owner::point, run_, places, say_.number()));
     return table.markup();
   }
 
   /// Of one [[link]] table, from the top down, with where in plan they are and along what they act.
   [[nodiscard]] Html links_table(const std::vector<Index>& links) const {
-    std::vector<PlanPlace> places;
+    std::vector<QuantityPlace> places;
     std::vector<double> elevation, x, y;
     std::vector<std::string> along;
     for (auto number = links.rbegin(); number != links.rend(); ++number) {
@@ -202,15 +202,16 @@ class PlanPage {
     table.add("x", length_, x);
     table.add("y", length_, y);
     table.add(say_("column.along"), "", along, false);
-    html::add_columns(table, table_columns(PlanOwner::link, false, run_, places, say_.number()));
+    html::add_columns(table, table_columns(Owner::link, run_, places, say_.number()));
     return table.markup();
   }
 
   [[nodiscard]] Html floors(Index b, bool of_forces) const {
-    std::vector<PlanPlace> places = floors_of(run_.problem, b);
+    std::vector<QuantityPlace> places = floors_of(run_.problem, b);
     std::reverse(places.begin(), places.end());
     const std::vector<double>& levels = run_.problem.buildings[b].model.elevations;
-    std::vector<TableColumn> columns = table_columns(PlanOwner::floor, of_forces, run_, places, say_.number());
+    std::vector<TableColumn> columns = table_columns(Owner::floor, run_, places, say_.number(),
+                                                     of_forces ? QuantityTable::forces : QuantityTable::main);
     if (columns.empty()) return {};
     HtmlTable table;
     table.add(say_("column.elevation"), length_, std::vector<double>(levels.rbegin(), levels.rend()));
@@ -220,7 +221,7 @@ class PlanPage {
 
   /// What the foundation does; empty without soil.
   [[nodiscard]] Html foundation(Index b) const {
-    std::vector<TableColumn> columns = table_columns(PlanOwner::building, false, run_, {{b}}, say_.number());
+    std::vector<TableColumn> columns = table_columns(Owner::building, run_, {{b}}, say_.number());
     if (columns.empty()) return {};
     HtmlTable table;
     html::add_columns(table, std::move(columns));
@@ -229,7 +230,7 @@ class PlanPage {
 
   /// What bearings below a slab do; empty without one.
   [[nodiscard]] Html bearings(Index b) const {
-    const std::vector<PlanPlace> places = bearings_of(run_.problem, b);
+    const std::vector<QuantityPlace> places = bearings_of(run_.problem, b);
     if (places.empty()) return {};
     std::vector<double> x, y;
     for (const PlanModel::Bearing& one : run_.problem.buildings[b].model.bearings) {
@@ -239,16 +240,16 @@ class PlanPage {
     HtmlTable table;
     table.add("x", length_, x);
     table.add("y", length_, y);
-    html::add_columns(table, table_columns(PlanOwner::bearing, false, run_, places, say_.number()));
+    html::add_columns(table, table_columns(Owner::bearing, run_, places, say_.number()));
     return element("p", say_("plan.bearings")) + table.markup();
   }
 
   [[nodiscard]] Html planes(Index b) const {
     const PlanModel& model = run_.problem.buildings[b].model;
-    const std::vector<PlanPlace> places = planes_from_top(run_.problem, b);
+    const std::vector<QuantityPlace> places = planes_from_top(run_.problem, b);
     std::vector<std::string> names;
     std::vector<double> levels;
-    for (const PlanPlace& place : places) {
+    for (const QuantityPlace& place : places) {
       names.push_back(model.planes[place.plane].name);
       levels.push_back(model.elevations[place.floor]);
     }
@@ -256,7 +257,7 @@ class PlanPage {
     HtmlTable table;
     table.add(say_("column.plane"), "", names, false);
     table.add(say_("column.elevation"), length_, levels);
-    html::add_columns(table, table_columns(PlanOwner::plane, false, run_, places, say_.number()));
+    html::add_columns(table, table_columns(Owner::plane, run_, places, say_.number()));
     return table.markup();
   }
 

@@ -1,0 +1,150 @@
+#include "bentur/model/internal/quantity_sources.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_places.h"
+
+namespace bentur::sources {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+QuantitySource of_gaps(double (*value)(const RunView&, const QuantityPlace&), bool both_ways) {
+  QuantitySource source = computed(value);
+  source.plan.value = [=](const PlanRun& run, const QuantityPlace& at) {
+    if (both_ways && !run.c.analysis.both_ways) return no_value;
+    const RunResults pair = pair_of(run, at.item);
+    return value(pair.view(), {});
+  };
+  return source;
+}
+
+QuantitySource needed_reversed() {
+  QuantitySource source = of_points(&PointSummary::gap_needed_reversed);
+  source.plan.value = [known = source.plan.value](const PlanRun& run, const QuantityPlace& at) {
+    return run.c.analysis.both_ways ? known(run, at) : no_value;
+  };
+  return source;
+}
+
+QuantitySource widths() {
+  QuantitySource source;
+  source.row.value = [](const RunView& run, const QuantityPlace& at) { return run.problem.points[at.item].width; };
+  source.plan.value = [](const PlanRun& run, const QuantityPlace& at) {
+    const PlanContactPlace place = contact_at(run.problem, at.item);
+    return run.problem.gaps[place.gap].stretch.width_at(place.contact->along);
+  };
+  return source;
+}
+
+QuantitySource of_yielding(VectorXd BuildingPeaks::Yielding::*list, BuildingPeaks::Yielding BuildingPeaks::*of) {
+  using Yielding = BuildingPeaks::Yielding;
+  const auto losses = {&Yielding::strength_left, &Yielding::capped_time, &Yielding::residual_time,
+                       &Yielding::failed_time};
+  const When when = std::find(losses.begin(), losses.end(), list) != losses.end() ? When::loses_strength
+                    : list == &Yielding::residual_drift_ratio                     ? When::yields_or_turns
+                                                                                  : When::yields;
+  return of_some_lists(
+      when, [=](auto& peaks) -> auto& { return peaks.*of.*list; });
+}
+
+QuantitySource of_infill(VectorXd BuildingPeaks::Infill::*list) {
+  const When when = list == &BuildingPeaks::Infill::column_demand ? When::infill_columns : When::infill;
+  return of_some_lists(
+      when, [list](auto& peaks) -> auto& { return peaks.infill.*list; });
+}
+
+QuantitySource of_foundation(Index entry) {
+  QuantitySource source;
+  source.row.value = [entry](const RunView& run, const QuantityPlace& at) {
+    const VectorXd& values = run.response.buildings[at.item].foundation;
+    return entry < values.size() ? values(entry) : no_value;
+  };
+  source.row.keep = [entry](Response& response, const QuantityPlace& at, double number) {
+    VectorXd& values = response.buildings.at(at.item).foundation;
+    if (values.size() <= entry) values.conservativeResize(entry + 1);
+    values(entry) = number;
+  };
+  source.row.is_told = [](const RunView& run, Index b) { return run.response.buildings[b].foundation.size() > 0; };
+  source.when = When::soil;
+  return source;
+}
+
+QuantitySource of_weakening(std::optional<double> BuildingPeaks::Hinge::*member) {
+  QuantitySource source = of_frames(When::weakening_hinges, &BuildingPeaks::hinges, member);
+  source.row.is_told = [](const RunView& run, Index b) {
+    const std::vector<BuildingPeaks::Hinge>& hinges = run.response.buildings[b].hinges;
+    return std::any_of(hinges.begin(), hinges.end(), [](const auto& of) { return of.strength_left.has_value(); });
+  };
+  return source;
+}
+
+namespace {
+
+double energy_of(const std::vector<BuildingPeaks::Hinge>& hinges) {
+  double sum = 0;
+  for (const BuildingPeaks::Hinge& hinge : hinges) sum += hinge.dissipated_energy;
+  return hinges.empty() ? no_value : sum;
+}
+
+}  // namespace
+
+QuantitySource hinge_energy() {
+  QuantitySource source;
+  source.row.value = [](const RunView& run, const QuantityPlace& at) {
+    return energy_of(run.response.buildings[at.item].hinges);
+  };
+  source.row.is_told = [](const RunView& run, Index b) { return !run.response.buildings[b].hinges.empty(); };
+  source.plan.value = [](const PlanRun& run, const QuantityPlace& at) {
+    double sum = no_value;
+    for (const PlanPeaks::Plane& plane : run.response.buildings[at.item].planes) {
+      const double of_frame = energy_of(plane.frame.hinges);
+      if (!std::isnan(of_frame)) sum = std::isnan(sum) ? of_frame : sum + of_frame;
+    }
+    return sum;
+  };
+  source.when = When::hinges;
+  return source;
+}
+
+namespace {
+
+QuantitySource struck(When when) {
+  QuantitySource source;
+  source.row.is_told = [when](const RunView& run, Index point) {
+    return holds(when, run.problem, run.problem.points[point]);
+  };
+  source.when = when;
+  source.table = QuantityTable::struck;
+  return source;
+}
+
+}  // namespace
+
+QuantitySource of_struck(double ColumnPeaks::*member) {
+  QuantitySource source = struck(When::struck);
+  source.row.value = [member](const RunView& run, const QuantityPlace& at) {
+    const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
+    return column ? *column.*member : no_value;
+  };
+  source.row.keep = [member](Response& response, const QuantityPlace& at, double number) {
+    std::optional<ColumnPeaks>& column = response.points.at(at.item).column;
+    if (std::isnan(number)) return;  // no column is struck there
+    if (!column) column.emplace();
+    *column.*member = number;
+  };
+  return source;
+}
+
+QuantitySource of_struck(double (*value)(const ColumnPeaks&, const ContactPoint&), When when) {
+  QuantitySource source = struck(when);
+  source.row.value = [value](const RunView& run, const QuantityPlace& at) {
+    const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
+    return column ? value(*column, run.problem.points[at.item]) : no_value;
+  };
+  return source;
+}
+
+}  // namespace bentur::sources

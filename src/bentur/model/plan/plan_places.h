@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/quantities.h"
+
+// Where quantities of buildings in plan are.
+namespace bentur {
+
+/// The floors of a building, or the storeys of one of its planes, from the lowest up.
+[[nodiscard]] std::vector<QuantityPlace> floors_of(const PlanProblem& problem, Eigen::Index building,
+                                                   Eigen::Index plane = 0);
+/// The hinges of its frames, one frame after the other, and the columns that can break.
+[[nodiscard]] std::vector<QuantityPlace> hinges_of(const PlanProblem& problem, Eigen::Index building);
+[[nodiscard]] std::vector<QuantityPlace> breaking_columns_of(const PlanProblem& problem, Eigen::Index building);
+/// The storeys of its planes, one plane after the other, each from the top down.
+[[nodiscard]] std::vector<QuantityPlace> planes_from_top(const PlanProblem& problem, Eigen::Index building);
+
+/// The bearings below a building, none without a slab.
+[[nodiscard]] std::vector<QuantityPlace> bearings_of(const PlanProblem& problem, Eigen::Index building);
+
+/// A contact by its place among those of all gaps.
+struct PlanContactPlace {
+  std::size_t gap = 0;
+  const PlanContact* contact = nullptr;
+  PlanPoint at;  ///< in the middle of the gap [length]
+};
+[[nodiscard]] PlanContactPlace contact_at(const PlanProblem& problem, Eigen::Index contact);
+/// The first of a gap's contacts among those of all gaps.
+[[nodiscard]] Eigen::Index first_contact(const PlanProblem& problem, std::size_t gap);
+/// How many contacts all gaps have.
+[[nodiscard]] Eigen::Index contact_count(const PlanProblem& problem);
+
+/// Those that an owner has in a building.
+[[nodiscard]] std::vector<QuantityPlace> places_in(const PlanProblem& problem, Owner owner, Eigen::Index building);
+
+}  // namespace bentur
