@@ -362,7 +362,7 @@ void NetcdfWriter::attribute(int group, int variable, const ResultAttribute& att
 
 void NetcdfWriter::attribute(const ResultAttribute& attribute) { this->attribute(id_, NC_GLOBAL, attribute); }
 
-NetcdfWriter::Variable NetcdfWriter::add(const ResultVariable& variable) {
+NetcdfWriter::Variable NetcdfWriter::define(const ResultVariable& variable) {
   std::vector<int> ids;
   for (const ResultDimension& dimension : variable.dimensions) {
     const auto [known, is_new] = dimensions_.try_emplace(dimension.name, -1);
@@ -381,9 +381,23 @@ NetcdfWriter::Variable NetcdfWriter::add(const ResultVariable& variable) {
   attribute(stored.group, stored.variable, {"long_name", variable.long_name});
   for (const ResultAttribute& one : variable.attributes) attribute(stored.group, stored.variable, one);
   variables_.push_back(stored);
-  const Variable added{variables_.size() - 1};
-  if (std::visit([](const auto& values) { return !values.empty(); }, variable.values)) put(added, variable.values);
+  return Variable{variables_.size() - 1};
+}
+
+void NetcdfWriter::put_own(Variable defined, const ResultVariable& variable) const {
+  if (std::visit([](const auto& values) { return !values.empty(); }, variable.values)) put(defined, variable.values);
+}
+
+NetcdfWriter::Variable NetcdfWriter::add(const ResultVariable& variable) {
+  const Variable added = define(variable);
+  put_own(added, variable);
   return added;
+}
+
+void NetcdfWriter::add(const std::vector<ResultVariable>& variables) {
+  std::vector<Variable> added;
+  for (const ResultVariable& variable : variables) added.push_back(define(variable));
+  for (std::size_t i = 0; i < variables.size(); ++i) put_own(added[i], variables[i]);
 }
 
 void NetcdfWriter::chunk(Variable variable, const std::vector<std::size_t>& sizes) const {

@@ -98,6 +98,9 @@ class NetcdfWriter {
   /// library takes 0 for an unlimited one. Writes the variable's values where it has any; else each must be put(): on
   /// disk numbers are not initialised.
   Variable add(const ResultVariable& variable);
+  /// The same of many, all of which it defines before it writes the values of any: after a definition the library
+  /// writes what it knows of every variable again.
+  void add(const std::vector<ResultVariable>& variables);
   /// Stores a variable in pieces of this size along each dimension; before its first put().
   void chunk(Variable variable, const std::vector<std::size_t>& sizes) const;
   /// Writes a block of a variable. `values` are of the variable's type, and as many as the block has places.
@@ -113,6 +116,9 @@ class NetcdfWriter {
 
   /// Number of the group that "group/name" is in, the file's own of another name.
   int group_of(const std::string& name);
+  /// As add() does, without values.
+  Variable define(const ResultVariable& variable);
+  void put_own(Variable defined, const ResultVariable& variable) const;
   void attribute(int group, int variable, const ResultAttribute& attribute) const;
 
   /// Where the library has a variable.

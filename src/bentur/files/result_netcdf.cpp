@@ -10,7 +10,7 @@ namespace {
 std::string bytes_of(const ResultFile& file) {
   NetcdfWriter writer("histories.nc", NetcdfWriter::Place::memory);
   for (const ResultAttribute& attribute : file.attributes) writer.attribute(attribute);
-  for (const ResultVariable& variable : file.variables) writer.add(variable);
+  writer.add(file.variables);
   return writer.finish();
 }
 
