@@ -22,7 +22,7 @@ BEYOND = {
             infill-count length-of-list link-length plan-polygon-pairs matrices-not-square modal-damping-length modal-lengths
             modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
-            plan-footprints-overlap plan-gap-not-facing plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
+            plan-footprints-overlap plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
             plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
             plan-polygon-crosses plan-polygon-link plan-polygon-not-convex plan-polygon-overlap""",
         "order of numbers": """

@@ -66,7 +66,8 @@ class FreeResponseOf {
   /// @throws InvalidParameter as the constructor.
   [[nodiscard]] std::optional<FreeResponseOf> scaled(AnyProblem problem) const;
 
-  /// The response without contact, whatever widths and laws the problem gave: status and message, the peaks of the
+  /// The response without contact, whatever widths and laws the problem gave, but for what is needed where buildings
+  /// touch only while several places are closed (PlanContact::family), which hangs on the widths: status and message, the peaks of the
   /// buildings, and of points and watched floors what they need (`gap_needed` and, where asked for, what belongs to
   /// it); all else of them is zero. It lives as long as this object and its copies.
   [[nodiscard]] const AnyResponse& response() const;

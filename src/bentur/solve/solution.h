@@ -18,6 +18,7 @@ struct Impact {
   bool open_ended = false;   ///< still closed when the analysis ended
   bool from_rest = false;    ///< began below 10⁻⁶ of the speeds at the point: its closing speed is round-off
   bool slow_start = false;   ///< and its law divides by that speed, which is then 10⁻⁹ of those at least
+  bool slipped = false;      ///< ended where another family of its meeting opened: what its spring held is lost
   bool settling = false;     ///< without time, slower than 2⁻¹³ of the speeds so far: a bounce on the way to rest
   double closing_speed = 0;  ///< −ġ at the start [length/s]; 0 where it is below 10⁻⁹ of the speeds at the point
   double separation_speed = 0;  ///< ġ at the end [length/s]
@@ -35,7 +36,7 @@ struct Impact {
   double friction_loss = 0;          ///< work of F_t that it does not give back [force·length]
   /// Separation speed over closing speed [-]; nothing where that is not known or means nothing.
   [[nodiscard]] std::optional<double> restitution() const {
-    if (open_ended || from_rest || !(closing_speed > 0)) return std::nullopt;
+    if (open_ended || slipped || from_rest || !(closing_speed > 0)) return std::nullopt;
     return separation_speed / closing_speed;
   }
 };

@@ -34,11 +34,20 @@ struct Element {
   std::shared_ptr<const Law> law;
 };
 
+/// Where a contact stands in a meeting: several families of contacts by which two bodies may touch one another. They do
+/// so in the family that closes last, and only as long as all families of the meeting are closed. One is closed where
+/// one of its contacts is, δ > 0.
+struct MeetingPlace {
+  Eigen::Index meeting = -1;  ///< its number; −1: none, bodies touch here whatever they do elsewhere
+  Eigen::Index family = 0;    ///< of the meeting
+};
+
 /// Bodies that may touch: δ is the interface's less the width.
 struct Contact {
   Interface at;
   std::shared_ptr<const Law> law;
-  double width = 0;  ///< w [length] ≥ 0
+  double width = 0;         ///< w [length] ≥ 0; in a meeting also below zero, of a family that is closed at rest
+  MeetingPlace place = {};  ///< those of a meeting all have a restitution, or none has
 };
 
 class Rubbing;
@@ -47,7 +56,8 @@ class Rubbing;
 struct RubbingContact {
   Interface at, along;
   std::shared_ptr<const Rubbing> law;
-  double width = 0;  ///< w [length] ≥ 0
+  double width = 0;         ///< as a Contact's
+  MeetingPlace place = {};  ///< likewise
 };
 
 /// Ways in which the ground moves at most.

@@ -113,6 +113,19 @@ Rubbing::Phase Rubbing::phase_of(const CoupledState& state) {
 
 LawState Rubbing::normal_state(const CoupledState& state) const { return phase_of(state).normal; }
 
+CoupledState Rubbing::passed(const CoupledState& state, double time) const {
+  Phase phase = phase_of(state);
+  if (normal_->branch(phase.normal).bodies != Bodies::apart) phase = {.normal = {.since = time}};
+  phase.friction = Friction::passed;
+  return state_of(phase);
+}
+
+CoupledState Rubbing::returned(const CoupledState& state) const {
+  Phase phase = phase_of(state);
+  phase.friction = Friction::none;
+  return state_of(phase);
+}
+
 int Rubbing::slides(const CoupledState& state) const { return sense_of(phase_of(state).friction); }
 
 CoupledState Rubbing::begin(const VectorXd& /*deformation*/) const { return state_of({}); }
@@ -126,7 +139,7 @@ CoupledBranch Rubbing::branch(const CoupledState& state) const {
   if (normal.bodies == Bodies::apart) {
     set.own = {0};
     set.over.resize(1, 0);
-    result.guards.push_back({.sense = -1, .deformation = 0});
+    result.guards.push_back({.sense = at.friction == Friction::passed ? 1.0 : -1.0, .deformation = 0});
     result.set = std::make_shared<const CoupledSet>(std::move(set));
     return result;
   }

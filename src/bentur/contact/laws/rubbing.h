@@ -44,13 +44,17 @@ class Rubbing final : public CoupledLaw {
   [[nodiscard]] double tangential_stiffness() const { return tangential_stiffness_; }
   /// Where the law of F_n stands.
   [[nodiscard]] LawState normal_state(const CoupledState& state) const;
+  /// The state of bodies that are closed but do not push, until δ is back at zero; what is dented is so no more where
+  /// they did. And back in that of bodies that are apart.
+  [[nodiscard]] CoupledState passed(const CoupledState& state, double time) const;
+  [[nodiscard]] CoupledState returned(const CoupledState& state) const;
   /// κ of what slides; 0: it does not.
   [[nodiscard]] int slides(const CoupledState& state) const;
   /// F_t²/(2 k_t) [force·length], of a force along.
   [[nodiscard]] double stored_along(double force) const { return 0.5 * force * force / tangential_stiffness_; }
 
  private:
-  enum class Friction { none, sticks, slides_up, slides_down };
+  enum class Friction { none, sticks, slides_up, slides_down, passed };
   struct Phase {
     Friction friction = Friction::none;
     double origin = 0;  ///< s₀ [length]

@@ -281,12 +281,14 @@ class BlockMaker {
   /// Who may touch, and at which floors where these are not at one level.
   void pair() {
     each_pair([&](const BlockBuilding& earlier, const BlockBuilding& later) {
-      const auto stretch = facing(earlier.footprint, later.footprint);
+      const auto stretch = joint_between(earlier.footprint, later.footprint);
       if (!stretch || stretch->width > rules_.clearance) return;
+      const bool meet = !level_floors(earlier.levels(), later.levels()).empty();
+      if (!meet && stretch->is_corner()) return;
       joints_.push_back(
           fmt::format("{}, {}", names_of(earlier, later), stretch->width > 0 ? metres(stretch->width) : "touching"));
       const FloorLevels one = earlier.levels(), other = later.levels();
-      if (!level_floors(one, other).empty()) return;
+      if (meet) return;
       double least = std::numeric_limits<double>::infinity();
       for (const double low : one.elevations) {
         for (const double high : other.elevations) least = std::min(least, std::abs(low - high));
@@ -297,9 +299,9 @@ class BlockMaker {
           fmt::format("{}, {} apart in height", names_of(earlier, later), metres(least)));
     });
     if (joints_.empty()) {
-      diagnostics_.error({file_}, fmt::format("no two buildings face one another within --clearance {}: nothing can "
-                                              "touch",
-                                              metres(rules_.clearance)));
+      diagnostics_.error({file_},
+                         fmt::format("no two buildings are within --clearance {} of one another: nothing can touch",
+                                     metres(rules_.clearance)));
     }
   }
 

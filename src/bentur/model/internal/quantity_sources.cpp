@@ -34,7 +34,7 @@ QuantitySource widths() {
   source.row.value = [](const RunView& run, const QuantityPlace& at) { return run.problem.points[at.item].width; };
   source.plan.value = [](const PlanRun& run, const QuantityPlace& at) {
     const PlanContactPlace place = contact_at(run.problem, at.item);
-    return run.problem.gaps[place.gap].stretch.width_at(place.contact->along);
+    return run.problem.gaps[place.gap].width_at(*place.contact);
   };
   return source;
 }

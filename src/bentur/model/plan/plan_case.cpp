@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -32,6 +33,9 @@ double floor_mass(const PlanBuildingSpec& spec, int floor) {
   const int slabs = plan->isolation ? 1 : 0;
   return floor < slabs ? plan->isolation->mass : plan->masses.at(static_cast<std::size_t>(floor - slabs));
 }
+
+/// How far two buildings may move by one another, of the height of a floor: what a joint's ends are looked at for.
+constexpr double moves_of_height = 0.05;
 
 /// The law of a point with the friction that the contact has at a level; null where it has none.
 std::shared_ptr<const Rubbing> rubbing_of(const ContactSpec& contact, std::size_t level, double share,
@@ -74,21 +78,27 @@ PlanBuilding make_plan_building(const PlanBuildingSpec& spec) {
 }
 
 std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<PlanBuildingSpec>& buildings) {
-  std::vector<PlanContact> contacts;
+  std::vector<PlanContact> contacts, others;
+  const PlanBuildingSpec &left = buildings.at(gap.left), &right = buildings.at(gap.right);
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
     const LevelPair& floors = gap.levels[level];
-    const double m_e = effective_mass(floor_mass(buildings.at(gap.left), floors.left_floor),
-                                      floor_mass(buildings.at(gap.right), floors.right_floor));
-    for (const StretchPoint& point : points_of(gap.stretch, gap.points)) {
+    const double m_e = effective_mass(floor_mass(left, floors.left_floor), floor_mass(right, floors.right_floor));
+    const double height = floors.elevation - std::min(left.base_elevation, right.base_elevation);
+    for (StretchPoint& point :
+         points_between(left.footprint(), right.footprint(), gap.stretch, gap.points, moves_of_height * height)) {
       const auto law = make_contact_law(gap.contact, contact_input(gap.contact, level, m_e, point.share));
-      contacts.push_back({.left_floor = floors.left_floor,
-                          .right_floor = floors.right_floor,
-                          .elevation = floors.elevation,
-                          .along = point.along,
-                          .law = law,
-                          .rubbing = rubbing_of(gap.contact, level, point.share, law)});
+      (point.beside ? others : contacts)
+          .push_back({.left_floor = floors.left_floor,
+                      .right_floor = floors.right_floor,
+                      .elevation = floors.elevation,
+                      .along = point.along,
+                      .law = law,
+                      .rubbing = rubbing_of(gap.contact, level, point.share, law),
+                      .family = point.family,
+                      .beside = std::move(point.beside)});
     }
   }
+  contacts.insert(contacts.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
   return contacts;
 }
 
@@ -103,6 +113,7 @@ std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap, const std::vecto
     });
   };
   std::vector<PlanWatched> watched;
+  if (gap.stretch.is_corner()) return watched;
   for (const FacingFloor& found :
        facing_floors(levels_of(buildings.at(gap.left).model), levels_of(buildings.at(gap.right).model),
                      gap.level_tolerance, touches)) {

@@ -75,7 +75,7 @@ struct PlanCase {
                                                    const std::vector<PlanBuildingSpec>& buildings);
 
 /// What the gap watches: both ends of the stretch at every floor that faces the other building between that one's base
-/// and top and has no contact there; two that are at one level as one.
+/// and top and has no contact there; two that are at one level as one. Nothing where they stand corner to corner.
 [[nodiscard]] std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap,
                                                       const std::vector<PlanBuilding>& buildings);
 

@@ -1,5 +1,6 @@
 #include "bentur/model/plan/plan_pair.h"
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -43,6 +44,18 @@ CodeSpec code_of(const CodeSpec& all, std::size_t gap, const PlanGapSpec& of) {
   return code;
 }
 
+/// What contacts beside the joint did, as done by the first of the joint's at their level.
+void add_beside(const PlanGap& gap, const PlanContact& contact, const PointSummary& did,
+                std::vector<PointSummary>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (gap.contacts[i].elevation != contact.elevation) continue;
+    points[i].impacts += did.impacts;
+    points[i].settling += did.settling;
+    points[i].peak_force = std::max(points[i].peak_force, did.peak_force);
+    return;
+  }
+}
+
 }  // namespace
 
 Problem pair_of(const PlanProblem& problem, std::size_t gap) {
@@ -50,11 +63,12 @@ Problem pair_of(const PlanProblem& problem, std::size_t gap) {
   Problem pair;
   pair.buildings = {building_of(problem.buildings.at(of.left)), building_of(problem.buildings.at(of.right))};
   for (const PlanContact& contact : of.contacts) {
+    if (!contact.is_of_joint()) break;
     pair.points.push_back({.left_floor = contact.left_floor,
                            .right_floor = contact.right_floor,
                            .elevation = contact.elevation,
-                           .width = of.stretch.width_at(contact.along),
-                           .beyond = of.stretch.at(contact.along).beyond,
+                           .width = of.width_at(contact),
+                           .beyond = of.at(contact).beyond,
                            .law = contact.law});
   }
   for (const PlanWatched& watched : of.watched) {
@@ -109,7 +123,13 @@ RunResults pair_of(const PlanRun& run, std::size_t gap) {
   };
   pair.response.status = run.response.status;
   pair.response.collapse_no_contact = run.response.collapse_no_contact;
-  pair.response.points = part(run.response.points, point, of.contacts.size());
+  const std::size_t of_joint = pair.problem.points.size();
+  const auto with_others = [&](const std::vector<PointSummary>& all) {
+    std::vector<PointSummary> joint = part(all, point, of_joint);
+    for (std::size_t i = of_joint; i < of.contacts.size(); ++i) add_beside(of, of.contacts[i], all[point + i], joint);
+    return joint;
+  };
+  pair.response.points = with_others(run.response.points);
   pair.response.watched = part(run.response.watched, watched, of.watched.size());
   pair.response.duration = run.response.duration;
   if (const auto& other = run.response.reversed) {
@@ -118,7 +138,7 @@ RunResults pair_of(const PlanRun& run, std::size_t gap) {
     reversed.collapse_no_contact = other->collapse_no_contact;
     reversed.has_contact = other->has_contact;
     if (other->has_contact) {
-      reversed.points = part(other->points, point, of.contacts.size());
+      reversed.points = with_others(other->points);
       reversed.watched = part(other->watched, watched, of.watched.size());
     }
   }
@@ -133,7 +153,7 @@ RunResults pair_of(const PlanRun& run, std::size_t gap) {
 }
 
 PlanPoint place_of(const PlanGap& gap, bool is_point, Index index) {
-  return gap.stretch.middle(is_point ? gap.contacts.at(index).along : gap.watched.at(index).along);
+  return is_point ? gap.middle(gap.contacts.at(index)) : gap.stretch.middle(gap.watched.at(index).along);
 }
 
 }  // namespace bentur

@@ -69,7 +69,7 @@ PlanContactPlace contact_at(const PlanProblem& problem, Index contact) {
   std::size_t gap = 0;
   for (; contact >= std::ssize(problem.gaps.at(gap).contacts); ++gap) contact -= std::ssize(problem.gaps[gap].contacts);
   const PlanContact& found = problem.gaps[gap].contacts[contact];
-  return {gap, &found, problem.gaps[gap].stretch.middle(found.along)};
+  return {gap, &found, problem.gaps[gap].middle(found)};
 }
 
 Index first_contact(const PlanProblem& problem, std::size_t gap) {

@@ -40,7 +40,7 @@ std::optional<double> stiffness_of(const PlanGap& gap, const ContactSpec& contac
   }
   std::optional<double> sum;
   for (const PlanContact& one : gap.contacts) {
-    if (one.elevation != gap.contacts.front().elevation) break;
+    if (one.elevation != gap.contacts.front().elevation || !one.is_of_joint()) break;
     for (const auto& [key, value] : one.law->parameters()) {
       if (key == "stiffness") sum = sum.value_or(0) + value;
     }

@@ -123,19 +123,33 @@ class PairStory {
   story::GapView view_;
 };
 
-/// Buildings that face one another, have no contact, and could meet by how far both move.
+/// Whether two buildings could meet by how far both move: along every direction in which they are apart.
+bool could_meet(const PlanRun& run, Index left, Index right, const Stretch& joint) {
+  const auto reaches = [&](const PlanPoint& n, double width) {
+    return story::reach_of(run.response.buildings[left], n) + story::reach_of(run.response.buildings[right], n) >=
+           width;
+  };
+  if (!reaches(joint.n, joint.width)) return false;
+  const std::vector<FamilyBeside> apart = families_beside(run.problem.buildings[left].model.footprint,
+                                                          run.problem.buildings[right].model.footprint, joint, 0);
+  return std::all_of(apart.begin(), apart.end(), [&](const FamilyBeside& one) {
+    return reaches(one.places.front().normal, joint.width + one.places.front().beyond);
+  });
+}
+
+/// Buildings that have no contact, and could meet by how far both move.
 void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& statements) {
   const std::vector<PlanBuilding>& buildings = run.problem.buildings;
   for (Index a = 0; a < std::ssize(buildings); ++a) {
     for (Index b = a + 1; b < std::ssize(buildings); ++b) {
-      const auto stretch = facing(buildings[a].model.footprint, buildings[b].model.footprint);
+      const auto stretch = joint_between(buildings[a].model.footprint, buildings[b].model.footprint);
       const bool is_modelled = std::any_of(run.problem.gaps.begin(), run.problem.gaps.end(), [&](const PlanGap& gap) {
         return std::min(gap.left, gap.right) == a && std::max(gap.left, gap.right) == b;
       });
-      if (!stretch || is_modelled) continue;
+      if (!stretch || is_modelled || (buildings[a].is_rigid() && buildings[b].is_rigid())) continue;
       const double reach = story::reach_of(run.response.buildings[a], stretch->n) +
                            story::reach_of(run.response.buildings[b], stretch->n);
-      if (reach < stretch->width) continue;
+      if (!(stretch->swapped ? could_meet(run, b, a, *stretch) : could_meet(run, a, b, *stretch))) continue;
       const std::string& length = run.c.units.length;
       statements.push_back({.kind = "pair_without_contact",
                             .severity = Severity::danger,
@@ -289,18 +303,18 @@ GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pa
 
 void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, Index index, const std::string& length,
                std::vector<StoryValue>& values) {
-  const double along = is_point ? gap.contacts[index].along : gap.watched[index].along;
+  const StretchCorner place = is_point ? gap.at(gap.contacts[index]) : gap.stretch.at(gap.watched[index].along);
   const double elevation = is_point ? gap.contacts[index].elevation : gap.watched[index].elevation;
   const char* corner = nullptr;
   for (const int side : {0, 1}) {
     const PlanBuilding& building = problem.buildings[side == 0 ? gap.left : gap.right];
     if (corner != nullptr) break;
-    corner = corner_word(building.model.footprint, gap.stretch.on_edge(side, along));
+    corner = corner_word(building.model.footprint, side == 0 ? place.left : place.right);
     if (corner == nullptr) continue;
     values.push_back(text_of("corner_of", building.name));
     values.push_back(word_of("corner", corner));
   }
-  const PlanPoint at = gap.stretch.middle(along);
+  const PlanPoint at = 0.5 * (place.left + place.right);
   values.push_back(value_in("elevation", elevation, length));
   values.push_back(value_in("x", at.x(), length));
   values.push_back(value_in("y", at.y(), length));

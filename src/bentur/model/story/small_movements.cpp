@@ -41,12 +41,13 @@ void tell_rotations(const PlanRun& run, std::vector<Statement>& statements) {
 void tell_ends_of_edges(const PlanRun& run, std::vector<Statement>& statements) {
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
     const PlanGap& gap = run.problem.gaps[g];
-    if (gap.stretch.is_parallel()) continue;
     double reach = 0, room = 0;
     for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
       if (run.response.points[first_contact(run.problem, g) + static_cast<Index>(i)].impacts == 0) continue;
-      const double along = gap.contacts[i].along, there = gap.stretch.at(along).room;
-      const PlanPoint t = gap.stretch.tangent(along);
+      const StretchCorner place = gap.at(gap.contacts[i]);
+      if (gap.contacts[i].family >= 0) continue;  // whose end is looked at
+      const double there = gap.stretch.is_parallel() ? gap.stretch.to - gap.stretch.from : place.room;
+      const PlanPoint t(-place.normal.y(), place.normal.x());
       const double moved =
           reach_of(run.response.buildings[gap.left], t) + reach_of(run.response.buildings[gap.right], t);
       if (moved <= there || moved - there <= reach - room) continue;

@@ -16,8 +16,8 @@
 #include "bentur/pounding/pounding.h"
 
 // What problems of rows and of plans are solved by alike. Of either there are, by overloads:
-//   validate, system_of, motions_in, gap_widths, gap_count, places_of, keeps_course: of a problem;
-//   free_response, take_levels, take_solution: a solution told as a response;
+//   validate, system_of, motions_in, gap_widths, gap_count, places_of, keeps_course, has_meetings: of a problem;
+//   free_response, take_levels, take_meetings, take_solution: a solution told as a response;
 //   check_itself, drifts_no_contact: of a response.
 namespace bentur {
 
@@ -26,8 +26,10 @@ struct FreeResponseOf<AnyProblem, AnyResponse>::Parts {
   AnyProblem problem;  // valid
   Solver solver;
   FreeSolution free;
+  RunLimits limits;
   bool levels;
-  AnyResponse response;  // as far as it goes without contact
+  AnyResponse response;                        // as far as it goes without contact
+  std::optional<AnyResponse> with_widths = {};  // the same where needs hang on the widths of the problem
 };
 
 namespace any_problem {
@@ -57,7 +59,30 @@ template <class Parts, class AnyResponse, class AnyProblem>
   AnyProblem problem = valid(std::move(given));
   FreeSolution free = free_solution(system_of(problem, levels), solver, progress, limits, problem.goes_on);
   AnyResponse response = told<AnyResponse>(problem, free, levels);
-  return {std::move(problem), solver, std::move(free), levels, std::move(response)};
+  return {std::move(problem), solver, std::move(free), limits, levels, std::move(response)};
+}
+
+/// What a problem, whose system is given, needs by the free response but for its widths and laws.
+template <class AnyProblem>
+void take_meetings_of(const AnyProblem& problem, const System& system, const FreeSolution& free, const Solver& solver,
+                      const RunLimits& limits, std::vector<PointSummary>& points) {
+  if (!has_meetings(problem)) return;
+  const auto reversed_response = [&] {
+    AnyProblem other = problem;
+    for (GroundMotion& motion : motions_in(other)) motion = reversed(std::move(motion));
+    return free_solution(system_of(other), solver, {}, limits, other.goes_on);
+  };
+  take_meetings(problem, system, free, reversed_response, limits, points);
+}
+
+/// Those of the problem itself, for response().
+template <class Parts>
+[[nodiscard]] Parts with_needs(Parts parts) {
+  if (!has_meetings(parts.problem)) return parts;
+  parts.with_widths = parts.response;
+  take_meetings_of(parts.problem, parts.free.system(), parts.free, parts.solver, parts.limits,
+                   parts.with_widths->points);
+  return parts;
 }
 
 /// What `other`, a valid problem whose system is given, is not of the free response's but gaps.
@@ -158,6 +183,7 @@ template <class AnyResponse, class AnyProblem>
   const Parts parts = parts_of<Parts, AnyResponse>(problem, solver, progress.free, options.limits, levels);
   AnyResponse response = solved(parts, problem, parts.free.system(), rest);
   add_reversed(problem, solver, options, parts.free.system(), response);
+  take_meetings_of(problem, parts.free.system(), parts.free, solver, options.limits, response.points);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }
@@ -168,8 +194,8 @@ template <class AnyProblem, class AnyResponse>
 FreeResponseOf<AnyProblem, AnyResponse>::FreeResponseOf(AnyProblem problem, const Solver& solver,
                                                         const std::function<bool(double)>& progress,
                                                         const RunLimits& limits, bool levels)
-    : parts_(std::make_shared<const Parts>(
-          any_problem::parts_of<Parts, AnyResponse>(std::move(problem), solver, progress, limits, levels))) {}
+    : parts_(std::make_shared<const Parts>(any_problem::with_needs(
+          any_problem::parts_of<Parts, AnyResponse>(std::move(problem), solver, progress, limits, levels)))) {}
 
 template <class AnyProblem, class AnyResponse>
 std::optional<FreeResponseOf<AnyProblem, AnyResponse>> FreeResponseOf<AnyProblem, AnyResponse>::scaled(
@@ -180,14 +206,14 @@ std::optional<FreeResponseOf<AnyProblem, AnyResponse>> FreeResponseOf<AnyProblem
   if (!free || any_problem::difference(parts_->problem, free->system(), given, system)) return std::nullopt;
   AnyResponse response = any_problem::told<AnyResponse>(given, *free, parts_->levels);
   FreeResponseOf result;
-  result.parts_ = std::make_shared<const Parts>(
-      Parts{std::move(given), parts_->solver, std::move(*free), parts_->levels, std::move(response)});
+  result.parts_ = std::make_shared<const Parts>(any_problem::with_needs(Parts{
+      std::move(given), parts_->solver, std::move(*free), parts_->limits, parts_->levels, std::move(response)}));
   return result;
 }
 
 template <class AnyProblem, class AnyResponse>
 const AnyResponse& FreeResponseOf<AnyProblem, AnyResponse>::response() const {
-  return parts_->response;
+  return parts_->with_widths ? *parts_->with_widths : parts_->response;
 }
 
 template <class AnyProblem, class AnyResponse>
@@ -204,7 +230,9 @@ AnyResponse FreeResponseOf<AnyProblem, AnyResponse>::solve(const AnyProblem& pro
   validate(problem);
   const System system = system_of(problem);
   any_problem::require_none(any_problem::difference(parts_->problem, parts_->free.system(), problem, system));
-  return any_problem::solved(*parts_, problem, system, options);
+  AnyResponse response = any_problem::solved(*parts_, problem, system, options);
+  any_problem::take_meetings_of(problem, system, parts_->free, parts_->solver, options.limits, response.points);
+  return response;
 }
 
 }  // namespace bentur

@@ -52,9 +52,13 @@ bool alike(const BodyRow& a, const BodyRow& b) {
 
 bool alike(const Interface& a, const Interface& b) { return alike(a.left, b.left) && alike(a.right, b.right); }
 
-bool alike(const Contact& a, const Contact& b) { return alike(a.at, b.at); }
+bool alike(const MeetingPlace& a, const MeetingPlace& b) { return a.meeting == b.meeting && a.family == b.family; }
 
-bool alike(const RubbingContact& a, const RubbingContact& b) { return alike(a.at, b.at) && alike(a.along, b.along); }
+bool alike(const Contact& a, const Contact& b) { return alike(a.at, b.at) && alike(a.place, b.place); }
+
+bool alike(const RubbingContact& a, const RubbingContact& b) {
+  return alike(a.at, b.at) && alike(a.along, b.along) && alike(a.place, b.place);
+}
 
 bool alike(const Element& a, const Element& b) { return alike(a.at, b.at) && alike_laws(a.law.get(), b.law.get()); }
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
+#include "bentur/solve/solver.h"
 
 namespace bentur {
 
@@ -15,6 +17,10 @@ namespace bentur {
 /// Of the points of the system: they are those of the problem.
 [[nodiscard]] inline std::vector<Eigen::Index> places_of(const Problem& /*problem*/) { return {}; }
 [[nodiscard]] inline bool keeps_course(const Problem& /*problem*/) { return true; }
+/// Floors in a row touch whatever they do elsewhere.
+[[nodiscard]] inline bool has_meetings(const Problem& /*problem*/) { return false; }
+inline void take_meetings(const Problem&, const System&, const FreeSolution&, const std::function<FreeSolution()>&,
+                          const RunLimits&, std::vector<PointSummary>&) {}
 
 /// What the response without contact says of buildings, points and watched floors.
 [[nodiscard]] Response free_response(const Problem& problem, const Solution& free);

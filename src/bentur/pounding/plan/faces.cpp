@@ -19,6 +19,12 @@ struct Edge {
   PlanPoint from, to, normal;  ///< normal outwards
 };
 
+/// Of two of length 1.
+bool is_one_direction(const PlanPoint& one, const PlanPoint& other) {
+  constexpr double sine = 1e-9;
+  return one.dot(other) > 0 && std::abs(one.x() * other.y() - one.y() * other.x()) < sine;
+}
+
 std::vector<Edge> edges_of(const Footprint& footprint) {
   const std::vector<PlanPoint> corners = footprint.corners();
   std::vector<Edge> edges;
@@ -136,6 +142,79 @@ std::optional<StretchCorner> corner_before_edge(const Contour& left, const Conto
   return is_left ? before(*of_left, *before_left, true, axis) : before(*of_right, *before_right, false, axis);
 }
 
+/// Of a direction from the first of two to the second, without places.
+Stretch seen_along(PlanPoint n) {
+  constexpr double none = 1e-12;
+  const bool swapped = n.x() < -none || (n.x() <= none && n.y() < 0);
+  if (swapped) n = -n;
+  n += PlanPoint::Zero();  // no −0
+  return {.swapped = swapped, .n = n, .across = std::abs(n.x()) >= std::abs(n.y()) ? 0 : 1};
+}
+
+/// Along the joint.
+PlanPoint axis_of(const Stretch& stretch) {
+  const PlanPoint axis(-stretch.n.y(), stretch.n.x());
+  return axis[1 - stretch.across] < 0 ? PlanPoint(-axis) : axis;
+}
+
+/// An edge of L or R as what the other may touch.
+struct EdgeOfTwo {
+  Edge edge;
+  bool of_left = false;
+  PlanPoint n;  ///< from L to R
+  double width = 0;
+};
+
+std::vector<EdgeOfTwo> edges_between(const Footprint& left, const Footprint& right) {
+  std::vector<EdgeOfTwo> all;
+  for (const Edge& edge : edges_of(left)) {
+    all.push_back({edge, true, edge.normal, least_along(right, edge.normal) - edge.normal.dot(edge.from)});
+  }
+  for (const Edge& edge : edges_of(right)) {
+    all.push_back({edge, false, -edge.normal, least_along(left, edge.normal) - edge.normal.dot(edge.from)});
+  }
+  return all;
+}
+
+/// The part that two parallel edges have in common along t; from > to where they stand past each other.
+std::pair<double, double> common_part(const Edge& one, const Edge& other, const PlanPoint& t) {
+  const auto [low, high] = std::minmax({t.dot(one.from), t.dot(one.to)});
+  const auto [other_low, other_high] = std::minmax({t.dot(other.from), t.dot(other.to)});
+  return {std::max(low, other_low), std::min(high, other_high)};
+}
+
+/// Of two parallel edges, at a place along t.
+StretchCorner on_parallels(const Edge& of_left, const Edge& of_right, const PlanPoint& n, const PlanPoint& t,
+                           double along) {
+  const auto on = [&](const Edge& edge) -> PlanPoint { return edge.from + (along - t.dot(edge.from)) * t; };
+  StretchCorner made{.left = on(of_left), .right = on(of_right), .normal = n};
+  made.beyond = n.dot(made.right - made.left);
+  return made;
+}
+
+/// Where one touches an edge of the other first, in one place or two; `beyond` is the whole width.
+std::vector<StretchCorner> first_touches(const Footprint& left, const Footprint& right, const EdgeOfTwo& edge,
+                                         const std::vector<EdgeOfTwo>& all, double least) {
+  const PlanPoint& n = edge.n;
+  const PlanPoint t(-n.y(), n.x());
+  const auto opposite = std::find_if(all.begin(), all.end(), [&](const EdgeOfTwo& one) {
+    return one.of_left != edge.of_left && is_one_direction(one.n, n);
+  });
+  if (opposite != all.end()) {
+    const Edge &of_left = edge.of_left ? edge.edge : opposite->edge,
+               &of_right = edge.of_left ? opposite->edge : edge.edge;
+    const auto [from, to] = common_part(of_left, of_right, t);
+    if (!(to - from > least)) return {on_parallels(of_left, of_right, n, t, 0.5 * (from + to))};
+    return {on_parallels(of_left, of_right, n, t, from), on_parallels(of_left, of_right, n, t, to)};
+  }
+  const Footprint& other = edge.of_left ? right : left;
+  PlanPoint nearest = other.corners().front();
+  for (const PlanPoint& at : other.corners()) {
+    if (edge.edge.normal.dot(at - nearest) < 0) nearest = at;
+  }
+  return {before(nearest, edge.edge, !edge.of_left, t)};
+}
+
 }  // namespace
 
 PlanPoint Stretch::tangent(double along) const {
@@ -166,8 +245,15 @@ PlanPoint Stretch::on_edge(int side, double along) const {
 
 std::vector<double> Stretch::corners_along() const {
   std::vector<double> all;
-  for (const StretchCorner& one : corners) all.push_back(one.along);
+  for (const StretchCorner& one : corners) {
+    if (includes(one)) all.push_back(one.along);
+  }
   return all;
+}
+
+bool Stretch::includes(const StretchCorner& place) const {
+  constexpr double cosine = 0.9659;  // of 15°
+  return place.normal.dot(n) >= cosine;
 }
 
 double Stretch::coordinate(double along) const { return is_oblique() ? middle(along)[1 - across] : along; }
@@ -215,16 +301,12 @@ std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {
   const double least = least_of(one, other);
   const Separation apart = separation_of(one, other);
   if (apart.width < -least) return std::nullopt;
-  PlanPoint n = apart.normal;
-  constexpr double none = 1e-12;
-  const bool swapped = n.x() < -none || (n.x() <= none && n.y() < 0);
-  if (swapped) n = -n;
-  n += PlanPoint::Zero();  // no −0
-  Stretch stretch{.swapped = swapped, .n = n, .across = std::abs(n.x()) >= std::abs(n.y()) ? 0 : 1};
-  PlanPoint axis(-n.y(), n.x());
-  if (axis[1 - stretch.across] < 0) axis = -axis;
+  Stretch stretch = seen_along(apart.normal);
+  const PlanPoint n = stretch.n, axis = axis_of(stretch);
+  const bool swapped = stretch.swapped;
   const Contour left = contour_of(swapped ? other : one, n, axis, least);
   const Contour right = contour_of(swapped ? one : other, -n, axis, least);
+  stretch.shorter = std::min(left.to - left.from, right.to - right.from);
   stretch.from = std::max(left.from, right.from);
   stretch.to = std::min(left.to, right.to);
   if (!(stretch.to - stretch.from > least)) return std::nullopt;
@@ -243,30 +325,60 @@ std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {
   stretch.corners.front().along = stretch.from;
   stretch.corners.back().along = stretch.to;
   stretch.width = std::numeric_limits<double>::infinity();
-  for (const StretchCorner& corner : stretch.corners) stretch.width = std::min(stretch.width, corner.beyond);
+  for (const StretchCorner& corner : stretch.corners) {
+    if (stretch.includes(corner)) stretch.width = std::min(stretch.width, corner.beyond);
+  }
+  if (std::isinf(stretch.width)) return std::nullopt;
   if (stretch.width < least) stretch.width = 0;
   for (StretchCorner& corner : stretch.corners) {
     corner.beyond -= stretch.width;
-    if (corner.beyond < least) corner.beyond = 0;
+    if (std::abs(corner.beyond) < least) corner.beyond = 0;
   }
   return stretch;
 }
 
-std::vector<StretchPoint> points_of(const Stretch& stretch, int points) {
-  std::vector<double> ends = stretch.corners_along();
-  if (ends.empty()) ends = {stretch.from, stretch.to};
-  const double whole = ends.back() - ends.front();
-  const int last = points - 1;
-  std::vector<StretchPoint> all = {{ends.front(), 0}};
-  for (std::size_t piece = 1; piece < ends.size(); ++piece) {
-    const double from = ends[piece - 1], to = ends[piece];
-    const double share = (to - from) / whole / last;
-    for (int i = 1; i <= last; ++i) {
-      all.back().share += 0.5 * share;
-      all.push_back({i == last ? to : from + i * (to - from) / last, 0.5 * share});
+std::optional<Stretch> joint_between(const Footprint& one, const Footprint& other) {
+  if (auto stretch = facing(one, other)) return stretch;
+  const double least = least_of(one, other);
+  const Separation apart = separation_of(one, other);
+  if (apart.width < -least) return std::nullopt;
+  Stretch joint = seen_along(apart.normal);
+  const Footprint &left = joint.swapped ? other : one, &right = joint.swapped ? one : other;
+  const std::vector<EdgeOfTwo> all = edges_between(left, right);
+  const auto edge = std::find_if(all.begin(), all.end(), [&](const EdgeOfTwo& at) {
+    return is_one_direction(at.n, joint.n) && at.width >= apart.width;
+  });
+  StretchCorner place = first_touches(left, right, *edge, all, least).front();
+  joint.width = std::max(place.beyond, 0.0);
+  if (joint.width < least) joint.width = 0;
+  place.beyond = 0;
+  const PlanPoint axis = axis_of(joint);
+  place.along = joint.from = joint.to = axis.dot(0.5 * (place.left + place.right));
+  joint.corners = {place};
+  return joint;
+}
+
+std::vector<FamilyBeside> families_beside(const Footprint& left, const Footprint& right, const Stretch& joint,
+                                          double reach) {
+  const double least = least_of(left, right);
+  const PlanPoint axis = axis_of(joint);
+  const std::vector<EdgeOfTwo> all = edges_between(left, right);
+  std::vector<FamilyBeside> families;
+  std::vector<PlanPoint> known;
+  for (const EdgeOfTwo& edge : all) {
+    const auto is_known = [&](const PlanPoint& n) { return is_one_direction(n, edge.n); };
+    if (edge.width <= -reach || joint.includes({.normal = edge.n}) ||
+        std::any_of(known.begin(), known.end(), is_known)) {
+      continue;
+    }
+    known.push_back(edge.n);
+    FamilyBeside& family = families.emplace_back(FamilyBeside{first_touches(left, right, edge, all, least)});
+    for (StretchCorner& place : family.places) {
+      place.beyond -= joint.width;
+      place.along = axis.dot(0.5 * (place.left + place.right));
     }
   }
-  return all;
+  return families;
 }
 
 }  // namespace bentur

@@ -11,6 +11,7 @@
 #include "bentur/pounding/internal/free_response_of.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/summaries.h"
+#include "bentur/pounding/plan/plan_meetings.h"
 #include "bentur/structure/plan/plan_body.h"
 
 namespace bentur {
@@ -313,20 +314,12 @@ std::size_t gap_count(const PlanProblem& problem) { return problem.gaps.size(); 
 
 bool keeps_course(const PlanProblem& /*problem*/) { return false; }
 
-std::vector<Index> places_of(const PlanProblem& problem) {
-  std::vector<Index> places, rubbing;
-  Index place = 0;
-  for (const PlanGap& gap : problem.gaps) {
-    for (const PlanContact& contact : gap.contacts) (contact.rubbing ? rubbing : places).push_back(place++);
-  }
-  places.insert(places.end(), rubbing.begin(), rubbing.end());
-  return places;
-}
-
 std::vector<double> gap_widths(const PlanProblem& problem) {
   std::vector<double> widths;
   for (const PlanGap& gap : problem.gaps) {
-    for (const PlanContact& contact : gap.contacts) widths.push_back(gap.stretch.width_at(contact.along));
+    for (const PlanContact& contact : gap.contacts) {
+      widths.push_back(contact.is_of_joint() ? gap.width_at(contact) : std::numeric_limits<double>::infinity());
+    }
   }
   return widths;
 }

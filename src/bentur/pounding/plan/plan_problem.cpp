@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/elements/deformation_limit.h"
+#include "bentur/pounding/internal/asked.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
 #include "bentur/structure/plan/plan_body.h"
@@ -43,15 +45,16 @@ Eigen::Matrix2Xd axes_of(const PlanProblem& problem) {
 /// between floors, at an elevation [length].
 struct EdgePlace {
   std::optional<Index> left_floor, right_floor;
-  double elevation = 0, along = 0;
+  double elevation = 0;
+  StretchCorner at;
 };
 
-EdgePlace place_of(const PlanContact& contact) {
-  return {contact.left_floor, contact.right_floor, contact.elevation, contact.along};
+EdgePlace place_of(const PlanGap& gap, const PlanContact& contact) {
+  return {contact.left_floor, contact.right_floor, contact.elevation, gap.at(contact)};
 }
 
 EdgePlace place_of(const PlanGap& gap, const PlanWatched& watched) {
-  EdgePlace place{watched.floor, watched.facing_floor, watched.elevation, watched.along};
+  EdgePlace place{watched.floor, watched.facing_floor, watched.elevation, gap.stretch.at(watched.along)};
   if (watched.floor_of != gap.left) std::swap(place.left_floor, place.right_floor);
   return place;
 }
@@ -63,7 +66,7 @@ BodyRow side_of(const PlanProblem& problem, const PlanGap& gap, const EdgePlace&
   const Index building = side == 0 ? gap.left : gap.right;
   const std::optional<Index> floor = side == 0 ? place.left_floor : place.right_floor;
   const PlanModel& model = problem.buildings[building].model;
-  const PlanPoint at = gap.stretch.on_edge(side, place.along);
+  const PlanPoint& at = side == 0 ? place.at.left : place.at.right;
   const double base = model.elevations.front() - model.storey_heights.front();
   const double elevation = std::clamp(place.elevation, base, model.elevations.back());
   BodyRow row{
@@ -87,11 +90,12 @@ Interface in_order(Interface at) {
 
 /// Points that collide without a force cannot be inside one another: no force would part them.
 void check_start(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
-  if (!contact.law->restitution() || problem.initial_displacement.empty()) return;
-  const Interface at = interface_of(problem, gap, place_of(contact), gap.stretch.normal(contact.along));
+  if (!contact.law->restitution() || problem.initial_displacement.empty() || contact.family >= 0) return;
+  const EdgePlace place = place_of(gap, contact);
+  const Interface at = interface_of(problem, gap, place, place.at.normal);
   const double left = at.left.row.dot(problem.initial_displacement[gap.left]);
   const double right = -at.right.row.dot(problem.initial_displacement[gap.right]);
-  require(!overlap(gap.stretch.width_at(contact.along), left, right), "gaps", gap_name(problem, gap),
+  require(!overlap(gap.width_at(contact), left, right), "gaps", gap_name(problem, gap),
           "must not overlap at the start: its law has no force that would part the buildings");
 }
 
@@ -102,8 +106,8 @@ void check_gap(const PlanProblem& problem, const PlanGap& gap) {
   const std::string name = gap_name(problem, gap);
   require(!problem.buildings[gap.left].is_rigid() || !problem.buildings[gap.right].is_rigid(), "gaps", name,
           "must not be between two walls");
-  require(std::isfinite(gap.stretch.width) && gap.stretch.width >= 0 && gap.stretch.to > gap.stretch.from, "gaps", name,
-          "must have a width ≥ 0 and a stretch");
+  require(std::isfinite(gap.stretch.width) && gap.stretch.width >= 0 && gap.stretch.to >= gap.stretch.from, "gaps",
+          name, "must have a width ≥ 0 and a stretch");
   for (const PlanContact& contact : gap.contacts) {
     require(contact.left_floor >= 0 && contact.left_floor < problem.buildings[gap.left].model.floors() &&
                 contact.right_floor >= 0 && contact.right_floor < problem.buildings[gap.right].model.floors(),
@@ -188,6 +192,16 @@ std::optional<Collapse> collapse_of(const PlanProblem& problem, const Solution& 
   return std::nullopt;
 }
 
+std::vector<Index> places_of(const PlanProblem& problem) {
+  std::vector<Index> places, rubbing;
+  Index place = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) (contact.rubbing ? rubbing : places).push_back(place++);
+  }
+  places.insert(places.end(), rubbing.begin(), rubbing.end());
+  return places;
+}
+
 std::string gap_name(const PlanProblem& problem, const PlanGap& gap) {
   const auto [first, second] = std::minmax(gap.left, gap.right);
   return problem.buildings.at(first).name + " | " + problem.buildings.at(second).name;
@@ -218,16 +232,25 @@ System system_of(const PlanProblem& problem, bool levels) {
   const Eigen::Matrix2Xd axes = axes_of(problem);
   for (const PlanBuilding& building : problem.buildings) system.bodies.push_back(body_of(building, axes));
   std::vector<Interface> faces;
+  Index meetings = 0;
   for (const PlanGap& gap : problem.gaps) {
+    std::map<double, Index> of_levels;
     for (const PlanContact& contact : gap.contacts) {
-      faces.push_back(interface_of(problem, gap, place_of(contact), gap.stretch.normal(contact.along)));
+      const EdgePlace place = place_of(gap, contact);
+      faces.push_back(interface_of(problem, gap, place, place.at.normal));
       const Interface at = in_order(faces.back());
+      MeetingPlace meets;
+      if (contact.family >= 0) {
+        const auto [level, is_new] = of_levels.try_emplace(contact.elevation, meetings);
+        if (is_new) ++meetings;
+        meets = {level->second, contact.family};
+      }
       if (contact.rubbing) {
-        const Interface along =
-            in_order(interface_of(problem, gap, place_of(contact), gap.stretch.tangent(contact.along)));
-        system.rubbing.push_back({at, along, contact.rubbing, gap.stretch.width_at(contact.along)});
+        const PlanPoint along(-place.at.normal.y(), place.at.normal.x());
+        system.rubbing.push_back(
+            {at, in_order(interface_of(problem, gap, place, along)), contact.rubbing, gap.width_at(contact), meets});
       } else {
-        system.contacts.push_back({at, contact.law, gap.stretch.width_at(contact.along)});
+        system.contacts.push_back({at, contact.law, gap.width_at(contact), meets});
       }
     }
   }
@@ -248,7 +271,7 @@ System system_of(const PlanProblem& problem, bool levels) {
   if (system.motions.empty()) system.motions.push_back(NoMotion{});
   for (const PlanLink& link : problem.links) {
     const PlanGap between{.left = link.link.left, .right = link.link.right, .stretch = link.stretch};
-    const EdgePlace at{link.link.left_floor, link.link.right_floor, link.link.elevation, link.along};
+    const EdgePlace at{link.link.left_floor, link.link.right_floor, link.link.elevation, link.stretch.at(link.along)};
     system.joints.push_back({in_order(interface_of(problem, between, at, link.direction)), link.link.law});
   }
   system.limits = drift_limits(problem);

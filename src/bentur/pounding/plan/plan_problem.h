@@ -23,6 +23,12 @@ struct PlanContact {
   double along = 0;                              ///< on the stretch [length]
   std::shared_ptr<const ContactLaw> law;         ///< with the share of this point
   std::shared_ptr<const Rubbing> rubbing = {};   ///< that law with friction along the stretch; null: without
+  /// Of which family of places at its level: 0 that of the joint, further ones beside it. They touch in the one that
+  /// closes last, while all are closed. −1: there is no other.
+  Eigen::Index family = -1;
+  std::optional<StretchCorner> beside = {};  ///< where it is, of those beside the joint
+
+  [[nodiscard]] bool is_of_joint() const { return family <= 0; }
 };
 
 /// An end of the stretch at a floor that faces the other building where no contact is modelled: nothing acts there, but
@@ -39,8 +45,21 @@ struct PlanWatched {
 struct PlanGap {
   Eigen::Index left = 0, right = 0;  ///< L and R of the stretch, indices into PlanProblem::buildings
   Stretch stretch;
-  std::vector<PlanContact> contacts = {};  ///< level after level from the lowest up, each along the stretch
-  std::vector<PlanWatched> watched = {};   ///< likewise
+  /// Level after level from the lowest up, each along the stretch; then those beside it, likewise.
+  std::vector<PlanContact> contacts = {};
+  std::vector<PlanWatched> watched = {};  ///< likewise
+
+  /// Where one of its contacts is.
+  [[nodiscard]] StretchCorner at(const PlanContact& contact) const {
+    return contact.beside ? *contact.beside : stretch.at(contact.along);
+  }
+  /// w there [length]; below zero of a family beside the joint that is closed at rest.
+  [[nodiscard]] double width_at(const PlanContact& contact) const { return stretch.width + at(contact).beyond; }
+  /// In the middle of both edges.
+  [[nodiscard]] PlanPoint middle(const PlanContact& contact) const {
+    const StretchCorner place = at(contact);
+    return 0.5 * (place.left + place.right);
+  }
 };
 
 /// What joins a floor of L and one of R at a place of their joint: the deformation is how far their edges come nearer
@@ -72,6 +91,9 @@ struct PlanProblem {
 
 /// "A | B", as the buildings stand in the problem.
 [[nodiscard]] std::string gap_name(const PlanProblem& problem, const PlanGap& gap);
+
+/// Of each point of its system the place among the contacts of all gaps: those that rub are the system's last.
+[[nodiscard]] std::vector<Eigen::Index> places_of(const PlanProblem& problem);
 
 /// @throws InvalidParameter when sizes disagree or a value is outside its range.
 void validate(const PlanProblem& problem);

@@ -74,7 +74,7 @@ TEST(PolygonFaces, ACornerStandsBeforeTheEdgeOfAWall) {
   double sum = 0;
   for (const StretchPoint& point : points) sum += point.share;
   EXPECT_NEAR(sum, 1, 1e-15);
-  EXPECT_NEAR(points[2].share, 0.25, 1e-15);
+  EXPECT_NEAR(points[2].share, 0.5, 1e-15);  // (P-7): the corner, and as much of all others
   EXPECT_NEAR(stretch->width_at(points[1].along), 0.05 + half / 2, 1e-13);
 }
 

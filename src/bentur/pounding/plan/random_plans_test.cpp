@@ -64,7 +64,8 @@ class Generator {
     Draw draw;
     const double gap = chance(0.2) ? 0 : any(0.002, 0.02);
     const PlanPoint first(any(8, 16), any(8, 18)), second(any(8, 16), any(8, 18));
-    const double shift = any(-0.6, 0.6) * std::min(first.y(), second.y());
+    double shift = any(-0.6, 0.6) * std::min(first.y(), second.y());
+    if (chance(0.3)) shift = chance(0.5) ? first.y() + any(-0.03, 0.02) : -second.y() + any(-0.02, 0.03);
     draw.plans.push_back(building({0, 0}, first));
     draw.plans.push_back(building({first.x() + gap, shift}, second));
     if (chance(0.4)) {  // around the corner
@@ -212,25 +213,28 @@ PlanProblem problem_of(const Draw& draw, const Told& told = {}) {
   }
   for (std::size_t a = 0; a < count; ++a) {
     for (std::size_t b = a + 1; b < count; ++b) {
-      const auto stretch = facing(plans[a].footprint, plans[b].footprint);
+      const auto stretch = joint_between(plans[a].footprint, plans[b].footprint);
       if (!stretch || stretch->width > draw.clearance * told.units.length) continue;
       PlanGap gap{.left = static_cast<Index>(a), .right = static_cast<Index>(b), .stretch = *stretch};
       if (stretch->swapped) std::swap(gap.left, gap.right);
       const PlanModel &left = problem.buildings[gap.left].model, &right = problem.buildings[gap.right].model;
       for (Index floor = 0; floor < std::min(left.floors(), right.floors()); ++floor) {
         const double one = left.floor_masses[floor], other = right.floor_masses[floor];
-        for (const StretchPoint& point : points_of(*stretch, draw.points)) {
+        for (const StretchPoint& point : points_between(plans[gap.left].footprint, plans[gap.right].footprint, *stretch,
+                                                        draw.points, 0.05 * left.elevations[floor])) {
           PlanContact contact{floor, floor, left.elevations[floor], point.along,
                               law_of(draw, point.share, one * other / (one + other), told.units)};
           if (draw.friction > 0) {
             contact.rubbing = std::make_shared<Rubbing>(contact.law, draw.friction,
                                                         point.share * draw.tangential * told.units.stiffness());
           }
+          contact.family = point.family;
+          contact.beside = point.beside;
           gap.contacts.push_back(contact);
         }
       }
       // At both ends the lowest floors of both against the other's edge between base and floor, and against each other.
-      for (const double end : {stretch->from, stretch->to}) {
+      for (const double end : stretch->corners_along()) {
         for (const Index of : {gap.left, gap.right}) {
           gap.watched.push_back({.floor_of = of, .elevation = 2 * told.units.length, .along = end});
         }
@@ -268,15 +272,16 @@ double most(const std::vector<PlanPeaks>& buildings, VectorXd PlanPeaks::*list) 
   return largest;
 }
 
-/// The contact at this place, among those of all gaps.
-Index contact_at(const PlanProblem& problem, double elevation, const PlanPoint& at) {
+/// The contact at this place across a direction or its opposite, among those of all gaps.
+Index contact_at(const PlanProblem& problem, double elevation, const PlanPoint& at, const PlanPoint& normal) {
   Index i = 0, nearest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      const PlanPoint there = gap.stretch.middle(contact.along);
+      const PlanPoint there = gap.middle(contact), n = gap.at(contact).normal;
       const double distance = (there - at).norm() + std::abs(contact.elevation - elevation);
-      if (distance < least) {
+      const bool is_along = std::abs(n.x() * normal.y() - n.y() * normal.x()) < 1e-6;
+      if (is_along && distance < least) {
         least = distance;
         nearest = i;
       }
@@ -367,7 +372,8 @@ Apart apart(const PlanProblem& problem, const PlanResponse& wanted, const PlanPr
   for (const PlanGap& gap : problem.gaps) {
     for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
       const PlanContact& contact = gap.contacts[i];
-      const Index there = contact_at(other, length * contact.elevation, told.place(gap.stretch.middle(contact.along)));
+      const Index there = contact_at(other, length * contact.elevation, told.place(gap.middle(contact)),
+                                     told.map * gap.at(contact).normal);
       const PointSummary &one = wanted.points[first + i], &same = found.points[there];
       if (one.impacts != same.impacts) return {std::numeric_limits<double>::infinity(), "impacts of a point"};
       result.note(one.impulse, same.impulse / force, impulse, "impulse");

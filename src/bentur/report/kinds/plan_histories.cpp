@@ -47,13 +47,15 @@ Curve cut(const Curve& curve, const std::vector<double>& time, const TimeWindow&
   return part;
 }
 
-/// The contacts of the level that a contact is at, along the stretch.
+/// The contacts of the level that a contact is at, along the stretch; of one beside the joint itself.
 std::vector<Index> points_beside(const PlanRun& run, Index point) {
   const PlanContactPlace place = contact_at(run.problem, point);
+  if (!place.contact->is_of_joint()) return {point};
   const Index first = first_contact(run.problem, place.gap);
   std::vector<Index> points;
   for (Index i = first; i < first + std::ssize(run.problem.gaps[place.gap].contacts); ++i) {
-    if (contact_at(run.problem, i).contact->elevation == place.contact->elevation) points.push_back(i);
+    const PlanContact& one = *contact_at(run.problem, i).contact;
+    if (one.is_of_joint() && one.elevation == place.contact->elevation) points.push_back(i);
   }
   return points;
 }
@@ -209,10 +211,11 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
 
 Figure opening_figure(const PlanRun& run, const FigureOptions& options) {
   const Index point = chosen_point(run, options);
-  const double width = gap_at(run, point).stretch.width_at(contact_at(run.problem, point).contact->along);
+  const double width = gap_at(run, point).width_at(*contact_at(run.problem, point).contact);
   std::vector<Curve> curves;
   const std::vector<Index> beside = points_beside(run, point);
-  std::vector<Index> told = {beside.front(), beside.back()};  // in between it is a straight line
+  std::vector<Index> told = {beside.front()};  // in between it is a straight line
+  if (beside.size() > 1) told.push_back(beside.back());
   const bool is_straight = gap_at(run, point).stretch.is_parallel();
   if (!is_straight && point != told.front() && point != told.back()) told.insert(told.begin() + 1, point);
   for (const Index i : told) {
@@ -301,7 +304,8 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
                 .y = {.label = with_unit(word(options, "Displacement y"), length)},
                 .height = 6};
     for (const Index end : {other, point}) {
-      const PlanPoint at = gap.stretch.on_edge(side, contact_at(run.problem, end).contact->along);
+      const StretchCorner there = gap.at(*contact_at(run.problem, end).contact);
+      const PlanPoint& at = side == 0 ? there.left : there.right;
       Curve curve{.label = along_text(run, end),
                   .tone = end == point ? building_tone(b) : Tone::grey,
                   .line = end == point ? Line::solid : Line::dashed,
@@ -321,7 +325,8 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
     if (const Impact* const hardest = hardest_impact(place)) {
       const double when = hardest->peak_force > 0 ? hardest->peak_force_time : hardest->start;
       if (when >= shown.from && when <= shown.to) {
-        const PlanPoint at = gap.stretch.on_edge(side, contact_at(run.problem, point).contact->along);
+        const StretchCorner there = gap.at(*contact_at(run.problem, point).contact);
+        const PlanPoint& at = side == 0 ? there.left : there.right;
         const PlanPoint moved =
             movement_of(building.model, floor, at, floor_motion(run.response.histories, b, floor, when));
         panel.curves.push_back({.label = word(options, "hardest impact"),

@@ -97,7 +97,8 @@ class PlanPicture {
     const Stretch& stretch = gap.stretch;
     std::vector<std::pair<double, double>> blows;  // where along the stretch, how hard
     const Index first = first_contact(run_.problem, g);
-    for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
+    for (Index i = 0; i < std::ssize(gap.contacts) && !stretch.is_corner(); ++i) {
+      if (!gap.contacts[i].is_of_joint()) continue;
       const double along = gap.contacts[i].along;
       auto found = std::find_if(blows.begin(), blows.end(), [&](const auto& one) { return one.first == along; });
       if (found == blows.end()) found = blows.insert(blows.end(), {along, 0.0});
@@ -209,8 +210,8 @@ class PlanPicture {
         const PlanContact& contact = gap.contacts[i];
         if (contact.left_floor != floors_[gap.left] || contact.right_floor != floors_[gap.right]) continue;
         const Index point = first_contact(run_.problem, g) + i;
-        const PlanPoint left = moved(gap.left, gap.stretch.on_edge(0, contact.along));
-        const PlanPoint right = moved(gap.right, gap.stretch.on_edge(1, contact.along));
+        const StretchCorner place = gap.at(contact);
+        const PlanPoint left = moved(gap.left, place.left), right = moved(gap.right, place.right);
         const bool is_on = touching_.count(point) > 0;
         Curve& marks = is_on ? now : run_.response.points[point].impacts > 0 ? hit : open;
         add(marks, left);

@@ -175,7 +175,7 @@ PlanPoint movement_of(const PlanModel& model, Index floor, const PlanPoint& at, 
 std::string along_text(const PlanRun& run, Index contact) {
   const PlanContactPlace place = contact_at(run.problem, contact);
   const Stretch& stretch = run.problem.gaps[place.gap].stretch;
-  if (stretch.is_oblique()) {
+  if (stretch.is_oblique() || !place.contact->is_of_joint()) {
     return fmt::format("x = {}, y = {} {}", number(place.at.x()), number(place.at.y()), run.c.units.length);
   }
   return fmt::format("{} = {} {}", stretch.across == 0 ? "y" : "x", number(place.contact->along), run.c.units.length);

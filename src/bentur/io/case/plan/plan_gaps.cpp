@@ -208,13 +208,8 @@ void Pairs::read_named(const TomlView& entry) {
     table.find("between")->error(fmt::format("is between two walls, {}", names_of(buildings_, one, other)));
     return;
   }
-  const auto stretch = facing(buildings_[one].spec.footprint(), buildings_[other].spec.footprint());
-  if (!stretch && overlap(buildings_[one].spec.footprint(), buildings_[other].spec.footprint())) return;  // said
-  if (!stretch) {
-    table.find("between")->error(
-        fmt::format("is between buildings of which no edge faces the other, {}", names_of(buildings_, one, other)));
-    return;
-  }
+  const auto stretch = joint_between(buildings_[one].spec.footprint(), buildings_[other].spec.footprint());
+  if (!stretch) return;  // they overlap, which is said
   PlanGapSpec gap = pair_of(*stretch, one, other);
   gap.points = static_cast<int>(points.value_or(defaults_.points));
   read_levels(table, gap);
@@ -246,11 +241,12 @@ void Pairs::add_near(const TomlView& root) {
     for (std::size_t b = a + 1; b < buildings_.size(); ++b) {
       if (!buildings_[a].is_whole || !buildings_[b].is_whole || is_named(a, b)) continue;
       if (buildings_[a].spec.is_rigid() && buildings_[b].spec.is_rigid()) continue;
-      const auto stretch = facing(buildings_[a].spec.footprint(), buildings_[b].spec.footprint());
+      const auto stretch = joint_between(buildings_[a].spec.footprint(), buildings_[b].spec.footprint());
       if (!stretch || stretch->width > *defaults_.clearance) continue;
       PlanGapSpec gap = pair_of(*stretch, a, b);
       gap.points = defaults_.points;
       gap.levels = levels_of(gap, std::nullopt);
+      if (gap.levels.empty() && stretch->is_corner()) continue;
       if (gap.levels.empty()) {
         clearance.error(
             fmt::format("brings together {}, which have no floors at one elevation: give a [[gap]] between "

@@ -204,9 +204,6 @@ TEST(PlanToml, SaysEveryErrorOfBuildings) {
 }
 
 TEST(PlanToml, SaysEveryErrorOfPairs) {
-  EXPECT_EQ(errors_with("corner = [-1.0, 2.0], size = [0.95, 4.0] }\n[[gap]]\nbetween = [\"B\", \"A\"]",
-                        "corner = [-1.0, 25.0], size = [0.95, 4.0] }\n[[gap]]\nbetween = [\"B\", \"W\"]"),
-            (Errors{"gap[0].between is between buildings of which no edge faces the other, \"B\" and \"W\""}));
   EXPECT_EQ(errors_with("between = [\"B\", \"A\"]", "between = [\"B\", \"B\"]"),
             (Errors{"gap[0].between must be two buildings"}));
   EXPECT_EQ(errors_with("stiffness = [5e5, 3e5] }", "stiffness = [5e5, 3e5] }\nwidth = 0.02"),

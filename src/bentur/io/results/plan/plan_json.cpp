@@ -119,24 +119,25 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
   return json;
 }
 
+/// "x" or "y", or of others the components.
+Json direction_json(const PlanPoint& direction) {
+  if (direction == PlanPoint::UnitX()) return "x";
+  if (direction == PlanPoint::UnitY()) return "y";
+  return {direction.x(), direction.y()};
+}
+
 /// @param index among the contacts of all gaps
 Json plan_point_json(const PlanRun& run, Index index) {
   const PlanContactPlace place = contact_at(run.problem, index);
   const PlanContact& contact = *place.contact;
   Json json = {{"elevation", contact.elevation}, {"at", {place.at.x(), place.at.y()}}};
+  if (contact.beside) json["normal"] = direction_json(contact.beside->normal);
   put_quantities(json, Owner::point, run, {{index}});
   json["contact"] = contact_json(*contact.law, run.c.gaps.at(place.gap).contact);
   if (!contact.rubbing) return json;
   json["contact"]["friction"] = contact.rubbing->friction();
   json["contact"]["tangential_stiffness"] = contact.rubbing->tangential_stiffness();
   return json;
-}
-
-/// "x" or "y", or of others the components.
-Json direction_json(const PlanPoint& direction) {
-  if (direction == PlanPoint::UnitX()) return "x";
-  if (direction == PlanPoint::UnitY()) return "y";
-  return {direction.x(), direction.y()};
 }
 
 /// "x" or "y", or of edges that are not parallel to them its components.
@@ -173,6 +174,7 @@ Json plan_impact_json(const PlanRun& run, Index index) {
                {"x", place.at.x()},
                {"y", place.at.y()}};
   put_quantities(json, Owner::impact, run, {{index}});
+  if (run.response.impacts[index].slipped) json["slipped"] = true;
   return json;
 }
 

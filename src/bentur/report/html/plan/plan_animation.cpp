@@ -125,21 +125,19 @@ Json points_json(const PlanRun& run, const PlanScene& scene, const std::vector<d
   for (Index i = 0; i < std::ssize(run.response.points); ++i) {
     const PlanContactPlace place = contact_at(run.problem, i);
     const PlanGap& gap = run.problem.gaps[place.gap];
-    const Stretch& stretch = gap.stretch;
-    const double along = place.contact->along;
-    points.push_back(
-        {{"gap", place.gap},
-         {"left", gap.left},
-         {"right", gap.right},
-         {"leftFloor", place.contact->left_floor},
-         {"rightFloor", place.contact->right_floor},
-         {"elevation", place.contact->elevation},
-         {"level", number_of(levels, place.contact->elevation)},
-         {"normal", {stretch.normal(along).x(), stretch.normal(along).y()}},
-         {"width", stretch.width_at(along)},
-         {"along", along_text(run, i)},
-         {"faces", {point_json(scene, stretch.on_edge(0, along)), point_json(scene, stretch.on_edge(1, along))}},
-         {"struck", run.response.points[i].impacts > 0}});
+    const StretchCorner at = gap.at(*place.contact);
+    points.push_back({{"gap", place.gap},
+                      {"left", gap.left},
+                      {"right", gap.right},
+                      {"leftFloor", place.contact->left_floor},
+                      {"rightFloor", place.contact->right_floor},
+                      {"elevation", place.contact->elevation},
+                      {"level", number_of(levels, place.contact->elevation)},
+                      {"normal", {at.normal.x(), at.normal.y()}},
+                      {"width", gap.width_at(*place.contact)},
+                      {"along", along_text(run, i)},
+                      {"faces", {point_json(scene, at.left), point_json(scene, at.right)}},
+                      {"struck", run.response.points[i].impacts > 0}});
   }
   return points;
 }

@@ -43,6 +43,7 @@ void Elements::collide(Index element, double time, State& state) {
   if (resting(element)) {
     let_go(element, state);
     log_.end(element, time, 0.0);
+    part(element, time, state);
     return;
   }
   note_opening(element, time, state);
@@ -52,9 +53,9 @@ void Elements::collide(Index element, double time, State& state) {
   std::vector<Index> at;
   for (Index i = idle_; i < count(); ++i) {
     if (!two_bodies(i)) continue;
-    if (law(i).restitution() && (i == element || resting(i) || deformation(i, state) >= -tolerances_[i])) {
-      at.push_back(i);
-    }
+    const bool touches = i == element || resting(i);
+    const bool closes = !touches && law(i).restitution() && deformation(i, state) >= -tolerances_[i];
+    if (touches || (closes && (!meetings_.has(i) || (!meetings_.passed(i) && may_touch(i, state))))) at.push_back(i);
     fastest_ = std::max(fastest_, relation(i).along_abs(state.v));
   }
   const Index count = std::ssize(at);
@@ -94,6 +95,9 @@ void Elements::collide(Index element, double time, State& state) {
     if (rests != was_resting) set(i, rests ? LawState{1, time, before(n)} : LawState{}, state);
     if (!rests && (was_resting || p(n) > 0.0)) log_.end(i, was_resting ? time : log_.under_way(i).start, -after);
     touches_[i] = {};
+  }
+  for (const Index i : at) {
+    if (meetings_.has(i) && !branches_[i].touching()) part(i, time, state);
   }
 }
 

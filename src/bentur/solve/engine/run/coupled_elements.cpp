@@ -336,6 +336,11 @@ void CoupledElements::change(const Event& event, double time, const State& state
   enter(e);
 }
 
+void CoupledElements::enter_state(std::size_t e, CoupledState state) {
+  states_[e] = std::move(state);
+  enter(e);
+}
+
 void CoupledElements::settle(double time, const State& state, const VectorXd& acceleration) {
   for (std::size_t e = 0; e < states_.size(); ++e) {
     states_[e] = laws_[e]->settle(states_[e], time, motion_of(e, state, acceleration));

@@ -53,6 +53,8 @@ class CoupledElements {
 
   /// What follows from a guard at `time`; `acceleration` is q̈ there.
   void change(const Event& event, double time, const State& state, const Eigen::VectorXd& acceleration);
+  /// An element is in this state now.
+  void enter_state(std::size_t element, CoupledState state);
   /// What follows when speeds have jumped.
   void settle(double time, const State& state, const Eigen::VectorXd& acceleration);
 

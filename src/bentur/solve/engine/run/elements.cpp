@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/contact/laws/rubbing.h"
 #include "bentur/solve/engine/run/link_stretch.h"
 
 namespace bentur::engine {
@@ -15,7 +14,8 @@ namespace {
 constexpr double free_part = 0x1p-6;  // of the speeds of the free response, which count as that of an impact before one
 constexpr double least_slack = 4.0;   // tolerances: a guard that starts this far below zero starts at zero
 constexpr double least_speed = 1e-9;  // of the speeds at a point: slower starts are told to no law that needs them
-constexpr int most_branches = 1000;   // that loading in one direction goes through
+constexpr double watched_widths = 64;  // of a meeting: how far its contacts are watched beyond where one closes
+constexpr int most_branches = 1000;    // that loading in one direction goes through
 
 /// A guard that says no more than δ ≥ 0 or −δ ≥ 0.
 bool of_sign_alone(const Guard& guard) { return guard.constant == 0.0 && guard.speed == 0.0 && guard.decaying == 0.0; }
@@ -54,32 +54,21 @@ std::vector<GuardMonitor::Watched> watched(const ModalSystem& system, const Elem
     const bool switched = i < system.switched || i >= system.rubs;
     all.push_back({&system.elements[i].relation, laws.offsets[i], first, switched});
   }
+  // Those of meetings are guarded on the other side, too, once they are passed.
+  std::vector<double> widest;
+  for (const bool finds : {true, false}) {
+    for (Index point = 0; point < std::ssize(laws.places); ++point) {
+      const Index meeting = laws.places[point].meeting, at = system.opening(point);
+      if (meeting < 0) continue;
+      if (meeting >= std::ssize(widest)) widest.resize(meeting + 1, 0.0);
+      if (finds) widest[meeting] = std::max(widest[meeting], std::abs(laws.offsets[at]));
+      if (!finds) all[at].span = watched_widths * widest[meeting];
+    }
+  }
   return all;
 }
 
 }  // namespace
-
-Elements::Laws laws_of(const System& system, const ModalSystem& modal, const std::vector<Contact>& contacts,
-                       const std::vector<RubbingContact>& rubbing) {
-  Elements::Laws result{{}, std::vector<double>(modal.elements.size(), 0.0)};
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    result.laws.push_back(contacts[i].law);
-    result.offsets[i] = -contacts[i].width;
-  }
-  for (const auto* list : {&system.joints, &system.limits}) {
-    for (const bentur::Element& element : *list) result.laws.push_back(element.law);
-  }
-  for (const Body& body : system.bodies) {
-    for (const BuildingElement& element : body.elements) result.laws.push_back(element.law);
-    for (const CoupledElement& element : body.coupled) result.coupled.push_back(element.law);
-  }
-  for (const RubbingContact& contact : rubbing) {
-    result.offsets[modal.opening(modal.switched + std::ssize(result.rubbing))] = -contact.width;
-    result.coupled.push_back(contact.law);
-    result.rubbing.push_back(contact.law);
-  }
-  return result;
-}
 
 Elements::Elements(const ModalSystem& system, const Laws& laws, Index idle, const Scales& scales, double accuracy,
                    State& state)
@@ -95,6 +84,7 @@ Elements::Elements(const ModalSystem& system, const Laws& laws, Index idle, cons
       bodies_(offsets_.size(), 0),
       watched_(laws_.size(), 0),
       rubbing_(laws.rubbing),
+      meetings_(laws.places),
       along_(rubbing_.size(), 0.0),
       coupled_(system, laws.coupled, offsets_, state),
       monitor_(watched(system, laws), system.size),
@@ -336,7 +326,7 @@ void Elements::note_touches(const Expansion& motion, double time, double end, co
   for (std::size_t n = 0; n < rubbing_.size(); ++n) {
     const Rub of = rub(n);
     const Branch normal = of.law->normal().branch(of.law->normal_state(coupled_.states()[of.coupled]));
-    if (normal.bodies != Bodies::apart) continue;
+    if (normal.bodies != Bodies::apart || meetings_.passed(system_->switched + static_cast<Index>(n))) continue;
     const double at = surface(normal), band = tolerances_[of.at];
     const bool leaves = value(motion.deformation(of.at), 1.0) - at > band;  // were the step not cut
     note_touch({of.at, of.log, at, 0.5 * band, leaves}, motion, time, end, state);
@@ -359,6 +349,7 @@ void Elements::forget_faded(double time, State& state) {
 void Elements::enter(Index i, const LawState& law_state) {
   states_[i] = law_state;
   branches_[i] = law(i).branch(law_state);
+  if (i < system_->switched && meetings_.passed(i)) branches_[i] = passed_branch(branches_[i]);
   watched_[i] = monitor_.enter(i, branches_[i]) ? 1 : 0;
 }
 
@@ -427,6 +418,7 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
     return;
   }
   if (two_bodies(i)) ++events_;
+  if (two_bodies(i) && meetings_.has(i) && is_settled(i, time, state)) return;
   if (law(i).restitution()) {
     collide(i, time, state);
     if (coupled_.none() || failed_) return;
@@ -460,6 +452,10 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
   if (touched) log_.under_way(i).energy_lost += law(i).stored_energy(before, delta);
   if (touched && touches) log_.under_way(i).energy_lost -= law(i).stored_energy(states_[i], delta);
   if (touched && !touches) log_.end(i, time, -closing);
+  if (touched && !touches && meetings_.has(i)) {
+    take(i, 1);
+    part(i, time, state);
+  }
   began_ = !touched && touches;
   if (began_) {
     begin_impact(i, i, start, closing, law(i).stored_energy(states_[i], delta));

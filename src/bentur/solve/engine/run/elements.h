@@ -7,7 +7,9 @@
 
 #include "bentur/solve/engine/motion/expansion.h"
 #include "bentur/solve/engine/run/coupled_elements.h"
+#include "bentur/solve/engine/run/element_laws.h"
 #include "bentur/solve/engine/run/impact_log.h"
+#include "bentur/solve/engine/run/meetings.h"
 #include "bentur/solve/engine/run/watch/guard_monitor.h"
 
 namespace bentur::engine {
@@ -49,13 +51,7 @@ class Elements {
     double peak_tension = 0;  ///< max −F of links, up to now [force]
   };
 
-  /// Of all elements.
-  struct Laws {
-    std::vector<std::shared_ptr<const Law>> laws;  ///< but those that are coupled
-    std::vector<double> offsets;                   ///< [length]
-    CoupledElements::Laws coupled = {};            ///< of contacts that rub only where these act
-    std::vector<std::shared_ptr<const Rubbing>> rubbing = {};
-  };
+  using Laws = ElementLaws;
   /// The first `idle` elements do nothing. `accuracy`: how well states at events are known, relative to displacements
   /// and speeds; a guard that starts its branch below zero by no more starts at zero. `state` is that at the start,
   /// whose force coordinates are filled in.
@@ -193,6 +189,14 @@ class Elements {
   };
   [[nodiscard]] Rub rub(std::size_t number) const;
   [[nodiscard]] bool touches(const Rub& of) const;
+  [[nodiscard]] bool touches_at(Eigen::Index point) const;
+  [[nodiscard]] bool is_closed(Eigen::Index point) const;
+  [[nodiscard]] bool may_touch(Eigen::Index point, const State& state);
+  [[nodiscard]] bool is_settled(Eigen::Index point, double time, State& state);
+  void take(Eigen::Index contact, int sharing);
+  void part(Eigen::Index point, double time, State& state);
+  void slip_off(Eigen::Index point, double time, State& state);
+  void pass(Eigen::Index point, double time, State& state);
   void accumulate_rubbing(const Expansion& motion, double time, double end);
   void change_coupled(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
   /// When the opening of bodies that are apart last was zero, and δ̇ then; negative time: it is above zero.
@@ -222,6 +226,7 @@ class Elements {
   std::vector<char> bodies_;          ///< whether an element is two bodies
   std::vector<char> watched_;         ///< whether the monitor watches all that ends its branch
   std::vector<std::shared_ptr<const Rubbing>> rubbing_;
+  Meetings meetings_;
   std::vector<double> along_;  ///< force of each along, where the last step ended [force]
   CoupledElements coupled_;
   GuardMonitor monitor_;
@@ -241,10 +246,5 @@ class Elements {
   long events_ = 0;
   std::vector<double> worst_openings_;
 };
-
-/// Those of a system, with these contacts; those that rub act where there are as many of them as in the system.
-[[nodiscard]] Elements::Laws laws_of(const System& system, const ModalSystem& modal,
-                                     const std::vector<Contact>& contacts,
-                                     const std::vector<RubbingContact>& rubbing = {});
 
 }  // namespace bentur::engine

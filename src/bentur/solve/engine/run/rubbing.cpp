@@ -69,6 +69,8 @@ void Elements::change_coupled(const Event& event, double time, const std::vector
   ++events_;
   const Rub of = rub(element - own);
   const ContactLaw& law = of.law->normal();
+  const Index point = system_->switched + static_cast<Index>(of.number);
+  if (meetings_.has(point) && is_settled(point, time, state)) return;
   const auto normal = [&] { return of.law->normal_state(coupled_.states()[element]); };
   const LawState before = normal();
   const bool touched = law.branch(before).touching();
@@ -80,6 +82,7 @@ void Elements::change_coupled(const Event& event, double time, const std::vector
   double start = time, closing = speed(of.at, state);
   if (touched) log_.under_way(of.log).energy_lost += law.stored_energy(before, depth);
   if (touched && !touches) log_.end(of.log, time, -closing);
+  if (touched && !touches) part(point, time, state);
   began_ = !touched && touches;
   if (began_) {
     if (touches_[of.log].time >= 0.0) {
@@ -88,7 +91,7 @@ void Elements::change_coupled(const Event& event, double time, const std::vector
       touches_[of.log] = {};
     }
     begin_impact(of.at, of.log, start, closing, law.stored_energy(after, depth));
-    log_.under_way(of.log).point = system_->switched + static_cast<Index>(of.number);
+    log_.under_way(of.log).point = point;
   } else if (touches) {
     log_.under_way(of.log).energy_lost -= law.stored_energy(after, depth);
   }

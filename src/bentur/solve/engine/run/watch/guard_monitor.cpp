@@ -28,9 +28,10 @@ GuardMonitor::GuardMonitor(const std::vector<Watched>& elements, Index stride)
     : limits_(elements.size(), unlimited), stays_(elements.size(), 0), stride_(stride) {
   std::vector<Bounded> rows;
   for (const Watched& element : elements) {
-    const Sides sides = sides_of(element.first);
+    const Sides sides = element.span > 0.0 ? Sides::both : sides_of(element.first);
     sides_.push_back(sides);
     offsets_.push_back(element.offset);
+    spans_.push_back(element.span);
     rows.push_back({element.relation, sides == Sides::lower ? -1.0 : 1.0,
                     sides == Sides::both ? kernels::Peaks::of_abs : kernels::Peaks::of_values, element.switched});
   }
@@ -57,7 +58,7 @@ std::pair<std::size_t, std::size_t> GuardMonitor::groups_of(Index first, Index e
 bool GuardMonitor::enter(Index i, const Branch& branch) {
   const Sides sides = sides_of(branch);
   const bool endless = branch.guard_count == 0;
-  const bool watched = endless || (sides != Sides::none && sides == sides_[i]);
+  const bool watched = endless || (sides != Sides::none && (sides == sides_[i] || spans_[i] > 0.0));
   double limit = endless ? std::numeric_limits<double>::max() : unlimited;
   double offset = 0.0;
   if (watched && !endless) {
@@ -70,7 +71,9 @@ bool GuardMonitor::enter(Index i, const Branch& branch) {
       if (guard.deformation < 0.0) high = std::min(high, at);
       if (guard.deformation > 0.0) low = std::max(low, at);
     }
-    if (sides == Sides::both) {
+    if (spans_[i] > 0.0 && sides == Sides::upper) low = high - spans_[i];
+    if (spans_[i] > 0.0 && sides == Sides::lower) high = low + spans_[i];
+    if (sides_[i] == Sides::both) {
       const double centre = 0.5 * (low + high);
       limit = 0.5 * (high - low);
       offset = offsets_[i] - centre;

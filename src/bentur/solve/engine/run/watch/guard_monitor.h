@@ -19,6 +19,8 @@ class GuardMonitor {
     double offset = 0;  ///< of δ [length]
     Branch first;
     bool switched = false;  ///< the free response does without it
+    /// Of one that may be guarded on either side: how far δ is watched where it is on one alone [length]; 0: it is not.
+    double span = 0;
   };
   explicit GuardMonitor(const std::vector<Watched>& elements, Eigen::Index stride);
 
@@ -46,6 +48,7 @@ class GuardMonitor {
   std::vector<RelationGroup> groups_;
   std::vector<Sides> sides_;     ///< per element, as its row has been made
   std::vector<double> offsets_;  ///< per element
+  std::vector<double> spans_;    ///< per element
   std::vector<double> limits_;   ///< per element: of its row; infinite where that is not watched
   std::vector<char> stays_;
   std::vector<char> changed_;     ///< per group: whether its rows are still to be told of limits

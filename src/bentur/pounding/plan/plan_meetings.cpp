@@ -1,0 +1,142 @@
+#include "bentur/pounding/plan/plan_meetings.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "bentur/contact/laws/rubbing.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// Notes when bodies would touch, and lets them through.
+class NoForce final : public ContactLaw {
+ public:
+  [[nodiscard]] std::string_view name() const noexcept override { return "none"; }
+  [[nodiscard]] LawParameters parameters() const override { return {}; }
+  [[nodiscard]] bool is_homogeneous() const noexcept override { return true; }
+  [[nodiscard]] Branch branch(const LawState& state) const noexcept override {
+    return state.branch == apart ? Branch::apart()
+                                 : Branch{.bodies = Bodies::touching}.guarded_by({{.deformation = 1}});
+  }
+  [[nodiscard]] double stored_energy(const LawState& /*state*/, double /*penetration*/) const noexcept override {
+    return 0;
+  }
+};
+
+/// The contacts of a level of a gap, counted over all gaps, where they touch only while others are closed.
+struct MeetingOfLevel {
+  struct Point {
+    Index at = 0, family = 0;
+    double width = 0;
+  };
+  std::vector<Point> points;
+};
+
+std::vector<MeetingOfLevel> meetings_of(const PlanProblem& problem) {
+  std::vector<MeetingOfLevel> all;
+  Index point = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    std::map<double, std::size_t> of_levels;
+    for (const PlanContact& contact : gap.contacts) {
+      const Index at = point++;
+      if (contact.family < 0) continue;
+      const auto [level, is_new] = of_levels.try_emplace(contact.elevation, all.size());
+      if (is_new) all.emplace_back();
+      all[level->second].points.push_back({at, contact.family, gap.width_at(contact)});
+    }
+  }
+  return all;
+}
+
+/// Whether all families of a meeting close at some time, by what a point needs.
+template <class Need>
+bool all_close(const MeetingOfLevel& meeting, const Need& need) {
+  std::map<Index, bool> closes;
+  for (const auto& point : meeting.points) {
+    bool& one = closes[point.family];
+    one = one || need(point.at) > point.width;
+  }
+  return std::all_of(closes.begin(), closes.end(), [](const auto& one) { return one.second; });
+}
+
+/// Which points of a system would touch if nothing pushed there.
+std::vector<char> would_touch(const System& system, const FreeSolution& free, const RunLimits& limits) {
+  const auto law = std::make_shared<const NoForce>();
+  std::vector<Contact> contacts = system.contacts;
+  for (Contact& contact : contacts) contact.law = law;
+  std::vector<RubbingContact> rubbing = system.rubbing;
+  for (RubbingContact& contact : rubbing) contact.law = std::make_shared<const Rubbing>(law, 0.0, 1.0);
+  std::vector<char> touch(contacts.size() + rubbing.size(), 0);
+  const Solution solution = free.solve(contacts, rubbing, {.limits = limits});
+  if (free.solution().status != Status::done || solution.status != Status::done) touch.assign(touch.size(), 1);
+  for (const Impact& impact : solution.impacts) touch[static_cast<std::size_t>(impact.point)] = 1;
+  return touch;
+}
+
+/// Of each contact of all gaps its number in the system.
+std::vector<std::size_t> numbers_in_system(const PlanProblem& problem) {
+  const std::vector<Index> places = places_of(problem);
+  std::vector<std::size_t> numbers(places.size());
+  for (std::size_t n = 0; n < places.size(); ++n) numbers[static_cast<std::size_t>(places[n])] = n;
+  return numbers;
+}
+
+}  // namespace
+
+bool has_meetings(const PlanProblem& problem) {
+  return std::any_of(problem.gaps.begin(), problem.gaps.end(), [](const PlanGap& gap) {
+    return std::any_of(gap.contacts.begin(), gap.contacts.end(),
+                       [](const PlanContact& contact) { return contact.family >= 0; });
+  });
+}
+
+void take_meetings(const PlanProblem& problem, const System& system, const FreeSolution& free,
+                   const std::function<FreeSolution()>& reversed, const RunLimits& limits,
+                   std::vector<PointSummary>& points) {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  const std::vector<std::size_t> numbers = numbers_in_system(problem);
+  std::optional<std::vector<char>> touch, touch_reversed;
+  const auto touches = [&](const MeetingOfLevel& meeting, std::optional<std::vector<char>>& found,
+                           const std::function<std::vector<char>()>& find) {
+    if (!found) found = find();
+    return std::any_of(meeting.points.begin(), meeting.points.end(), [&](const MeetingOfLevel::Point& point) {
+      return (*found)[numbers[static_cast<std::size_t>(point.at)]] != 0;
+    });
+  };
+  for (const MeetingOfLevel& meeting : meetings_of(problem)) {
+    const auto point_at = [&](Index at) -> PointSummary& { return points[static_cast<std::size_t>(at)]; };
+    const auto given_at = [](const MeetingOfLevel::Point& point) { return std::max(point.width, 0.0); };
+    const auto closes = [&](std::optional<double> PointSummary::*member) {
+      return all_close(meeting, [&](Index at) { return (point_at(at).*member).value_or(unknown); });
+    };
+    const auto lower = [&](std::optional<double> PointSummary::*member) {
+      for (const MeetingOfLevel::Point& point : meeting.points) {
+        std::optional<double>& value = point_at(point.at).*member;
+        if (value) value = std::min(*value, given_at(point));
+      }
+    };
+    const bool some_need = all_close(meeting, [&](Index at) { return point_at(at).gap_needed; });
+    if (!some_need || !touches(meeting, touch, [&] { return would_touch(system, free, limits); })) {
+      for (const MeetingOfLevel::Point& point : meeting.points) {
+        double& need = point_at(point.at).gap_needed;
+        need = std::min(need, given_at(point));
+      }
+    }
+    const bool is_asked = point_at(meeting.points.front().at).gap_needed_reversed.has_value();
+    if (!closes(&PointSummary::gap_needed_reversed) ||
+        (is_asked && !touches(meeting, touch_reversed, [&] { return would_touch(system, reversed(), limits); }))) {
+      lower(&PointSummary::gap_needed_reversed);
+    }
+    for (const auto member : {&PointSummary::to_come, &PointSummary::to_come_reversed, &PointSummary::to_come_struck}) {
+      if (!closes(member)) lower(member);
+    }
+  }
+}
+
+}  // namespace bentur
