@@ -964,8 +964,8 @@ gb-50011-2010 = { intensity = 8, system = "frame" }
         self.assertIn("when the case gives their factors in [code]", self.done("gap", case).stdout)
         case.write_text(case.read_text() + self.CODE)
         text = self.done("gap", case).stdout
-        self.assertRegex(text, r"ASCE 7-16, IBC +12\.12\.3 .*checked, C_d/I_e to check")
-        self.assertRegex(text, r"GB 50011-2010 +6\.1\.4 +10[.0]* .*checked")
+        self.assertRegex(text, r"ASCE 7-16, IBC +12\.12\.3 .*read in the 2010 edition")
+        self.assertRegex(text, r"GB 50011-2010 +6\.1\.4 +10[.0]* .*read; steel second hand, to check")
         self.assertNotIn("EN 1998", text)
         self.assertIn("code.en-1998-1: behaviour_factor\n", text)
         self.assertNotIn("code.asce-7-16:", text)
@@ -987,13 +987,13 @@ gb-50011-2010 = { intensity = 8, system = "frame" }
         text = self.done("gap", case).stdout
         self.assertNotIn("Not shown", text)
         rules = json.loads(self.done("gap", case, "--json").stdout)["code_rules"]
-        self.assertEqual(len(rules), 14)
+        self.assertEqual(len(rules), 21)
         for rule in rules:
             self.assertRegex(text, re.escape(rule["title"]) + r" +" + re.escape(rule["clause"]))
             page = (SOURCE / "docs" / "separation-rules.md").read_text()
             self.assertIn(f"| `{rule['rule']}` |", page)
-            self.assertIn(f"| {rule['assumes']} |", page)
-            self.assertIn(f"{rule['title']}: {rule['assumes']}", " ".join(text.split()))
+            self.assertIn(f"| {rule['title']} | {rule['assumes']} | {rule['motion']} |", page)
+            self.assertIn(f"{rule['title']}: {rule['assumes']}; {rule['motion']}", " ".join(text.split()))
 
 
     def test_rules_from_heights_alone(self):

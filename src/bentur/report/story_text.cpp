@@ -48,9 +48,10 @@ std::string joined(const std::vector<std::string>& parts, const Words& say) {
   return text;
 }
 
-/// What of a rule's wording was checked, in the words of a language.
+/// How a rule's wording is known, in the words of a language.
 std::string wording_text(std::string text, const Words& say) {
-  for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("checked", "gap.checked")}) {
+  for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("second hand", "gap.second_hand"),
+                                     std::pair("by memory", "gap.by_memory"), std::pair("read", "gap.read")}) {
     const std::size_t at = text.find(english);
     if (at != std::string::npos) text.replace(at, std::string_view(english).size(), say(key));
   }

@@ -11,16 +11,28 @@
 namespace bentur {
 namespace {
 
-/// true or false for all gaps, or a list with one for each.
-std::optional<std::vector<bool>> read_flags(const TomlView& value, std::size_t gaps) {
+/// One for all gaps, or a list with one for each. @param read of one value, nothing where it is wrong
+template <class Read>
+auto read_for_gaps(const TomlView& value, std::size_t gaps, std::string_view of, const Read& read)
+    -> std::optional<std::vector<typename decltype(read(value))::value_type>> {
+  using One = typename decltype(read(value))::value_type;
   if (!value.is(TomlValue::Kind::list)) {
-    const auto flag = value.as_flag();
-    return flag ? std::optional(std::vector<bool>(gaps, *flag)) : std::nullopt;
+    const auto one = read(value);
+    return one ? std::optional(std::vector<One>(gaps, *one)) : std::nullopt;
   }
-  if (gaps == 0 || !value.is_list_of("true or false", {gaps, "one per gap"})) return std::nullopt;
-  std::vector<bool> flags;
-  for (const TomlView& one : value.items()) flags.push_back(one.as_flag().value_or(false));
-  return flags;
+  if (gaps == 0 || !value.is_list_of(std::string(of), {gaps, "one per gap"})) return std::nullopt;
+  std::vector<One> all;
+  for (const TomlView& item : value.items()) all.push_back(read(item).value_or(One{}));
+  return all;
+}
+
+/// What stands in a gap: true, no line; false, a property line; or a word.
+std::optional<Boundary> read_boundary(const TomlView& value) {
+  if (value.is(TomlValue::Kind::boolean)) {
+    return value.value().boolean ? Boundary::one_owner : Boundary::property_line;
+  }
+  if (value.is(TomlValue::Kind::text) && value.value().text == "public-way") return Boundary::public_way;
+  return value.error_value("must be true, false or \"public-way\"");
 }
 
 void read_words(const TomlView& value, const Key& key, const Length& length, CodeRuleSpec& spec) {
@@ -81,8 +93,13 @@ CodeSpec read_code(const TomlView& root, const Units& units, std::size_t buildin
   CodeSpec code;
   const auto view = TableView(root, case_keys()).table("code");
   if (!view) return code;
-  if (const auto aligned = view->find("floors_aligned")) code.floors_aligned = read_flags(*aligned, gaps);
-  if (const auto owner = view->find("same_owner")) code.same_owner = read_flags(*owner, gaps);
+  if (const auto aligned = view->find("floors_aligned")) {
+    code.floors_aligned =
+        read_for_gaps(*aligned, gaps, "true or false", [](const TomlView& value) { return value.as_flag(); });
+  }
+  if (const auto owner = view->find("same_owner")) {
+    code.boundaries = read_for_gaps(*owner, gaps, "true, false or \"public-way\"", &read_boundary);
+  }
   std::vector<std::string_view> rules;
   bool any = false;
   for (const CodeRule& rule : code_rules()) {

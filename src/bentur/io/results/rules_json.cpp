@@ -64,14 +64,15 @@ OrderedJson code_rules_json(const CodeSpec& code) {
                     {"title", rule->title},
                     {"clause", rule->clause},
                     {"wording", rule->wording},
-                    {"assumes", rule->assumes}});
+                    {"assumes", rule->assumes},
+                    {"motion", rule->motion}});
   }
   return json;
 }
 
 std::string_view silence_name(RuleFinding::Silence silence) {
-  constexpr std::string_view names[] = {"",        "no_level",      "collapsed",     "linked",
-                                        "unknown", "property_line", "displacements", "turning"};
+  constexpr std::string_view names[] = {
+      "", "no_level", "collapsed", "linked", "unknown", "property_line", "displacements", "turning", "public_way"};
   return names[static_cast<std::size_t>(silence)];
 }
 

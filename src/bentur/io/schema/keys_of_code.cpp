@@ -29,8 +29,10 @@ const KeyTable& code_keys() {
                             .for_each("one per gap")
                             .optional("no rule asks for less because of it, which is said beside its number"));
     made.keys.push_back(Key::of("same_owner", Key::Kind::flag, {"Same owner", "Pemilik sama"},
-                                "whether there is no property line between the buildings")
+                                "whether there is no property line between the buildings; `\"public-way\"`: a line in "
+                                "common with a public way")
                             .for_each("one per gap")
+                            .or_one_of({"public-way"})
                             .optional("a property line stands in the gap, which is said beside the numbers"));
     return made;
   }();

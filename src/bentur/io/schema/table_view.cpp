@@ -31,7 +31,11 @@ void check_one(const TomlView& value, const Key& key) {
       (void)value.as_whole(key.least, key.most);
       break;
     case Key::Kind::flag:
-      (void)value.as_flag();
+      if (is_text && !key.words.empty()) {
+        (void)value.as_word({key.words.begin(), key.words.end()});
+      } else {
+        (void)value.as_flag();
+      }
       break;
     case Key::Kind::text:
     case Key::Kind::file:

@@ -44,15 +44,17 @@ CodePair code_pair(const Problem& problem, const FacingLevel& level, const CodeS
   const Building& left = problem.buildings[level.gap];
   const Building& right = problem.buildings[level.gap + 1];
   const auto side = [&](int of, const Building& building) {
-    return CodeSide{.level = face_height(problem, level, of),
-                    .height = height_of(building.model),
-                    .storeys = static_cast<int>(building.model.storey_heights.size())};
+    return CodeSide{
+        .level = face_height(problem, level, of),
+        .height = height_of(building.model),
+        .storeys = static_cast<int>(std::ssize(building.model.storey_heights) - building.model.first_storey()),
+        .is_isolated = building.model.slab.has_value()};
   };
   return {.left = side(0, left),
           .right = side(1, right),
           .left_building = static_cast<std::size_t>(level.gap),
           .floors_aligned = code.is_aligned(static_cast<std::size_t>(level.gap)),
-          .same_owner = code.is_of_one_owner(static_cast<std::size_t>(level.gap)),
+          .boundary = code.boundary_at(static_cast<std::size_t>(level.gap)),
           .metre = 1 / metres(units.length)};
 }
 
@@ -158,6 +160,8 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
   const auto add = [&](std::string_view rule, std::string_view title, const auto& asked) {
     RuleFinding found{.rule = std::string(rule), .title = std::string(title)};
     bool known = true, is_unsaid = false;  // a code's clause does not say what is not known
+    const bool at_way =
+        !levels.empty() && code.boundary_at(static_cast<std::size_t>(levels.front().level.gap)) == Boundary::public_way;
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < levels.size(); ++i) {
       const LevelSeparation& one = levels[i];
@@ -183,7 +187,9 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
       found.silence = levels.empty() ? Silence::no_level
                       : linked       ? Silence::linked
                       : turning      ? Silence::turning
-                      : !known       ? (is_unsaid ? Silence::property_line : Silence::unknown)
+                      : !known       ? (!is_unsaid ? Silence::unknown
+                                        : at_way   ? Silence::public_way
+                                                   : Silence::property_line)
                       : collapsed    ? Silence::collapsed
                                      : Silence::none;
     }

@@ -68,6 +68,7 @@ struct RuleFinding {
     property_line,  ///< a property line stands in the gap, of which its clause does not speak
     displacements,  ///< heights alone do not say
     turning,        ///< it needs a period of each building across the gap: floors that turn have none
+    public_way,     ///< at a line in common with a public way its clause asks for nothing
   };
   std::string rule;                    ///< "abs", "srss", "ddc", or a name of code_rules()
   std::string title;                   ///< as people call it

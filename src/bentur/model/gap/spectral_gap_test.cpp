@@ -90,7 +90,7 @@ TEST(SpectralGap, RulesOfCodesTakeReducedPeaks) {
       spectral_pair(stick_of("A", {100.0}, {4e4}, 0.05), stick_of("B", {100.0}, {9e4}, 0.05), {3.0}, asce_spectrum);
   c.code.rules = {
       {.rule = "asce-7-16", .numbers = {{"deflection_amplification", {5.5, 4.0}}, {"importance_factor", {1.0}}}}};
-  c.code.same_owner = std::vector<bool>{true};
+  c.code.boundaries = std::vector<Boundary>{Boundary::one_owner};
   SpectrumSpec spectrum = *c.excitation.spectrum;
   const Problem problem = make_still_problem(c);
   spectrum.reduction = {8.0, 5.0};

@@ -40,7 +40,7 @@ CodeSpec code_of(const CodeSpec& all, std::size_t gap, const PlanGapSpec& of) {
     for (auto& [key, list] : rule.words) pick(list);
   }
   if (code.floors_aligned) code.floors_aligned = std::vector<bool>{code.floors_aligned->at(gap)};
-  if (code.same_owner) code.same_owner = std::vector<bool>{code.same_owner->at(gap)};
+  if (code.boundaries) code.boundaries = std::vector<Boundary>{code.boundaries->at(gap)};
   return code;
 }
 

@@ -234,6 +234,8 @@ const char* silence_word(RuleFinding::Silence silence) {
       return "story.silence.displacements";
     case RuleFinding::Silence::turning:
       return "story.silence.turning";
+    case RuleFinding::Silence::public_way:
+      return "story.silence.public_way";
     case RuleFinding::Silence::none:
       break;
   }
@@ -390,20 +392,22 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
 }
 
 void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vector<Statement>& statements) {
-  const auto tell = [&](const char* kind, bool (*depends)(const CodeRuleSpec&), const auto& given, auto is_set) {
+  const auto tell = [&](const char* kind, bool (*depends)(const CodeRuleSpec&), bool is_given, const char* answer) {
     Statement statement{.kind = kind, .severity = Severity::finding};
     for (const CodeRuleSpec& spec : code.rules) {
       if (depends(spec)) statement.items.push_back({text_of("rule", std::string(find_code_rule(spec.rule)->title))});
     }
     if (statement.items.empty()) return;
     if (gap) statement.gap = static_cast<Eigen::Index>(*gap);
-    statement.kind += is_set(gap.value_or(0)) ? "_yes" : "_no";
-    statement.values = {given ? text_of("given", "") : word_of("given", std::string("story.") + kind + "_given")};
+    statement.kind += answer;
+    statement.values = {is_given ? text_of("given", "") : word_of("given", std::string("story.") + kind + "_given")};
     statements.push_back(std::move(statement));
   };
-  tell("assumed_owner", &depends_on_owner, code.same_owner, [&](std::size_t g) { return code.is_of_one_owner(g); });
-  tell("assumed_aligned", &depends_on_alignment, code.floors_aligned,
-       [&](std::size_t g) { return code.is_aligned(g); });
+  constexpr const char* boundaries[] = {"_no", "_yes", "_way"};  // of Boundary
+  tell("assumed_owner", &depends_on_owner, code.boundaries.has_value(),
+       boundaries[static_cast<std::size_t>(code.boundary_at(gap.value_or(0)))]);
+  tell("assumed_aligned", &depends_on_alignment, code.floors_aligned.has_value(),
+       code.is_aligned(gap.value_or(0)) ? "_yes" : "_no");
 }
 
 std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {

@@ -119,7 +119,8 @@ std::string gap_study_json(const GapStudy& study, std::string_view version, std:
                      {"title", rule->title},
                      {"clause", rule->clause},
                      {"wording", rule->wording},
-                     {"assumes", rule->assumes}});
+                     {"assumes", rule->assumes},
+                     {"motion", rule->motion}});
   }
   Json all = Json::array();
   for (const RecordNeeds& needs : study.needs) {

@@ -31,7 +31,9 @@ std::vector<HeightFinding> height_findings(const Problem& problem, Eigen::Index 
     if (found.at && falls_short(levels[*found.at].width, found.needs[*found.at].asked->asked.gap, 0)) {
       found.verdict = Verdict::too_small;
     } else if (levels.empty() || !all) {
-      found.silence = levels.empty() ? Silence::no_level : Silence::displacements;
+      const bool at_way = code.boundary_at(static_cast<std::size_t>(gap)) == Boundary::public_way &&
+                          find_code_rule(rule.rule)->owner == CodeRule::Owner::not_at_public_way;
+      found.silence = levels.empty() ? Silence::no_level : at_way ? Silence::public_way : Silence::displacements;
       found.at.reset();
     } else {
       found.verdict = least ? Verdict::least : Verdict::enough;

@@ -126,8 +126,8 @@ void check_record(const RecordEcho& record, const std::string& subject, List& li
 
 void check_codes(const CodeSpec& code, List& list) {
   for (const CodeRuleSpec& rule : code.rules) {
-    for (const char* const key :
-         {"deflection_amplification", "behaviour_factor", "response_reduction", "ductility_factor"}) {
+    for (const char* const key : {"deflection_amplification", "behaviour_factor", "response_reduction",
+                                  "ductility_factor", "overstrength_factor"}) {
       const auto found = rule.numbers.find(key);
       if (found == rule.numbers.end()) continue;
       for (const double factor : found->second) list.most("code_on_record", rule.rule, factor, "", 1, 1, 1);
