@@ -43,19 +43,20 @@ CLASSES = {
     "Matrices": (("building", "matrices"), "", []),
     "Modal": (("building", "modal"), "", [("structure/known/modal.h", "ModalBuilding"), ("structure/known/modal.h", "ModalModel")]),
     "Generic": (("building", "generic"), "", [("structure/known/generic.h", "GenericBuilding"), ("structure/known/generic.h", "generic_model")]),
+    "Displacements": (("building", "displacements"), "", [("structure/known/displacements.h", "known_by_displacements")]),
     "Isolation": (("building", "isolation"), "", [("elements/bearing_laws.h", "bilinear_bearings")]),
     "Soil": (("building", "soil"), "", [("structure/support.h", "Soil"), ("structure/support.h", "soil_of")]),
     "Plan": (("plan",), "", []),
     "BuildingPlan": (("building", "plan"), "", []),
     "Plane": (("building", "plane"), "", []),
     "Rigidity": (("building", "rigidity"), "", []),
-    "Building": (("building",), "Exactly one of frame, stick, matrices, modal, generic, plan, or ``rigid=True``.", []),
+    "Building": (("building",), "Exactly one of frame, stick, matrices, modal, generic, displacements, plan, or ``rigid=True``.", []),
     "Contact": (("gap", "contact"), "", [(f"contact/laws/{law.split()[0]}.h", law.split()[1]) for law in LAWS]),
     "Gap": (("gap",), "`contact` is one of the laws of a case, or one of your own.", []),
     "Link": (("link",), "", [("elements/link_laws.h", "SpringDashpot"), ("elements/link_laws.h", "Cable"),
                              ("elements/kinematic_hardening.h", "KinematicHardening")]),
     "Excitation": (("excitation",), "In place of `file` a record may be given as `values` every `time_step`, in `unit`.\n\n"
-                   "``kind=\"spectrum\"`` is for :func:`bentur.minimum_gap` alone, ``kind=\"suite\"`` for that, "
+                   "``kind=\"spectrum\"`` and ``kind=\"displacements\"`` are for :func:`bentur.minimum_gap` alone, ``kind=\"suite\"`` for that, "
                    ":func:`bentur.run_suite` and, record by record, :func:`bentur.run`.", []),
     "Initial": (("initial",), "", []),
     "Analysis": (("analysis",), "", []),

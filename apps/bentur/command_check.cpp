@@ -10,6 +10,7 @@
 
 #include "arguments.h"
 #include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/report/errors.h"
 #include "cases/plan.h"
@@ -80,7 +81,7 @@ void run(const std::string& file, const Words& say) {
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     const Building& building = loaded.problem.buildings[b];
     if (building.is_rigid()) {
-      text += building.name + ": moves with the ground\n";
+      text += building.name + (building.given ? ": known by its displacements\n" : ": moves with the ground\n");
       continue;
     }
     const Proportions found = proportions(building, loaded.c.units, nullptr);
@@ -94,7 +95,8 @@ void run(const std::string& file, const Words& say) {
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
     text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
-                        count(spec.elevations.size(), "contact point", "contact points"), spec.contact.law,
+                        count(spec.elevations.size(), "contact point", "contact points"),
+                        is_known_by_peaks(loaded.problem, gap) ? "nothing is simulated" : spec.contact.law,
                         spec.contact.axial ? ", axial stiffness" : "");
   }
   for (const LinkSpec& spec : loaded.c.links) {
@@ -104,7 +106,9 @@ void run(const std::string& file, const Words& say) {
   const std::string unusual =
       story_text(loaded.problem, {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
   if (loaded.c.excitation.spectrum) {
-    print(fitted(text + "A spectrum: for bentur gap, which makes no run\n" + unusual));
+    const bool is_given = loaded.c.excitation.spectrum->of_displacements;
+    print(fitted(text + (is_given ? "Displacements" : "A spectrum") + ": for bentur gap, which makes no run\n" +
+                 unusual));
     return;
   }
   if (loaded.c.excitation.suite) {

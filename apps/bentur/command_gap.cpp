@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -34,7 +35,7 @@ struct GapArguments {
 /// Peak displacements of one building by both combinations, highest first.
 std::string peaks_text(const Building& building, const SpectralPeaks& peaks, const std::string& length,
                        const Words& say) {
-  if (building.is_rigid()) return building.name + ": " + say("cli.moves") + "\n";
+  if (building.is_rigid() && !building.given) return building.name + ": " + say("cli.moves") + "\n";
   std::vector<double> elevations, srss, cqc;
   for (Eigen::Index floor = building.model.floors() - 1; floor >= 0; --floor) {
     elevations.push_back(building.model.elevations[floor]);
@@ -43,6 +44,17 @@ std::string peaks_text(const Building& building, const SpectralPeaks& peaks, con
   }
   Table table;
   table.add(say("column.elevation"), length, elevations);
+  if (const auto& given = building.given) {
+    std::vector<double> as_given(given->displacement.begin(), given->displacement.end());
+    std::reverse(as_given.begin(), as_given.end());
+    table.add("u", length, as_given);
+    const bool amplifies = given->amplification != 1;
+    if (amplifies) table.add(say("spectral.amplified"), length, srss);
+    return say("cli.peaks_given",
+               {{"building", building.name},
+                {"amplified", amplifies ? say("cli.amplified", {{"factor", number(given->amplification)}}) : ""}}) +
+           "\n\n" + table.text();
+  }
   table.add("SRSS", length, srss);
   table.add("CQC", length, cqc);
   return say("cli.peaks_by",
@@ -63,9 +75,15 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     text += "\n" + peaks_text(loaded.problem.buildings[b], spectral.peaks[b], c.units.length, say);
   }
-  text += all_gaps_text(gap_names(loaded.problem), c.code, spectral_story(c, loaded.problem, spectral),
-                        {say("spectral.note"), say("screening.note")}, say);
-  if (!c.code.rules.empty()) text += wrapped(say(spectrum.reduction.empty() ? "cli.unreduced" : "cli.reduced")) + "\n";
+  std::vector<std::string> notes;
+  const auto& buildings = loaded.problem.buildings;
+  if (!spectrum.of_displacements) notes.push_back(say("spectral.note"));
+  if (std::any_of(buildings.begin(), buildings.end(), [](const Building& one) { return one.given.has_value(); }))
+    notes.push_back(say("spectral.given_note"));
+  if (!spectrum.of_displacements) notes.push_back(say("screening.note"));
+  text += all_gaps_text(gap_names(loaded.problem), c.code, spectral_story(c, loaded.problem, spectral), notes, say);
+  if (!c.code.rules.empty() && !spectrum.of_displacements)
+    text += wrapped(say(spectrum.reduction.empty() ? "cli.unreduced" : "cli.reduced")) + "\n";
   print(fitted(text));
 }
 

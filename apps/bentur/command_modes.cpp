@@ -36,6 +36,7 @@ Table shape_table(const Building& building, const std::string& length) {
 }
 
 std::string modes_text(const Building& building, const Units& units) {
+  if (building.given) return building.name + ": known by its displacements, it has no modes\n";
   if (building.is_rigid()) return building.name + ": moves with the ground, it has no modes\n";
   const ModalProperties properties = modal_properties(building);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);

@@ -217,6 +217,7 @@ std::string excitation_line(const ExcitationSpec& excitation, const Units& units
     line = suite_line(*excitation.suite, say);
   } else if (excitation.spectrum) {
     const SpectrumSpec& spectrum = *excitation.spectrum;
+    if (spectrum.of_displacements) return say("cli.displacements");
     return say("cli.spectrum", {{"name", spectrum.file.empty() ? spectrum.shape : spectrum.file},
                                 {"parameters", spectrum_parameters(spectrum, units)},
                                 {"damping", number(spectrum.spectrum.damping_ratio)},
@@ -258,6 +259,7 @@ std::string story_text(const std::vector<std::string>& gaps, const Story& story,
 
 std::string proportions_text(const Building& building, const Proportions& found, const ShownUnits& shown,
                              const Words& say) {
+  if (building.given) return say("cli.given_peaks");
   if (building.is_rigid()) return say("cli.moves");
   const auto& factor = building.model.stiffness_factor;
   return say("cli.proportions", {{"weight", number(shown.force * found.weight)},

@@ -50,6 +50,10 @@ struct InUnits {
     scale(modal.elevations, units.length);
     scale(modal.masses, mass);
   }
+  void operator()(DisplacementsSpec& given) const {
+    scale(given.elevations, units.length);
+    scale(given.displacements, units.length);
+  }
   void operator()(GenericBuilding& generic) const {
     scale(generic.storey_heights, units.length);
     scale(generic.floor_masses, mass);

@@ -83,13 +83,14 @@ PLACES = {
     "Units": ("units",), "Building": ("building", 0), "Frame": ("building", 0, "frame"),
     "Section": ("building", 0, "frame", "columns", 0), "Stick": ("building", 0, "stick"),
     "Matrices": ("building", 0, "matrices"), "Modal": ("building", 0, "modal"), "Generic": ("building", 0, "generic"),
+    "Displacements": ("building", 0, "displacements"),
     "Plan": ("plan",), "BuildingPlan": ("building", 0, "plan"), "Plane": ("building", 0, "plane", 0),
     "Rigidity": ("building", 0, "rigidity"), "Isolation": ("building", 0, "isolation"), "Soil": ("building", 0, "soil"), "Gap": ("gap", 0),
     "Contact": ("gap", 0, "contact"), "Link": ("link", 0), "Excitation": ("excitation",), "Initial": ("initial",),
     "Analysis": ("analysis",), "Project": ("project",),
 }
 # Where what is known depends on a choice.
-KINDS = {"Excitation": [{"kind": kind} for kind in ("record", "harmonic", "none", "spectrum", "suite")]}
+KINDS = {"Excitation": [{"kind": kind} for kind in ("record", "harmonic", "none", "spectrum", "suite", "displacements")]}
 
 
 @pytest.mark.parametrize("name", CLASSES)

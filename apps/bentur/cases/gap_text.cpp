@@ -38,7 +38,8 @@ std::string codes_note(const CodeSpec& code, const Words& say) {
     for (const Key& key : rule.keys) {
       if (key.is_required()) keys.push_back(key.name);
     }
-    others.push_back(fmt::format("  code.{}: {}\n", rule.name, fmt::join(keys, ", ")));
+    others.push_back(keys.empty() ? fmt::format("  code.{} = {{}}\n", rule.name)
+                                  : fmt::format("  code.{}: {}\n", rule.name, fmt::join(keys, ", ")));
   }
   std::string text = "\n" + wrapped(say("gap.codes_note")) + "\n" + say("cli.takes") + "\n";
   for (const CodeRuleSpec& given : code.rules) {

@@ -234,6 +234,9 @@ StructuralModel structural_model(const BuildingSpec& spec) {
     StructuralModel operator()(const MatricesSpec& matrices) const { return matrices_model(matrices, base); }
     StructuralModel operator()(const ModalBuilding& modal) const { return modal_model(modal, base).model; }
     StructuralModel operator()(const GenericBuilding& generic) const { return generic_model(generic, base); }
+    StructuralModel operator()(const DisplacementsSpec& given) const {
+      return known_by_displacements("", given, base).model;
+    }
     StructuralModel operator()(const RigidSpec& rigid) const {
       std::vector<double> elevations = rigid.elevations;
       for (double& elevation : elevations) elevation += base;
@@ -292,6 +295,9 @@ std::vector<std::shared_ptr<const HystereticLaw>> laws_of_storeys(const Building
 
 Building make_building(const BuildingSpec& spec, StructuralModel model) {
   if (std::holds_alternative<RigidSpec>(spec.structure)) return rigid_building(spec.name, model.elevations);
+  if (const auto* known = std::get_if<DisplacementsSpec>(&spec.structure)) {
+    return known_by_displacements(spec.name, *known, spec.base_elevation);
+  }
   Building building;
   const double fixed_omega = spec.tangent_damping ? modes(model.mass, model.stiffness).omega(0) : 0;  // [rad/s]
   if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) {
@@ -358,6 +364,9 @@ const std::string spectrum_is_no_motion =
     "a spectrum has no course in time: bentur gap and report take it, a run needs kind = \"record\" with a ground "
     "motion, such as one matched to the spectrum";
 
+const std::string displacements_are_no_course =
+    "displacements are no course in time: bentur gap and report take them, a run needs the building itself";
+
 const std::string suite_is_many_motions =
     "a suite is many ground motions: bentur run, gap and report take them all, --record N (record=N of Python) one "
     "of them";
@@ -415,8 +424,8 @@ bool refuse_without_motion(const Case& c, Diagnostics& diagnostics) {
   if (const auto& spectrum = c.excitation.spectrum) {
     diagnostics.add({.position = spectrum->position,
                      .key = "excitation.kind",
-                     .value = "\"spectrum\"",
-                     .rule = spectrum_is_no_motion});
+                     .value = spectrum->of_displacements ? "\"displacements\"" : "\"spectrum\"",
+                     .rule = spectrum->of_displacements ? displacements_are_no_course : spectrum_is_no_motion});
   } else if (const auto& suite = c.excitation.suite) {
     diagnostics.add(
         {.position = suite->position, .key = "excitation.kind", .value = "\"suite\"", .rule = suite_is_many_motions});
@@ -427,6 +436,10 @@ bool refuse_without_motion(const Case& c, Diagnostics& diagnostics) {
 Problem make_problem(const Case& c) { return make_problem(c, buildings_of(c)); }
 
 Problem make_problem(const Case& c, std::vector<Building> buildings) {
+  for (const BuildingSpec& spec : c.buildings) {
+    if (std::holds_alternative<DisplacementsSpec>(spec.structure))
+      throw InvalidParameter("displacements", spec.name, displacements_are_no_course);
+  }
   if (c.excitation.spectrum) throw InvalidParameter("excitation.kind", "\"spectrum\"", spectrum_is_no_motion);
   if (c.excitation.suite) throw InvalidParameter("excitation.kind", "\"suite\"", suite_is_many_motions);
   return problem_of(c, std::move(buildings));

@@ -29,6 +29,7 @@
 #include "bentur/structure/damping.h"
 #include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/frame/storey_columns.h"
+#include "bentur/structure/known/displacements.h"
 #include "bentur/structure/known/generic.h"
 #include "bentur/structure/known/modal.h"
 #include "bentur/structure/stick.h"
@@ -53,7 +54,7 @@ struct RigidSpec {
 
 struct BuildingSpec {
   std::string name;
-  std::variant<PlaneFrame, Stick, MatricesSpec, RigidSpec, ModalBuilding, GenericBuilding> structure;
+  std::variant<PlaneFrame, Stick, MatricesSpec, RigidSpec, ModalBuilding, GenericBuilding, DisplacementsSpec> structure;
   std::optional<StoreyColumns> columns = {};  ///< of a stick or a generic building
   Damping damping;
   /// The stiffness part of damping follows the stiffness of a storey that yields, Building::tangent_damping.
@@ -108,7 +109,7 @@ struct RecordEcho {
   std::optional<double> pga_without_unit = {};  ///< what it was scaled to, where that was a plain number [length/s²]
 };
 
-/// A design spectrum in place of a motion: for gaps alone (model/gap/spectral_gap.h).
+/// A design spectrum in place of a motion, or peak displacements as given: for gaps alone (model/gap/spectral_gap.h).
 struct SpectrumSpec {
   DesignSpectrum spectrum;  ///< in the case's units
   std::string shape;        ///< as the case names it
@@ -116,12 +117,13 @@ struct SpectrumSpec {
   std::vector<double> reduction = {};  ///< of the displacements that rules of codes amplify, one per building [-] > 0
   std::string file = {}, path = {};    ///< the table, as the case names it and where it was read; empty: none
   SourcePosition position = {};        ///< of its kind in the case file
+  bool of_displacements = false;       ///< no spectrum either: all that moves is known by its displacements
 };
 
 struct ExcitationSpec {
   GroundMotion motion;                        ///< scaled, in the case's units; without one NoMotion
   std::optional<RecordEcho> record;           ///< for kind = "record"
-  std::optional<SpectrumSpec> spectrum = {};  ///< for kind = "spectrum"
+  std::optional<SpectrumSpec> spectrum = {};  ///< for kind = "spectrum" and "displacements"
   /// For kind = "suite" (suite/suite.h): many motions in place of one, which is NoMotion.
   std::shared_ptr<const SuiteSpec> suite = {};
   std::vector<double> delays;  ///< [s], one per building (from wave_velocity where that was given)

@@ -1,5 +1,8 @@
 #include "bentur/pounding/assemble.h"
 
+#include <fmt/format.h>
+
+#include "bentur/core/errors.h"
 #include "bentur/elements/deformation_limit.h"
 #include "bentur/pounding/internal/levels.h"
 
@@ -46,6 +49,15 @@ std::vector<Element> drift_limits(const Problem& problem) {
   return limits;
 }
 
+/// Nothing can be solved of a building known by its peaks alone.
+void require_all_move(const Problem& problem) {
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    if (!problem.buildings[b].given) continue;
+    throw InvalidParameter(fmt::format("buildings[{}].given", b), problem.buildings[b].name,
+                           "is known by its peak displacements alone: nothing can be solved of it");
+  }
+}
+
 }  // namespace
 
 std::optional<Index> face_floor(const Problem& problem, std::size_t level, int side) {
@@ -55,6 +67,7 @@ std::optional<Index> face_floor(const Problem& problem, std::size_t level, int s
 }
 
 System system_of(const Problem& problem, bool levels) {
+  require_all_move(problem);
   System system;
   for (const Building& building : problem.buildings) system.bodies.push_back(body_of(building));
   for (const ContactPoint& point : problem.points) {

@@ -8,6 +8,7 @@
 namespace bentur {
 
 /// A valid problem as the solver takes it. @param levels both faces of each level are watched in the free response too
+/// @throws InvalidParameter of a building known by its peaks alone
 [[nodiscard]] System system_of(const Problem& problem, bool levels = false);
 
 /// Index of the floor that a face is of a level, points first and watched floors after them; nothing of a column's.

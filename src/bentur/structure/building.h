@@ -168,6 +168,14 @@ struct CoupledElement {
   std::shared_ptr<const CoupledLaw> law;
 };
 
+/// Peak displacements of a building that another program has found, in place of all that moves it: for gaps alone.
+struct GivenPeaks {
+  Eigen::VectorXd displacement;       ///< u of the floors, as given [length] ≥ 0
+  double amplification = 1;           ///< what makes them those expected [-] > 0
+  std::optional<double> period = {};  ///< T₁ [s]
+  double damping_ratio = 0;           ///< ζ₁ [-], of a period that is given
+};
+
 /// A building as the rest of the program sees it.
 struct Building {
   std::string name;
@@ -191,7 +199,9 @@ struct Building {
   [[nodiscard]] bool can_lose_strength() const;
   /// Storeys, infill, or hinges at the ends of members.
   [[nodiscard]] bool can_yield() const { return !elements.empty() || !coupled.empty(); }
-  /// Moves with the ground (a moat wall): it has no modes.
+  /// Known by its peak displacements alone: it has no modes, and nothing is solved of it.
+  std::optional<GivenPeaks> given = {};
+  /// Moves with the ground (a moat wall): it has no modes, as one known by its peaks.
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
   /// ω₁ [rad/s]; 0 of a free body and of what has no modes.
   [[nodiscard]] double first_omega() const { return is_rigid() ? 0.0 : modes.omega(0); }

@@ -18,6 +18,7 @@ void read_structure(const TableView& view, const Units& units, const CaseFiles& 
   if (const auto matrices = view.find("matrices")) read_matrices(*matrices, building);
   if (const auto modal = view.find("modal")) read_modal(*modal, files, building);
   if (const auto generic = view.find("generic")) read_generic(*generic, units, building);
+  if (const auto known = view.find("displacements")) read_displacements(*known, building);
   if (!kind) {  // what was read does not say which floors are meant
     building.modes = 0;
     building.elevations.clear();
@@ -44,13 +45,24 @@ ReadBuilding read_building(const TomlView& entry, const Units& units, const Case
   view.refuse({"plane", "rigidity"}, "goes with plan, which is not given");
   view.refuse(
       {"elevations"},
-      "goes with rigid = true: floors of other buildings stand in their frame, stick, matrices, modal or generic");
+      "goes with rigid = true: floors of other buildings stand in their frame, stick, matrices, modal, generic or "
+      "displacements");
   building.spec.calibrate_period = view.number("calibrate_period");
   building.spec.base_elevation = view.number("base_elevation").value_or(0);
   read_structure(view, units, files, building);
   if (view.has("modal")) {
     view.refuse({"calibrate_period", "p_delta", "gravity_loads", "isolation", "soil", "damping_stiffness"},
                 "needs the storeys of a building: one known by its modes stands as it is given");
+  }
+  if (building.has_displacements()) {
+    std::vector<std::string> keys = view.keys().names();
+    std::erase_if(keys, [](const std::string& key) {
+      return key == "name" || key == "displacements" || key == "base_elevation" || key == "rigid";
+    });
+    view.refuse(keys, "is not for a building known by its displacements, of which nothing is solved");
+    for (double& elevation : building.elevations) elevation += building.spec.base_elevation;
+    make(building);
+    return building;
   }
   read_support(view, units.gravity, building);
   if (building.spec.isolation && !building.elevations.empty()) {

@@ -227,6 +227,29 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
     spec.delays.assign(buildings.size(), 0.0);
     return spec;
   }
+  if (kind == "displacements") {
+    SpectrumSpec& none = spec.spectrum.emplace();
+    none.shape = kind;
+    none.position = view->find("kind")->position();
+    none.of_displacements = true;
+    spec.delays.assign(buildings.size(), 0.0);
+    for (const ReadBuilding& building : buildings) {
+      if (building.has_displacements() || std::holds_alternative<RigidSpec>(building.spec.structure)) continue;
+      view->find("kind")->error(
+          fmt::format("is for buildings known by their displacements: {} has none; kind = "
+                      "\"spectrum\" computes those of others",
+                      building.path));
+    }
+    return spec;
+  }
+  for (const ReadBuilding& building : buildings) {
+    if (!building.has_displacements()) continue;
+    given->error(
+        fmt::format("cannot shake {}, which is known by its displacements alone: give kind = "
+                    "\"displacements\", or \"spectrum\" where others are to be computed",
+                    building.path));
+    break;
+  }
   if (kind == "suite") {
     spec.suite = read_suite(*view, units, folder, diagnostics);
   } else {

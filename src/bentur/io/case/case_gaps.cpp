@@ -61,6 +61,7 @@ std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& lef
   const auto given = gap.find("elevations");
   const FloorLevels a = floor_levels(left);
   const FloorLevels b = floor_levels(right);
+  const bool nothing_moves = left.has_displacements() || right.has_displacements();
   if (!a.elevations.empty() && !b.elevations.empty() && !face_each_other(a, b)) {
     gap.error(fmt::format(
         "is between buildings of which no floor faces the other: {} reaches from {} to {}, {} from {} to {}",
@@ -68,7 +69,10 @@ std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& lef
         b.elevations.back()));
     return {};
   }
-  if (given && models_no_contact(*given)) return {};
+  if (given && nothing_moves) {
+    given->error("is not for a building known by its displacements: all floors that face the other are looked at");
+  }
+  if (nothing_moves || (given && models_no_contact(*given))) return {};
   const std::vector<double> wanted =
       given ? given->as_numbers(gap_keys().at("elevations").range) : std::vector<double>();
   if (std::adjacent_find(wanted.begin(), wanted.end(), std::greater_equal<>()) != wanted.end()) {
@@ -279,7 +283,9 @@ GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuil
   spec.elevations = read_elevations(gap, left, right, spec.level_tolerance, spec.strikes_columns);
   const std::size_t points = spec.elevations.size();
   const auto given = gap.find("elevations");
-  const bool no_contact = given && models_no_contact(*given);
+  const bool nothing_moves = left.has_displacements() || right.has_displacements();
+  const bool no_contact = nothing_moves || (given && models_no_contact(*given));
+  if (nothing_moves) gap.refuse({"contact"}, "is not for a building known by its displacements: nothing is simulated");
   const GapSides sides{left, right, spec.elevations};
   gap.refuse({"points"}, "is of buildings in plan: give them [building.plan]");
   if (!gap.has("width")) gap.error_missing("width");

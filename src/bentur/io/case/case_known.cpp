@@ -171,6 +171,28 @@ std::optional<GenericPlan> read_generic_in_plan(const TomlView& given, const Uni
   return generic;
 }
 
+void read_displacements(const TomlView& given, ReadBuilding& building) {
+  const auto table = TableView::of(given, displacements_keys());
+  building.spec.structure = DisplacementsSpec{};  // whatever is wrong with it
+  if (!table) return;
+  const TableView& view = *table;
+  DisplacementsSpec known;
+  known.elevations = view.numbers("elevations");
+  const bool ascends = std::adjacent_find(known.elevations.begin(), known.elevations.end(), std::greater_equal<>()) ==
+                       known.elevations.end();
+  if (!ascends) view.find("elevations")->error("must ascend");
+  known.displacements = view.numbers("u", known.elevations.size());
+  known.amplification = view.number("amplification").value_or(1);
+  known.period = view.number("period");
+  known.damping_ratio = view.number("damping_ratio").value_or(0);
+  if (known.period && !view.has("damping_ratio"))
+    view.error_missing("damping_ratio", "DDC combines it with the period");
+  if (!view.has("period")) view.refuse({"damping_ratio"}, "goes with period, which is not given");
+  building.modes = 1;
+  if (ascends) building.elevations = known.elevations;
+  building.spec.structure = std::move(known);
+}
+
 void read_rigid(const TableView& view, ReadBuilding& building) {
   RigidSpec rigid;
   rigid.elevations = view.numbers("elevations");

@@ -27,6 +27,7 @@ struct ReadBuilding {
   BuildingSpec spec;
   std::string path;  ///< building["Model 1"], or building[0] where there is no usable name
   bool is_frame = false;
+  [[nodiscard]] bool has_displacements() const { return std::holds_alternative<DisplacementsSpec>(spec.structure); }
   std::size_t modes = 0;                 ///< how many; 0: not known
   std::vector<double> elevations;        ///< [length] of the floors above the ground datum; empty: not known
   std::optional<StructuralModel> model;  ///< assembled; nothing where what was read makes none
@@ -69,12 +70,14 @@ bool read_frame_of_plane(const TableView& frame, const std::vector<double>& stor
 /// case_matrices.cpp: [building.matrices] into `building`, its damping too where it is given.
 void read_matrices(const TomlView& matrices, ReadBuilding& building);
 
-/// case_known.cpp: [building.modal], [building.generic], and what rigid = true goes with, into `building`.
+/// case_known.cpp: [building.modal], [building.generic], [building.displacements], and what rigid = true goes with,
+/// into `building`.
 void read_modal(const TomlView& modal, const CaseFiles& files, ReadBuilding& building);
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
 /// case_known.cpp: of a building in plan; without storeys where their number is not known.
 [[nodiscard]] std::optional<GenericPlan> read_generic_in_plan(const TomlView& generic, const Units& units);
 void read_rigid(const TableView& table, ReadBuilding& building);
+void read_displacements(const TomlView& displacements, ReadBuilding& building);
 
 /// case_support.cpp: gravity loads of a building whose elevations are known.
 void read_gravity(const TableView& table, ReadBuilding& building);

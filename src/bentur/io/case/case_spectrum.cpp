@@ -166,6 +166,7 @@ void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, co
     const TomlView view = obstacle->building ? *views[*obstacle->building].find("isolation") : *root.find("link");
     view.error(obstacle->what);
   }
+  if (spec.of_displacements) return;
   const auto* table = std::get_if<TableSpectrum>(&spec.spectrum.shape);
   for (std::size_t b = 0; table != nullptr && b < read.buildings.size(); ++b) {
     const Building& building = *read.buildings[b].made;

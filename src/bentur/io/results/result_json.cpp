@@ -281,6 +281,11 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
                          {"spectral_displacement", list(modes.displacement)},
                          {"peak_displacement_srss", list(spectral.peaks.at(b).srss)},
                          {"peak_displacement_cqc", list(spectral.peaks.at(b).cqc)}});
+    if (const auto& given = building.given) {
+      buildings.back()["given"] = {{"displacements", list(given->displacement)},
+                                   {"amplification", given->amplification},
+                                   {"period", or_null(given->period)}};
+    }
   }
   for (const Gap& gap : gaps_of(problem)) {
     gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left,

@@ -71,8 +71,9 @@ OrderedJson code_rules_json(const CodeSpec& code) {
 }
 
 std::string_view silence_name(RuleFinding::Silence silence) {
-  constexpr std::string_view names[] = {
-      "", "no_level", "collapsed", "linked", "unknown", "property_line", "displacements", "turning", "public_way"};
+  constexpr std::string_view names[] = {"",        "no_level",      "collapsed",     "linked",
+                                        "unknown", "property_line", "displacements", "turning",
+                                        "periods", "public_way"};
   return names[static_cast<std::size_t>(silence)];
 }
 

@@ -26,6 +26,7 @@ namespace bentur {
 [[nodiscard]] const KeyTable& matrices_keys();
 [[nodiscard]] const KeyTable& modal_keys();
 [[nodiscard]] const KeyTable& generic_keys();
+[[nodiscard]] const KeyTable& displacements_keys();
 [[nodiscard]] const KeyTable& period_formula_keys();
 
 // keys_of_plan.cpp

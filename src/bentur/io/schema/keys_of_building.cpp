@@ -38,7 +38,7 @@ const KeyTable& building_keys() {
             Key::number("damping", dimension::none, Range::share, {"Damping", "Redaman"},
                         "of every mode, or a table that says it: see [Damping](#damping)")
                 .or_table(damping_keys())
-                .optional("needed but for `matrices.damping` and a wall"),
+                .optional("needed but for `matrices.damping`, `displacements` and a wall"),
             Key::choice("damping_stiffness", {"initial", "tangent"}, {"Stiffness of the damping", "Kekakuan redaman"},
                         "where storeys yield: see [Damping](#damping)")
                 .called({{"initial", "awal"}, {"tangent where a storey yields", "tangen bila tingkat leleh"}})
@@ -97,6 +97,10 @@ const KeyTable& building_keys() {
                            "[known by little](#buildinggeneric-known-by-little), also beside `plan`")
                 .one_of("structure")
                 .may_join("plan"),
+            Key::sub_table("displacements", displacements_keys(), {"Displacements", "Perpindahan"},
+                           "[known by its peak displacements](#buildingdisplacements-from-another-program): for gaps "
+                           "alone")
+                .one_of("structure"),
             Key::sub_table("plan", building_plan_keys(), {"In plan", "Dalam denah"},
                            "floors [in plan](#buildings-in-plan)")
                 .one_of("structure"),
@@ -351,6 +355,27 @@ const KeyTable& modal_keys() {
                "a table beside the case, named relative to it: a row per floor, a column per mode; exactly one of the "
                "two")
            .one_of("shapes")}};
+  return table;
+}
+
+const KeyTable& displacements_keys() {
+  static const KeyTable table = {
+      "building.displacements",
+      "known by its peak displacements, from another program",
+      {elevations_of_floors(),
+       Key::number("u", dimension::length, Range::distance, {"Displacements", "Perpindahan"},
+                   "peaks of the floors, relative to the base")
+           .list("one per floor"),
+       Key::number("amplification", dimension::none, Range::positive, {"Amplification", "Pembesaran"},
+                   "what makes them those expected, such as C_d/I_e of displacements under reduced forces: ABS, SRSS, "
+                   "DDC and rules that do not amplify take u times it")
+           .by_default(1),
+       Key::number("period", dimension::time, Range::positive, {"First period", "Periode pertama"}, "for DDC")
+           .optional("DDC is not known"),
+       Key::number("damping_ratio", dimension::none, Range::share, {"Damping ratio", "Rasio redaman"},
+                   "of the first mode")
+           .goes_with("period")
+           .optional("needed with `period`")}};
   return table;
 }
 

@@ -307,14 +307,17 @@ const KeyTable& excitation_keys() {
     KeyTable made = {
         "excitation",
         "what shakes the buildings",
-        {Key::choice("kind", {"record", "harmonic", "none", "spectrum", "suite"}, {"Kind", "Jenis"},
-                     "`\"none\"` is free vibration, and [initial] must then move something; `\"spectrum\"` is for gaps "
-                     "alone; `\"suite\"`: [records for a target](suites.md)")
+        {Key::choice(
+             "kind", {"record", "harmonic", "none", "spectrum", "suite", "displacements"}, {"Kind", "Jenis"},
+             "`\"none\"` is free vibration, and [initial] must then move something; `\"spectrum\"` is for gaps "
+             "alone; `\"suite\"`: [records for a target](suites.md); `\"displacements\"`: none, all that moves is "
+             "[known by its displacements](#buildingdisplacements-from-another-program)")
              .called({{"record", "rekaman"},
                       {"harmonic", "harmonik"},
                       {"none: free vibration", "tidak ada: getaran bebas"},
                       {"design spectrum", "spektrum desain"},
-                      {"suite of records", "kumpulan rekaman"}}),
+                      {"suite of records", "kumpulan rekaman"},
+                      {"displacements as given", "perpindahan yang diberikan"}}),
          Key::number("delays", dimension::time, Range::not_negative, {"Delays", "Keterlambatan"},
                      "how much later the ground motion reaches it")
              .list("one per building")

@@ -16,6 +16,7 @@ namespace bentur {
 namespace {
 
 SeparationInput separation_input(const Building& building, double displacement) {
+  if (building.given) return {displacement, building.given->period.value_or(1), building.given->damping_ratio};
   if (building.is_rigid()) return {.displacement = 0, .period = 1, .damping_ratio = 0};  // whatever its period
   const double omega = building.first_omega();
   return {.displacement = displacement,
@@ -27,8 +28,11 @@ double height_of(const StructuralModel& model) {
   return std::accumulate(model.storey_heights.begin(), model.storey_heights.end(), 0.0);
 }
 
-/// Of buildings read back from results it is not.
-bool damping_known(const Building& building) { return building.is_rigid() || building.modal_damping.size() > 0; }
+/// Of buildings read back from results, or known by their peaks alone, it is not.
+bool first_mode_known(const Building& building) {
+  if (building.given) return building.given->period.has_value();
+  return building.is_rigid() || building.modal_damping.size() > 0;
+}
 
 }  // namespace
 
@@ -38,6 +42,11 @@ bool is_linked(const Problem& problem, Eigen::Index gap) {
     return of_gap(link.left) || of_gap(link.right);
   };
   return std::any_of(problem.links.begin(), problem.links.end(), ties);
+}
+
+bool is_known_by_peaks(const Problem& problem, Eigen::Index gap) {
+  return problem.buildings.at(static_cast<std::size_t>(gap)).given ||
+         problem.buildings.at(static_cast<std::size_t>(gap) + 1).given;
 }
 
 CodePair code_pair(const Problem& problem, const FacingLevel& level, const CodeSpec& code, const Units& units) {
@@ -67,7 +76,7 @@ std::vector<LevelSeparation> separations(const Problem& problem,
     const Building& right = problem.buildings[level.gap + 1];
     const LevelPeaks peaks = peaks_at(level);
     const auto ddc = [&] {
-      if (!damping_known(left) || !damping_known(right) || is_linked(problem, level.gap)) return not_known;
+      if (!first_mode_known(left) || !first_mode_known(right) || is_linked(problem, level.gap)) return not_known;
       return separation_ddc(separation_input(left, peaks.left), separation_input(right, peaks.right));
     };
     LevelSeparation found{.level = level,
@@ -176,7 +185,7 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
     double needed = 0;
     for (const LevelSeparation& one : levels) {
       const double simulated = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
-      needed = std::max(needed, one.level.of_gap(simulated));
+      if (!is_known_by_peaks(problem, one.level.gap)) needed = std::max(needed, one.level.of_gap(simulated));
       found.most = std::max(found.most, one.level.of_gap(asked(one)));
     }
     if (known && !collapsed && falls_short(found.most, needed, scale)) found.lacks = needed - found.most;
@@ -184,9 +193,12 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
     if (!found.is_short) {
       const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);
       const bool turning = rule == "ddc" && in_plan && !known;
+      const bool no_period =
+          rule == "ddc" && !known && !levels.empty() && is_known_by_peaks(problem, levels.front().level.gap);
       found.silence = levels.empty() ? Silence::no_level
                       : linked       ? Silence::linked
                       : turning      ? Silence::turning
+                      : no_period    ? Silence::periods
                       : !known       ? (!is_unsaid ? Silence::unknown
                                         : at_way   ? Silence::public_way
                                                    : Silence::property_line)

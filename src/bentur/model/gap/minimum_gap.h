@@ -18,7 +18,7 @@ namespace bentur {
 struct LevelPeaks {
   double left = 0, right = 0;                    ///< peak displacements of both faces
   double left_of_codes = 0, right_of_codes = 0;  ///< those that rules of codes amplify
-  double gap_needed = 0;                         ///< the peak of left less right, not below 0
+  double gap_needed = 0;  ///< the peak of left less right, not below 0; of peaks that are given their sum
   std::optional<double> gap_needed_reversed = {};
 };
 
@@ -68,6 +68,7 @@ struct RuleFinding {
     property_line,  ///< a property line stands in the gap, of which its clause does not speak
     displacements,  ///< heights alone do not say
     turning,        ///< it needs a period of each building across the gap: floors that turn have none
+    periods,        ///< it needs the periods of both, and of one alone peak displacements are given
     public_way,     ///< at a line in common with a public way its clause asks for nothing
   };
   std::string rule;                    ///< "abs", "srss", "ddc", or a name of code_rules()
@@ -92,6 +93,9 @@ struct RuleFinding {
 [[nodiscard]] std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
                                                      const CodeSpec& code, double scale, bool collapsed,
                                                      bool in_plan = false);
+
+/// Whether one of the two is known by its peak displacements alone: how they move together is not known.
+[[nodiscard]] bool is_known_by_peaks(const Problem& problem, Eigen::Index gap);
 
 /// Whether a link ties the two buildings of a gap, or one of them to a third.
 [[nodiscard]] bool is_linked(const Problem& problem, Eigen::Index gap);

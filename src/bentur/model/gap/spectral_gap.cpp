@@ -61,6 +61,10 @@ SpectralModes spectral_modes(const Building& building, const DesignSpectrum& spe
 SpectralPeaks spectral_peaks(const Building& building, const SpectralModes& modes) {
   const Eigen::Index floors = building.model.floors();
   SpectralPeaks peaks{Eigen::VectorXd::Zero(floors), Eigen::VectorXd::Zero(floors)};
+  if (building.given) {
+    peaks.srss = peaks.cqc = building.given->amplification * building.given->displacement;
+    return peaks;
+  }
   for (Eigen::Index floor = 0; floor < floors && modes.omega.size() > 0; ++floor) {
     const Eigen::VectorXd each = modes.motion.row(floor).transpose();
     peaks.srss(floor) = combined_peak(each, modes.omega, modes.damping, ModalCombination::srss);
@@ -100,7 +104,7 @@ CapacityDemand capacity_demand(const Building& building, const SpectralModes& mo
 
 SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum, const CodeSpec& code,
                            const Units& units) {
-  validate(spectrum.spectrum);
+  if (!spectrum.of_displacements) validate(spectrum.spectrum);
   SpectralGaps gaps;
   if (!spectrum.reduction.empty()) require_size("reduction", spectrum.reduction.size(), problem.buildings.size());
   for (const Building& building : problem.buildings) {
@@ -112,19 +116,25 @@ SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
     const Eigen::Index left = level.gap, right = level.gap + 1;
     const auto [left_row, right_row] = face_rows(problem, level);
     const auto peak = [&](Eigen::Index b, const Eigen::VectorXd& row) {
+      if (const auto& given = problem.buildings[b].given) return given->amplification * row.dot(given->displacement);
       const SpectralModes& modes = gaps.modes[b];
       return modes.omega.size() == 0
-                 ? 0
+                 ? 0.0
                  : combined_peak(modes.motion.transpose() * row, modes.omega, modes.damping, spectrum.combination);
     };
-    const auto reduction = [&](Eigen::Index b) { return spectrum.reduction.empty() ? 1 : spectrum.reduction[b]; };
+    const auto reduction = [&](Eigen::Index b) {
+      if (const auto& given = problem.buildings[b].given) return given->amplification;
+      return spectrum.reduction.empty() ? 1.0 : spectrum.reduction[b];
+    };
     const double left_peak = peak(left, left_row), right_peak = peak(right, right_row);
     return LevelPeaks{.left = left_peak,
                       .right = right_peak,
                       .left_of_codes = left_peak / reduction(left),
                       .right_of_codes = right_peak / reduction(right),
-                      .gap_needed = spectral_difference(gaps.modes[left], left_row, gaps.modes[right], right_row,
-                                                        spectrum.combination)};
+                      .gap_needed = is_known_by_peaks(problem, left)
+                                        ? left_peak + right_peak
+                                        : spectral_difference(gaps.modes[left], left_row, gaps.modes[right], right_row,
+                                                              spectrum.combination)};
   };
   gaps.levels = separations(problem, peaks_at, code, units);
   return gaps;

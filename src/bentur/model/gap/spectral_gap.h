@@ -48,8 +48,9 @@ struct SpectralGaps {
   std::vector<SpectralPeaks> peaks;     ///< per building
   std::vector<CapacityDemand> demands;  ///< per building
   /// Per facing level; `gap_needed` is the spectral difference: the peak of x_left − x_right by the case's combination
-  /// over the modes of both buildings (with one mode each and CQC it is DDC). ABS, SRSS and DDC combine the peaks of
-  /// both faces. Rules of codes take these peaks divided by `reduction` of their buildings.
+  /// over the modes of both buildings (with one mode each and CQC it is DDC); of buildings known by their peaks the sum
+  /// of both. ABS, SRSS and DDC combine the peaks of both faces. Rules of codes take these peaks divided by `reduction`
+  /// of their buildings, or by the `amplification` of peaks that are given.
   std::vector<LevelSeparation> levels;
 };
 /// Buildings are elastic, with their initial stiffness; delays and kinematics play no part.

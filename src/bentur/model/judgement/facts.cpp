@@ -110,7 +110,9 @@ GapFacts gap_facts(const Problem& problem, Index gap, const std::vector<LevelSep
                    std::vector<RuleFinding> rules, const RunFacts& run) {
   GapFacts facts = common_facts(problem, gap, std::move(rules), run);
   for (const LevelSeparation& level : levels) {
-    facts.levels.push_back({.at = level.level, .given = {.need = level.gap_needed}});
+    facts.levels.push_back({.at = level.level});
+    LevelFacts::OneWay& given = facts.levels.back().given;
+    (is_known_by_peaks(problem, gap) ? given.at_most : given.need) = level.gap_needed;
   }
   return facts;
 }

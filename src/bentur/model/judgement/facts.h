@@ -48,6 +48,7 @@ struct LevelFacts {
   /// Of one way of the motion.
   struct OneWay {
     std::optional<double> need = {};     ///< without contact [length]; nothing: not known
+    std::optional<double> at_most = {};  ///< where only peaks are known: what both at once need [length]
     std::optional<double> to_come = {};  ///< what free vibration after the end could still need [length]
     int impacts = 0;                     ///< in the run with contact
     double peak_force = 0;               ///< [force]

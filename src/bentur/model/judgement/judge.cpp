@@ -35,6 +35,7 @@ void judge_contact(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
 /// The level that falls short the most without contact, and what may still come.
 void judge_need(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
   Reason need{.kind = Reason::Kind::need, .way = way}, left{.kind = Reason::Kind::motion_left, .way = way};
+  Reason at_once{.kind = Reason::Kind::phase, .way = way};
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     const FacingLevel& at = facts.levels[i].at;
     const auto take = [&](const std::optional<double>& asked, Reason& of) {
@@ -46,12 +47,14 @@ void judge_need(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
     };
     take(facts.levels[i].in(way).need, need);
     take(facts.levels[i].in(way).to_come, left);
+    take(facts.levels[i].in(way).at_most, at_once);
   }
   if (need.level) {
     reasons.push_back(need);
   } else if (left.level) {
     reasons.push_back(left);
   }
+  if (at_once.level) reasons.push_back(at_once);
 }
 
 void judge_rules(const GapFacts& facts, std::vector<Reason>& reasons) {
@@ -122,6 +125,8 @@ std::string_view word_of(Reason::Kind kind) {
       return "drift beyond collapse";
     case Reason::Kind::capacity:
       return "beyond capacity";
+    case Reason::Kind::phase:
+      return "phase";
     case Reason::Kind::doubt:
       return "doubt";
     case Reason::Kind::motion_left:

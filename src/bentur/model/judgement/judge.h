@@ -29,6 +29,7 @@ struct Reason {
     collapse,      ///< storey `storey` of `subject` falls at `value` [s], with contact (`count` 1) or without
     drift,         ///< it drifts by `value` of its height without contact [-], beyond collapse
     capacity,      ///< by a spectrum it bears `value` times what it can, as an elastic one
+    phase,         ///< peaks alone are known: both at once need `value` [length]
     doubt,         ///< GapFacts::doubts[`count`]
     motion_left,   ///< free vibration after the end could still need `value` [length]
     not_looked_at  ///< the reversed motion, with contact or without

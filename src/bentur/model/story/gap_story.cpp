@@ -132,7 +132,8 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   const bool watches = std::any_of(owner.texts.begin(), owner.texts.end(), [](const auto& name) { return name != ""; });
   table.columns = {elevation};
   place_columns.put(facts, table);
-  table.columns.insert(table.columns.end(), {given, needed});
+  table.columns.push_back(given);
+  if (known(needed) || !is_known_by_peaks(facts.problem, gap)) table.columns.push_back(needed);
   if (known(reversed)) table.columns.push_back(reversed);
   table.columns.insert(table.columns.end(), {abs, srss});
   if (known(ddc)) table.columns.push_back(ddc);
@@ -234,6 +235,8 @@ const char* silence_word(RuleFinding::Silence silence) {
       return "story.silence.displacements";
     case RuleFinding::Silence::turning:
       return "story.silence.turning";
+    case RuleFinding::Silence::periods:
+      return "story.silence.periods";
     case RuleFinding::Silence::public_way:
       return "story.silence.public_way";
     case RuleFinding::Silence::none:
@@ -282,6 +285,12 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
     return;
   }
   const GoverningLevel& level = *found;
+  if (is_known_by_peaks(facts.problem, gap)) {
+    const bool is_enough = judged_of(facts, gap).is_enough();
+    statements.push_back(need_statement(facts, gap, level, is_enough ? "given_enough" : "given_peaks"));
+    statements.back().severity = Severity::finding;
+    return;
+  }
   if (facts.response == nullptr) {
     const bool is_enough = judged_of(facts, gap).is_enough();
     statements.push_back(need_statement(facts, gap, level,

@@ -208,6 +208,7 @@ void check_need(const GapView& facts, Index gap, Checks& checks) {
     add_against(facts, gap, found->is_short(), checks, check, "check.by_motion", where,
                 with_unit(found->gap_needed, length), limit);
   };
+  if (is_known_by_peaks(facts.problem, gap)) return;  // rules alone say what peaks are held against
   if (facts.response == nullptr) return add("check.gap_spectrum", true);
   const GapFacts& of = facts.facts.at(static_cast<std::size_t>(gap));
   const auto is_known = [&](Way way) {
@@ -463,7 +464,15 @@ HandIn hand_in(const PlanRun& run) {
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   HandIn made = hand_in(story::judged_view_of(c, problem, spectral), {}, nullptr);
-  made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
+  const bool is_given = std::any_of(problem.buildings.begin(), problem.buildings.end(),
+                                    [](const Building& one) { return one.given.has_value(); });
+  if (is_given) {
+    made.assumptions.insert(made.assumptions.begin(),
+                            {.kind = "assumption.displacements", .severity = Severity::remark});
+  }
+  if (!c.excitation.spectrum || !c.excitation.spectrum->of_displacements) {
+    made.assumptions.insert(made.assumptions.begin(), {.kind = "assumption.spectrum", .severity = Severity::remark});
+  }
   return made;
 }
 

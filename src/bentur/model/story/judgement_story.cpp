@@ -34,6 +34,8 @@ std::string reason_key(const Reason& reason) {
       break;
     case Reason::Kind::capacity:
       return key + "beyond_capacity";
+    case Reason::Kind::phase:
+      return key + "phase";
     case Reason::Kind::doubt:
       return key + "doubt";
     case Reason::Kind::motion_left:
@@ -71,6 +73,7 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
       item.push_back(value_in("depth", reason.value, length));
       break;
     case Reason::Kind::need:
+    case Reason::Kind::phase:
     case Reason::Kind::motion_left:
       lengths("needed");
       break;

@@ -182,7 +182,7 @@ Rows of_motion(const Report& report) {
   const MotionMeasures measures = motion_measures(c.excitation.motion);
   Rows rows;
   if (c.excitation.record) rows = rows_of_record(*c.excitation.record, say);
-  if (c.excitation.spectrum) {
+  if (c.excitation.spectrum && !c.excitation.spectrum->of_displacements) {
     rows.emplace_back(say("spectral.parameters"), spectrum_parameters(*c.excitation.spectrum, c.units));
   }
   const double pga = applied_pga(c);

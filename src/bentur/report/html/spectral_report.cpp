@@ -1,5 +1,6 @@
 #include "bentur/report/html/spectral_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -20,10 +21,26 @@ using html::Report;
 html::PageSection spectral_gap_section(const Report& report) {
   const Words& say = report.say;
   Html content = html::gap_tables(gap_names(report.problem), report.story.tables, say);
-  content += element("p", say("spectral.note"), "class=\"note\"");
+  const bool is_given = report.c.excitation.spectrum->of_displacements;
+  content += element("p", say(is_given ? "spectral.given_note" : "spectral.note"), "class=\"note\"");
   content += element("p", say("screening.note"), "class=\"note\"");
   content += element("p", say(report.c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note"), "class=\"note\"");
   return {"gaps", say("heading.gaps"), content};
+}
+
+/// Of a building known by its peaks, highest first.
+Html given_peaks_table(const GivenPeaks& given, const std::vector<double>& elevations, const Report& report) {
+  const std::string& length = report.c.units.length;
+  std::vector<double> levels(elevations.rbegin(), elevations.rend());
+  std::vector<double> as_given(given.displacement.begin(), given.displacement.end());
+  std::reverse(as_given.begin(), as_given.end());
+  std::vector<double> expected = as_given;
+  for (double& u : expected) u *= given.amplification;
+  HtmlTable table;
+  table.add(report.say("column.elevation"), length, levels);
+  table.add(report.say("spectral.given"), length, as_given);
+  if (given.amplification != 1) table.add(report.say("spectral.amplified"), length, expected);
+  return table.markup();
 }
 
 /// Of each building the floors' peaks, and the modes they are made of.
@@ -33,6 +50,10 @@ html::PageSection spectral_peaks_section(const Report& report, const SpectralGap
   Html content;
   for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
     const Building& building = report.problem.buildings[b];
+    if (building.given) {
+      content += element("h3", building.name) + given_peaks_table(*building.given, building.model.elevations, report);
+      continue;
+    }
     if (building.is_rigid()) continue;
     std::vector<double> elevations, srss, cqc, periods, ratios, displacements, fractions;
     for (Eigen::Index floor = building.model.floors() - 1; floor >= 0; --floor) {
@@ -92,14 +113,19 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
   Report report = report_of(c, problem, none, spectral, say);
   report.to_hand_in = report.to_hand_in || !options.head.empty();
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
-  const std::vector<html::PageFigure> figures = html::page_figures(
-      {{"spectrum", "the spectrum"}},
-      [&](const std::string&, const FigureOptions& drawn) {
-        return design_spectrum_figure(c, problem, spectral, drawn);
-      },
-      "figure.design.", options.language);
+  const bool is_given = c.excitation.spectrum->of_displacements;
+  std::vector<html::PageFigure> figures;
+  if (!is_given)
+    figures = html::page_figures(
+        {{"spectrum", "the spectrum"}},
+        [&](const std::string&, const FigureOptions& drawn) {
+          return design_spectrum_figure(c, problem, spectral, drawn);
+        },
+        "figure.design.", options.language);
   html::PageBody body{
-      .header = html::title_block(report, title, say("spectral.by", {{"version", options.version}}), options),
+      .header = html::title_block(
+          report, title, say(is_given ? "spectral.by_displacements" : "spectral.by", {{"version", options.version}}),
+          options),
       .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
                    html::figures_section(say, figures), spectral_peaks_section(report, spectral),
                    html::input_section(report)}};

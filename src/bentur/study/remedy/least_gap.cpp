@@ -34,10 +34,13 @@ void add_gap(LeastGaps& found, LeastGap gap, const JudgedGap& judged) {
   gap.judged = judged.judgement.value;
   gap.others_close = judged.judgement.alone;
   for (const LevelFacts& level : facts.levels) {
-    gap.is_known = gap.is_known && level.given.need.has_value();
+    gap.is_known = gap.is_known && (level.given.need || level.given.at_most);
     for (const Way way : ways_of_motion) {
       const std::optional<double>& need = level.in(way).need;
       if (need) gap.needed = std::max(gap.needed, level.at.of_gap(*need));
+      const std::optional<double>& sum = level.in(way).at_most;
+      if (sum) gap.needed = std::max(gap.needed, level.at.of_gap(*sum));
+      gap.by_peaks = gap.by_peaks || sum;
     }
     gap.given = &level == facts.levels.data() ? level.at.width : std::min(gap.given, level.at.width);
   }
@@ -79,7 +82,8 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
     statement.severity = Severity::danger;
     return statement;
   }
-  statement.kind = one.others_close                       ? "least_gap_alone"
+  statement.kind = one.by_peaks                           ? "least_gap_peaks"
+                   : one.others_close                     ? "least_gap_alone"
                    : one.is_short                         ? "least_gap_short"
                    : one.is_doubted                       ? "least_gap_doubt"
                    : one.judged == Sufficiency::too_small ? "least_gap_rules"

@@ -217,7 +217,7 @@ void stand(const TomlView& generic, const GenericPlan& little, bool is_known, Pl
 
 void read_floors(const TableView& building, const Units& units, ReadPlanBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"calibrate_period", "width", "frame", "stick", "matrices", "modal"},
+  building.refuse({"calibrate_period", "width", "frame", "stick", "matrices", "modal", "displacements"},
                   "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");

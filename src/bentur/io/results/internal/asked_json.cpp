@@ -31,6 +31,7 @@ Json units_json(const Units& units) { return {{"length", units.length}, {"force"
 namespace {
 
 Json spectrum_json(const SpectrumSpec& spec) {
+  if (spec.of_displacements) return {{"kind", "displacements"}};
   Json json = {{"kind", "spectrum"}, {"shape", spec.shape}};
   if (!spec.file.empty()) json["file"] = spec.file;
   if (const auto* shape = std::get_if<TwoPeriodSpectrum>(&spec.spectrum.shape)) {

@@ -9,7 +9,7 @@ namespace bentur::codes {
 namespace {
 
 constexpr const char* by_deflection =
-    "elastic displacement under design forces reduced by R/I_e; C_d/I_e makes it the "
+    "elastic displacement under design forces reduced by R/I_e, at the edge, torsion included; C_d/I_e makes it the "
     "inelastic one";
 
 CodeSeparation asce(const CodePair& pair, const CodeRuleSpec& spec) {  // (1)
@@ -245,7 +245,7 @@ std::vector<CodeRule> amplifying_rules() {
        .separation = ntc2020,
        .by_height = at_rest<ntc2020>},
       {.name = "inpres-cirsoc-103",
-       .title = "INPRES-CIRSOC 103-I:2018 (Argentina)",
+       .title = "INPRES-CIRSOC 103-I",
        .clause = "8.4.5.3",
        .wording = "read",
        .assumes = "elastic displacement under design forces at the edge of the floor, torsion included; C_d/γ_r makes "
@@ -271,7 +271,7 @@ std::vector<CodeRule> amplifying_rules() {
        .separation = nch433,
        .by_height = at_rest<nch433>},
       {.name = "iran-2800",
-       .title = "Standard 2800 (Iran), 4th edition",
+       .title = "2800 (Iran), 4th edition",
        .clause = "part 1",
        .wording = "second hand, to check",
        .assumes = "up to 8 storeys of ordinary importance the height alone; else elastic displacement under reduced "
@@ -285,8 +285,8 @@ std::vector<CodeRule> amplifying_rules() {
        .by_height = iran2800_by_height,
        .owner = CodeRule::Owner::not_at_public_way},
       {.name = "ufc-3-310-03a",
-       .title = "UFC 3-310-03A, rigid buildings",
-       .clause = "separation of structures",
+       .title = "UFC 3-310-03A",
+       .clause = "Separation",
        .wording = "second hand, to check",
        .assumes =
            "the height alone of low and rigid buildings; of others the sum of displacements under the prescribed "

@@ -166,7 +166,9 @@ std::vector<CodeRule> expecting_rules() {
        .title = "NSR-10 (Colombia)",
        .clause = "A.6.5",
        .wording = "read",
-       .assumes = "of one construction the displacement expected, nothing reduced; to a property line the height alone",
+       .assumes = "of one construction the displacement expected, torsion and P-Δ included, nothing reduced; to a "
+                  "property line "
+                  "the height alone",
        .motion = design,
        .takes = takes,
        .keys = {Key::choice("neighbour", {"coincides", "differs", "none"}, {"Neighbour", "Tetangga"},
