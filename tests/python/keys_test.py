@@ -41,7 +41,8 @@ BEYOND = {
             record-is-folder record-missing-file record-nan record-pga-of-zeros record-ragged
             record-time-step-contradicts record-time-step-missing record-uneven-time
             record-unit-missing record-unit-of-at2 record-unit-of-network record-units-of-line-3
-            record-values-or-channels record-velocity record-word shapes-file-columns
+            record-values-or-channels record-velocity record-word shapes-etabs-column shapes-etabs-level
+            shapes-etabs-modes shapes-names-order shapes-file-columns
             shapes-file-elevation-twice shapes-file-elevation shapes-file-empty
             shapes-file-is-folder shapes-file-missing shapes-file-ragged shapes-file-rows
             shapes-file-upside-down shapes-file-word spectrum-file-column-missing
@@ -52,7 +53,7 @@ BEYOND = {
             column-of-a-stick columns-not-asked-for contact-axial-without-frames
             contact-damping-beyond-critical contact-damping-ratio-list-beyond-critical
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
-            damping-stiffness-of-ratio duration-missing excitation-nothing-moves frame-width gap-missing
+            damping-stiffness-of-ratio displacements-motion duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone generic-of-plan-in-row plan-generic-and-rigidity plan-generic-yields
             isolation-of-plan-in-row plan-isolation-of-row plan-soil-twist soil-of-plan-in-row
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields

@@ -22,9 +22,16 @@ bool is_heading(const std::vector<Token>& cells, bool decimal_comma) {
   return !records::number_of(first, decimal_comma) && first.find_first_not_of(of_numbers) != std::string_view::npos;
 }
 
+/// A word and then nothing but numbers.
+bool has_name(const std::vector<Token>& cells, bool decimal_comma) {
+  const auto is_number = [&](const Token& cell) { return records::number_of(cell.text, decimal_comma).has_value(); };
+  return cells.size() > 1 && is_heading(cells, decimal_comma) && std::all_of(cells.begin() + 1, cells.end(), is_number);
+}
+
 }  // namespace
 
-std::optional<NumberTable> number_table(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+std::optional<NumberTable> number_table(const std::string& text, const std::string& file, Diagnostics& diagnostics,
+                                        std::vector<std::string>* names) {
   records::RecordErrors errors(file, diagnostics);
   const std::string plain = records::decoded(text);
   std::vector<Line> lines;
@@ -41,13 +48,26 @@ std::optional<NumberTable> number_table(const std::string& text, const std::stri
   NumberTable table;
   for (const Line& line : lines) {
     if (errors.full()) break;
-    const std::vector<Token> cells = shape.cells(line);
+    std::vector<Token> cells = shape.cells(line);
+    const bool is_named = names != nullptr && shape.separator != ' ' && has_name(cells, shape.decimal_comma);
+    if (is_named && names->size() == table.rows.size()) {
+      names->emplace_back(cells.front().text);
+      cells.erase(cells.begin());
+    }
     if (table.rows.empty() && errors.ok() && is_heading(cells, shape.decimal_comma)) continue;
     std::vector<double> row;
     for (const Token& cell : cells) {
       if (const auto value = records::finite_number(cell, shape.decimal_comma, errors)) row.push_back(*value);
     }
-    if (row.size() < cells.size()) continue;  // said
+    if (row.size() < cells.size()) continue;                    // said
+    if (names != nullptr && names->size() == 1 && !is_named) {  // "Elevation,1,2" was a heading
+      table = {};
+      names->clear();
+    }
+    if (names != nullptr && !names->empty() && !is_named) {
+      errors.error(line, fmt::format("has no name, the row of line {} has one", table.lines.front()));
+      continue;
+    }
     if (!table.rows.empty() && row.size() != table.columns()) {
       errors.error(line, fmt::format("has {}, the row of line {} has {}", counted(row.size(), "column"),
                                      table.lines.front(), table.columns()));

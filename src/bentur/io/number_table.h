@@ -27,7 +27,9 @@ struct NumberTable {
 [[nodiscard]] std::optional<NumberTable> read_number_table(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 /// The same of a text that is already in memory.
+/// @param names where it is given, rows may begin with a word: of each row that one; empty where none does
 [[nodiscard]] std::optional<NumberTable> number_table(const std::string& text, const std::string& file,
-                                                      Diagnostics& diagnostics);
+                                                      Diagnostics& diagnostics,
+                                                      std::vector<std::string>* names = nullptr);
 
 }  // namespace bentur

@@ -16,7 +16,7 @@ void read_structure(const TableView& view, const Units& units, const CaseFiles& 
   if (const auto frame = view.find("frame")) read_frame(*frame, units.gravity, building);
   if (const auto stick = view.find("stick")) read_stick(*stick, building);
   if (const auto matrices = view.find("matrices")) read_matrices(*matrices, building);
-  if (const auto modal = view.find("modal")) read_modal(*modal, files, building);
+  if (const auto modal = view.find("modal")) read_modal(*modal, units, files, building);
   if (const auto generic = view.find("generic")) read_generic(*generic, units, building);
   if (const auto known = view.find("displacements")) read_displacements(*known, building);
   if (!kind) {  // what was read does not say which floors are meant

@@ -6,6 +6,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/exchange/mode_shapes.h"
 #include "bentur/io/number_table.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
@@ -19,50 +20,31 @@ double ratio_of(const std::string& system) {
   return system == "dual" ? 4 : 12;
 }
 
-/// Shapes of a table beside the case: a row a floor, a column a mode; with one column more the first holds elevations,
-/// and rows stand in any order. Empty (and an error) where something is wrong.
-std::vector<std::vector<double>> read_shapes_file(const TomlView& file, const CaseFiles& files,
+/// Shapes of a table beside the case; empty (and an error) where something is wrong.
+std::vector<std::vector<double>> read_shapes_file(const TableView& view, const CaseFiles& files, double metre,
                                                   const ModalBuilding& modal, BuildingSpec& spec) {
+  const TomlView file = *view.find("shapes_file");
   const auto name = file.as_text();
   if (!name) return {};
+  ShapesAsked asked{.elevations = modal.elevations, .modes = modal.periods.size(), .metre = metre};
+  asked.component = view.word("shapes_column");
+  if (const auto given = view.find("shapes_modes")) {
+    for (const double number : view.numbers("shapes_modes", asked.modes)) {
+      asked.numbers.push_back(static_cast<int>(std::min(number, 1e9)));
+      if (number != std::floor(number)) given->error("must be whole numbers");
+    }
+  }
+  if (const auto names = view.find("floor_names");
+      names && names->is_list_of("texts", {asked.elevations.size(), "one per floor"})) {
+    for (const TomlView& one : names->items()) asked.names.push_back(one.as_text().value_or(""));
+  }
   const auto path = input_path(file, *name, files.folder, table_input);
   if (!path) return {};
   spec.shapes_path = path->string();
-  const auto table = read_number_table(*path, files.diagnostics);
-  if (!table) return {};
-  const std::size_t floors = modal.elevations.size(), modes = modal.periods.size();
-  const auto complain = [&](int line, const std::string& message) {
-    files.diagnostics.error({path->string(), line, line > 0 ? 1 : 0}, message);
-    return std::vector<std::vector<double>>{};
-  };
-  if (table->columns() != modes && table->columns() != modes + 1) {
-    return complain(table->lines.front(),
-                    fmt::format("has {}, expected {} (one per period of the case), or {} with the elevations first",
-                                counted(table->columns(), "column"), modes, modes + 1));
-  }
-  if (table->rows.size() != floors) {
-    return complain(0, fmt::format("has {} of numbers, expected {} (one per floor of the case)",
-                                   counted(table->rows.size(), "row"), floors));
-  }
-  const bool elevations_first = table->columns() == modes + 1;
-  std::vector<std::vector<double>> shapes(modes, std::vector<double>(floors));
-  std::vector<bool> seen(floors, false);
-  for (std::size_t i = 0; i < floors; ++i) {
-    std::size_t floor = i;
-    const std::vector<double>& row = table->rows[i];
-    if (elevations_first) {
-      const auto at = [&](double elevation) { return std::abs(elevation - row[0]) <= 1e-6 * modal.elevations.back(); };
-      const auto found = std::find_if(modal.elevations.begin(), modal.elevations.end(), at);
-      if (found == modal.elevations.end()) {
-        return complain(table->lines[i], fmt::format("elevation {} is of no floor of the case", row[0]));
-      }
-      floor = static_cast<std::size_t>(found - modal.elevations.begin());
-      if (seen[floor]) return complain(table->lines[i], fmt::format("elevation {} stands here twice", row[0]));
-      seen[floor] = true;
-    }
-    for (std::size_t mode = 0; mode < modes; ++mode) shapes[mode][floor] = row[mode + (elevations_first ? 1 : 0)];
-  }
-  return shapes;
+  const auto text = read_input(*path, table_input, files.diagnostics);
+  return text
+             ? mode_shapes(*text, path->string(), asked, files.diagnostics).value_or(std::vector<std::vector<double>>())
+             : std::vector<std::vector<double>>();
 }
 
 /// What is the same of buildings in a row and in plan; without storeys where their number is not known.
@@ -94,7 +76,7 @@ GenericBuilding read_cantilever(const TableView& view, const Units& units) {
 
 }  // namespace
 
-void read_modal(const TomlView& given, const CaseFiles& files, ReadBuilding& building) {
+void read_modal(const TomlView& given, const Units& units, const CaseFiles& files, ReadBuilding& building) {
   const auto table = TableView::of(given, modal_keys());
   if (!table) return;
   const TableView& view = *table;
@@ -111,9 +93,12 @@ void read_modal(const TomlView& given, const CaseFiles& files, ReadBuilding& bui
     periods->error("has " + periods->entries() + ": a building has as many modes as floors at most");
   }
   const auto kind = view.exactly_one("shapes");
+  if (kind != "shapes_file") {
+    view.refuse({"shapes_column", "shapes_modes", "floor_names"}, "goes with shapes_file, which is not given");
+  }
   if (kind == "shapes_file") {
     if (ascends && floors > 0 && !modal.periods.empty()) {
-      modal.shapes = read_shapes_file(*view.find("shapes_file"), files, modal, building.spec);
+      modal.shapes = read_shapes_file(view, files, 1 / metres(units.length), modal, building.spec);
     }
   } else if (const auto shapes = view.find("shapes");
              shapes && shapes->is_list_of("lists, one per mode", {modal.periods.size(), "one per mode"})) {

@@ -72,7 +72,7 @@ void read_matrices(const TomlView& matrices, ReadBuilding& building);
 
 /// case_known.cpp: [building.modal], [building.generic], [building.displacements], and what rigid = true goes with,
 /// into `building`.
-void read_modal(const TomlView& modal, const CaseFiles& files, ReadBuilding& building);
+void read_modal(const TomlView& modal, const Units& units, const CaseFiles& files, ReadBuilding& building);
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
 /// case_known.cpp: of a building in plan; without storeys where their number is not known.
 [[nodiscard]] std::optional<GenericPlan> read_generic_in_plan(const TomlView& generic, const Units& units);

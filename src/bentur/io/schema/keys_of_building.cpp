@@ -351,10 +351,26 @@ const KeyTable& modal_keys() {
                    "one list per mode, floors bottom to top, of any scale; or")
            .matrix("one per mode")
            .one_of("shapes"),
-       Key::of("shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk ragam"},
-               "a table beside the case, named relative to it: a row per floor, a column per mode; exactly one of the "
-               "two")
-           .one_of("shapes")}};
+       Key::of(
+           "shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk ragam"},
+           "a table beside the case, named relative to it: a row per floor, a column per mode, or a row per storey and "
+           "mode as ETABS and SAP2000 write it; exactly one of the two")
+           .one_of("shapes"),
+       Key::choice("shapes_column", {"UX", "UY", "U1", "U2"}, {"Column of the file", "Kolom berkas"},
+                   "of a file with a row per storey and mode: the displacement along the row of buildings")
+           .goes_with("shapes_file")
+           .optional("needed for such a file"),
+       Key::number("shapes_modes", dimension::none, Range::positive, {"Modes of the file", "Ragam berkas"},
+                   "of such a file: the numbers of the modes that `periods` are of")
+           .list("one per period")
+           .goes_with("shapes_file")
+           .optional("all that the file has"),
+       Key::of("floor_names", Key::Kind::text, {"Names in the file", "Nama dalam berkas"},
+               "of its storeys or joints, lowest first, where neither elevations nor numbers in the names tell which "
+               "is which")
+           .list("one per floor")
+           .goes_with("shapes_file")
+           .optional("none")}};
   return table;
 }
 
