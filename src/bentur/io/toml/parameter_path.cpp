@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
 #include <utility>
 
 #include "bentur/core/number_text.h"
@@ -190,6 +191,13 @@ TomlValue toml_number(double value) {
   TomlValue result;
   result.kind = TomlValue::Kind::real;
   result.real = value;
+  return result;
+}
+
+TomlValue toml_numbers(std::vector<double> numbers) {
+  TomlValue result;
+  result.kind = TomlValue::Kind::list;
+  result.numbers = std::make_shared<const std::vector<double>>(std::move(numbers));
   return result;
 }
 

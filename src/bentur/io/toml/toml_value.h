@@ -25,10 +25,14 @@ struct TomlValue {
   std::int64_t integer = 0;
   double real = 0;  ///< also set for integers [unit of the key]
   bool boolean = false;
-  std::vector<TomlValue> items;       ///< of a list
-  std::vector<TomlMember> members;    ///< of a table, in the order of the file
+  std::vector<TomlValue> items;     ///< of a list
+  std::vector<TomlMember> members;  ///< of a table, in the order of the file
+  /// Of a list of numbers that no file has, such as a record of Python's, in place of `items`.
+  std::shared_ptr<const std::vector<double>> numbers;
   std::shared_ptr<const OwnLaw> law;  ///< a law that is not listed; then `text` is its name. No file can say so
 
+  /// How many a list has.
+  [[nodiscard]] std::size_t size() const { return numbers ? numbers->size() : items.size(); }
   [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
   /// The value of a key; null where this is no table or has no such key.
   [[nodiscard]] const TomlValue* find(const std::string& key) const;
@@ -48,6 +52,7 @@ struct TomlMember {
 /// A number as the case reader takes it.
 [[nodiscard]] TomlValue toml_number(double value);
 [[nodiscard]] TomlValue toml_text(const std::string& text);
+[[nodiscard]] TomlValue toml_numbers(std::vector<double> numbers);
 
 /// Parses a TOML text. A syntax error is the only one reported then, with its line and column.
 /// @param file the name that messages carry.

@@ -209,7 +209,7 @@ TomlView TomlView::item(std::size_t index) const {
 
 std::vector<TomlView> TomlView::items() const {
   std::vector<TomlView> all;
-  for (std::size_t i = 0; i < size(); ++i) all.push_back(item(i));
+  for (std::size_t i = 0; i < value_->items.size(); ++i) all.push_back(item(i));
   return all;
 }
 
@@ -230,7 +230,7 @@ bool TomlView::is_list_of(const std::string& what, const Length& length) const {
 }
 
 bool TomlView::has_more_than(std::int64_t most) const {
-  const bool too_many = most > 0 && is(TomlValue::Kind::list) && std::ssize(value_->items) > most;
+  const bool too_many = most > 0 && is(TomlValue::Kind::list) && std::cmp_greater(size(), most);
   if (too_many) error(fmt::format("has {}, must have at most {}", entries(), most));
   return too_many;
 }
@@ -253,6 +253,16 @@ std::optional<std::int64_t> TomlView::as_whole(std::int64_t least, std::int64_t 
 std::vector<double> TomlView::as_numbers(Range range, const Length& length) const {
   bool good = is_list_of("numbers", length);
   std::vector<double> numbers;
+  if (good && value_->numbers) {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const double x = (*value_->numbers)[i];
+      if (broken_rule(range, x).empty()) continue;
+      good = false;
+      const TomlValue one = toml_number(x);
+      (void)TomlView(one, fmt::format("{}[{}]", path_, i), *file_, *diagnostics_).as_number(range);
+    }
+    return good ? *value_->numbers : numbers;
+  }
   for (const TomlView& one : items()) {
     const auto number = one.as_number(range);
     good = good && number.has_value();

@@ -65,7 +65,7 @@ class TomlView {
   void refuse(const std::vector<std::string>& keys, const std::string& reason) const;
 
   // Lists.
-  [[nodiscard]] std::size_t size() const { return value_->items.size(); }
+  [[nodiscard]] std::size_t size() const { return value_->size(); }
   [[nodiscard]] std::string entries() const;  ///< "1 entry", "3 entries"
   [[nodiscard]] TomlView item(std::size_t index) const;
   [[nodiscard]] std::vector<TomlView> items() const;
