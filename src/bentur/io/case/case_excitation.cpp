@@ -98,10 +98,40 @@ void apply_scale(const TableView& view, double unit_factor, const Units& units, 
   if (!std::isfinite(echo.pga / units.gravity)) view.error("scales the record beyond what can be computed with");
 }
 
+/// A record whose accelerations stand in the case itself.
+std::optional<SampledMotion> read_values(const TableView& view, const Units& units, RecordEcho& echo, bool identified) {
+  view.refuse({"format", "column", "channel", "component", "skip_lines"}, "is of a file, and there is none");
+  for (const char* const key : {"time_step", "unit"}) {
+    if (!view.has(key)) view.error_missing(key, "of values that stand in no file");
+  }
+  StrongMotionRecord record;
+  record.format = "values";
+  record.time_step = view.number("time_step").value_or(0);
+  record.unit = view.word("unit").value_or("");
+  record.values = view.numbers("values");
+  if (record.values.size() == 1) view.find("values")->error("has 1 entry, must have at least 2");
+  if (record.values.size() < 2 || !(record.time_step > 0) || record.unit.empty()) {
+    if (view.exactly_one("scale") == "pga") (void)read_acceleration(view, "pga", units);
+    return std::nullopt;
+  }
+  echo = echo_of(record, view.find("values")->path(), record.unit);
+  if (identified) {
+    const std::string_view bytes(reinterpret_cast<const char*>(record.values.data()),
+                                 record.values.size() * sizeof(double));
+    echo.size = bytes.size();
+    echo.sha256 = sha256(bytes);
+  }
+  SampledMotion motion{record.time_step, std::move(record.values)};
+  apply_scale(view, acceleration_factor(record.unit, units), units, motion, echo);
+  return motion;
+}
+
 std::optional<SampledMotion> read_record_motion(const TableView& view, const Units& units,
                                                 const std::filesystem::path& folder, RecordEcho& echo,
                                                 Diagnostics& diagnostics, CaseMemo* memo) {
-  const auto file = view.get("file");
+  const auto source = view.exactly_one("record");
+  if (source == "values") return read_values(view, units, echo, memo == nullptr);
+  const auto file = source ? view.find("file") : std::nullopt;
   const auto name = file ? file->as_text() : std::nullopt;
   RecordOptions options;
   const auto format = view.word("format");

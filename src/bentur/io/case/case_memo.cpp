@@ -34,8 +34,11 @@ void append_content(const TomlValue& value, std::string& key) {
       }
       break;
     case TomlValue::Kind::list:
-      key += std::to_string(value.items.size());
+      key += std::to_string(value.size());
       key += ':';
+      if (value.numbers) {
+        for (const double x : *value.numbers) append_bytes(x, key);
+      }
       for (const TomlValue& item : value.items) append_content(item, key);
       break;
     case TomlValue::Kind::text:

@@ -34,11 +34,8 @@ std::vector<Key> file_keys() {
       Key::choice("format", views(record_formats()), {"Format", "Format"}, "of the file").optional().goes_with("file"),
       Key::number("time_step", dimension::time, Range::positive, {"Time step", "Langkah waktu"},
                   "needed where the file does not say it")
-          .optional("the file's")
-          .goes_with("file"),
-      unit_of_file("needed unless the file states it; `\"g\"` is the case's gravity")
-          .optional("the file's")
-          .goes_with("file"),
+          .optional("the file's"),
+      unit_of_file("needed unless the file states it; `\"g\"` is the case's gravity").optional("the file's"),
       Key::whole("column", 1, last_place, {"Column", "Kolom"},
                  "the accelerations' column; needed where a file of columns has more than two")
           .by_default(2)
@@ -60,7 +57,13 @@ std::vector<Key> file_keys() {
 
 std::vector<Key> record_keys() {
   std::vector<Key> keys = file_keys();
-  for (Key key : {Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
+  keys.front().one_of("record");
+  for (Key key : {Key::number("values", dimension::none, Range::finite, {"Accelerations", "Percepatan"},
+                              "in place of `file` the accelerations themselves, in `unit`, every `time_step`")
+                      .list()
+                      .one_of("record")
+                      .counted_in("unit"),
+                  Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
                               "reversed: every acceleration times −1, as if the pair of buildings stood mirrored")
                       .called({{"as recorded", "seperti direkam"},
                                {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}})

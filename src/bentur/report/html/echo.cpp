@@ -14,6 +14,7 @@ namespace {
 using Kind = TomlValue::Kind;
 
 constexpr std::size_t largest_matrix_shown = 12;
+constexpr std::size_t most_numbers_shown = 200;  // of a list: a record has thousands
 
 /// Whether what it has for each place makes a column of a table.
 bool is_of_places(const Key& key) {
@@ -84,6 +85,9 @@ class Echo {
       case Kind::text:
         return label_text(key.label_of(value.text), say_);
       case Kind::list:
+        if (value.size() > most_numbers_shown && is_list_of_numbers(value)) {
+          return say_("input.numbers", {{"count", std::to_string(value.size())}});
+        }
         for (const TomlValue& item : value.items) joined += (joined.empty() ? "" : ", ") + text(item, key);
         return joined.empty() ? "–" : joined;
       default:

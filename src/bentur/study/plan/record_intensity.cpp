@@ -17,7 +17,7 @@ namespace {
 bool decides_record(const ParameterPath& path) {
   if (path.empty() || path.front() != PathStep("excitation")) return false;
   const std::size_t at = path.size() > 1 && path[1] == PathStep("y") ? 2 : 1;  // of the key
-  const std::vector<std::string> keys = {"kind",   "file",    "format",    "time_step",  "unit",
+  const std::vector<std::string> keys = {"kind",   "file",    "values",    "format",     "time_step", "unit",
                                          "column", "channel", "component", "skip_lines", "polarity"};
   return path.size() == at || std::find(keys.begin(), keys.end(), std::get<std::string>(path[at])) != keys.end();
 }
