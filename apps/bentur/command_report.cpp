@@ -34,7 +34,8 @@ struct ReportArguments {
   std::string input;
   std::string output;
   std::string language = "en";
-  std::string head;
+  std::string head, hazard;
+  HazardOptions hazard_options;
   std::optional<int> record;
   bool force = false;
 };
@@ -112,12 +113,24 @@ std::string read_head(const ReportArguments& arguments) {
   return *head;
 }
 
+/// The hazard of the site; nothing where none is given. @throws Failure with what is wrong in it.
+std::optional<HazardCurve> read_site(const ReportArguments& arguments) {
+  if (arguments.hazard.empty()) return std::nullopt;
+  Diagnostics diagnostics;
+  auto hazard = read_hazard(arguments.hazard, arguments.hazard_options, diagnostics);
+  if (!hazard) throw Failure(diagnostics, arguments.language);
+  return hazard;
+}
+
 void run(const ReportArguments& arguments) {
   const std::string head = read_head(arguments);
   const std::filesystem::path input = arguments.input;
   const bool is_folder = std::filesystem::is_directory(input);
   const bool is_netcdf = !is_folder && input.extension() == ".nc";
   const bool from_files = is_folder || is_netcdf;
+  if (!arguments.hazard.empty() && !is_netcdf) {
+    throw Failure(exit_bad_input, error_words("--hazard is for the results of bentur ida", arguments.language));
+  }
   if (from_files && arguments.record) {
     throw Failure(exit_bad_input,
                   error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
@@ -131,8 +144,10 @@ void run(const ReportArguments& arguments) {
   // Before the work, so that a place that cannot be written to costs none.
   std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;
   if (!arguments.head.empty()) files.emplace_back(arguments.head);
+  if (!arguments.hazard.empty()) files.emplace_back(arguments.hazard);
   OutputFile output(arguments.output, ResultKind::report, {files, arguments.force});
-  const ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
+  ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
+  options.hazard = read_site(arguments);
   const std::string page = is_folder   ? from_results(input, options)
                            : is_netcdf ? from_netcdf(input, options)
                                        : from_case(loaded, input.string(), options);
@@ -161,6 +176,13 @@ void add_report_command(CLI::App& app) {
                    "an office's own head of the report, XHTML with {name}, {number}, {logo} and so on of [project]")
       ->check(not_empty())
       ->type_name("FILE");
+  command
+      ->add_option("--hazard", arguments->hazard,
+                   "of results of bentur ida: the site's hazard curve, for rates a year, as bentur risk takes it")
+      ->check(not_empty())
+      ->type_name("FILE");
+  command->add_option("--site", arguments->hazard_options.site, "which of several sites of --hazard, from 1")
+      ->check(CLI::Range(1L, 1000000000L));
   add_record(*command, arguments->record);
   add_force(*command, arguments->force);
   command->footer("Example: bentur report case.toml -o report.html");

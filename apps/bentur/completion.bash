@@ -4,11 +4,11 @@ _bentur() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      run | report | gap | sweep | ida | fragility | remedy | modes | check | spectrum | plot | example | import | schema) command=$word && break ;;
+      run | report | gap | sweep | ida | fragility | risk | remedy | modes | check | spectrum | plot | example | import | schema) command=$word && break ;;
     esac
   done
   COMPREPLY=()
-  if [[ $previous == --template ]]; then
+  if [[ $previous == --template || $previous == --hazard ]]; then
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
     compopt -o filenames 2>/dev/null
     return
@@ -31,12 +31,13 @@ _bentur() {
     return
   fi
   case $command in
-    '') options='run report gap sweep ida fragility remedy modes check spectrum plot example import schema --help --version' ;;
+    '') options='run report gap sweep ida fragility risk remedy modes check spectrum plot example import schema --help --version' ;;
     run) options='--output --figures --lang --json --quiet --force --help' ;;
     report) options='--output --lang --template --force --help' ;;
     gap) options='--at --lang --json --help' ;;
     sweep | ida) options='--output --resume --check --threads --quiet --force --help' ;;
     fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;
+    risk) options='--hazard --unit --site --event --method --years --target --resamples --confidence --seed --lang --json --help' ;;
     remedy) options='--output --figure --resume --json --lang --force --help' ;;
     modes) options='--json --method --help' ;;
     check) options='--lang --help' ;;
@@ -48,7 +49,7 @@ _bentur() {
   esac
   if [[ -z $command || $current == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
-  elif [[ $command == spectrum || $command == fragility || $command == import ]]; then
+  elif [[ $command == spectrum || $command == fragility || $command == risk || $command == import ]]; then
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
     compopt -o filenames 2>/dev/null
   elif [[ $command == plot && $previous == *.nc ]]; then

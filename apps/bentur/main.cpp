@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   add_sweep_command(app);
   add_ida_command(app);
   add_fragility_command(app);
+  add_risk_command(app);
   add_remedy_command(app);
   add_modes_command(app);
   add_check_command(app);

@@ -1,17 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "bentur/model/run_results.h"
 #include "bentur/report/words.h"
+#include "bentur/study/risk/hazard.h"
 
 namespace bentur {
 
 struct ReportOptions {
-  std::string language = "en";  ///< one of report_languages()
-  std::string version;          ///< of the program
-  std::string head = {};        ///< an office's own, by safe_markup() of io; empty: the program's
+  std::string language = "en";             ///< one of report_languages()
+  std::string version;                     ///< of the program
+  std::string head = {};                   ///< an office's own, by safe_markup() of io; empty: the program's
+  std::optional<HazardCurve> hazard = {};  ///< of the site: an incremental dynamic analysis then tells how often a year
 };
 
 /// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "bentur/core/number_text.h"
@@ -23,6 +24,7 @@
 #include "bentur/report/studies/sweep_data.h"
 #include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/fragility/ida_results.h"
+#include "bentur/study/risk/risk_report.h"
 
 namespace bentur {
 namespace {
@@ -292,6 +294,28 @@ html::PageSection ida_section(const SweepData& sweep, const Words& say) {
   return {"probability", say("heading.probability"), content};
 }
 
+/// How often a year, by the hazard of the site.
+html::PageSection risk_section(const SweepData& sweep, const HazardCurve& hazard, const Words& say) {
+  std::string error;
+  const RiskRequest request;
+  const auto needed = sweep.results().find("gap_needed") != nullptr
+                          ? std::optional(read_ida_results(sweep.results(), *parse_event(gap_needed_event, error)))
+                          : std::nullopt;
+  Html content;
+  for (const double target : {0.1, 0.02}) {
+    RiskRequest asked = request;
+    asked.target = target;
+    const auto report = risk_report(read_ida_results(sweep.results(), *parse_event(pounding_event, error)), needed,
+                                    hazard, asked, error);
+    if (!report) throw std::runtime_error("--hazard " + error);
+    for (const SaidStatement& one : said(risk_story(*report, asked).statements, say)) {
+      const bool is_gap = one.kind == "risk_gap" || one.kind == "risk_no_gap";
+      if (is_gap || target == 0.1) content += element("p", one.text);
+    }
+  }
+  return {"risk", say("heading.risk"), content};
+}
+
 /// Every run, folded away.
 html::PageSection runs_table(const SweepData& sweep, const Words& say) {
   constexpr std::size_t most_rows = 300;
@@ -378,6 +402,7 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
                 element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
   body.sections = {verdict(sweep, say)};
   if (is_ida(results)) body.sections.push_back(ida_section(sweep, say));
+  if (options.hazard && is_ida(results)) body.sections.push_back(risk_section(sweep, *options.hazard, say));
   body.sections.insert(body.sections.end(),
                        {html::figures_section(say, figures),
                         varied(sweep, say),

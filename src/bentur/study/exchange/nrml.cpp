@@ -56,15 +56,6 @@ std::string state_name(const std::string& event) {
   return name;
 }
 
-std::optional<double> number_after(const std::string& text, const std::string& word) {
-  const std::size_t at = text.find(word);
-  if (at == std::string::npos) return std::nullopt;
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = from_chars(text.data() + at + word.size(), end, number);
-  return read.ec == std::errc() ? std::optional(number) : std::nullopt;
-}
-
 }  // namespace
 
 LognormalMoments lognormal_moments(double median, double dispersion) {
@@ -82,7 +73,7 @@ std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaR
   NrmlModel& model = made.model;
   model.id = "bentur";
   model.description = first.title.empty() ? id : first.title;
-  model.period = number_after(first.intensity, "period ");
+  model.period = first.period();
   made.damping = number_after(first.intensity, "damping ").value_or(5) / 100;
   const double in_g = acceleration_factor(first.study_unit, {.length = "m"}) / standard_gravity("m");
   const auto [lowest, highest] = std::minmax_element(first.table.levels.begin(), first.table.levels.end());

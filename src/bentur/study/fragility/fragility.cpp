@@ -19,24 +19,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double far_tail = -25.0;  // Φ is 3e-138 there, and five terms of its expansion are exact to 1e-11
 
 /// φ(z)/Φ(z) and ln Φ(z), also where Φ is not a number of the machine any more.
 struct Tail {
   double ratio = 0, logarithm = 0;
 
-  explicit Tail(double z) {
+  explicit Tail(double z) : logarithm(log_normal_probability(z)) {
     const double log_density = -0.5 * z * z - 0.5 * std::log(2 * std::numbers::pi);
-    if (z > far_tail) {
-      const double p = normal_probability(z);
-      ratio = std::exp(log_density) / p;
-      logarithm = z > 1 ? std::log1p(-normal_probability(-z)) : std::log(p);
-    } else {
-      const double s = 1 / (z * z);
-      const double series = 1 - s * (1 - 3 * s * (1 - 5 * s * (1 - 7 * s)));
-      ratio = -z / series;
-      logarithm = log_density + std::log(-series / z);
-    }
+    ratio = std::exp(log_density - logarithm);
   }
 };
 

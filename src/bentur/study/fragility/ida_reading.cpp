@@ -56,6 +56,7 @@ class Reader {
         const bool polarity =
             file_.find(runs_[i]) != nullptr && file_.attribute(runs_[i], "parameter") == "excitation.polarity";
         results_.table.together = polarity ? size : 1;
+        if (!polarity) name_records(i);
       } else {
         roles_[i] = Role::other;
         results_.table.cases *= size;
@@ -86,6 +87,24 @@ class Reader {
       result.coordinates.push_back(std::move(coordinate));
     }
     return result;
+  }
+
+  /// Names of the records by one more dimension of them.
+  void name_records(std::size_t i) {
+    std::vector<std::string> names(sizes_[i]);
+    for (const StoredVariable& variable : file_.variables()) {
+      if (variable.dimensions != std::vector<std::string>{runs_[i]} || variable.long_name == index_title) continue;
+      if (!variable.text || !names.front().empty()) continue;
+      names = file_.texts(variable.name);
+    }
+    for (std::size_t n = 0; n < names.size(); ++n) {
+      if (names[n].empty()) names[n] = fmt::format("{} {}", runs_[i], n + 1);
+    }
+    std::vector<std::string> all;
+    for (const std::string& before : results_.records.empty() ? std::vector<std::string>{""} : results_.records) {
+      for (const std::string& name : names) all.push_back(before.empty() ? name : before + ", " + name);
+    }
+    results_.records = std::move(all);
   }
 
   /// Variables with a value for each run at least.

@@ -1,5 +1,7 @@
 #include "bentur/study/fragility/ida_results.h"
 
+#include <system_error>
+
 #include "bentur/core/number_text.h"
 
 namespace bentur {
@@ -13,6 +15,15 @@ std::string trimmed(std::string text) {
 }
 
 }  // namespace
+
+std::optional<double> number_after(const std::string& text, const std::string& word) {
+  const std::size_t at = text.find(word);
+  if (at == std::string::npos) return std::nullopt;
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = from_chars(text.data() + at + word.size(), end, number);
+  return read.ec == std::errc() ? std::optional(number) : std::nullopt;
+}
 
 bool EventRule::holds(double value) const {
   switch (comparison) {
@@ -47,6 +58,8 @@ std::optional<EventRule> parse_event(const std::string& text, std::string& error
 bool ResultCoordinate::is_gap_width() const {
   return !numbers.empty() && parameter.starts_with("gap[") && parameter.find("].width") != std::string::npos;
 }
+
+std::optional<double> IdaResults::period() const { return number_after(intensity, "period "); }
 
 std::vector<std::size_t> IdaResults::places(std::size_t c) const {
   std::vector<std::size_t> result(axes.size());

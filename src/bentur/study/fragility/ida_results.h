@@ -13,6 +13,7 @@ namespace bentur {
 
 inline constexpr const char* pounding_event = "impacts > 0";
 inline constexpr const char* collapse_event = "collapsed > 0";
+inline constexpr const char* gap_needed_event = "gap_needed > 0";  ///< whose demands are the gaps that runs need
 
 /// "peak_force > 20": a run has the event where any value of the quantity (point, floor, gap) compares so.
 struct EventRule {
@@ -27,6 +28,9 @@ struct EventRule {
 
 /// @return nothing where it is not well formed; `error` then says why.
 [[nodiscard]] std::optional<EventRule> parse_event(const std::string& text, std::string& error);
+
+/// The number that stands behind a word in a text, as "period 0.5 s" has it.
+[[nodiscard]] std::optional<double> number_after(const std::string& text, const std::string& word);
 
 /// long_name of a coordinate that does no more than name or number the places of its dimension.
 inline constexpr std::string_view index_title = "what moves together, by its labels or numbered from 0";
@@ -51,12 +55,15 @@ struct ResultAxis {
 /// What `bentur ida` has written, as far as one event goes.
 struct IdaResults {
   std::string title;
-  std::string intensity, units;  ///< "peak ground acceleration"; as UDUNITS reads it
-  std::string study_unit;        ///< of the levels as a study names it: g, cm/s2
-  std::string quantity_units;    ///< of the event's quantity, as UDUNITS reads them
-  std::vector<ResultAxis> axes;  ///< of the cases, the last one fastest; none: a single case
+  std::string intensity, units;      ///< "peak ground acceleration"; as UDUNITS reads it
+  std::string study_unit;            ///< of the levels as a study names it: g, cm/s2
+  std::string quantity_units;        ///< of the event's quantity, as UDUNITS reads them
+  std::vector<ResultAxis> axes;      ///< of the cases, the last one fastest; none: a single case
+  std::vector<std::string> records;  ///< what users call them, each once, whichever way round it is applied
   OutcomeTable table;
 
+  /// Of spectral acceleration [s]; nothing: the levels are of the peak ground acceleration.
+  [[nodiscard]] std::optional<double> period() const;
   /// Which value of each axis a case has.
   [[nodiscard]] std::vector<std::size_t> places(std::size_t c) const;
 };

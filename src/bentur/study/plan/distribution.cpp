@@ -24,6 +24,15 @@ double truncated(double u, double z_low, double z_high) {
 
 double normal_probability(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
+double log_normal_probability(double z) {
+  constexpr double far_tail = -25.0;  // Φ is 3e-138 there, and five terms of its expansion are exact to 1e-11
+  if (z > 1) return std::log1p(-normal_probability(-z));
+  if (z > far_tail) return std::log(normal_probability(z));
+  const double s = 1 / (z * z);
+  const double series = 1 - s * (1 - 3 * s * (1 - 5 * s * (1 - 7 * s)));
+  return -0.5 * z * z - 0.5 * std::log(2 * std::numbers::pi) + std::log(-series / z);
+}
+
 double normal_quantile(double p) { return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * p); }
 
 double Distribution::quantile(double u) const {

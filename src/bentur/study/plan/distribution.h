@@ -6,6 +6,8 @@ namespace bentur {
 
 /// Φ(z) and Φ⁻¹(p), 0 < p < 1, of the standard normal distribution.
 [[nodiscard]] double normal_probability(double z);
+/// ln Φ(z), also where Φ is no number of the machine any more.
+[[nodiscard]] double log_normal_probability(double z);
 [[nodiscard]] double normal_quantile(double p);
 
 /// How a quantity x of a study is distributed, in that quantity's own units. A normal or lognormal distribution may be

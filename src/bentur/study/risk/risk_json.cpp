@@ -1,0 +1,78 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "bentur/study/risk/risk_report.h"
+
+namespace bentur {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Null where it is no number that JSON has.
+Json finite_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json risk_case_json(const IdaResults& results, std::size_t c) {
+  Json json = Json::object();
+  const std::vector<std::size_t> places = results.places(c);
+  for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    for (const ResultCoordinate& one : results.axes[axis].coordinates) {
+      json[one.name] = one.texts.empty() ? Json(one.numbers[places[axis]]) : Json(one.texts[places[axis]]);
+    }
+  }
+  return json;
+}
+
+Json rate_json(const AnnualRate& rate) {
+  return {{"rate", rate.rate}, {"beyond", rate.beyond}, {"below", finite_json(rate.below)}, {"parts", rate.parts}};
+}
+
+Json risk_of_case(const RiskReport& report, const CaseRisk& risk, const RiskRequest& request) {
+  const double rate = risk.told().rate;
+  const bool fitted = risk.lognormal.has_value();
+  Json records = Json::array();
+  for (std::size_t i = 0; i < risk.of_records.size(); ++i) {
+    records.push_back(
+        {{"record", i < report.results.records.size() ? report.results.records[i] : ""}, {"rate", risk.of_records[i]}});
+  }
+  return {{"case", risk_case_json(report.results, risk.c)},
+          {"rate", rate},
+          {"probability", probability_in(request.years, rate)},
+          {"by", risk.is_lognormal() ? "lognormal" : "observed"},
+          {"bounds", risk.bounds ? Json::array({finite_json(risk.bounds->lower), finite_json(risk.bounds->upper)})
+                                 : Json(nullptr)},
+          {"median", fitted ? Json(risk.fragility.fit.median) : Json(nullptr)},
+          {"dispersion", fitted ? Json(risk.fragility.fit.dispersion) : Json(nullptr)},
+          {"misfit", risk.fragility.is_misfit()},
+          {"runs", risk.fragility.runs},
+          {"events", risk.fragility.events},
+          {"lognormal", fitted ? rate_json(*risk.lognormal) : Json(nullptr)},
+          {"closed_form", risk.closed_form ? Json(*risk.closed_form) : Json(nullptr)},
+          {"observed", rate_json(risk.observed)},
+          {"records", records}};
+}
+
+}  // namespace
+
+std::string risk_json(const RiskReport& report, const RiskRequest& request, std::string_view version) {
+  Json cases = Json::array(), gaps = Json::array();
+  for (const CaseRisk& risk : report.cases) cases.push_back(risk_of_case(report, risk, request));
+  for (const TargetGap& gap : report.gaps) {
+    gaps.push_back({{"case", risk_case_json(report.results, gap.c)},
+                    {"gap", gap.width ? Json(*gap.width) : Json(nullptr)},
+                    {"units", report.gap_units},
+                    {"rate", gap.rate}});
+  }
+  const Json json = {
+      {"title", report.results.title},
+      {"version", version},
+      {"event", request.event},
+      {"years", request.years},
+      {"target", request.target ? Json(*request.target) : Json(nullptr)},
+      {"intensity", {{"name", report.results.intensity}, {"measure", report.measure}, {"unit", report.hazard.unit}}},
+      {"hazard", {{"intensity", report.hazard.intensity}, {"rate", report.hazard.rate}}},
+      {"cases", cases},
+      {"gaps", gaps}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace bentur

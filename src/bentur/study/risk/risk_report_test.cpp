@@ -1,0 +1,138 @@
+#include "bentur/study/risk/risk_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace bentur {
+namespace {
+
+HazardCurve hazard(const std::string& unit, double per_g) {
+  HazardCurve curve;
+  for (int i = 0; i < 30; ++i) {
+    const double x = 0.005 * std::pow(1.3, i);
+    curve.intensity.push_back(x * per_g);
+    curve.rate.push_back(1e-4 * std::pow(x, -2.0));
+  }
+  curve.unit = unit;
+  return curve;
+}
+
+/// Records of which number r has the event from level 0.1 · 1.1^r g on, and needs a gap of 0.1 m per g of what it gets.
+IdaResults results(std::size_t records, std::size_t cases = 1) {
+  IdaResults made;
+  made.intensity = "spectral acceleration, period 0.5 s, damping 5 %";
+  made.study_unit = made.units = "g";
+  made.quantity_units = "m";
+  made.table.cases = cases;
+  made.table.records = records;
+  for (int i = 1; i <= 50; ++i) made.table.levels.push_back(0.02 * i);  // so close that shares follow the curve
+  for (std::size_t c = 0; c < cases; ++c) {
+    for (std::size_t r = 0; r < records; ++r) {
+      for (const double level : made.table.levels) {
+        const double own = level / std::pow(1.1, static_cast<double>(r));
+        made.table.outcomes.push_back(own >= 0.1 * static_cast<double>(c + 1) ? Outcome::event : Outcome::no_event);
+        made.table.demands.push_back(0.1 * own);
+        made.table.collapsed.push_back(0);
+      }
+    }
+  }
+  for (std::size_t r = 0; r < records; ++r) made.records.push_back("record " + std::to_string(r + 1));
+  return made;
+}
+
+RiskReport reported(const IdaResults& of, const RiskRequest& request, HazardCurve curve = hazard("g", 1)) {
+  std::string error;
+  const auto report = risk_report(of, of, std::move(curve), request, error);
+  EXPECT_TRUE(report) << error;
+  return report.value_or(RiskReport());
+}
+
+RiskRequest request(std::optional<double> target = {}) {
+  RiskRequest made;
+  made.bootstrap.resamples = 50;
+  made.target = target;
+  return made;
+}
+
+TEST(RiskReport, OfAFittedCurveIsItsLognormalOnTheHazard) {
+  const RiskReport report = reported(results(10), request());
+  ASSERT_EQ(report.cases.size(), 1U);
+  const CaseRisk& risk = report.cases[0];
+  ASSERT_TRUE(risk.is_lognormal());
+  EXPECT_EQ(risk.told().rate,
+            annual_rate(report.hazard, risk.fragility.fit.median, risk.fragility.fit.dispersion).rate);
+  EXPECT_NEAR(risk.told().rate / *risk.closed_form, 1, 2e-3);  // k = 2 throughout, both ends far away
+  EXPECT_NEAR(risk.told().rate / risk.observed.rate, 1, 0.15);
+  ASSERT_TRUE(risk.bounds);
+  EXPECT_LT(risk.bounds->lower, risk.told().rate);
+  EXPECT_GT(risk.bounds->upper, risk.told().rate);
+}
+
+TEST(RiskReport, RecordsSumUpToTheObservedRate) {
+  const RiskReport report = reported(results(10), request());
+  double sum = 0;
+  for (const double one : report.cases[0].of_records) sum += one;
+  EXPECT_NEAR(sum / report.cases[0].observed.rate, 1, 1e-12);
+  for (std::size_t r = 1; r < 10; ++r) {  // the first needs the least
+    EXPECT_LE(report.cases[0].of_records[r], report.cases[0].of_records[r - 1]);
+  }
+}
+
+TEST(RiskReport, UnitsOfTheHazardAreThoseOfTheLevels) {
+  const double expected = reported(results(10), request()).cases[0].told().rate;
+  EXPECT_NEAR(reported(results(10), request(), hazard("cm/s2", 980.665)).cases[0].told().rate / expected, 1, 1e-12);
+  EXPECT_NEAR(reported(results(10), request(), hazard("", 1)).cases[0].told().rate / expected, 1, 1e-12);
+}
+
+TEST(RiskReport, WhatDoesNotGoTogetherIsRefused) {
+  std::string error;
+  HazardCurve other = hazard("g", 1);
+  other.measure = "PGA";
+  EXPECT_FALSE(risk_report(results(3), {}, other, request(), error));
+  EXPECT_EQ(error, "is of PGA, but the runs are by levels of SA(0.5)");
+  other.measure = "SA(0.50)";
+  EXPECT_TRUE(risk_report(results(3), {}, other, request(), error));
+  RiskRequest cloud = request();
+  cloud.method = FragilityMethod::cloud;
+  EXPECT_FALSE(risk_report(results(3), {}, hazard("g", 1), cloud, error));
+}
+
+TEST(RiskReport, TheGapForATargetIsTheSmallestThatKeepsIt) {
+  const IdaResults of = results(10);
+  double before = std::numeric_limits<double>::infinity();
+  for (const double target : {0.05, 0.1, 0.2, 0.4}) {
+    const RiskReport report = reported(of, request(target));
+    ASSERT_EQ(report.gaps.size(), 1U);
+    const TargetGap& gap = report.gaps[0];
+    ASSERT_TRUE(gap.width) << target;
+    EXPECT_LE(gap.rate, rate_of_probability(50, target));
+    EXPECT_LE(*gap.width, before);
+    before = *gap.width;
+    // Of the next smaller need of a run, the rate is larger than the target: found by trying all.
+    double next = 0;
+    for (const double need : of.table.demands) {
+      if (need < *gap.width * (1 - 1e-12)) next = std::max(next, need);
+    }
+    IdaResults less = of;
+    for (std::size_t run = 0; run < less.table.outcomes.size(); ++run) {
+      less.table.outcomes[run] = less.table.demands[run] > next ? Outcome::event : Outcome::no_event;
+    }
+    EXPECT_GT(reported(less, request()).cases[0].told().rate, rate_of_probability(50, target));
+  }
+  const RiskReport none = reported(of, request(1e-4));
+  EXPECT_FALSE(none.gaps[0].width);  // what is beyond the highest level alone is more often
+}
+
+TEST(RiskReport, WithoutEventsNothingIsBelowWhatIsBeyondTheLevels) {
+  IdaResults of = results(4);
+  for (Outcome& one : of.table.outcomes) one = Outcome::no_event;
+  const RiskReport report = reported(of, request());
+  EXPECT_FALSE(report.cases[0].is_lognormal());
+  EXPECT_NEAR(report.cases[0].told().rate, 1e-4, 1e-12);  // λ of the highest level, 1 g
+  EXPECT_NEAR(report.cases[0].told().beyond, 1e-4, 1e-12);
+}
+
+}  // namespace
+}  // namespace bentur
