@@ -49,6 +49,13 @@ class StudyRuns {
   [[nodiscard]] std::vector<RunResult> solve(std::span<const std::size_t> runs,
                                              const std::function<bool()>& go_on) const;
 
+  /// The same of a run whose case is there already, made otherwise than by the study: its places are those of the
+  /// others (take_places()). Nothing where it was stopped.
+  [[nodiscard]] std::optional<RunResult> solve_case(std::size_t run, const Case& c, const Problem& problem,
+                                                    const std::function<bool()>& go_on) const;
+  [[nodiscard]] std::optional<RunResult> solve_case(std::size_t run, const PlanCase& c, const PlanProblem& problem,
+                                                    const std::function<bool()>& go_on) const;
+
  private:
   struct Group;
   struct Place;      // of a group in the making
@@ -73,6 +80,10 @@ class StudyRuns {
   [[nodiscard]] std::optional<RunResult> solved(Workspace& workspace, std::size_t run, SolveOptions& options) const;
   [[nodiscard]] std::optional<RunResult> solved_in_plan(Workspace& workspace, std::size_t run,
                                                         SolveOptions& options) const;
+  [[nodiscard]] std::optional<RunResult> plan_row_of(std::size_t run, PlanCase c, PlanProblem problem,
+                                                     PlanResponse response) const;
+  [[nodiscard]] std::optional<RunResult> row_of(std::size_t run, const Case& c, const Problem& problem,
+                                                const Response& response) const;
 
   Study study_;
   StudyFacts facts_;

@@ -151,8 +151,9 @@ class StudyList {
     for (const Vary& vary : study_.varies) {
       if (vary.axis != axis) continue;
       if (vary.name == along.name) return;
-      if (!labelled && !vary.labels.empty()) variable.values = vary.labels;
-      labelled = labelled || !vary.labels.empty();
+      const bool names = std::set<std::string>(vary.labels.begin(), vary.labels.end()).size() == along.size;
+      if (!labelled && names) variable.values = vary.labels;
+      labelled = labelled || names;
     }
     add(std::move(variable));
   }

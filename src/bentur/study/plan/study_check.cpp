@@ -130,7 +130,8 @@ class Trial {
   }
 
   void note(const ExcitationSpec& excitation, const Diagnostics& found) {
-    if (found.ok() && excitation.record) note(study_.case_file.parent_path() / excitation.record->file);
+    if (found.ok() && excitation.record && !excitation.record->path.empty())
+      note(study_.case_file.parent_path() / excitation.record->file);
   }
 
   double measured(const std::vector<Choice>& choices) {
@@ -227,53 +228,19 @@ class Trial {
   }
 
   void compare(const PlanProblem& problem, std::size_t axis, const std::vector<Choice>& choices) {
-    const PlanProblem& first = *facts_.plan;
-    if (!same_places(first, problem)) {
-      because_of(axis, choices,
-                 "which buildings meet, the numbers of floors, planes, bearings and contact points, and which of them "
-                 "can yield or rub, must be the same in all runs");
-      ++errors_;
-      return;
-    }
-    for (std::size_t b = 0; b < first.buildings.size(); ++b) {
-      const PlanModel &a = first.buildings[b].model, &other = problem.buildings[b].model;
-      facts_.floors_move |= a.elevations != other.elevations;
-      for (std::size_t p = 0; p < a.planes.size(); ++p) {
-        facts_.planes_turn |= a.planes[p].direction() != other.planes[p].direction();
-      }
-      for (std::size_t n = 0; n < a.bearings.size(); ++n) {
-        facts_.bearings_move |= a.footprint.corner + a.bearings[n].at != other.footprint.corner + other.bearings[n].at;
-      }
-    }
-    for (Eigen::Index i = 0; i < contact_count(first); ++i) {
-      const PlanContactPlace a = contact_at(first, i), b = contact_at(problem, i);
-      facts_.points_move |= a.at != b.at || a.contact->elevation != b.contact->elevation;
-    }
-    for (std::size_t i = 0; i < first.links.size(); ++i) {
-      const PlanLink &a = first.links[i], &b = problem.links[i];
-      facts_.links_move |=
-          a.stretch.middle(a.along) != b.stretch.middle(b.along) || a.link.elevation != b.link.elevation;
-    }
+    if (take_places(problem, facts_)) return;
+    because_of(axis, choices,
+               "which buildings meet, the numbers of floors, planes, bearings and contact points, and which of them "
+               "can yield or rub, must be the same in all runs");
+    ++errors_;
   }
 
   void compare(const Problem& problem, std::size_t axis, const std::vector<Choice>& choices) {
-    const Problem& first = facts_.problem;
-    if (!same_places(first, problem)) {
-      because_of(axis, choices,
-                 "the numbers of floors, contact points and links, and which buildings can yield, must be the same in "
-                 "all runs");
-      ++errors_;
-      return;
-    }
-    for (std::size_t b = 0; b < first.buildings.size(); ++b) {
-      facts_.floors_move |= first.buildings[b].model.elevations != problem.buildings[b].model.elevations;
-    }
-    for (std::size_t i = 0; i < first.points.size(); ++i) {
-      facts_.points_move |= first.points[i].elevation != problem.points[i].elevation;
-    }
-    for (std::size_t i = 0; i < first.links.size(); ++i) {
-      facts_.links_move |= first.links[i].elevation != problem.links[i].elevation;
-    }
+    if (take_places(problem, facts_)) return;
+    because_of(axis, choices,
+               "the numbers of floors, contact points and links, and which buildings can yield, must be the same in "
+               "all runs");
+    ++errors_;
   }
 
   const Study& study_;
@@ -339,6 +306,45 @@ ChosenCase read_chosen_case(const Study& study, const TomlValue& root, bool in_p
     read.row = read_chosen(study, root, memo, found);
   }
   return read;
+}
+
+bool take_places(const PlanProblem& other, StudyFacts& facts) {
+  const PlanProblem& first = *facts.plan;
+  if (!same_places(first, other)) return false;
+  for (std::size_t b = 0; b < first.buildings.size(); ++b) {
+    const PlanModel &a = first.buildings[b].model, &model = other.buildings[b].model;
+    facts.floors_move |= a.elevations != model.elevations;
+    for (std::size_t p = 0; p < a.planes.size(); ++p) {
+      facts.planes_turn |= a.planes[p].direction() != model.planes[p].direction();
+    }
+    for (std::size_t n = 0; n < a.bearings.size(); ++n) {
+      facts.bearings_move |= a.footprint.corner + a.bearings[n].at != model.footprint.corner + model.bearings[n].at;
+    }
+  }
+  for (Eigen::Index i = 0; i < contact_count(first); ++i) {
+    const PlanContactPlace a = contact_at(first, i), b = contact_at(other, i);
+    facts.points_move |= a.at != b.at || a.contact->elevation != b.contact->elevation;
+  }
+  for (std::size_t i = 0; i < first.links.size(); ++i) {
+    const PlanLink &a = first.links[i], &b = other.links[i];
+    facts.links_move |= a.stretch.middle(a.along) != b.stretch.middle(b.along) || a.link.elevation != b.link.elevation;
+  }
+  return true;
+}
+
+bool take_places(const Problem& other, StudyFacts& facts) {
+  const Problem& first = facts.problem;
+  if (!same_places(first, other)) return false;
+  for (std::size_t b = 0; b < first.buildings.size(); ++b) {
+    facts.floors_move |= first.buildings[b].model.elevations != other.buildings[b].model.elevations;
+  }
+  for (std::size_t i = 0; i < first.points.size(); ++i) {
+    facts.points_move |= first.points[i].elevation != other.points[i].elevation;
+  }
+  for (std::size_t i = 0; i < first.links.size(); ++i) {
+    facts.links_move |= first.links[i].elevation != other.links[i].elevation;
+  }
+  return true;
 }
 
 std::vector<RowPart> quantities_of(const StudyFacts& facts) {

@@ -65,6 +65,11 @@ struct ChosenCase {
 [[nodiscard]] std::vector<RowPart> quantities_of(const StudyFacts& facts);
 [[nodiscard]] std::vector<std::string> building_names(const StudyFacts& facts);
 
+/// Whether the buildings, points and links of another problem are as many as those of the first run, so that both have
+/// rows alike; where they stand elsewhere the facts say so from now on.
+[[nodiscard]] bool take_places(const Problem& other, StudyFacts& facts);
+[[nodiscard]] bool take_places(const PlanProblem& other, StudyFacts& facts);
+
 /// The axes as a plan takes them: runs that differ in gap widths and contacts alone share the response without contact,
 /// unless delays are reckoned from the widths. @param places so may those in plan that differ in where buildings stand
 [[nodiscard]] std::vector<SweepAxis> plan_axes(const Study& study, bool places = false);

@@ -158,7 +158,9 @@ const KeyTable& vary_keys() {
              .goes_with("files"),
          Key::of("together", Key::Kind::text, {"Together", "Bersama"},
                  "a name. All `vary` of that name move in step along one dimension, which has the name; its coordinate "
-                 "holds the first labels among them, or numbers from 0: `.sel(motion=\"El Centro\")`")
+                 "holds the first labels among them, or numbers from 0: `.sel(motion=\"El Centro\")`. Rows of a design "
+                 "may be "
+                 "alike")
              .optional(),
          Key::of("name", Key::Kind::text, {"Name", "Nama"}, "of the coordinate in the results")
              .optional("the last key of the parameter")});

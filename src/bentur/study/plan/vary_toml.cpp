@@ -43,6 +43,7 @@ void label_values(const TomlView& view, const TomlView& values, Vary& vary) {
       }
     }
   }
+  if (view.has("together")) return;  // rows of a design, of which two may have the same of one thing
   std::set<std::pair<std::string, double>> seen;
   for (std::size_t i = 0; i < vary.values.size(); ++i) {
     const bool labelled = !vary.labels.empty();
