@@ -2,7 +2,8 @@
 #   cmake -DOUTPUT=embedded_files.cpp -DHEADER=path/of/declaration.h -DFUNCTION=embedded_files "-DFILES=a.toml;b.csv" -P embed.cmake
 # HEADER declares std::span<const EmbeddedFile> FUNCTION().
 # Each file is cut at line ends into raw literals of at most 16 KiB, which compilers take without complaint.
-# A case in examples/ finds its ground motion in ../data; written out, both stand side by side, so that path is shortened.
+# A case in examples/ finds its ground motion in ../data, a study in examples/studies its case in ..; written out, all stand
+# side by side, so those paths are shortened.
 set(chunk_size 16000)
 set(delimiter "embedded")
 
@@ -14,7 +15,7 @@ string(APPEND out "constexpr std::array<EmbeddedFile, ${count}> files{{\n")
 foreach(file IN LISTS FILES)
   get_filename_component(name "${file}" NAME)
   file(READ "${file}" rest)
-  string(REPLACE "\"../data/" "\"" rest "${rest}")
+  string(REGEX REPLACE "\"(\\.\\./)+(data/)?" "\"" rest "${rest}")
   string(APPEND out "    {\"${name}\"sv,\n")
   string(LENGTH "${rest}" length)
   while(length GREATER 0)

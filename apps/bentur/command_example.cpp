@@ -26,7 +26,10 @@ void list_examples() {
   for (const Example& example : examples()) {
     widest = std::max(widest, example.name.size());
   }
+  bool told = false;
   for (const Example& example : examples()) {
+    if (!example.command.empty() && !told) message("\nStudies:");
+    told = told || !example.command.empty();
     print(fmt::format("{:<{}}  {}\n", example.name, widest, example.description));
   }
   message("\nWrite one with its ground motion, ready to edit: bentur example NAME -o DIR");
@@ -51,7 +54,15 @@ void run(const ExampleArguments& arguments) {
   const std::filesystem::path file =
       write_example(*example, arguments.directory, {.force = arguments.force}, !arguments.no_schema);
   print(file.string() + "\n");
-  message("Run it: bentur run " + shell_word(file.string()));
+  const std::string word = shell_word(file.string());
+  if (example->command.empty()) {
+    message("Run it: bentur run " + word);
+  } else if (example->command == "remedy") {
+    message("Run it: bentur remedy " + word);
+  } else {
+    const std::string results = std::filesystem::path(file).replace_extension(".nc").string();
+    message(fmt::format("Run it: bentur {} {} -o {}", example->command, word, shell_word(results)));
+  }
 }
 
 }  // namespace

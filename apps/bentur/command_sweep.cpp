@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -40,16 +41,25 @@ std::string duration_text(double seconds) {
   return fmt::format("{} h {:02d} min", whole / 3600, whole / 60 % 60);
 }
 
-/// One line of a terminal, written over and over.
+/// Of a log [s]; a test has not the time to wait for a minute.
+double seconds_between_lines() {
+  const char* const given = std::getenv("BENTUR_LOG_SECONDS");
+  const double seconds = given != nullptr ? std::atof(given) : 0;
+  return seconds > 0 ? seconds : 60;
+}
+
+/// How far a study is: one line of a terminal, written over and over; in a log one more line every minute.
 class Line {
  public:
   void show(const SweepProgress& p) {
+    if (!terminal_ && p.seconds - told_ < every_) return;
+    told_ = p.seconds;
     const double rate = static_cast<double>(p.done - p.before) / std::max(p.seconds, 1e-9);
     std::string text = fmt::format("{} of {} runs, {} runs/s", p.done, p.runs, number(rate));
     if (rate > 0) text += fmt::format(", {} left", duration_text(static_cast<double>(p.runs - p.done) / rate));
-    std::fputs(("\r\033[K" + text).c_str(), stderr);
+    std::fputs((terminal_ ? "\r\033[K" + text : text + "\n").c_str(), stderr);
     std::fflush(stderr);
-    visible_ = true;
+    visible_ = terminal_;
   }
   void clear() {
     if (visible_) std::fputs("\r\033[K", stderr);
@@ -57,6 +67,9 @@ class Line {
   }
 
  private:
+  const bool terminal_ = ::isatty(STDERR_FILENO) == 1;
+  const double every_ = seconds_between_lines();
+  double told_ = 0;  // [s]
   bool visible_ = false;
 };
 
@@ -125,7 +138,7 @@ void run(const SweepArguments& arguments) {
     options.version = std::string(version());
     options.stop = StopOnSignal::asked;
     Line line;
-    if (leads && !arguments.quiet && ::isatty(STDERR_FILENO) == 1) {
+    if (leads && !arguments.quiet) {
       options.progress = [&line](const SweepProgress& progress) { line.show(progress); };
     }
     if (leads && arguments.resume && !std::filesystem::exists(arguments.output + ".part") &&

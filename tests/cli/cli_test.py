@@ -35,8 +35,9 @@ SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
 EXAMPLES = ["m12-el-centro", "breaking-column", "frame-and-wall", "free-impact", "generic-neighbour", "hinged-frame", "isolated-moat", "kelvin-voigt-pair", "linked-pair",
             "m12-harmonic", "m12-runge-kutta", "restitution-asked", "row-of-three", "struck-column", "two-frames-si",
             "yielding-pair"]
+STUDIES = {"linked-pair-damper": "remedy", "m12-gap-period": "sweep", "m12-gaps": "sweep", "two-frames-ida": "ida"}
 EL_CENTRO = SOURCE / "examples" / "m12-el-centro.toml"
-COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "remedy", "modes", "check", "spectrum", "plot", "example",
+COMMANDS = ["run", "report", "gap", "sweep", "ida", "fragility", "risk", "remedy", "modes", "check", "spectrum", "plot", "example",
             "import", "schema"]
 
 
@@ -438,7 +439,7 @@ class Example(CommandLine):
         """One line each, narrow enough for a terminal."""
         result = self.done("example")
         names = [line.split()[0] for line in result.stdout.splitlines()]
-        self.assertEqual(names, EXAMPLES)
+        self.assertEqual(names, [*EXAMPLES, *STUDIES])
         for line in result.stdout.splitlines():
             self.assertLessEqual(len(line), 100)
             self.assertGreater(len(line.split()), 4, "a name and a description")
@@ -448,6 +449,19 @@ class Example(CommandLine):
             said = self.done("example", "free-impact", "-o", self.folder / folder).stderr
             words = shlex.split(said.partition("Run it: ")[2])
             self.assertEqual(words, ["bentur", "run", str(self.folder / folder / "free-impact.toml")])
+
+    def test_studies_are_written_with_their_case_and_record(self):
+        for name, command in STUDIES.items():
+            with self.subTest(name):
+                folder = self.folder / name
+                result = self.done("example", name, "-o", folder)
+                study = pathlib.Path(result.stdout.strip())
+                self.assertEqual(study, folder / f"{name}.toml")
+                self.assertIn("#:schema ./bentur-study.schema.json", study.read_text())
+                self.assertTrue((folder / "bentur-study.schema.json").exists())
+                self.assertIn(f"Run it: bentur {command} ", result.stderr)
+                if command != "remedy":
+                    self.assertIn("numbers are kept of each run", self.done(command, study, "--check").stdout)
 
     def test_each_is_written_checked_and_run(self):
         for name in EXAMPLES:
@@ -1855,7 +1869,7 @@ class Completion(CommandLine):
         self.assertEqual(self.complete("report", ""), ["case.toml", "cases", "results.nc"])
         self.assertEqual(self.complete("run", ""), ["case.toml", "cases"])
         self.assertEqual(self.complete("run", "case.toml", "-o", ""), ["cases"])
-        self.assertEqual(self.complete("example", ""), sorted(EXAMPLES))
+        self.assertEqual(self.complete("example", ""), sorted([*EXAMPLES, *STUDIES]))
         self.assertEqual(self.complete("example", "m12-h"), ["m12-harmonic"])
         (self.folder / "results.nc").touch()
         self.assertEqual(self.complete("plot", ""), ["cases", "results.nc"])

@@ -321,6 +321,20 @@ distribution = {{ {kind} }}
         self.assertIn("202 runs\n  width: 101 values\n  excitation: 2 values\n", result.stdout)
 
 
+    def test_a_log_says_now_and_then_how_far_it_is(self):
+        study, out = self.widths(4000), self.folder / "out.nc"
+        command = [BENTUR, "sweep", study, "-o", out, "--threads", "1"]
+        env = {**ENVIRONMENT, "BENTUR_LOG_SECONDS": "0.05"}
+        told = subprocess.run(command, capture_output=True, text=True, env=env, timeout=600).stderr.splitlines()
+        self.assertGreater(len(told), 1)
+        for line in told:
+            self.assertRegex(line, r"^\d+ of 4000 runs, [\d.]+ runs/s(, .* left)?$")
+        again = subprocess.run([*command, "--force", "-q"], capture_output=True, text=True, env=env, timeout=600)
+        self.assertEqual(again.stderr, "")
+        out.unlink()
+        self.assertEqual(self.done(study, "-o", out).stderr, "")  # it takes less than a minute
+
+
 class Identical(Sweep):
     def test_threads_and_ranks_do_not_show(self):
         study = self.widths(60)

@@ -10,7 +10,7 @@
 
 namespace bentur {
 
-/// A file of examples/ or data/ as it stood when the program was built.
+/// A file of examples/, examples/studies/ or data/ as it stood when the program was built.
 struct EmbeddedFile {
   std::string_view name;  ///< "m12-el-centro.toml"
   std::string_view content;
@@ -19,14 +19,15 @@ struct EmbeddedFile {
 /// All of them, in the order of the build.
 [[nodiscard]] std::span<const EmbeddedFile> embedded_files();
 
-/// A case built into the program.
+/// A case built into the program, or a study of one.
 struct Example {
   std::string_view name;                   ///< "m12-el-centro"
   std::string_view description;            ///< the first comment line of its file
-  std::vector<const EmbeddedFile*> files;  ///< the case first, then the record it names, if any
+  std::vector<const EmbeddedFile*> files;  ///< itself first, then the case of a study, then the records they name
+  std::string_view command = {};           ///< of a study what it is for: "sweep", "ida" or "remedy"; empty: a case
 };
 
-/// The default case first, then by name.
+/// Cases, the default one first, then studies, both by name.
 [[nodiscard]] std::vector<Example> examples();
 
 /// Writes an example's files into `directory`, which is made if missing.

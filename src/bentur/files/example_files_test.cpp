@@ -1,5 +1,6 @@
 #include "bentur/files/example_files.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,27 +31,51 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(ExampleFiles, AreTheFilesOfTheRepositoryButForThePathOfTheRecord) {
   std::size_t compared = 0;
   for (const EmbeddedFile& file : embedded_files()) {
-    const fs::path source =
-        fs::path(BENTUR_SOURCE_DIR) / (file.name.ends_with(".toml") ? "examples" : "data") / file.name;
-    EXPECT_EQ(file.content, replaced(read(source), "\"../data/", "\"")) << source;
+    const fs::path root = BENTUR_SOURCE_DIR;
+    const std::vector<fs::path> places = {root / "examples", root / "examples" / "studies", root / "data"};
+    const auto place =
+        std::find_if(places.begin(), places.end(), [&](const fs::path& p) { return exists(p / file.name); });
+    ASSERT_NE(place, places.end()) << file.name;
+    std::string expected = read(*place / file.name);
+    for (const char* const way : {"\"../../data/", "\"../data/", "\"../"}) expected = replaced(expected, way, "\"");
+    EXPECT_EQ(file.content, expected) << file.name;
     ++compared;
   }
-  EXPECT_EQ(compared, 18U);  // sixteen cases and two records
+  EXPECT_EQ(compared, 22U);  // sixteen cases, four studies and two records
 }
 
 TEST(ExampleFiles, DefaultCaseComesFirstAndEachHasADescription) {
   const std::vector<Example> all = examples();
-  ASSERT_EQ(all.size(), 16U);
+  ASSERT_EQ(all.size(), 20U);
   EXPECT_EQ(all.front().name, "m12-el-centro");
   EXPECT_EQ(all.front().files.size(), 2U);
   std::set<std::string_view> names;
   for (const Example& example : all) {
     names.insert(example.name);
     EXPECT_GT(example.description.size(), 20U) << example.name;
+    if (!example.command.empty()) continue;
     const bool shaken_by_record = example.files.front()->content.find("kind = \"record\"") != std::string_view::npos;
     EXPECT_EQ(example.files.size(), shaken_by_record ? 2U : 1U) << example.name;
   }
-  EXPECT_EQ(names.size(), 16U);
+  EXPECT_EQ(names.size(), 20U);
+}
+
+TEST(ExampleFiles, StudiesComeLastWithTheirCaseAndItsRecord) {
+  std::string told;
+  for (const Example& example : examples()) {
+    if (example.command.empty()) {
+      EXPECT_TRUE(told.empty()) << example.name;
+      continue;
+    }
+    told += fmt::format("{} {}:", example.command, example.name);
+    for (const EmbeddedFile* file : example.files) told += fmt::format(" {}", file->name);
+    told += "\n";
+  }
+  EXPECT_EQ(told,
+            "remedy linked-pair-damper: linked-pair-damper.toml linked-pair.toml el-centro-1940-ns.csv\n"
+            "sweep m12-gap-period: m12-gap-period.toml m12-el-centro.toml el-centro-1940-ns.csv\n"
+            "sweep m12-gaps: m12-gaps.toml m12-el-centro.toml el-centro-1940-ns.csv\n"
+            "ida two-frames-ida: two-frames-ida.toml two-frames-si.toml el-centro-1940-ns.csv\n");
 }
 
 TEST(ExampleFiles, TheRecordHasItsPeakInItsPlace) {

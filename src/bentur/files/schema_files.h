@@ -10,6 +10,7 @@ namespace bentur {
 
 /// Beside a case, what an editor completes and checks it by.
 inline constexpr std::string_view schema_file_name = "bentur.schema.json";
+inline constexpr std::string_view study_schema_file_name = "bentur-study.schema.json";  ///< the same beside a study
 
 enum class SchemaOf { a_case, study };
 

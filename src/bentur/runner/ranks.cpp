@@ -71,7 +71,10 @@ Ranks::Ranks() {
   for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     const char* const size = std::getenv(name);
     if (size != nullptr && std::atoi(size) > 1) {
-      throw std::runtime_error("built without MPI, so it cannot be one of several processes: start it without mpirun");
+      throw std::runtime_error(
+          "built without MPI, so it cannot be one of several processes: start it without mpirun, which uses all "
+          "processors of "
+          "this machine by threads; or build it where CMake finds MPI (Debian: libopenmpi-dev), as ./dev build does");
     }
   }
 }
