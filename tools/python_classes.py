@@ -29,6 +29,7 @@ from typing import Literal
 from numpy.typing import ArrayLike
 
 from ._own_laws import Branch, BranchLaw, ForceLaw, Guard, Numbers, Table
+from ._shown import Shown
 
 '''
 LAWS = ("linear Linear", "kelvin_voigt KelvinVoigt", "kelvin_voigt_approach KelvinVoigtApproach", "darmawan Darmawan",
@@ -55,16 +56,15 @@ CLASSES = {
     "Gap": (("gap",), "`contact` is one of the laws of a case, or one of your own.", []),
     "Link": (("link",), "", [("elements/link_laws.h", "SpringDashpot"), ("elements/link_laws.h", "Cable"),
                              ("elements/kinematic_hardening.h", "KinematicHardening")]),
-    "Excitation": (("excitation",), "In place of `file` a record may be given as `values` every `time_step`, in `unit`.\n\n"
-                   "``kind=\"spectrum\"`` and ``kind=\"displacements\"`` are for :func:`bentur.minimum_gap` alone, ``kind=\"suite\"`` for that, "
+    "Excitation": (("excitation",), "X :func:`bentur.minimum_gap` alone, ``kind=\"suite\"`` for that, "
                    ":func:`bentur.run_suite` and, record by record, :func:`bentur.run`.", []),
     "Initial": (("initial",), "", []),
     "Analysis": (("analysis",), "", []),
     "Project": (("project",), "", []),
 }
-# What is of Python alone: a record given as an array, a law of one's own.
-OWN = {"Excitation": "values: ArrayLike | None = field(default=None, repr=False)"}
+# What is of Python alone: a law of one's own.
 ALSO = {("Gap", "contact"): "ForceLaw | BranchLaw", ("Link", "law"): "BranchLaw", ("Stick", "hysteresis"): "BranchLaw"}
+LONG = {("Excitation", "values")}  # arrays that nobody wants to see printed
 PLAIN = {"number": "float", "quantity": "float | str", "whole": "int", "flag": "bool", "text": "str", "line": "str",
          "file": "str | PathLike[str]"}
 
@@ -146,17 +146,19 @@ def class_of(root, schema, name):
             told += ["", f"From ``{header}``:"]
         told += ["", *docstrings.of_header(root, header, declaration)]
     told += ["", "Keys:", ""]
-    fields = [OWN[name]] if name in OWN else []
+    fields = []
     for key, said in table["properties"].items():
         told += lines_of_key(key, said["x-bentur"])
         kind = type_of(said, name, way, key, said["x-bentur"])
-        if key in table.get("required", []) and not any("when" in one for one in said["x-bentur"]):
+        if (name, key) in LONG:
+            fields.append(f"{key}: ArrayLike | None = field(default=None, repr=False)")
+        elif key in table.get("required", []) and not any("when" in one for one in said["x-bentur"]):
             fields.append(f"{key}: {kind}")
         elif name == "Units" and "default" in said:
             fields.append(f"{key}: {kind} = {json.dumps(said['default'])}")
         else:
             fields.append(f"{key}: {kind} | None = None")
-    lines = ["@dataclass(kw_only=True)", f"class {name}:"]
+    lines = ["@dataclass(kw_only=True, slots=True)", f"class {name}(Shown):"]
     lines += ["    " + line if line else "" for line in [*told, '"""', "", *fields]]
     return "\n".join(lines) + "\n\n\n"
 
@@ -164,7 +166,11 @@ def class_of(root, schema, name):
 def written(root, schema):
     exported = sorted([*CLASSES, "Branch", "BranchLaw", "ForceLaw", "Guard"])
     names = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in exported) + "]\n\n\n"
-    return HEAD + names + "".join(class_of(root, schema, name) for name in CLASSES).rstrip("\n") + "\n"
+    classes = "".join(class_of(root, schema, name) for name in CLASSES)
+    ways = [*((way, name) for name, (way, *_) in CLASSES.items()), (("building", "frame", "beams"), "Section"),
+            (("excitation", "y"), "Excitation")]
+    tables = "".join(f"    {json.dumps(list(way))[1:-1].join(['(', ',)' if len(way) == 1 else ')'])}: {name},\n" for way, name in ways)
+    return HEAD + names + classes + f"#: The class of each table, by the way to it.\nTABLES: dict[tuple[str, ...], type[Shown]] = {{\n{tables}}}\n"
 
 
 def main(file):

@@ -10,6 +10,10 @@ ROOT = pathlib.Path(__file__).parents[2]
 sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "doors"), str(ROOT / "tools")]
 
 
+def pytest_configure(config):
+    config.addinivalue_line("filterwarnings", "ignore::bentur.RemarkWarning")  # examples have remarks
+
+
 @pytest.fixture(scope="session")
 def program():
     path = os.environ.get("BENTUR_PROGRAM", "")

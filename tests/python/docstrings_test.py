@@ -14,8 +14,6 @@ from doors import ROOT
 
 import bentur
 
-# What is of Python alone: a record given as an array.
-OWN = {"Excitation": {"values"}}
 CLASSES = list(python_classes.CLASSES)
 
 
@@ -53,7 +51,7 @@ def choices(hint):
 def test_keys_and_choices_are_those_of_the_schema(name, schema):
     table = python_classes.table_at(schema, python_classes.CLASSES[name][0])[0]["properties"]
     hints = typing.get_type_hints(getattr(bentur, name))
-    assert hints.keys() - OWN.get(name, set()) == table.keys()
+    assert hints.keys() == table.keys()
     for key, said in table.items():
         assert choices(hints[key]) == {word for told in said["x-bentur"] for word in told.get("words", [])}, key
         assert f"``{key}``" in getattr(bentur, name).__doc__
@@ -114,4 +112,4 @@ def test_keys_are_those_of_the_reader(name):
         told = [m[1] for one in caught.value.errors if (m := re.search(r"zzz is not a known key, the known ones are (.*)", one.message))]
         assert len(told) == 1, str(caught.value)
         known |= set(told[0].split(", "))
-    assert {field.name for field in dataclasses.fields(getattr(bentur, name))} - OWN.get(name, set()) == known
+    assert {field.name for field in dataclasses.fields(getattr(bentur, name))} == known

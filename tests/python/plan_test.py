@@ -154,3 +154,8 @@ def test_ida(tmp_path):
 def test_what_does_not_go_with_them():
     with pytest.raises(bentur.CaseError, match="does not go with friction"):
         bentur.run(bentur.Case.from_file(CASE).replace({"analysis": {"duration": 2.0, "solver": "runge-kutta"}}))
+
+
+def test_remarks_of_buildings_in_plan(result):
+    assert result.remarks and str(result).splitlines()[-1].startswith("remark: ")
+    assert len(result.summary["remarks"]) >= len(result.remarks)  # those that are alike are one sentence

@@ -14,7 +14,7 @@ _numpy.check(_core.pybind11)  # before anything else
 from . import _model
 from ._case import Case
 from ._core import version as __version__
-from ._errors import CaseError, Finding, RefusedOutput, SolveError
+from ._errors import CaseError, Finding, RefusedOutput, RemarkWarning, SolveError
 from ._functions import (
     Record,
     Spectrum,
@@ -31,7 +31,8 @@ from ._functions import (
 )
 from ._model import *
 from ._result import Result
-from ._study import fragility, ida, remedy, sweep, vary
+from ._sample import sample
+from ._study import fragility, ida, remedy, risk, run_many, sweep, vary
 
 __all__ = [
     "Case",
@@ -39,6 +40,7 @@ __all__ = [
     "Finding",
     "Record",
     "RefusedOutput",
+    "RemarkWarning",
     "Result",
     "SolveError",
     "Spectrum",
@@ -54,8 +56,11 @@ __all__ = [
     "read_record",
     "remedy",
     "response_spectrum",
+    "risk",
     "run",
+    "run_many",
     "run_suite",
+    "sample",
     "sweep",
     "vary",
 ]

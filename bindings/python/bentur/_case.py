@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tempfile
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import astuple
+from collections.abc import Mapping, Sequence
+from html import escape
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -14,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _arguments, _core, _model
-from ._errors import CaseError
 from ._own_laws import Table, table_of
+from ._shown import html_of
 
 
 class Case:
@@ -63,17 +61,22 @@ class Case:
         folder: str | PathLike[str] = ".",
     ) -> None:
         given = {key: value for key, value in locals().items() if key not in ("self", "folder")}
-        made = Case.from_dict(given, folder=folder)
-        self._made, self._files = made._made, made._files
+        self._made = Case.from_dict(given, folder=folder)._made
 
     _made: _core.Case
-    _files: Sequence[tempfile.TemporaryDirectory[str]]  # of records given as arrays; they live as long as the case
 
     @classmethod
-    def _of(cls, core: _core.Case, files: Sequence[tempfile.TemporaryDirectory[str]] = ()) -> Case:
+    def _of(cls, core: _core.Case) -> Case:
         case = cls.__new__(cls)
-        case._made, case._files = core, files
+        case._made = core
         return case
+
+    def _is_first_run(self, record: int | None) -> bool:
+        """Whether nobody has asked that of this record yet; None: of the case."""
+        asked: set[int | None] = self.__dict__.setdefault("_asked", set())
+        is_first = record not in asked
+        asked.add(record)
+        return is_first
 
     @classmethod
     def from_file(cls, file: str | PathLike[str]) -> Case:
@@ -94,10 +97,7 @@ class Case:
         """A case from the tables of a case file, as dictionaries or classes or both."""
         folder = _arguments.path("folder", folder)
         tables = table_of(_arguments.mapping("values", values, "the tables of a case"))
-        files: list[tempfile.TemporaryDirectory[str]] = []
-        _write_values(tables, files)
-        with _naming_no_file(files):
-            return cls._of(_core.Case.from_values(tables, "", folder), files)
+        return cls._of(_core.Case.from_values(tables, "", folder))
 
     def replace(self, values: Mapping[str, Any]) -> Case:
         """The same case with other values, by their keys: ``case.replace({"gap[0].width": 0.03})``.
@@ -108,12 +108,98 @@ class Case:
         :raises CaseError: where that makes no case.
         """
         tables = table_of(_arguments.mapping("values", values, "values by their keys"))
-        with _naming_no_file(self._files):
-            return Case._of(self._made.with_values(tables), self._files)
+        return Case._of(self._made.with_values(tables))
 
     def to_dict(self) -> dict[str, Any]:
-        """The tables of the case as they were given."""
+        """The tables of the case as they were given; a record given as an array is one."""
         return self._made.values()
+
+    def to_toml(self) -> str:
+        """The case as the text of a case file: :meth:`from_text` with the same `folder` reads the same case of it. Of a
+        case that was read from a file it is that file's text; a law of Python's own stands in it by its name alone.
+        """
+        return self._made.text_in(self.folder)
+
+    def save(self, file: str | PathLike[str]) -> Path:
+        """Writes the case file, for ``bentur run``, a report, or a colleague; one that is there is replaced. Files that
+        the case names are found from there.
+
+        :returns: the file.
+        :raises ValueError: where a law of Python's own stands in the case, since no file can say it.
+        """
+        path = Path(_arguments.path("file", file))
+        if self._made.has_own_law:
+            raise ValueError("the case has a law of Python's own, which no file can say: pickle it, or give another law")
+        path.write_text(self._made.text_in(path.parent), encoding="utf-8")
+        return path
+
+    def _read_back(self, key: str) -> Any:
+        return _typed((key,), self.to_dict().get(key))
+
+    @property
+    def building(self) -> list[_model.Building]:
+        """``case.building[0].stick.masses``: the tables of the case as classes again. They are copies: to change a case
+        is to make another one by :meth:`replace`. So are `gap`, `excitation` and the others; what was not given is None,
+        or an empty list."""
+        found: list[_model.Building] = self._read_back("building")
+        return found
+
+    @property
+    def gap(self) -> list[_model.Gap]:
+        """As `building`."""
+        return self._read_back("gap") or []
+
+    @property
+    def link(self) -> list[_model.Link]:
+        """As `building`."""
+        return self._read_back("link") or []
+
+    @property
+    def excitation(self) -> _model.Excitation:
+        """As `building`."""
+        found: _model.Excitation = self._read_back("excitation")
+        return found
+
+    @property
+    def units(self) -> _model.Units:
+        """As `building`; the defaults where none were given."""
+        return self._read_back("units") or _model.Units()
+
+    @property
+    def plan(self) -> _model.Plan | None:
+        """As `building`."""
+        found: _model.Plan | None = self._read_back("plan")
+        return found
+
+    @property
+    def initial(self) -> _model.Initial | None:
+        """As `building`."""
+        found: _model.Initial | None = self._read_back("initial")
+        return found
+
+    @property
+    def analysis(self) -> _model.Analysis | None:
+        """As `building`."""
+        found: _model.Analysis | None = self._read_back("analysis")
+        return found
+
+    @property
+    def code(self) -> dict[str, Any] | None:
+        """As `building`, as a dictionary."""
+        found: dict[str, Any] | None = self._read_back("code")
+        return found
+
+    @property
+    def screening(self) -> dict[str, Any] | None:
+        """As `building`, as a dictionary."""
+        found: dict[str, Any] | None = self._read_back("screening")
+        return found
+
+    @property
+    def project(self) -> _model.Project | None:
+        """As `building`."""
+        found: _model.Project | None = self._read_back("project")
+        return found
 
     @property
     def title(self) -> str:
@@ -175,10 +261,22 @@ class Case:
     def __repr__(self) -> str:
         return f"<bentur.Case {self.title or ' | '.join(self.buildings)!r}>"
 
+    def _repr_html_(self) -> str:
+        """What a notebook shows: title and tables."""
+        return f"<h4>{escape(self.title or ' | '.join(self.buildings))}</h4>{html_of(self.to_dict())}"
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both say the same, of files in the same folder; 1 and 1.0 are the same, and so are keys in another
+        order."""
+        return self._made.is_same(other._made) if isinstance(other, Case) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((self.title, *self.buildings))
+
     def __reduce__(self) -> tuple[Any, ...]:
         if self.text is not None:
             return _unpickled, (self.text, self._made.name, str(self.folder))
-        return _unpickled, (_with_record(self), "", str(self.folder))
+        return _unpickled, (self.to_dict(), "", str(self.folder))
 
 
 def _unpickled(content: str | dict[str, Any], name: str, folder: str) -> Case:
@@ -187,41 +285,15 @@ def _unpickled(content: str | dict[str, Any], name: str, folder: str) -> Case:
     return Case.from_dict(content, folder=folder)
 
 
-def _with_record(case: Case) -> dict[str, Any]:
-    """The tables, with a record that was given as an array put back."""
-    tables = case.to_dict()
-    excitation = tables["excitation"]
-    if case._files and Path(excitation.get("file", "")).parent == Path(case._files[0].name).resolve():
-        excitation["values"] = np.loadtxt(excitation.pop("file"))
-        del excitation["format"]
-    return tables
-
-
-def _write_values(tables: dict[str, Any], files: list[tempfile.TemporaryDirectory[str]]) -> None:
-    """A record that is given as an array becomes a file, to the last digit: one reader, one set of checks."""
-    excitation = tables.get("excitation")
-    if not isinstance(excitation, dict) or "values" not in excitation:
-        return
-    values = np.asarray(excitation.pop("values"), dtype=float).ravel()
-    folder = tempfile.TemporaryDirectory(prefix="bentur-")
-    files.append(folder)
-    text = "\n".join(map(repr, values.tolist())) + "\n"
-    file = Path(folder.name).resolve() / "values.txt"
-    file.write_text(text, encoding="ascii")
-    excitation["file"] = str(file)
-    excitation.setdefault("format", "one-column")
-
-
-@contextmanager
-def _naming_no_file(files: Sequence[tempfile.TemporaryDirectory[str]]) -> Iterator[None]:
-    """Errors of a record that was given as an array name its key, and the value by its line."""
-    try:
-        yield
-    except CaseError as error:
-        found = [astuple(one) for one in error.errors]
-        for name in [str(Path(one.name).resolve() / "values.txt") for one in files]:
-            found = [tuple(x.replace(name, "excitation.values") if isinstance(x, str) else x for x in one) for one in found]
-        raise CaseError(found) from None
+def _typed(way: tuple[str, ...], value: Any) -> Any:
+    """What stands in a case at a key, tables as their classes."""
+    if isinstance(value, list):
+        return [_typed(way, one) for one in value]
+    if not isinstance(value, dict):
+        return value
+    inner = {key: _typed((*way, key), one) for key, one in value.items()}
+    table = _model.TABLES.get(way)
+    return inner if table is None else table(**inner)
 
 
 def as_case(case: Case | str | PathLike[str]) -> Case:

@@ -7,6 +7,7 @@ from dataclasses import astuple, dataclass
 from importlib import import_module
 from typing import Any
 
+_MOST_TOLD = 20  # errors in the message of an exception
 _Told = tuple[str, int, int, str, str, str, str, str]  # the fields of a Finding
 
 
@@ -43,7 +44,10 @@ class CaseError(ValueError):
 
     def __init__(self, errors: Iterable[_Told]) -> None:
         self.errors = [Finding(*one) for one in errors]
-        super().__init__("\n".join(str(one) for one in self.errors))
+        lines = [str(one) for one in self.errors[:_MOST_TOLD]]
+        if len(self.errors) > _MOST_TOLD:
+            lines.append(f"and {len(self.errors) - _MOST_TOLD:,} more: .errors has them all")
+        super().__init__("\n".join(lines))
 
     def __reduce__(self) -> tuple[type[CaseError], tuple[list[_Told]]]:
         return type(self), ([astuple(one) for one in self.errors],)
@@ -51,6 +55,10 @@ class CaseError(ValueError):
 
 class SolveError(RuntimeError):
     """The numbers failed; the message says why and when."""
+
+
+class RemarkWarning(UserWarning):
+    """Numbers of a run that are unusual, or an input that may not be meant: what ``result.remarks`` has. Once a case."""
 
 
 class RefusedOutput(FileExistsError):

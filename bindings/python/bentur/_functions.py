@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core
 from ._case import Case, as_case
-from ._errors import imported
+from ._errors import RemarkWarning, imported
 from ._result import Result
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def run(
     case: Case | str | PathLike[str],
     *,
     record: int | None = None,
-    histories: bool = True,
+    histories: bool | None = None,
     output_step: float | None = None,
     progress: Progress = None,
 ) -> Result:
@@ -56,19 +57,34 @@ def run(
     :param case: a case, or the name of a case file.
     :param record: of a case with a suite of records the one that is run, counted from 1; :func:`run_suite` runs them
         all.
-    :param histories: whether samples are kept; they change nothing else.
+    :param histories: samples: ``None`` makes them when they are first asked for, by solving the case once more;
+        ``True`` makes them at once, ``False`` never. They change nothing else.
     :param output_step: [s] of the samples; default ``analysis.output_step``.
     :param progress: ``True``: a bar after one second, where tqdm is installed; or a function of the fraction done.
     :raises CaseError: where the case is not right, or takes more than its limits.
     :raises SolveError: where the numbers fail.
+    :warns RemarkWarning: of numbers that are unusual, ``result.remarks``; once a case.
     """
     asked = as_case(case)
     if output_step is not None:
         output_step = _arguments.positive("output_step", output_step)
     step = (output_step or asked._made.output_step) if histories else 0.0
+    if record is not None:
+        record = _arguments.whole("record", record, 1)
     with shown(progress, asked.title or "run") as told:
-        made = asked._made if record is None else asked._made.with_record(_arguments.whole("record", record, 1))
-        return Result(_core.solve(made, step, told), asked)
+        made = asked._made if record is None else asked._made.with_record(record)
+        solved = _core.solve(made, step, told)
+    result = Result(solved, asked, record=record, output_step=output_step, histories=histories)
+    _warn_of_remarks(result)
+    return result
+
+
+def _warn_of_remarks(result: Result) -> None:
+    """Once for each case, and each record of a suite: whoever runs it again has been told."""
+    if not result._run.remark_count or not result.case._is_first_run(result._record):
+        return
+    name = result.case.title or " | ".join(result.case.buildings)
+    warnings.warn("\n".join([f"{name}:", *result.remarks]), RemarkWarning, stacklevel=3)
 
 
 def run_suite(case: Case | str | PathLike[str], *, progress: Progress = None) -> dict[str, Any]:

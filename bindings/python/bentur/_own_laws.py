@@ -10,11 +10,13 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ._errors import CaseError
+
 Numbers = float | Sequence[float] | NDArray[np.floating[Any]]
 Table = Mapping[str, Any]
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class ForceLaw:
     """A contact law of your own: a function F(δ, δ̇).
 
@@ -32,7 +34,7 @@ class ForceLaw:
     stands_for_law: ClassVar[bool] = True
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Guard:
     """A branch lasts while ``constant + deformation·δ + speed·δ̇ + force·F ≥ 0``; then branch `then` follows, counted
     from 1 (0: floors apart)."""
@@ -44,7 +46,7 @@ class Guard:
     force: float = 0.0
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Branch:
     """F = base + stiffness·δ + damping·δ̇, while every guard holds.
 
@@ -61,7 +63,7 @@ class Branch:
     unloading_stiffness: float = 0.0
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class BranchLaw:
     """A law of your own made of straight branches, so that ``solver="exact"`` has no time step for it either: of a
     contact, a link or the storeys of a stick (``gap[0].contact``, ``link[0].law``, ``stick.hysteresis``).
@@ -81,10 +83,38 @@ class BranchLaw:
 OwnLaw = ForceLaw | BranchLaw
 
 
+class Samples:
+    """Accelerations of a record: handed on as they are, without a list of Python's."""
+
+    stands_for_numbers: ClassVar[bool] = True
+
+    def __init__(self, values: NDArray[np.float64]) -> None:
+        self.values = values
+
+
+def _samples(value: Any, key: str) -> Any:
+    """Of a key that ends in ``values``, of which the case has one: a record's."""
+    try:
+        given = np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        return value if isinstance(value, list) else np.asarray(value).tolist()  # the case says what is wrong
+    if given.ndim == 2 and given.shape[1] == 1:
+        given = given[:, 0]  # a column
+    if given.ndim != 1:
+        name = key if "." in key else f"excitation.{key}"
+        shape = " × ".join(map(str, given.shape)) or "a single number"
+        rule = "must be one list of accelerations"
+        hint = ": give one column, as values[:, 1]" if given.ndim == 2 else ""
+        raise CaseError([("", 0, 0, f"{name} is {shape}, {rule}{hint}", name, shape, rule + hint, "")])
+    return Samples(np.ascontiguousarray(given))
+
+
 def table_of(value: Any, key: str = "") -> Any:
     """What a case is read from at a key: classes become tables, keys that are None are left out."""
     if isinstance(value, OwnLaw):
         return {"law": value} if key.endswith("contact") else value
+    if key == "values" or key.endswith(".values"):
+        return _samples(value, key)
     if is_dataclass(value) and not isinstance(value, type):
         value = {f.name: getattr(value, f.name) for f in fields(value)}
     if isinstance(value, Mapping):

@@ -54,25 +54,93 @@ class Result:
 
     The numbers are those of ``bentur run``, to the bit. Arrays look into the run's own memory and cannot be
     written to; they keep it alive.
+
+    Histories are made when they are first asked for, unless ``run`` was told otherwise: the case is then solved once
+    more, with samples. A result can be copied and pickled, with its case, its summary, its impacts, and what else has
+    been made of it; what is asked for later is solved anew, with the same numbers.
     """
 
-    def __init__(self, run: _core.Run, case: Case) -> None:
+    def __init__(
+        self,
+        run: _core.Run,
+        case: Case,
+        *,
+        record: int | None = None,
+        output_step: float | None = None,
+        histories: bool | None = True,
+    ) -> None:
         self._run = run
         self.case = case
+        self._record = record
+        self._step = output_step or case._made.output_step
+        self._histories = histories
+        if histories:
+            self._full = run
+
+    def _solved(self, step: float | None) -> _core.Run:
+        """The same run with samples every so many seconds; 0: without; None: as a report needs them."""
+        made = self.case._made if self._record is None else self.case._made.with_record(self._record)
+        return _core.solve(made, step, None)
+
+    # What is set at the beginning, or made where it is first asked for.
+
+    @cached_property
+    def _run(self) -> _core.Run:
+        return self._solved(0.0)
+
+    @cached_property
+    def _full(self) -> _core.Run:
+        """With samples, unless none are wanted."""
+        return self._run if self._histories is False else self._solved(self._step)
+
+    @cached_property
+    def _at_report_step(self) -> _core.Run:
+        """The run with histories close enough for the motion of its page."""
+        return self._solved(None)
+
+    @cached_property
+    def _json(self) -> str:
+        return self._run.summary_json()
+
+    @cached_property
+    def _numbers_of_impacts(self) -> list[tuple[str, str, Floats, bool]]:
+        return self._run.impacts()
+
+    @cached_property
+    def _said(self) -> list[str]:
+        """The verdict in English."""
+        return self._run.lines("en")
+
+    @cached_property
+    def _quantities(self) -> tuple[dict[str, Any], list[Variable]]:
+        """What ``histories.nc`` holds but for samples."""
+        return self._run.variables()
+
+    def __getstate__(self) -> dict[str, Any]:
+        for name in ("_json", "_numbers_of_impacts", "_said", "_quantities", "remarks"):
+            getattr(self, name)
+        solved = ("_run", "_full", "_at_report_step")
+        return {name: value for name, value in self.__dict__.items() if name not in solved}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        for _, variables in filter(None, (state.get("_quantities"), state.get("_file"))):
+            for _, _, values, _ in variables:
+                values.flags.writeable = False
 
     @cached_property
     def summary(self) -> dict[str, Any]:
         """The summary as ``summary.json`` has it (docs/result-files.md)."""
-        found: dict[str, Any] = json.loads(self.to_json())
+        found: dict[str, Any] = json.loads(self._json)
         return found
 
     def to_json(self) -> str:
         """The summary as ``bentur run CASE --json`` prints it."""
-        return self._run.summary_json()
+        return self._json
 
-    @property
+    @cached_property
     def remarks(self) -> list[str]:
-        """Numbers of case and response that are unusual, in words."""
+        """Numbers of case and response that are unusual, in words: :func:`bentur.run` warns of them once a case."""
         return self._run.remarks("en")
 
     @property
@@ -83,24 +151,24 @@ class Result:
     @cached_property
     def _file(self) -> tuple[dict[str, Any], list[Variable]]:
         """What ``histories.nc`` holds: its attributes and variables."""
-        return self._run.variables()
+        return self._quantities if self._histories is False else self._full.variables()
 
     def _values(self, name: str) -> Any:
-        """Of a variable; none where there is no such variable."""
-        return next((values for found, _, values, _ in self._file[1] if found == name), np.empty(0))
+        """Of a variable that is no sample; none where there is no such variable."""
+        return next((values for found, _, values, _ in self._quantities[1] if found == name), np.empty(0))
 
     @property
     def _in_plan(self) -> bool:
-        return any(name == "footprint_1" for name, *_ in self._file[1])
+        return any(name == "footprint_1" for name, *_ in self._quantities[1])
 
     @property
     def impact_count(self) -> int:
-        return len(self._values("impact_point"))
+        return len(self._numbers_of_impacts[0][2])
 
     @property
     def impact_arrays(self) -> dict[str, Floats]:
         """Each number of the impacts as an array, one entry per impact, by start; NaN where there is none."""
-        return {key: values for key, _, values, _ in self._run.impacts()}
+        return {key: values for key, _, values, _ in self._numbers_of_impacts}
 
     @property
     def impacts(self) -> pandas.DataFrame:
@@ -115,7 +183,7 @@ class Result:
             struck = self._values("point_struck")
             columns["struck"] = struck[at] if len(struck) else [""] * len(at)
         units = dict.fromkeys(places, self.case.length)
-        for key, unit, values, whole in self._run.impacts():
+        for key, unit, values, whole in self._numbers_of_impacts:
             columns[key] = values.astype(bool) if whole else values
             units[key] = unit
         table: Any = imported("pandas", "the table of impacts").DataFrame(columns)
@@ -209,7 +277,7 @@ class Result:
         :raises RefusedOutput: naming the file that would be harmed; nothing was written.
         """
         into = Path(_arguments.path("folder", folder))
-        histories = netcdf(*self._file) if len(self._values("time")) else None
+        histories = None if self._histories is False else netcdf(*self._file)
         return [into / name for name in self._run.save(self.case._made, into, histories, is_histories, force)]
 
     @property
@@ -254,7 +322,7 @@ class Result:
 
     @property
     def _drawn_from(self) -> _core.Run:
-        return self._run if len(self._values("time")) else self._at_report_step
+        return self._at_report_step if self._histories is False else self._full
 
     def report(self, language: str = "en", *, template: str | PathLike[str] | None = None) -> str:
         """The report of the run as one HTML page, as ``bentur report`` writes it; with ``project`` in the case or a
@@ -266,11 +334,6 @@ class Result:
         """
         head = None if template is None else _arguments.path("template", template)
         return self._drawn_from.report_html(_arguments.text("language", language), head)
-
-    @cached_property
-    def _at_report_step(self) -> _core.Run:
-        """The run with histories close enough for the motion of its page; solved once."""
-        return _core.solve(self.case._made, None, None)
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""
@@ -288,11 +351,11 @@ class Result:
 
         :param language: ``"en"`` or ``"id"``.
         """
-        return self._run.lines(_arguments.text("language", language))
+        return self._said if language == "en" else self._run.lines(_arguments.text("language", language))
 
     def __str__(self) -> str:
         title = [self.summary["title"]] if self.summary["title"] else []
-        return "\n".join(title + self.verdict())
+        return "\n".join([*title, *self.verdict(), *(f"remark: {one}" for one in self.remarks)])
 
     def __repr__(self) -> str:
         return f"<bentur.Result of {self.case!r}>\n{self}"

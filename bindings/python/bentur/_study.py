@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import astuple, replace
@@ -12,16 +13,18 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from . import _arguments, _core
 from ._case import Case, as_case
 from ._dataset import attributes_of_study, dataset, netcdf
-from ._errors import CaseError, Finding, imported
+from ._errors import CaseError, Finding, RemarkWarning, imported
 from ._functions import Progress, shown
 from ._own_laws import OwnLaw, table_of
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 _TOGETHER = 16  # runs given to a thread at a time: enough for runs of one group to share their work
@@ -107,7 +110,26 @@ def _threads(threads: int | None) -> int:
 def _solved(core: _core.Study, threads: int, progress: Progress) -> xarray.Dataset:
     _solve(core, threads, progress)
     found: xarray.Dataset = dataset("a study", *core.variables())
+    _warn_of_runs(found)
     return found
+
+
+def _warn_of_runs(found: xarray.Dataset) -> None:
+    """How many runs have remarks, and about what."""
+    if "remarks" not in found or not (found.remarks > 0).any():
+        return
+    flags = np.nan_to_num(found.remark_kinds.to_numpy()).astype(np.uint64).ravel()
+    about = []
+    for bit, key in enumerate(str(found.remark_kinds.attrs["flag_meanings"]).split()):
+        if runs := int((flags >> np.uint64(bit) & np.uint64(1)).sum()):
+            about.append(f"{key} ({runs})")
+    remarked, doubted = int((found.remarks > 0).sum()), int((found.doubts > 0).sum())
+    warnings.warn(
+        f"{remarked} of {found.remarks.size} runs have remarks, {doubted} in doubt: {', '.join(about)}; `remarks`, "
+        "`doubts` and `remark_kinds` tell which",
+        RemarkWarning,
+        stacklevel=4,
+    )
 
 
 def _solve(core: _core.Study, workers: int, progress: Progress) -> None:
@@ -136,39 +158,111 @@ def _solve(core: _core.Study, workers: int, progress: Progress) -> None:
 
 def vary(
     case: Case,
-    values: Mapping[str, Sequence[Any] | NDArray[Any]],
+    values: Mapping[str, Sequence[Any] | NDArray[Any]] | pandas.DataFrame,
     *,
+    together: bool | None = None,
     labels: Mapping[str, Sequence[str]] | None = None,
     threads: int | None = None,
     progress: Progress = None,
 ) -> xarray.Dataset:
-    """A sweep made in Python: the full grid of all values, by the keys of the case.
+    """A sweep made in Python, by the keys of the case: the full grid of all values, or the rows of a design.
 
-    ``bentur.vary(case, {"gap[0].width": [0.0, 0.01, 0.02], "excitation.pga": [2.0, 4.0]})``
+    ``bentur.vary(case, {"gap[0].width": [0.0, 0.01, 0.02], "excitation.pga": [2.0, 4.0]})`` has six runs,
+    ``together=True`` takes lists of one length row by row, and a DataFrame, whose columns are keys, is rows by itself.
+    Rows may be alike, as those of a factorial design, of Saltelli or of Morris are; :func:`sample` draws some.
 
     Files are relative to the folder of the case, as in the case itself.
 
+    :param together: whether the values are rows; default: those of a DataFrame are.
     :param labels: what the results call values that are no numbers, by the same keys; default texts themselves.
-    :returns: as :func:`sweep`.
+    :returns: as :func:`sweep`; rows along the dimension ``row``.
+    :raises CaseError: with all that is wrong in any of the values.
     """
+    given_values = _columns(values)
+    if together is None:
+        together = hasattr(values, "columns")
+    if together and len({len(one) for one in given_values.values()}) > 1:
+        lengths = ", ".join(f"{len(one)} of {key}" for key, one in given_values.items())
+        raise ValueError(f"values must have one length to be taken together, there are {lengths}")
+    names = _names(given_values)
     tables = []
-    for key, given in _arguments.mapping("values", values, "lists of values by their keys").items():
-        if isinstance(given, str) or not isinstance(given, Iterable):
-            raise TypeError(f'values["{key}"] is a {type(given).__name__}, must be a list of values')
-        given = list(given)
-        levels = table_of(given, key)
+    for key, given in given_values.items():
+        levels = [table_of(level, key) for level in given]
         one: dict[str, Any] = {"parameter": key, "values": levels}
+        if key in names:
+            one["name"] = names[key]
+        if together:
+            one["together"] = "row"
         if labels and key in labels:
             one["labels"] = list(labels[key])
         elif levels and all(isinstance(level, OwnLaw) for level in given):
             one["labels"] = [level.name for level in given]
         tables.append(one)
-    texts = _toml({"case": "case.toml", "vary": tables}), _toml(case.to_dict())
+    texts = _core.toml_file({"case": "case.toml", "vary": tables}), case.to_toml()
     imported("xarray", "a study")
     try:
         return _solved(_core.Study(case._made, {"vary": tables}, *texts), _threads(threads), progress)
     except CaseError as error:
-        raise CaseError(_as_given(one, list(values)) for one in error.errors) from None
+        raise CaseError(_as_given(one, list(given_values)) for one in error.errors) from None
+
+
+def _columns(values: Any) -> dict[str, list[Any]]:
+    """Lists of values by their keys, of a mapping or a DataFrame."""
+    if hasattr(values, "columns") and hasattr(values, "to_dict"):
+        return {str(key): values[key].tolist() for key in values.columns}
+    found = {}
+    for key, given in _arguments.mapping("values", values, "lists of values by their keys").items():
+        if isinstance(given, str) or not isinstance(given, Iterable):
+            raise TypeError(f'values["{key}"] is a {type(given).__name__}, must be a list of values')
+        found[key] = list(given)
+    return found
+
+
+def _names(keys: Iterable[str]) -> dict[str, str]:
+    """Names in the results, of those keys whose last words are alike: ``building0_damping``."""
+    last: dict[str, list[str]] = {}
+    for key in keys:
+        words = re.findall(r"[A-Za-z_]+", key.rpartition(".")[2])
+        last.setdefault(words[0] if words else "", []).append(key)
+    alike = [key for group in last.values() if len(group) > 1 for key in group]
+    joined = {key: re.sub(r"""\["?([^\]"]*)"?\]""", r"\1", key) for key in alike}
+    return {key: re.sub(r"\W+", "_", name, flags=re.ASCII) for key, name in joined.items()}
+
+
+def run_many(
+    cases: Iterable[Case],
+    *,
+    labels: Sequence[str] | None = None,
+    keep_cases: bool = True,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> xarray.Dataset:
+    """Runs cases of any kind, one after the other on all processors, into one Dataset with the quantities that a study
+    keeps of each run, along the dimension ``case``.
+
+    The cases may differ in whatever they like but for units and the numbers of floors, contact points and links. What
+    varies by key is done faster by :func:`vary`, whose runs share what is alike in them.
+
+    :param labels: what the results call the cases; default: numbers from 0.
+    :param keep_cases: whether ``case_text`` has each case as :meth:`Case.to_toml` writes it.
+    :raises ValueError: naming the case that does not go with the first.
+    """
+    all_cases = list(cases)
+    for number, one in enumerate(all_cases):
+        if not isinstance(one, Case):
+            raise TypeError(f"cases[{number}] is a {type(one).__name__}, must be a bentur.Case")
+    if not all_cases:
+        raise ValueError("cases is empty, must have at least one")
+    names = [] if labels is None else [_arguments.text(f"labels[{i}]", one) for i, one in enumerate(labels)]
+    if labels is not None and len(names) != len(all_cases):
+        raise ValueError(f"labels has {len(names)} entries, must have one per case, {len(all_cases)}")
+    imported("xarray", "a study")
+    study = _core.Study.of_cases([one._made for one in all_cases], names)
+    found = _solved(study, _threads(threads), progress)
+    if keep_cases:
+        texts = np.array([one.to_toml() for one in all_cases], dtype=object)
+        found["case_text"] = ("case", texts, {"long_name": "the case as a file"})
+    return found
 
 
 def _as_given(found: Finding, keys: Sequence[str]) -> tuple[str, int, int, str, str, str, str, str]:
@@ -182,22 +276,6 @@ def _as_given(found: Finding, keys: Sequence[str]) -> tuple[str, int, int, str, 
         )
 
     return astuple(replace(found, message=given(found.message), key=given(found.key)))
-
-
-def _toml(table: Mapping[str, Any]) -> str:
-    return "".join(f"{_toml_value(str(key))} = {_toml_value(value)}\n" for key, value in table.items())
-
-
-def _toml_value(value: Any) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{_toml_value(str(k))} = {_toml_value(v)}" for k, v in value.items()) + "}"
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(_toml_value, value)) + "]"
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
-    return json.dumps(value.name) if isinstance(value, OwnLaw) else repr(value)
 
 
 def fragility(
@@ -242,6 +320,69 @@ def fragility(
         method=method,
     )
     found: dict[str, Any] = json.loads(told)
+    return found
+
+
+def risk(
+    results: xarray.Dataset,
+    hazard: str | PathLike[str] | tuple[Sequence[float], Sequence[float]],
+    event: str = "impacts > 0",
+    *,
+    unit: str | None = None,
+    site: int | None = None,
+    years: float = 50.0,
+    target: float | None = None,
+    resamples: int = 1000,
+    confidence: float = 0.95,
+    seed: int = 1,
+    method: str = "likelihood",
+    language: str = "en",
+) -> dict[str, Any]:
+    """How often a year: the fragility of an event times the hazard of a site, as ``bentur risk --json`` has it, and in
+    words under ``verdict`` (docs/risk.md).
+
+    :param results: of :func:`ida`.
+    :param hazard: a file, as the command takes it, or intensities and the mean annual frequencies [1/year] at which
+        they are exceeded.
+    :param event: as of :func:`fragility`.
+    :param unit: of the intensities, where a file does not say it; default that of the levels.
+    :param site: which of several in a file, from 1.
+    :param years: that a probability is told for.
+    :param target: probability of pounding in so many years that a gap is sought for.
+    :raises CaseError: with what is wrong in the hazard.
+    :raises ValueError: where results and hazard do not go together.
+    """
+    if not hasattr(results, "data_vars"):
+        raise TypeError(f"results is a {type(results).__name__}, must be an xarray.Dataset of bentur.ida")
+    is_text = isinstance(hazard, tuple)
+    if isinstance(hazard, tuple):
+        if len(hazard) != 2:
+            raise ValueError(f"hazard has {len(hazard)} entries, must be intensities and frequencies")
+        x, rate = (_arguments.listed(name, one) for name, one in zip(("intensities", "frequencies"), hazard, strict=True))
+        if len(x) != len(rate):
+            raise ValueError(f"hazard has {len(x)} intensities and {len(rate)} frequencies")
+        given = "".join(f"{a!r} {b!r}\n" for a, b in zip(x, rate, strict=True))
+    else:
+        given = _arguments.path("hazard", hazard)
+    if target is not None and not 0 < _arguments.number("target", target) < 1:
+        raise ValueError(f"target = {target:g}, must be in (0, 1)")
+    told, lines = _core.risk_json(
+        results,
+        given,
+        is_text,
+        _arguments.text("event", event),
+        unit="" if unit is None else _arguments.text("unit", unit),
+        site=None if site is None else _arguments.whole("site", site, 1),
+        years=_arguments.positive("years", years),
+        target=target,
+        resamples=_arguments.whole("resamples", resamples, 1, 10**6),
+        confidence=_arguments.number("confidence", confidence),
+        seed=_arguments.whole("seed", seed, 0, 2**64 - 1),
+        method=_arguments.one_of("method", method, ("likelihood", "cloud", "stripes")),
+        language=_arguments.text("language", language),
+    )
+    found: dict[str, Any] = json.loads(told)
+    found["verdict"] = lines
     return found
 
 

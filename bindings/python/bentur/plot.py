@@ -235,5 +235,43 @@ def fragility(found: dict[str, Any] | xarray.Dataset, *, ax: Axes | None = None)
     return ax
 
 
+def risk(found: dict[str, Any], *, case: int = 0, axes: Sequence[Axes] | None = None) -> Sequence[Axes]:
+    """Of :func:`bentur.risk`: the hazard curve with the event's rate, the fragility, and below which intensities the
+    rate comes from, as rate in each segment per unit of ln x.
+
+    :param case: which of ``found["cases"]``.
+    :param axes: two; default: a figure with one above the other.
+    :returns: both axes.
+    """
+    from math import erf, sqrt
+
+    one, hazard = found["cases"][case], found["hazard"]
+    if axes is None:
+        pyplot = imported("matplotlib.pyplot", "a figure")
+        with pyplot.rc_context(STYLE):
+            _, axes = pyplot.subplots(2, 1, sharex=True, figsize=(COLUMN, 1.25 * COLUMN), layout="constrained")
+    assert axes is not None
+    upper, lower = axes[0], axes[1]
+    x, rate = np.array(hazard["intensity"]), np.array(hazard["rate"])
+    upper.loglog(x, rate, color=BLACK, label="hazard λ")
+    upper.axhline(one["rate"], color=TEAL, linestyle="--", label=f"{found['event']}: {one['rate']:.3g} a year")
+    upper.set(ylabel="mean annual frequency [1/year]")
+    if one["median"] is not None:
+        other = upper.twinx()
+        fine = np.geomspace(x[0], x[-1], 300)
+        z = np.log(fine / one["median"]) / one["dispersion"]
+        other.plot(fine, [0.5 * (1 + erf(v / sqrt(2))) for v in z], color=GREY, linestyle="-.")
+        other.set(ylim=(0, 1.02))
+        other.set_ylabel("fragility P", fontsize=STYLE["axes.labelsize"])
+        other.tick_params(labelsize=STYLE["font.size"], direction="in")
+    upper.legend(frameon=False, fontsize=STYLE["legend.fontsize"], loc="lower left")
+    told = one["lognormal"] if one["by"] == "lognormal" else one["observed"]
+    density = np.array(told["parts"][:-1]) / np.diff(np.log(x))
+    lower.stairs(density, x, fill=True, color=TEAL, alpha=0.5)
+    lower.set(xscale="log", xlabel=f"{found['intensity']['name'].split(',')[0]} [{found['intensity']['unit']}]",
+              ylabel="rate per unit of ln x [1/year]")
+    return axes
+
+
 def _ends(time: Any) -> tuple[float, float]:
     return float(time[0]), float(time[-1])

@@ -7,8 +7,12 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/file_names.h"
+#include "bentur/io/toml/named_files.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/io/toml/toml_writing.h"
 #include "bentur/model/suite/suite.h"
 #include "case_run.h"
 #include "toml_python.h"
@@ -20,12 +24,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::path& folder,
-                             std::optional<CaseSource> source) {
-  Diagnostics found;
+std::shared_ptr<PyCase> read_unlocked(std::shared_ptr<const TomlValue> given, const std::string& name,
+                                      const fs::path& folder, std::optional<CaseSource> source, Diagnostics& found) {
   auto made = std::make_shared<PyCase>();
-  const TomlView view(root, "", name, found);
-  const auto given = std::make_shared<const TomlValue>(root);
+  const TomlView view(*given, "", name, found);
   if (plan_of(view)) {
     ReadPlan& plan = made->plan.emplace(read_plan_case_parts(view, folder, found));
     plan.c.source = std::move(source);
@@ -43,10 +45,22 @@ std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::
     made->c.source = std::move(source);
     made->c.given = given;
   }
-  if (!found.ok()) raise_case_error(found);
-  made->root = std::move(root);
+  made->root = std::move(given);
   made->name = name;
   made->folder = folder;
+  return made;
+}
+
+std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::path& folder,
+                             std::optional<CaseSource> source) {
+  Diagnostics found;
+  std::shared_ptr<PyCase> made;
+  {
+    std::optional<py::gil_scoped_release> unlocked;
+    if (!has_own_law(root)) unlocked.emplace();
+    made = read_unlocked(std::make_shared<const TomlValue>(std::move(root)), name, folder, std::move(source), found);
+  }
+  if (!found.ok()) raise_case_error(found);
   return made;
 }
 
@@ -66,7 +80,7 @@ std::shared_ptr<PyCase> from_file(const fs::path& file) {
 }
 
 std::shared_ptr<PyCase> with_values(const PyCase& given, const py::dict& values) {
-  TomlValue root = given.root;
+  TomlValue root = *given.root;
   Diagnostics found;
   for (const auto& [key, value] : values) {
     const std::string text = py::str(key);
@@ -108,9 +122,30 @@ py::dict excitation_of(const PyCase& given) {
   return found;
 }
 
+bool are_same(const PyCase& a, const PyCase& b) {
+  if (&a == &b) return true;
+  std::error_code ignored;
+  const auto whole = [&](const fs::path& folder) { return fs::absolute(folder, ignored).lexically_normal() / ""; };
+  return whole(a.folder) == whole(b.folder) && same_content(*a.root, *b.root, are_equal);
+}
+
 }  // namespace
 
+std::string PyCase::text_in(const fs::path& of) const {
+  TomlValue moved = *root;
+  bool is_moved = false;
+  rename_files(moved, case_keys(), [&](const std::string& named) {
+    if (fs::path(named).is_absolute()) return named;
+    const std::string way = way_from(of, folder / named);
+    is_moved = is_moved || fs::path(way).lexically_normal() != fs::path(named).lexically_normal();
+    return way;
+  });
+  return source() && !is_moved ? source()->text : toml_file(is_moved ? moved : *root);
+}
+
 void bind_case(py::module_& module) {
+  module.def(
+      "toml_file", [](const py::dict& table) { return toml_file(toml_of(table)); }, py::arg("table"));
   py::class_<PyCase, std::shared_ptr<PyCase>>(module, "Case")
       .def_static("from_file", &from_file, py::arg("file"))
       .def_static("from_text", &from_text, py::arg("text"), py::arg("name"), py::arg("folder"))
@@ -125,7 +160,10 @@ void bind_case(py::module_& module) {
           "records",
           [](const PyCase& c) { return c.c.excitation.suite ? c.c.excitation.suite->records.size() : std::size_t{0}; })
       .def("with_values", &with_values, py::arg("values"))
-      .def("values", [](const PyCase& c) { return python_of(c.root); })
+      .def("values", [](const PyCase& c) { return python_of(*c.root); })
+      .def("is_same", &are_same, py::arg("other"))
+      .def("text_in", &PyCase::text_in, py::arg("folder"))
+      .def_property_readonly("has_own_law", [](const PyCase& c) { return has_own_law(*c.root); })
       .def_property_readonly("title", [](const PyCase& c) { return c.title(); })
       .def_property_readonly("folder", [](const PyCase& c) { return c.folder; })
       .def_property_readonly("name", [](const PyCase& c) { return c.name; })

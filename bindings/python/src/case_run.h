@@ -21,10 +21,13 @@ struct PyCase {
   Case c;  ///< with `problem` of a row, else empty
   Problem problem;
   std::optional<ReadPlan> plan;  ///< of buildings in plan
-  TomlValue root;
+  std::shared_ptr<const TomlValue> root;
   std::string name;              ///< that messages carry
   std::filesystem::path folder;  ///< that record files are relative to
 
+  /// The case as a file in a folder has it: the text that it was read from, where the files that it names are found
+  /// from there too, else written anew.
+  [[nodiscard]] std::string text_in(const std::filesystem::path& of) const;
   [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : c.title; }
   [[nodiscard]] const Units& units() const { return plan ? plan->c.units : c.units; }
   [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : c.analysis; }
@@ -43,6 +46,7 @@ void bind_case(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_records(pybind11::module_& module);
 void bind_study(pybind11::module_& module);
+void bind_fragility(pybind11::module_& module);
 
 /// Calls `progress` with the fraction done, no more than 20 times a second, and asks for Ctrl-C. What either raises
 /// stops the work and is raised by rethrow().

@@ -22,4 +22,5 @@ PYBIND11_MODULE(_core, module) {
   bentur::python::bind_run(module);
   bentur::python::bind_records(module);
   bentur::python::bind_study(module);
+  bentur::python::bind_fragility(module);
 }

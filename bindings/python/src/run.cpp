@@ -8,6 +8,7 @@
 
 #include "bentur/core/version.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/file_identity.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/plan/plan_csv.h"
@@ -17,6 +18,7 @@
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/rules_json.h"
 #include "bentur/io/results/run_variables.h"
+#include "bentur/io/toml/toml_writing.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/model/plan/plan_places.h"
@@ -120,8 +122,18 @@ std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_
   return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
 }
 
+/// A case that was made in Python has no file: what it says as one, so that results tell what was run.
+void tell_source(PyRun& run) {
+  std::optional<CaseSource>& source = run.plan ? run.plan->c.source : run.results.c.source;
+  const std::shared_ptr<const TomlValue>& given = run.plan ? run.plan->c.given : run.results.c.given;
+  if (source || given == nullptr) return;
+  const std::string text = toml_file(*given);
+  source = CaseSource{.file = "case.toml", .text = text, .sha256 = sha256(text)};
+}
+
 /// Attributes of the file, and each variable.
 py::tuple variables(const std::shared_ptr<PyRun>& run) {
+  tell_source(*run);
   const ResultFile file = run->plan ? plan_file(*run->plan, version()) : run_file(run->results, version());
   const py::object owner = py::cast(run);
   py::list found;
@@ -155,21 +167,26 @@ py::list impacts(const PyRun& run) {
   return found;
 }
 
-std::string summary(const PyRun& run) {
+std::string summary(PyRun& run) {
+  tell_source(run);
   return run.plan ? plan_summary_json(*run.plan, version()) : summary_json(run.results, version());
 }
+
+const std::vector<Remark>& remarks_of(const PyRun& run) { return run.plan ? run.plan->remarks : run.results.remarks; }
 
 std::string table_of_impacts(const PyRun& run) {
   return run.plan ? impacts_csv(*run.plan) : impacts_csv(run.results.view());
 }
 
-std::string gaps(const PyRun& run) {
+std::string gaps(PyRun& run) {
+  tell_source(run);
   return run.plan ? plan_gap_json(*run.plan, version()) : gap_json(run.results, version());
 }
 
 /// Writes the results into a folder by the rules that the command line has. @return the names of the files.
 std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& folder,
                               const std::optional<py::bytes>& histories, const py::function& is_histories, bool force) {
+  tell_source(run);
   OutputRules rules{
       .inputs = run.plan ? files_read(run.plan->c) : files_read(run.results.c),
       .force = force,
@@ -274,10 +291,11 @@ void bind_run(py::module_& module) {
              for (std::string& line : lines) line = with_spaces(std::move(line));
              return lines;
            })
+      .def_property_readonly("remark_count", [](const PyRun& run) { return remarks_of(run).size(); })
       .def("remarks",
            [](const PyRun& run, const std::string& language) {
              std::vector<std::string> texts;
-             for (const SaidStatement& one : said(remark_statements(run.results.remarks), Words(language))) {
+             for (const SaidStatement& one : said(remark_statements(remarks_of(run)), Words(language))) {
                texts.push_back(with_spaces(one.text));
              }
              return texts;
@@ -291,6 +309,7 @@ void bind_run(py::module_& module) {
               options.head = read_markup(*head, MarkupKind::head, found).value_or("");
               if (!found.ok()) raise_case_error(found);
             }
+            tell_source(run);
             return run.plan ? plan_report_html(*run.plan, options) : report_html(with_figures(run), options);
           },
           py::arg("language") = "en", py::arg("template") = py::none())

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -8,7 +9,7 @@
 #include <optional>
 
 #include "bentur/core/version.h"
-#include "bentur/study/fragility/fragility_report.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/remedy/least_gap.h"
 #include "bentur/study/remedy/remedy.h"
@@ -29,7 +30,8 @@ namespace fs = std::filesystem;
 /// A study that has been read and checked, and what its runs have given: kept here, or in the journal of its file.
 class PyStudy {
  public:
-  explicit PyStudy(std::unique_ptr<StudyRuns> runs) : runs_(std::move(runs)) {}
+  explicit PyStudy(std::unique_ptr<StudyRuns> runs, std::vector<std::shared_ptr<const PyCase>> cases = {})
+      : runs_(std::move(runs)), cases_(std::move(cases)) {}
 
   [[nodiscard]] const StudyRuns& runs() const { return *runs_; }
   void stop() { stop_ = true; }
@@ -68,7 +70,8 @@ class PyStudy {
       const py::gil_scoped_release unlocked;
       const std::vector<std::size_t> numbers = left(first, count);
       done = count - numbers.size();
-      std::vector<RunResult> found = runs_->solve(numbers, [&] { return !stop_.load(std::memory_order_relaxed); });
+      const auto goes_on = [&] { return !stop_.load(std::memory_order_relaxed); };
+      std::vector<RunResult> found = cases_.empty() ? runs_->solve(numbers, goes_on) : solved_cases(numbers, goes_on);
       done += found.size();
       if (!law_has_raised()) keep(std::move(found));
     }
@@ -105,6 +108,20 @@ class PyStudy {
   }
 
  private:
+  [[nodiscard]] std::vector<RunResult> solved_cases(const std::vector<std::size_t>& numbers,
+                                                    const std::function<bool()>& goes_on) const {
+    std::vector<RunResult> found;
+    for (const std::size_t run : numbers) {
+      if (!goes_on()) break;
+      const PyCase& one = *cases_[run];
+      auto result = one.plan ? runs_->solve_case(run, one.plan->c, one.plan->problem, goes_on)
+                             : runs_->solve_case(run, one.c, one.problem, goes_on);
+      if (!result) break;
+      found.push_back(*std::move(result));
+    }
+    return found;
+  }
+
   /// Of some runs those that no journal has.
   std::vector<std::size_t> left(std::size_t first, std::size_t count) {
     const std::lock_guard lock(mutex_);
@@ -131,6 +148,7 @@ class PyStudy {
   }
 
   std::unique_ptr<StudyRuns> runs_;
+  const std::vector<std::shared_ptr<const PyCase>> cases_;  // one per run; none: the study makes them
   std::optional<StudyOutput> output_;
   std::mutex mutex_;  // of what follows
   std::optional<Journal> journal_;
@@ -159,10 +177,49 @@ std::shared_ptr<PyStudy> of_values(const PyCase& of, const py::dict& tables, con
   start.case_file = of.folder / fs::path(of.name).filename();
   start.text = text;
   start.case_text = case_text;
-  start.case_root = of.root;
+  start.case_root = *of.root;
   std::optional<Study> study = read_study(toml_of(tables), std::move(start), found);
   auto runs = study ? checked_runs(std::move(*study), found) : nullptr;
   return checked(std::move(runs), found);
+}
+
+/// Cases that are there, one after the other, as a study whose runs they are.
+std::shared_ptr<PyStudy> of_cases(const std::vector<std::shared_ptr<PyCase>>& cases,
+                                  const std::vector<std::string>& labels) {
+  const PyCase& first = *cases.at(0);
+  StudyFacts facts;
+  facts.problem = first.problem;
+  if (first.plan) facts.plan = first.plan->problem;
+  facts.units = first.units();
+  facts.title = first.title();
+  facts.energy_audit = first.analysis().energy_audit;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const PyCase& one = *cases[i];
+    const auto refuse = [&](const char* why) { throw py::value_error(fmt::format("cases[{}] {}", i, why)); };
+    Diagnostics found;
+    if (!one.plan && refuse_without_motion(one.c, found)) raise_case_error(found);
+    const Units &a = one.units(), &b = facts.units;
+    if (a.length != b.length || a.force != b.force || a.gravity != b.gravity) refuse("has other units than cases[0]");
+    if (one.plan.has_value() != first.plan.has_value()) refuse("is not in plan or in a row as cases[0] is");
+    if (one.analysis().energy_audit != facts.energy_audit) refuse("has another analysis.energy_audit than cases[0]");
+    if (!(one.plan ? take_places(one.plan->problem, facts) : take_places(one.problem, facts))) {
+      refuse("has other numbers of floors, contact points or links than cases[0], or other buildings that can yield");
+    }
+  }
+  Study study;
+  study.case_file = first.folder / "case.toml";
+  study.case_root = *first.root;
+  study.case_text = first.text_in(first.folder);
+  study.axes = {"case"};
+  Vary vary;
+  vary.parameter = vary.name = "case";
+  vary.path = {PathStep("title")};
+  for (std::size_t i = 0; i < cases.size(); ++i) vary.values.push_back(toml_number(static_cast<double>(i)));
+  vary.labels = labels;
+  study.varies = {std::move(vary)};
+  auto runs = std::make_unique<StudyRuns>(std::move(study), std::move(facts), std::make_shared<CaseMemo>());
+  return std::make_shared<PyStudy>(std::move(runs),
+                                   std::vector<std::shared_ptr<const PyCase>>(cases.begin(), cases.end()));
 }
 
 /// A study over records, as `bentur gap STUDY --json` tells it.
@@ -247,87 +304,13 @@ SuiteResults suite_results(const PyCase& given, const py::object& progress) {
   return {*std::move(run), std::move(gaps)};
 }
 
-/// An xarray.Dataset of results, read as a file is. The lock must be held.
-class DatasetSource final : public ResultSource {
- public:
-  explicit DatasetSource(py::object dataset) : dataset_(std::move(dataset)) {
-    for (const py::handle item : dataset_.attr("variables")) {
-      const auto name = item.cast<std::string>();
-      const py::object one = dataset_[item];
-      variables_.push_back({.name = name,
-                            .units = attribute(name, "units"),
-                            .long_name = attribute(name, "long_name"),
-                            .dimensions = py::list(one.attr("dims")).cast<std::vector<std::string>>(),
-                            .shape = py::list(one.attr("shape")).cast<std::vector<std::size_t>>(),
-                            .coordinates = {},
-                            .text = std::string("OUT").find(kind(one)) != std::string::npos});
-    }
-  }
-
-  [[nodiscard]] const std::vector<StoredVariable>& variables() const noexcept override { return variables_; }
-  [[nodiscard]] std::size_t dimension_size(std::string_view dimension) const override {
-    return dataset_.attr("sizes").attr("get")(dimension, 0).cast<std::size_t>();
-  }
-  [[nodiscard]] std::vector<double> numbers(std::string_view variable) const override {
-    return values<double>(of(variable), "float");
-  }
-  [[nodiscard]] std::vector<double> numbers(std::string_view variable, std::size_t i) const override {
-    return values<double>(of(variable)[py::int_(i)], "float");
-  }
-  [[nodiscard]] std::vector<std::string> texts(std::string_view variable) const override {
-    return values<std::string>(of(variable), "str");
-  }
-  [[nodiscard]] std::string attribute(std::string_view variable, const std::string& attribute) const override {
-    return py::str(of(variable).attr("attrs").attr("get")(attribute, ""));
-  }
-  [[nodiscard]] std::string attribute(const std::string& attribute) const override {
-    return py::str(dataset_.attr("attrs").attr("get")(attribute, ""));
-  }
-  [[noreturn]] void fail(const std::string& why) const override { throw py::value_error("results: " + why); }
-
- private:
-  [[nodiscard]] py::object of(std::string_view variable) const { return dataset_[py::cast(variable)]; }
-  [[nodiscard]] static char kind(const py::object& one) { return one.attr("dtype").attr("kind").cast<char>(); }
-  template <class Value>
-  [[nodiscard]] static std::vector<Value> values(const py::object& one, const char* type) {
-    return one.attr("to_numpy")().attr("astype")(type).attr("ravel")().attr("tolist")().cast<std::vector<Value>>();
-  }
-
-  py::object dataset_;
-  std::vector<StoredVariable> variables_;
-};
-
-/// Fits the outcomes of an incremental dynamic analysis, as `bentur fragility --json` tells them.
-std::string fragility(const py::object& dataset, const std::string& event, int resamples, double confidence,
-                      std::uint64_t seed, const std::optional<double>& at, const std::vector<double>& probabilities,
-                      const std::string& along, const std::string& method) {
-  const FragilityRequest request{.event = event,
-                                 .method = method == "cloud"     ? FragilityMethod::cloud
-                                           : method == "stripes" ? FragilityMethod::stripes
-                                                                 : FragilityMethod::likelihood,
-                                 .bootstrap = {.resamples = resamples, .confidence = confidence, .seed = seed},
-                                 .at = at,
-                                 .probabilities = probabilities,
-                                 .along = along};
-  std::string error;
-  const auto rule = parse_event(event, error);
-  if (!rule) throw py::value_error("event \"" + event + "\" " + error);
-  IdaResults results = read_ida_results(DatasetSource(dataset), *rule);
-  std::optional<FragilityReport> report;
-  {
-    const py::gil_scoped_release unlocked;
-    report = fragility_report(std::move(results), request, error);
-  }
-  if (!report) throw py::value_error(error);
-  return fragility_json(*report, request, version());
-}
-
 }  // namespace
 
 void bind_study(py::module_& module) {
   py::class_<PyStudy, std::shared_ptr<PyStudy>>(module, "Study")
       .def(py::init(&read), py::arg("file"), py::arg("ida"))
       .def(py::init(&of_values), py::arg("case"), py::arg("tables"), py::arg("text"), py::arg("case_text"))
+      .def_static("of_cases", &of_cases, py::arg("cases"), py::arg("labels"))
       .def_property_readonly("title", [](const PyStudy& study) { return study.runs().facts().title; })
       .def_property_readonly("runs", [](const PyStudy& study) { return study.runs().plan().runs(); })
       .def("begin", &PyStudy::begin, py::arg("file"), py::arg("resume"), py::arg("force"), py::arg("attributes"))
@@ -359,9 +342,6 @@ void bind_study(py::module_& module) {
         return least_gap_json(least_gaps(found.run, found.gaps), version());
       },
       py::arg("case"), py::arg("progress"));
-  module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),
-             py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"),
-             py::arg("method"));
   module.def("is_study", &is_study, py::arg("file"));
 }
 

@@ -1,6 +1,9 @@
 #include "toml_python.h"
 
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
+
+#include <algorithm>
 
 #include "bentur/io/toml/toml_view.h"
 #include "python_law.h"
@@ -46,9 +49,23 @@ TomlValue toml_of(const py::handle& value, const std::string& path) {
     toml.text = toml.law->name;
     return toml;
   }
+  if (py::hasattr(value, "stands_for_numbers")) {
+    const auto numbers = value.attr("values").cast<py::array_t<double, py::array::c_style | py::array::forcecast>>();
+    return toml_numbers({numbers.data(), numbers.data() + numbers.size()});
+  }
   if (py::hasattr(value, "tolist")) return toml_of(value.attr("tolist")(), path);
   throw py::type_error(path + " is a " + std::string(py::str(py::type::of(value).attr("__name__"))) +
                        ", must be a number, text, true or false, a list or a table");
+}
+
+bool has_own_law(const TomlValue& value) {
+  const auto in_member = [](const TomlMember& member) { return has_own_law(member.value); };
+  return value.law != nullptr || std::any_of(value.items.begin(), value.items.end(), has_own_law) ||
+         std::any_of(value.members.begin(), value.members.end(), in_member);
+}
+
+bool are_equal(const OwnLaw& a, const OwnLaw& b) {
+  return static_cast<const PyLaw&>(a).given.equal(static_cast<const PyLaw&>(b).given);
 }
 
 py::object python_of(const TomlValue& value) {
@@ -59,6 +76,9 @@ py::object python_of(const TomlValue& value) {
       return table;
     }
     case TomlValue::Kind::list: {
+      if (value.numbers) {
+        return py::array_t<double>(static_cast<py::ssize_t>(value.size()), value.numbers->data());
+      }
       py::list list;
       for (const TomlValue& item : value.items) list.append(python_of(item));
       return list;

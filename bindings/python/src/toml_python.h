@@ -14,6 +14,12 @@ namespace bentur::python {
 /// @throws a Python TypeError, naming the key, for anything else.
 [[nodiscard]] TomlValue toml_of(const pybind11::handle& value, const std::string& path = "");
 
+/// Whether a law of Python's own stands anywhere in it: then what is read of it needs the lock.
+[[nodiscard]] bool has_own_law(const TomlValue& value);
+
+/// Whether two laws of Python's own are equal, as Python has it.
+[[nodiscard]] bool are_equal(const OwnLaw& a, const OwnLaw& b);
+
 /// The same the other way round.
 [[nodiscard]] pybind11::object python_of(const TomlValue& value);
 
