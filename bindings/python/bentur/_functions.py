@@ -68,6 +68,8 @@ def run(
     asked = as_case(case)
     if output_step is not None:
         output_step = _arguments.positive("output_step", output_step)
+    if histories is None and asked._made.energy_audit:
+        histories = True  # the account of energies is of the run with its samples, to the last bit
     step = (output_step or asked._made.output_step) if histories else 0.0
     if record is not None:
         record = _arguments.whole("record", record, 1)

@@ -86,12 +86,12 @@ class Result:
 
     @cached_property
     def _run(self) -> _core.Run:
-        return self._solved(0.0)
+        return self._solved(self._step if self._histories else 0.0)
 
     @cached_property
     def _full(self) -> _core.Run:
         """With samples, unless none are wanted."""
-        return self._run if self._histories is False else self._solved(self._step)
+        return self._solved(self._step) if self._histories is None else self._run
 
     @cached_property
     def _at_report_step(self) -> _core.Run:

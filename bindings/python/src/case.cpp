@@ -175,6 +175,7 @@ void bind_case(py::module_& module) {
       .def_property_readonly("gravity", [](const PyCase& c) { return c.units().gravity; })
       .def_property_readonly("duration", [](const PyCase& c) { return c.analysis().duration; })
       .def_property_readonly("output_step", [](const PyCase& c) { return c.analysis().output_step; })
+      .def_property_readonly("energy_audit", [](const PyCase& c) { return c.analysis().energy_audit; })
       .def_property_readonly("excitation", &excitation_of)
       .def_property_readonly("buildings",
                              [](const PyCase& c) {
