@@ -184,19 +184,20 @@ def test_a_result_goes_to_other_processes():
     assert found[0].impacts.equals(expected.impacts) and found[0].remarks == expected.remarks
 
 
+@pytest.mark.parametrize("name", ["yielding-pair", "m12-harmonic"])  # with an account of energies, and without
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])
-def test_copies_of_a_result(copied, monkeypatch):
-    result = bentur.run(bentur.example("yielding-pair"), output_step=0.02)
+def test_copies_of_a_result(copied, name, monkeypatch):
+    result = bentur.run(bentur.example(name), output_step=0.02)
     again = copied(result)
     assert again.case == result.case and again.summary == result.summary
     assert np.array_equal(again.histories["force"], result.histories["force"])  # solved anew, the same to the bit
     assert len(again.histories["time"]) == len(result.histories["time"])
     assert again.report() == result.report()
     looked_at = copied(result)
+    without = copied(bentur.run(result.case, histories=False))
     monkeypatch.delattr(bentur._core, "solve")
     assert np.array_equal(looked_at.histories["force"], result.histories["force"])
     assert not looked_at.histories["force"].flags.writeable
-    without = copied(bentur.Result(result._run, result.case, histories=False))
     with pytest.raises(ValueError, match="histories=True"):
         without.histories  # noqa: B018
 
