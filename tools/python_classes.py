@@ -56,7 +56,7 @@ CLASSES = {
     "Gap": (("gap",), "`contact` is one of the laws of a case, or one of your own.", []),
     "Link": (("link",), "", [("elements/link_laws.h", "SpringDashpot"), ("elements/link_laws.h", "Cable"),
                              ("elements/kinematic_hardening.h", "KinematicHardening")]),
-    "Excitation": (("excitation",), "X :func:`bentur.minimum_gap` alone, ``kind=\"suite\"`` for that, "
+    "Excitation": (("excitation",), "``kind=\"spectrum\"`` and ``kind=\"displacements\"`` are for :func:`bentur.minimum_gap` alone, ``kind=\"suite\"`` for that, "
                    ":func:`bentur.run_suite` and, record by record, :func:`bentur.run`.", []),
     "Initial": (("initial",), "", []),
     "Analysis": (("analysis",), "", []),
