@@ -67,9 +67,9 @@ class FreeResponseOf {
   [[nodiscard]] std::optional<FreeResponseOf> scaled(AnyProblem problem) const;
 
   /// The response without contact, whatever widths and laws the problem gave, but for what is needed where buildings
-  /// touch only while several places are closed (PlanContact::family), which hangs on the widths: status and message, the peaks of the
-  /// buildings, and of points and watched floors what they need (`gap_needed` and, where asked for, what belongs to
-  /// it); all else of them is zero. It lives as long as this object and its copies.
+  /// touch only while several places are closed (PlanContact::family), which hangs on the widths: status and message,
+  /// the peaks of the buildings, and of points and watched floors what they need (`gap_needed` and, where asked for,
+  /// what belongs to it); all else of them is zero. It lives as long as this object and its copies.
   [[nodiscard]] const AnyResponse& response() const;
 
  private:

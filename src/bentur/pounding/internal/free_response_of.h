@@ -28,7 +28,7 @@ struct FreeResponseOf<AnyProblem, AnyResponse>::Parts {
   FreeSolution free;
   RunLimits limits;
   bool levels;
-  AnyResponse response;                        // as far as it goes without contact
+  AnyResponse response;                         // as far as it goes without contact
   std::optional<AnyResponse> with_widths = {};  // the same where needs hang on the widths of the problem
 };
 
@@ -206,8 +206,8 @@ std::optional<FreeResponseOf<AnyProblem, AnyResponse>> FreeResponseOf<AnyProblem
   if (!free || any_problem::difference(parts_->problem, free->system(), given, system)) return std::nullopt;
   AnyResponse response = any_problem::told<AnyResponse>(given, *free, parts_->levels);
   FreeResponseOf result;
-  result.parts_ = std::make_shared<const Parts>(any_problem::with_needs(Parts{
-      std::move(given), parts_->solver, std::move(*free), parts_->limits, parts_->levels, std::move(response)}));
+  result.parts_ = std::make_shared<const Parts>(any_problem::with_needs(
+      Parts{std::move(given), parts_->solver, std::move(*free), parts_->limits, parts_->levels, std::move(response)}));
   return result;
 }
 
