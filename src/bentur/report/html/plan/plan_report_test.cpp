@@ -179,8 +179,9 @@ TEST(PlanReport, TellsOfLinks) {
 
 /// A corner near the end of the edge before it is told of where both buildings may move further than that along it.
 TEST(PlanReport, TellsOfCornersThatMayLeaveTheirEdge) {
-  const auto tells = [](const std::string& polygon) {
-    const PlanRun run = test::plan_run(test::twisting_pair("size = [15.0, 18.0]", "polygon = " + polygon));
+  const auto tells = [](const std::string& polygon, const std::string& pga = "3.4") {
+    const std::string text = test::twisting_pair("size = [15.0, 18.0]", "polygon = " + polygon);
+    const PlanRun run = test::plan_run(test::with(text, "pga = 3.4", "pga = " + pga));
     EXPECT_GT(run.response.impacts.size(), 0U);
     for (const Statement& one : plan_story(run).statements) {
       if (one.kind == "remark.end_of_edge") return true;
@@ -188,8 +189,10 @@ TEST(PlanReport, TellsOfCornersThatMayLeaveTheirEdge) {
     return false;
   };
   EXPECT_FALSE(tells("[[0, 0], [15, 0], [15, 18], [0, 18]]"));
-  EXPECT_FALSE(tells("[[0, 9], [9, 0], [18, 9], [9, 18]]"));      // a corner before the middle of an edge
-  EXPECT_TRUE(tells("[[0, 17.99], [9, 9], [18, 17], [9, 25]]"));  // before the end of one
+  EXPECT_FALSE(tells("[[0, 9], [9, 0], [18, 9], [9, 18]]"));       // a corner before the middle of an edge
+  EXPECT_FALSE(tells("[[0, 17.99], [9, 9], [18, 17], [9, 25]]"));  // before the end of one, which is looked at
+  EXPECT_FALSE(tells("[[0, 17.6], [9, 9], [18, 17], [9, 25]]"));
+  EXPECT_TRUE(tells("[[0, 17.6], [9, 9], [18, 17], [9, 25]]", "13"));  // beyond what is looked at, 5 % of the height
 }
 
 /// Every number is that of the quantities; the list of impacts can be saved as impacts.csv.
