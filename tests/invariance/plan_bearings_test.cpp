@@ -10,7 +10,7 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/plan/plan_frames.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "tests/invariance/portal.h"
 #include "tests/support/plan_run.h"
 
@@ -145,7 +145,7 @@ TEST(PlanBearings, FramesWithHingesAreTheRows) {
     const BuildingPeaks& wanted = row.buildings[0];
     const double lost = wanted.yielding.hysteretic_energy(0);
     EXPECT_NEAR(found.bearings.hysteretic_energy.sum(), lost, 1e-9 * lost);
-    const Story story = plan_story(p);
+    const Story story = run_story(p);
     const auto yields = std::find_if(story.statements.begin(), story.statements.end(),
                                      [](const Statement& one) { return one.kind == "bearings_yield"; });
     ASSERT_NE(yields, story.statements.end());

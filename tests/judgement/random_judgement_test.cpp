@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "bentur/model/judgement/judged_gaps.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "bentur/pounding/pounding.h"
 #include "tests/invariance/every_kind.h"
 #include "tests/invariance/plan_twin.h"
@@ -157,7 +157,7 @@ void examine_twin(const Case& c, const RunResults& given, const std::vector<Judg
     EXPECT_EQ(of_plan, of_row) << "gap " << g << " in plan";
   }
   if (motion_left) return;
-  EXPECT_EQ(said(plan_story(run)), said(run_story(given)));
+  EXPECT_EQ(said(run_story(run)), said(run_story(given)));
 }
 
 void examine_judgements(unsigned seed, Judged& tally) {

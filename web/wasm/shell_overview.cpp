@@ -9,8 +9,8 @@
 #include "bentur/core/version.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_places.h"
-#include "bentur/model/story/plan_story.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/spectral_report.h"
@@ -200,7 +200,7 @@ Json plan_overview(const PlanRun& run, const Words& say) {
                        shown.force * one.peak_force, one.closing_speed, e ? number_or_null(*e) : Json(),
                        points[one.point]["along"]});
   }
-  Json all = overview_of(run.c.title, run.c.units, problem.duration, gaps, names, plan_story(run), say);
+  Json all = overview_of(run.c.title, run.c.units, problem.duration, gaps, names, run_story(run), say);
   all["spectral"] = false;
   all["plan"] = true;
   all["buildings"] = buildings;

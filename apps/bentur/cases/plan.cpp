@@ -15,7 +15,8 @@
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/model/limits.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/plan/plan_places.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/html/plan/plan_report.h"
 #include "bentur/structure/modes.h"
@@ -141,7 +142,7 @@ void print_plan_gaps(const std::string& file, bool json, const std::string& lang
   const PlanRun run = simulate_plan(file, language);
   if (json) return print(plan_gap_json(run, version()));
   const Words say(language);
-  print(fitted(plan_motion_text(run, say) + all_gaps_text(gap_names(run.problem), run.c.code, plan_gap_story(run),
+  print(fitted(plan_motion_text(run, say) + all_gaps_text(gap_names(run.problem), run.c.code, gap_story(run),
                                                           {say("cli.plan_gap_note"), say("screening.note")}, say)));
 }
 
@@ -150,7 +151,7 @@ void print_plan_rules(const std::string& file, bool json, const std::string& lan
   if (json) return print(plan_height_rules_json(loaded.c, loaded.problem, version()));
   const Words say(language);
   std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n\n";
-  const Story story = plan_height_rules_story(loaded.c, loaded.problem);
+  const Story story = height_rules_story(loaded.c, loaded.problem);
   if (!story.tables.empty()) {
     text += tables_text(gap_names(loaded.problem), story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
   }

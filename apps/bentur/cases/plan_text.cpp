@@ -4,7 +4,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_places.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -127,7 +127,7 @@ std::string plan_summary_text(const PlanRun& run, const Words& say) {
   const PlanProblem& problem = run.problem;
   const std::vector<std::string> gaps = gap_names(problem);
   std::string text = plan_motion_text(run, say);
-  const Story story = plan_story(run);
+  const Story story = run_story(run);
   text += "\n" + story_text(gaps, story, say, Told::outcome);
   for (std::size_t g = 0; g < gaps.size(); ++g) {
     text += "\n" + say("cli.contact", {{"gap", gaps[g]}}) + "\n\n" + contact_table(run, g, say);

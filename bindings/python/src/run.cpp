@@ -22,7 +22,7 @@
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/model/plan/plan_places.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
@@ -286,7 +286,7 @@ void bind_run(py::module_& module) {
            [](const PyRun& run, const std::string& language) {
              const Words say(language);
              std::vector<std::string> lines =
-                 run.plan ? story_lines(gap_names(run.plan->problem), plan_story(*run.plan), say, Told::outcome)
+                 run.plan ? story_lines(gap_names(run.plan->problem), run_story(*run.plan), say, Told::outcome)
                           : story_lines(run.results.problem, run_story(run.results), say, Told::outcome);
              for (std::string& line : lines) line = with_spaces(std::move(line));
              return lines;

@@ -17,7 +17,7 @@
 #include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/temporary_folder.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur {
@@ -138,7 +138,7 @@ void expect_read_back(PlanRun run) {
   EXPECT_EQ(impacts_csv(read), impacts_csv(run));
   EXPECT_EQ(plan_summary_json(read, "0"), plan_summary_json(run, "0"));
   EXPECT_EQ(histories_netcdf(read, "0"), histories_netcdf(run, "0"));
-  const std::vector<Statement> told = plan_story(run).statements, again = plan_story(read).statements;
+  const std::vector<Statement> told = run_story(run).statements, again = run_story(read).statements;
   ASSERT_EQ(again.size(), told.size());
   for (std::size_t i = 0; i < told.size(); ++i) {
     ASSERT_EQ(again[i].kind, told[i].kind);
@@ -205,11 +205,11 @@ TEST(PlanReading, FramesWithHingesAreWhatWasWritten) {
   }
   EXPECT_GT(formed, 5);
   std::vector<std::string> kinds;
-  for (const Statement& one : plan_story(run).statements) kinds.push_back(one.kind);
+  for (const Statement& one : run_story(run).statements) kinds.push_back(one.kind);
   const auto tells = [&](const char* kind) { return std::count(kinds.begin(), kinds.end(), kind); };
   EXPECT_EQ(tells("hinges") + tells("hinges_none"), 2);
   EXPECT_EQ(tells("columns_break") + tells("columns_whole"), 1);
-  EXPECT_EQ(plan_story(run).tables.front().kind, tells("columns_break") > 0 ? "broken_columns" : "hinges");
+  EXPECT_EQ(run_story(run).tables.front().kind, tells("columns_break") > 0 ? "broken_columns" : "hinges");
   const std::string json = plan_summary_json(run, "0");
   for (const char* const key : {"\"hinge_order\"", "\"rotation_demand\"", "\"mechanism\"", "\"breaking_columns\"",
                                 "\"hinge_energy\"", "\"peak_edge_drift_ratio\""}) {

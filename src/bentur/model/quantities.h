@@ -19,6 +19,7 @@ struct PlanBuilding;
 struct PlanProblem;
 struct PlanRun;
 struct Remark;
+struct RunResults;
 
 /// What the values of a quantity belong to: one value for the run, or one each. Of planes in plan one for each storey;
 /// bearings are those of plans alone.
@@ -26,6 +27,7 @@ enum class Owner { run, building, floor, plane, point, gap, impact, link, hinge,
 
 /// The units in which people are told of a run: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);
+[[nodiscard]] ShownUnits shown_units(const RunResults& run);
 [[nodiscard]] ShownUnits shown_units(const PlanRun& run);
 
 /// A run of a row as quantities are read from it; of buildings in plan that is PlanRun.

@@ -118,6 +118,8 @@ ShownUnits shown_units(const Units& units, const Response& response) {
   return shown_units(units, largest);
 }
 
+ShownUnits shown_units(const RunResults& run) { return shown_units(run.c.units, run.response); }
+
 ShownUnits shown_units(const PlanRun& run) {
   double largest = 0;
   for (const PointSummary& one : run.response.points) largest = std::max({largest, one.peak_force, one.peak_tension});

@@ -156,4 +156,12 @@ PlanPoint place_of(const PlanGap& gap, bool is_point, Index index) {
   return is_point ? gap.middle(gap.contacts.at(index)) : gap.stretch.middle(gap.watched.at(index).along);
 }
 
+std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap) {
+  const RunResults pair = pair_of(run, gap);
+  if (pair.problem.points.empty() && pair.problem.watched.empty()) return std::nullopt;
+  GoverningLevel level = governing_level(pair.problem, pair.response, 0);
+  if (!run.c.analysis.both_ways) level.gap_needed_reversed.reset();
+  return level;
+}
+
 }  // namespace bentur

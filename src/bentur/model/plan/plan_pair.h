@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 
@@ -15,6 +18,10 @@ namespace bentur {
 /// The same with what the response says of points and watched floors, and of the buildings how far the edges of their
 /// floors move across the gap without contact. @throws InvalidParameter unless it is of this problem.
 [[nodiscard]] RunResults pair_of(const PlanRun& run, std::size_t gap);
+
+/// Where a gap falls short the most of what the motion without contact needs, and what that motion times −1 needs
+/// there, where the case asks for it and it is known.
+[[nodiscard]] std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap);
 
 /// Where a contact point (else what is watched) of a gap is, in the middle of it [length].
 [[nodiscard]] PlanPoint place_of(const PlanGap& gap, bool is_point, Eigen::Index index);

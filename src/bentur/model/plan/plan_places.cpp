@@ -80,4 +80,10 @@ Index first_contact(const PlanProblem& problem, std::size_t gap) {
 
 Index contact_count(const PlanProblem& problem) { return first_contact(problem, problem.gaps.size()); }
 
+std::vector<std::string> gap_names(const PlanProblem& problem) {
+  std::vector<std::string> names;
+  for (const PlanGap& gap : problem.gaps) names.push_back(gap_name(problem, gap));
+  return names;
+}
+
 }  // namespace bentur

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "bentur/model/plan/plan_case.h"
@@ -34,5 +35,8 @@ struct PlanContactPlace {
 
 /// Those that an owner has in a building.
 [[nodiscard]] std::vector<QuantityPlace> places_in(const PlanProblem& problem, Owner owner, Eigen::Index building);
+
+/// The gaps of a problem by name, in their order.
+[[nodiscard]] std::vector<std::string> gap_names(const PlanProblem& problem);
 
 }  // namespace bentur

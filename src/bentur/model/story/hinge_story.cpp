@@ -239,7 +239,7 @@ void tell_hinges(const RunResults& run, Story& told) {
   }
 }
 
-void tell_frames(const PlanRun& run, Story& told) {
+void tell_hinges(const PlanRun& run, Story& told) {
   const std::vector<PlanFramePlace> places = frames_that_yield(run.problem);
   if (places.empty()) return;
   const RunResults frames = frames_of(run);

@@ -2,7 +2,6 @@
 
 #include "bentur/model/plan/plan_case.h"
 #include "bentur/model/story/internal/remark_checks.h"
-#include "bentur/model/story/plan_story.h"
 
 namespace bentur {
 namespace {

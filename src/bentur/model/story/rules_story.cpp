@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "bentur/model/gap/codes/height_rules.h"
+#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
@@ -100,6 +101,28 @@ Story height_rules_story(const Case& c, const Problem& problem) {
   sort_by_severity(told.statements);
   story::tell_quotations(c.code, told.statements);
   return told;
+}
+
+Story height_rules_story(const PlanCase& c, const PlanProblem& problem) {
+  Story all;
+  for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
+    const RunResults pair = pair_of(c, problem, g);
+    Story told;
+    story::tell_heights(pair.c, pair.problem, 0, told);
+    const auto [first, second] = std::minmax(problem.gaps[g].left, problem.gaps[g].right);
+    for (Statement& statement : told.statements) {
+      statement.gap = static_cast<Eigen::Index>(g);
+      statement.buildings = {first, second};
+      all.statements.push_back(std::move(statement));
+    }
+    for (StoryTable& table : told.tables) {
+      table.gap = static_cast<Eigen::Index>(g);
+      all.tables.push_back(std::move(table));
+    }
+  }
+  sort_by_severity(all.statements);
+  story::tell_quotations(c.code, all.statements);
+  return all;
 }
 
 }  // namespace bentur

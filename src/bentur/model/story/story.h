@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/plan/plan_case.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -89,23 +90,27 @@ struct SaidOfRun {
 /// out: over many runs that is told of all of them. Of one run it is what that run says.
 [[nodiscard]] std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs);
 
-/// Of a run: what fails, who collides where and how hard, the gap needed both ways round, the rules at every level,
-/// what contact does to the buildings, the ground motion as applied, remarks. A row of more than two buildings has a
-/// table.
+/// Of a run, of a row or of buildings in plan: what fails, who collides where and how hard, the gap needed in both
+/// directions, the rules at every level, what contact does to the buildings, the ground motion as applied, what the
+/// model leaves out, remarks. Of more than one gap there is a table. Gaps of statements are those of the problem.
 [[nodiscard]] Story run_story(const RunResults& run);
+[[nodiscard]] Story run_story(const PlanRun& run);
 
 /// Of the gaps of a run: what is needed and what rules ask, with a table of levels, of rules and of the screening for
 /// each.
 [[nodiscard]] Story gap_story(const RunResults& run);
+[[nodiscard]] Story gap_story(const PlanRun& run);
 
 /// Its tables alone.
 [[nodiscard]] std::vector<StoryTable> gap_tables_of(const RunResults& run);
+[[nodiscard]] std::vector<StoryTable> gap_tables_of(const PlanRun& run);
 
 /// The same by a spectrum.
 [[nodiscard]] Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral);
 
 /// What rules of [code] ask of the gaps from heights alone, before anything is computed.
 [[nodiscard]] Story height_rules_story(const Case& c, const Problem& problem);
+[[nodiscard]] Story height_rules_story(const PlanCase& c, const PlanProblem& problem);
 
 /// Remarks as statements; those that differ in subject and number alone become one. A doubt is a danger.
 [[nodiscard]] std::vector<Statement> remark_statements(const std::vector<Remark>& remarks);

@@ -9,7 +9,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_places.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/story_text.h"
@@ -277,7 +277,7 @@ namespace {
 /// What the verdict says first of the gap that is shown, behind its name where there are several.
 std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions& options) {
   const std::vector<std::string> names = gap_names(run.problem);
-  for (const SaidStatement& one : said(plan_story(run).statements, Words(options.language))) {
+  for (const SaidStatement& one : said(run_story(run).statements, Words(options.language))) {
     if (one.gap != static_cast<Index>(gap)) continue;
     return (names.size() > 1 ? names[gap] + ": " : "") + one.text;
   }

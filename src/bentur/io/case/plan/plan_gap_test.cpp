@@ -12,7 +12,7 @@
 #include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/model/plan/plan_pair.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 
 namespace bentur {
 namespace {
@@ -235,7 +235,7 @@ TEST(PlanGaps, RulesFromHeightsAlone) {
   EXPECT_DOUBLE_EQ(rule["gap"], 0.1);  // up to 15 m
   EXPECT_EQ(rule["given_is"], "too_small");
   EXPECT_EQ(rule["levels"].size(), 6U);
-  EXPECT_TRUE(story_tells(plan_height_rules_story(*c, problem), "rules_short"));
+  EXPECT_TRUE(story_tells(height_rules_story(*c, problem), "rules_short"));
 }
 
 TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
@@ -243,7 +243,7 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   const bool meets = std::any_of(run.response.watched.begin(), run.response.watched.end(),
                                  [](const WatchedSummary& one) { return one.closes; });
   ASSERT_TRUE(meets);
-  const Story story = plan_story(run);
+  const Story story = run_story(run);
   EXPECT_TRUE(story_tells(story, "unmodelled"));
   const json gap = json::parse(plan_summary_json(run, "test"))["gaps"][0];
   EXPECT_EQ(gap["unmodelled_contacts"], gap["unmodelled_contact"].size());
@@ -252,9 +252,9 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   // Far enough apart nothing meets, and the need is told of the place that governs.
   const std::string apart = with_piece(three_in_plan, "corner = [12.02, 4]", "corner = [12.45, 4]");
   const PlanRun far = plan_gap_run(with_piece(apart, "clearance = 0.1", "clearance = 0.5"));
-  EXPECT_FALSE(story_tells(plan_story(far), "unmodelled"));
+  EXPECT_FALSE(story_tells(run_story(far), "unmodelled"));
   // The other gap closes, so that this is not what would do.
-  EXPECT_TRUE(story_tells(plan_gap_story(far), "gap_need_alone"));
+  EXPECT_TRUE(story_tells(gap_story(far), "gap_need_alone"));
   run.response.watched.clear();
   EXPECT_THROW((void)pair_of(run, 0), InvalidParameter);
 }

@@ -18,7 +18,7 @@
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_screening.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -247,7 +247,7 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
                {"status", run.response.collapse ? "collapsed" : "completed"},
                {"solver", plan_solver_json(run)},
                {"excitation", excitations_json(run.c)},
-               {"statements", plan_statements_json(run.problem, plan_story(run).statements)},
+               {"statements", plan_statements_json(run.problem, run_story(run).statements)},
                {"remarks", remarks_json(run.remarks)},
                {"discrepancies", discrepancies_json(run.response.discrepancies)},
                {"buildings", std::move(buildings)},
@@ -277,7 +277,7 @@ std::string plan_gap_json(const PlanRun& run, std::string_view version) {
                   {"units", units_json(run.c.units)},
                   {"version", version},
                   {"excitation", excitations_json(run.c)},
-                  {"statements", plan_statements_json(run.problem, plan_gap_story(run).statements)},
+                  {"statements", plan_statements_json(run.problem, gap_story(run).statements)},
                   {"code_rules", code_rules_json(run.c.code)},
                   {"gaps", std::move(gaps)}});
 }
@@ -291,7 +291,7 @@ std::string plan_height_rules_json(const PlanCase& c, const PlanProblem& problem
   return text_of({{"title", c.title},
                   {"units", {{"length", c.units.length}, {"force", c.units.force}}},
                   {"version", version},
-                  {"statements", plan_statements_json(problem, plan_height_rules_story(c, problem).statements)},
+                  {"statements", plan_statements_json(problem, height_rules_story(c, problem).statements)},
                   {"code_rules", code_rules_json(c.code)},
                   {"gaps", std::move(gaps)}});
 }

@@ -76,11 +76,8 @@ void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
-
 /// The same of the frames of buildings in plan, and of their columns as tell_breaking().
-void tell_frames(const PlanRun& run, Story& told);
-/// Planes, edges and bearings of buildings in plan that yield or drift too far, and their frames.
-void tell_yielding(const PlanRun& run, Story& told);
+void tell_hinges(const PlanRun& run, Story& told);
 
 /// Of frames with infill: where a strut pushes hardest on a column, and where infill failed first or lost most.
 void tell_infill(const RunResults& run, std::vector<Statement>& statements);
@@ -101,24 +98,13 @@ void tell_breaking(const RunResults& run, Story& told);
 [[nodiscard]] GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral);
 /// The same of a gap in plan. @param pair pair_of() the run, which must outlive it as the run must
 [[nodiscard]] GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pair, JudgedGap judged);
-/// Collapses with contact and without: {building}, {storey}, {time} and {limit}. @param place name of the building and
-/// number of the storey
-void tell_collapse(const std::optional<Collapse>& with, const std::optional<Collapse>& without, double drift,
-                   const std::function<std::pair<std::string, Eigen::Index>(const Collapse&)>& place,
-                   std::vector<Statement>& statements);
 /// The storey of a building that drifts the most.
 struct WorstDrift {
-  Eigen::Index building = 0;
   std::string name;         ///< of the building, or of the plane of it
-  Eigen::Index storey = 0;  ///< its number, for people
-  double level = 0;         ///< of the floor above it [length]
+  Eigen::Index storey = 0;  ///< from 0
   double ratio = 0;
   bool is_alone = false;  ///< without contact
 };
-/// That it drifts beyond what counts as collapse, if it does, where nothing looks for that since no gravity acts.
-void tell_drift_beyond(const WorstDrift& worst, double limit, std::vector<Statement>& statements);
-/// The same of every building in plan.
-void tell_drifts(const PlanRun& run, std::vector<Statement>& statements);
 /// A gap among others.
 struct GapLine {
   std::string name;
@@ -133,8 +119,6 @@ void tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const 
 [[nodiscard]] std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted);
 /// The storey that has least of its strength left of those that have softened, from 0; −1: none has.
 [[nodiscard]] Eigen::Index most_softened(const BuildingPeaks::Yielding& yielding);
-/// What it has lost, with {time} and {left}.
-[[nodiscard]] Statement lost_strength(const BuildingPeaks::Yielding& yielding, Eigen::Index storey);
 /// What links carry and by how much they stroke, which they are bought by: of every two buildings the most of all.
 /// @param problem of a row or of buildings in plan @param found likewise, one per link
 template <class AnyProblem>

@@ -14,7 +14,7 @@
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/hand_in.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/html/internal/echo.h"
 #include "bentur/report/html/internal/motion_section.h"
 #include "bentur/report/html/internal/page.h"
@@ -39,7 +39,7 @@ class PlanPage {
       : run_(run),
         say_(say),
         length_(run.c.units.length),
-        story_(plan_story(run)),
+        story_(run_story(run)),
         gaps_(gap_names(run.problem)),
         judged_(judged_gaps(run)) {}
 
@@ -51,7 +51,7 @@ class PlanPage {
 
   /// What every level needs, what rules ask of it, how the buildings stand.
   [[nodiscard]] html::PageSection gap_needs() const {
-    const std::vector<StoryTable> tables = plan_gap_story(run_).tables;
+    const std::vector<StoryTable> tables = gap_tables_of(run_);
     if (tables.empty()) return {};
     const bool is_screened =
         std::any_of(tables.begin(), tables.end(), [](const StoryTable& one) { return one.kind == "screening"; });

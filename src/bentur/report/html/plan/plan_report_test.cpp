@@ -19,7 +19,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/story/hand_in.h"
-#include "bentur/model/story/plan_story.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
 #include "tests/support/plan_run.h"
@@ -60,7 +60,7 @@ TEST(PlanReport, SaysWhyAGapIsTooSmallInWhichNothingCollides) {
   for (const PointSummary& point : run.response.points) ASSERT_EQ(point.impacts, 0);
   for (const std::string language : {"en", "id"}) {
     const Words say(language);
-    const std::vector<SaidStatement> told = said(plan_story(run).statements, say);
+    const std::vector<SaidStatement> told = said(run_story(run).statements, say);
     const auto found = std::find_if(told.begin(), told.end(), [](const auto& one) { return one.kind == "too_small"; });
     ASSERT_NE(found, told.end());
     EXPECT_TRUE(has(found->text, "0.08825") && has(found->text, "Walled")) << found->text;
@@ -122,7 +122,7 @@ TEST(PlanReport, TellsDriftsOfEdgesWhereThereAreNoPlanes) {
   const std::vector<std::string>& names = checks.columns.at(0).texts;
   const auto last = std::find(names.rbegin(), names.rend(), "check.drift");
   EXPECT_NE(checks.columns.at(3).texts.at(static_cast<std::size_t>(names.rend() - last) - 1), "–");
-  const std::vector<Statement> told = plan_story(run).statements;
+  const std::vector<Statement> told = run_story(run).statements;
   EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const Statement& one) {
     return one.kind == "drift_beyond" && one.buildings == std::vector<Eigen::Index>{1};
   }));
@@ -146,7 +146,7 @@ TEST(PlanReport, TellsTheStory) {
   for (const PlanRun* const run : {&twisting(), &three}) {
     for (const std::string language : {"en", "id"}) {
       const std::string page = page_of(*run, language);
-      for (const SaidStatement& one : said(plan_story(*run).statements, Words(language))) {
+      for (const SaidStatement& one : said(run_story(*run).statements, Words(language))) {
         EXPECT_TRUE(has(page, one.text)) << one.text;
       }
       std::string shown = page.substr(page.find("<body"));
@@ -183,7 +183,7 @@ TEST(PlanReport, TellsOfCornersThatMayLeaveTheirEdge) {
     const std::string text = test::twisting_pair("size = [15.0, 18.0]", "polygon = " + polygon);
     const PlanRun run = test::plan_run(test::with(text, "pga = 3.4", "pga = " + pga));
     EXPECT_GT(run.response.impacts.size(), 0U);
-    for (const Statement& one : plan_story(run).statements) {
+    for (const Statement& one : run_story(run).statements) {
       if (one.kind == "remark.end_of_edge") return true;
     }
     return false;

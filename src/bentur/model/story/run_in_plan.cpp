@@ -1,0 +1,341 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bentur/model/plan/plan_frames.h"
+#include "bentur/model/plan/plan_places.h"
+#include "bentur/model/plan/plan_screening.h"
+#include "bentur/model/story/internal/run_parts.h"
+#include "bentur/model/story/internal/small_movements.h"
+
+// What the story of a run asks of buildings in plan.
+namespace bentur::story {
+namespace {
+
+using Eigen::Index;
+
+/// The word for the corner of a footprint that a place is at; nullptr where it is none.
+const char* corner_word(const Footprint& footprint, const PlanPoint& at) {
+  const auto side = [&](int i) {
+    return at[i] == footprint.corner[i] ? 0 : at[i] == footprint.far_corner()[i] ? 1 : -1;
+  };
+  if (!footprint.polygon.empty()) return nullptr;
+  constexpr const char* words[2][2] = {{"story.corner.lower_left", "story.corner.upper_left"},
+                                       {"story.corner.lower_right", "story.corner.upper_right"}};
+  return side(0) < 0 || side(1) < 0 ? nullptr : words[side(0)][side(1)];
+}
+
+/// The hardest impact of a contact; nullptr where it has none.
+const Impact* hardest_of(const PlanRun& run, Index contact) {
+  const Impact* hardest = nullptr;
+  for (const Impact& one : run.response.impacts) {
+    if (one.point == contact && (hardest == nullptr || is_harder(one, *hardest))) hardest = &one;
+  }
+  return hardest;
+}
+
+/// Whether two buildings could meet by how far both move: along every direction in which they are apart.
+bool could_meet(const PlanRun& run, Index left, Index right, const Stretch& joint) {
+  const auto reaches = [&](const PlanPoint& n, double width) {
+    return reach_of(run.response.buildings[left], n) + reach_of(run.response.buildings[right], n) >= width;
+  };
+  if (!reaches(joint.n, joint.width)) return false;
+  const std::vector<FamilyBeside> apart = families_beside(run.problem.buildings[left].model.footprint,
+                                                          run.problem.buildings[right].model.footprint, joint, 0);
+  return std::all_of(apart.begin(), apart.end(), [&](const FamilyBeside& one) {
+    return reaches(one.places.front().normal, joint.width + one.places.front().beyond);
+  });
+}
+
+/// "A, south wall".
+std::string plane_name(const PlanRun& run, Index b, std::size_t plane) {
+  return run.problem.buildings[b].name + ", " + run.problem.buildings[b].model.planes[plane].name;
+}
+
+/// The floor that contact turns the most of those that do not turn alone.
+std::optional<LargestOfFloors> turned_by_contact(const PlanRun& run) {
+  constexpr double round_off = 1e-9;
+  LargestOfFloors most;
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    const PlanPeaks &with = run.response.buildings[b], &alone = run.response.buildings_no_contact[b];
+    const double side = run.problem.buildings[b].model.footprint.size.maxCoeff();
+    for (const QuantityPlace& at : floors_of(run.problem, b)) {
+      const double moves = round_off * std::max(with.x(at.floor), with.y(at.floor));
+      const double value = with.rotation(at.floor);
+      if (side * alone.rotation(at.floor) > moves || !(side * value > moves) || value <= most.value) continue;
+      most.value = value;
+      most.at = at;
+    }
+  }
+  if (std::isnan(most.value)) return std::nullopt;
+  return most;
+}
+
+/// Of the planes of a building the storey with the largest ductility.
+std::optional<Yields> yielding_plane(const PlanRun& run, Index b) {
+  const auto &planes = run.response.buildings[b].planes, &alone = run.response.buildings_no_contact[b].planes;
+  std::optional<Yields> most;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const auto& list = planes[p].yielding.ductility;
+    for (Index f = 0; f < list.size(); ++f) {
+      if (!(list(f) > (most ? most->ductility : 1))) continue;
+      most = Yields{plane_name(run, b, p), list(f), alone[p].yielding.ductility(f),
+                    run.problem.buildings[b].model.storey_number(f)};
+    }
+  }
+  return most;
+}
+
+/// The largest ductility of the bearings of a building, along x or along y. Results do not keep what they do without
+/// contact.
+double ductility_of_bearings(const PlanRun& run, Index b) {
+  const PlanPeaks::Bearings& peaks = run.response.buildings[b].bearings;
+  double ductility = 0;
+  for (Index n = 0; n < peaks.x.size(); ++n) {
+    const HystereticLaw* const law = run.problem.buildings[b].model.bearings[n].law.get();
+    if (law == nullptr) continue;
+    ductility = std::max(ductility, std::max(peaks.x(n), peaks.y(n)) / law->yield_deformation());
+  }
+  return ductility;
+}
+
+/// "peak_displacement_x_no_contact".
+std::string key_along(const std::string& key, const std::string& axis) {
+  const std::string end = "_no_contact";
+  const bool has_end = key.ends_with(end);
+  return (has_end ? key.substr(0, key.size() - end.size()) : key) + "_" + axis + (has_end ? end : "");
+}
+
+}  // namespace
+
+GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pair, JudgedGap judged) {
+  GapView view = view_of(pair);
+  view.in_plan = &run.problem.gaps[gap];
+  view.plan = &run.problem;
+  view.screened = {plan_screening(run.c, run.problem, gap)};
+  view.facts.push_back(std::move(judged.facts));
+  view.judged.push_back(std::move(judged.judgement));
+  return view;
+}
+
+void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, Index index, const std::string& length,
+               std::vector<StoryValue>& values) {
+  const StretchCorner place = is_point ? gap.at(gap.contacts[index]) : gap.stretch.at(gap.watched[index].along);
+  const double elevation = is_point ? gap.contacts[index].elevation : gap.watched[index].elevation;
+  const char* corner = nullptr;
+  for (const int side : {0, 1}) {
+    const PlanBuilding& building = problem.buildings[side == 0 ? gap.left : gap.right];
+    if (corner != nullptr) break;
+    corner = corner_word(building.model.footprint, side == 0 ? place.left : place.right);
+    if (corner == nullptr) continue;
+    values.push_back(text_of("corner_of", building.name));
+    values.push_back(word_of("corner", corner));
+  }
+  const PlanPoint at = 0.5 * (place.left + place.right);
+  values.push_back(value_in("elevation", elevation, length));
+  values.push_back(value_in("x", at.x(), length));
+  values.push_back(value_in("y", at.y(), length));
+  values.push_back(word_of("level", corner != nullptr ? "story.place_at_corner" : "story.place"));
+}
+
+Statement model_statement(const PlanRun& run) {
+  bool yields = false;
+  std::size_t counted = 0, loaded = 0,
+              moved = 0;  // buildings that move, those with gravity loads, those on soil or bearings
+  for (const PlanBuilding& building : run.problem.buildings) {
+    counted += building.is_rigid() ? 0 : 1;
+    loaded += building.has_gravity_loads() ? 1 : 0;
+    moved += building.model.soil || building.model.slab ? 1 : 0;
+  }
+  const bool by_axes = std::any_of(run.problem.buildings.begin(), run.problem.buildings.end(), [](const auto& one) {
+    const auto& bearings = one.model.bearings;
+    return std::any_of(bearings.begin(), bearings.end(), [](const auto& bearing) { return bearing.elements() > 0; });
+  });
+  std::vector<std::vector<StoryValue>> left_out = gravity_left_out(loaded, counted);
+  if (by_axes) left_out.push_back({word_of("what", "remarks.bearings_by_axes")});
+  if (moved < counted) left_out.push_back({word_of("what", moved == 0 ? "remarks.no_soil" : "remarks.soil_of")});
+  for (const PlanPeaks& peaks : run.response.buildings) {
+    for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
+  }
+  yields = yields || !frames_that_yield(run.problem).empty();
+  return {.kind = "model_plan",
+          .severity = Severity::remark,
+          .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
+          .items = std::move(left_out)};
+}
+
+std::string PlanGaps::name(std::size_t gap) const { return gap_name(run_.problem, run_.problem.gaps[gap]); }
+
+void PlanGaps::tell(std::size_t gap, const std::function<void(Statement)>& hit, std::vector<Statement>& to) const {
+  const RunResults pair = pair_of(run_, gap);
+  const GapView view = judged_view_of(run_, gap, pair, judged_[gap]);
+  const std::size_t before = to.size();
+  tell_unmodelled(view, 0, to);
+  tell_judgement(view, 0, hit, to);
+  tell_need(view, 0, to);
+  tell_rules(view, 0, to);
+  const auto [first, second] = std::minmax(run_.problem.gaps[gap].left, run_.problem.gaps[gap].right);
+  for (std::size_t i = before; i < to.size(); ++i) {
+    to[i].gap = static_cast<Index>(gap);
+    to[i].buildings = {first, second};
+    for (StoryValue& value : to[i].values) {
+      if (value.name == "left") value.value = run_.problem.buildings[first].name;
+      if (value.name == "right") value.value = run_.problem.buildings[second].name;
+    }
+  }
+}
+
+void PlanGaps::put_tables(std::size_t gap, std::vector<StoryTable>& to) const {
+  const RunResults pair = pair_of(run_, gap);
+  for (StoryTable& table : gap_tables(judged_view_of(run_, gap, pair, judged_[gap]), 0)) {
+    table.gap = static_cast<Index>(gap);
+    to.push_back(std::move(table));
+  }
+}
+
+Hit hit_of(const PlanRun& run, std::size_t gap) {
+  const Index first = first_contact(run.problem, gap);
+  Hit hit{.points = std::ssize(run.problem.gaps[gap].contacts), .point = first};
+  for (Index i = first; i < first + hit.points; ++i) {
+    const PointSummary& point = run.response.points[i];
+    hit.impacts += point.impacts + point.settling;
+    hit.touched += point.impacts + point.settling > 0 ? 1 : 0;
+    const Impact* const one = hardest_of(run, i);
+    if (one == nullptr || (hit.hardest != nullptr && !is_harder(*one, *hit.hardest))) continue;
+    hit.hardest = one;
+    hit.point = i;
+  }
+  return hit;
+}
+
+void put_place(const PlanRun& run, std::size_t gap, const Hit& hit, Statement& statement) {
+  statement.level = contact_at(run.problem, hit.point).contact->elevation;
+  statement.values.push_back(count_of("n", hit.points));
+  statement.values.push_back(word_of("points", "story.count.contact_points.many"));
+  add_place(run.problem, run.problem.gaps[gap], true, hit.point - first_contact(run.problem, gap), run.c.units.length,
+            statement.values);
+}
+
+void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& statements) {
+  const std::vector<PlanBuilding>& buildings = run.problem.buildings;
+  for (Index a = 0; a < std::ssize(buildings); ++a) {
+    for (Index b = a + 1; b < std::ssize(buildings); ++b) {
+      const auto stretch = joint_between(buildings[a].model.footprint, buildings[b].model.footprint);
+      const bool is_modelled = std::any_of(run.problem.gaps.begin(), run.problem.gaps.end(), [&](const PlanGap& gap) {
+        return std::min(gap.left, gap.right) == a && std::max(gap.left, gap.right) == b;
+      });
+      if (!stretch || is_modelled || (buildings[a].is_rigid() && buildings[b].is_rigid())) continue;
+      const double reach =
+          reach_of(run.response.buildings[a], stretch->n) + reach_of(run.response.buildings[b], stretch->n);
+      if (!(stretch->swapped ? could_meet(run, b, a, *stretch) : could_meet(run, a, b, *stretch))) continue;
+      const std::string& length = run.c.units.length;
+      statements.push_back({.kind = "pair_without_contact",
+                            .severity = Severity::danger,
+                            .buildings = {a, b},
+                            .values = {text_of("left", buildings[a].name), text_of("right", buildings[b].name),
+                                       value_in("width", stretch->width, length), value_in("reach", reach, length)}});
+    }
+  }
+}
+
+bool tell_turning(const PlanRun& run, std::vector<Statement>& statements) {
+  constexpr double more = 1 + 1e-9;
+  LargestOfFloors turns = largest_of_floors(run, "amplification_rotation");
+  turns.axis.clear();
+  const auto milliradians = [&](const char* key) {
+    return 1e3 * value_of(quantity_named(key, Owner::floor, true), run, turns.at);
+  };
+  if (turns.value > more) {
+    statements.push_back(of_floor(run, turns, "turned"));
+    auto& values = statements.back().values;
+    values.push_back(value_in("factor", turns.value));
+    values.push_back(value_in("with", milliradians("peak_rotation"), "mrad"));
+    values.push_back(value_in("without", milliradians("peak_rotation_no_contact"), "mrad"));
+  }
+  const std::optional<LargestOfFloors> starts = turned_by_contact(run);
+  if (starts) {
+    statements.push_back(of_floor(run, *starts, "turned_by_contact"));
+    statements.back().values.push_back(value_in("with", 1e3 * starts->value, "mrad"));
+  }
+  return turns.value > more || starts;
+}
+
+std::optional<WorstDrift> worst_drift(const PlanRun& run, Index b) {
+  const PlanBuilding& building = run.problem.buildings[b];
+  if (building.is_rigid() || building.has_gravity_loads()) return std::nullopt;
+  WorstDrift most{.name = building.name};
+  for (const bool is_alone : {false, true}) {
+    const PlanPeaks& peaks = (is_alone ? run.response.buildings_no_contact : run.response.buildings)[b];
+    const auto take = [&](const std::string& name, const Eigen::VectorXd& ratios) {
+      for (Index storey = 0; storey < ratios.size(); ++storey) {
+        if (ratios(storey) > most.ratio) most = {name, storey, ratios(storey), is_alone};
+      }
+    };
+    for (std::size_t p = 0; p < peaks.planes.size(); ++p) take(plane_name(run, b, p), peaks.planes[p].drift_ratio);
+    take(building.name, peaks.edge_drift_ratio());
+  }
+  return most;
+}
+
+std::vector<Yields> yields_of(const PlanRun& run, Index b) {
+  std::vector<Yields> found;
+  if (const std::optional<Yields> plane = yielding_plane(run, b)) found.push_back(*plane);
+  const double ductility = ductility_of_bearings(run, b);
+  if (ductility > 1) found.push_back({run.problem.buildings[b].name, ductility, std::nullopt, std::nullopt});
+  return found;
+}
+
+std::optional<Softened> softened_of(const PlanRun& run, Index b) {
+  const auto& planes = run.response.buildings[b].planes;
+  std::optional<std::pair<std::size_t, Index>> worst;
+  double least = 0;
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const Index storey = most_softened(planes[p].yielding);
+    if (storey < 0) continue;
+    const double left = planes[p].yielding.strength_left(storey);
+    if (worst && !(left < least)) continue;
+    worst = {p, storey};
+    least = left;
+  }
+  if (!worst) return std::nullopt;
+  return Softened{plane_name(run, b, worst->first), planes[worst->first].yielding, worst->second};
+}
+
+void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
+  for (const std::size_t i : {0U, 1U}) {
+    const double pga = applied_pga(run, i);
+    if (!(pga > 0)) continue;
+    Statement statement{
+        .kind = run.c.angle == 0 ? "pga_along" : "pga_along_turned",
+        .values = {text_of("axis", i == 0 ? "x" : "y"), value_in("angle", run.c.angle),
+                   value_in("pga", pga, run.c.units.length + "/s²"), value_in("in_g", pga / run.c.units.gravity, "g")}};
+    statements.push_back(std::move(statement));
+  }
+}
+
+void tell_left_out(const PlanRun& run, std::vector<Statement>& statements) {
+  tell_rotations(run, statements);
+  tell_ends_of_edges(run, statements);
+}
+
+LargestOfFloors largest_of_floors(const PlanRun& run, const std::string& key) {
+  LargestOfFloors most;
+  const bool turns = key.ends_with("rotation");
+  for (const std::string axis : {"x", "y"}) {
+    const Quantity& quantity = quantity_named(turns ? key : key_along(key, axis), Owner::floor, true);
+    for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+      for (const QuantityPlace& at : floors_of(run.problem, b)) {
+        const double value = value_of(quantity, run, at);
+        if (std::isnan(value) || value <= most.value) continue;
+        most = {value, at, axis};
+      }
+    }
+  }
+  return most;
+}
+
+double value_at(const PlanRun& run, const std::string& key, const LargestOfFloors& found) {
+  return value_of(quantity_named(key_along(key, found.axis), Owner::floor, true), run, found.at);
+}
+
+}  // namespace bentur::story

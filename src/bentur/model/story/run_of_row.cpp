@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/model/story/internal/run_parts.h"
+
+// What the story of a run asks of a row.
+namespace bentur::story {
+namespace {
+
+using Eigen::Index;
+
+void tell_columns_of(const RunResults& run, Index gap, std::vector<Statement>& statements) {
+  const RunView view = run.view();
+  for (const bool shear : {true, false}) {
+    const Quantity& ratio =
+        quantity_named(shear ? "column_shear_demand_capacity" : "column_moment_demand_capacity", Owner::point);
+    Index worst = -1;
+    double most = 1 + reached;
+    long beyond = 0;
+    for (const Index i : gap_at(run.problem, gap).points) {
+      const double value = value_of(ratio, view, {i, 0});
+      beyond += value > 1 + reached ? 1 : 0;
+      if (!(value > most)) continue;
+      most = value;
+      worst = i;
+    }
+    if (worst < 0) continue;
+    const ContactPoint& point = run.problem.points[worst];
+    const ColumnPeaks& column = *run.response.points[worst].column;
+    const Index building = struck_column(run.problem, point)->building;
+    const char* const form = shear ? "F" : "F L";
+    const std::string unit = unit_text(form, view.shown.units);
+    const double factor = view.shown.factor(form);
+    const double demand = factor * (shear ? column.shear : column.moment);
+    const double alone = factor * (shear ? column.shear_no_contact : column.moment_no_contact);
+    const double capacity = demand / most;
+    statements.push_back({.kind = shear ? "column_shear" : "column_moment",
+                          .severity = Severity::danger,
+                          .gap = gap,
+                          .buildings = {building},
+                          .level = point.elevation,
+                          .values = {text_of("building", run.problem.buildings[building].name),
+                                     value_in("level", point.elevation, run.c.units.length), value_in("ratio", most),
+                                     value_in("demand", demand, unit), value_in("capacity", capacity, unit),
+                                     value_in("alone", alone / capacity)}});
+    if (beyond > 1) statements.back().values.push_back(count_of("beyond", beyond));
+    statements.back().values.push_back(beyond > 1 ? word_of("others", "story.columns_beyond") : text_of("others", ""));
+  }
+}
+
+}  // namespace
+
+Statement model_statement(const RunResults& run) {
+  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
+  for (const Building& building : run.problem.buildings) {
+    if (building.is_rigid()) continue;
+    ++counted;
+    loaded += building.has_gravity_loads ? 1 : 0;
+    moved += building.model.foundation || building.model.slab ? 1 : 0;
+  }
+  Statement statement{.kind = some_building_yields(run.problem, run.response) ? "model_yielding" : "model",
+                      .severity = Severity::remark};
+  const auto leave_out = [&](const char* key) { statement.items.push_back({word_of("what", key)}); };
+  statement.items = gravity_left_out(loaded, counted);
+  leave_out("remarks.no_torsion");
+  if (moved < counted) leave_out(moved == 0 ? "remarks.no_soil" : "remarks.soil_of");
+  return statement;
+}
+
+std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem& problem) {
+  std::vector<std::vector<ScreeningFinding>> all;
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings) && !c.buildings.empty(); ++gap) {
+    all.push_back(screening(problem, gap, c.screening, c.units));
+  }
+  return all;
+}
+
+GapView judged_view_of(const RunResults& run) {
+  GapView view = view_of(run);
+  for (JudgedGap& one : judged_gaps(run)) {
+    view.facts.push_back(std::move(one.facts));
+    view.judged.push_back(std::move(one.judgement));
+  }
+  return view;
+}
+
+GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
+  GapView view{.c = c, .problem = problem, .levels = spectral.levels, .screened = screened(c, problem)};
+  for (JudgedGap& one : judged_gaps(c, problem, spectral)) {
+    view.facts.push_back(std::move(one.facts));
+    view.judged.push_back(std::move(one.judgement));
+  }
+  return view;
+}
+
+GapView view_of(const RunResults& run) {
+  return {.c = run.c,
+          .problem = run.problem,
+          .response = &run.response,
+          .levels = separations(run.problem, run.response, run.c.code, run.c.units),
+          .collapsed = run.response.collapse_no_contact.has_value(),
+          .screened = screened(run.c, run.problem)};
+}
+
+std::string RowGaps::name(std::size_t gap) const { return gap_name(run_.problem, static_cast<Index>(gap)); }
+
+void RowGaps::tell(std::size_t gap, const std::function<void(Statement)>& hit, std::vector<Statement>& to) const {
+  const auto g = static_cast<Index>(gap);
+  tell_unmodelled(view_, g, to);
+  tell_judgement(view_, g, hit, to);
+  tell_need(view_, g, to);
+  tell_rules(view_, g, to);
+}
+
+void RowGaps::put_tables(std::size_t gap, std::vector<StoryTable>& to) const {
+  for (StoryTable& table : gap_tables(view_, static_cast<Index>(gap))) to.push_back(std::move(table));
+}
+
+Hit hit_of(const RunResults& run, std::size_t gap) {
+  const GapOutcome found = gap_outcome(run.problem, run.response, static_cast<Index>(gap));
+  return {.impacts = found.impacts,
+          .touched = found.touched,
+          .points = std::ssize(found.gap.points),
+          .point = found.hardest.value(),
+          .hardest = hardest_impact(run.response, *found.hardest)};
+}
+
+void put_place(const RunResults& run, std::size_t /*gap*/, const Hit& hit, Statement& statement) {
+  statement.level = run.problem.points[hit.point].elevation;
+  statement.values.push_back(count_of("points", hit.points));
+  statement.values.push_back(value_in("level", *statement.level, run.c.units.length));
+}
+
+void tell_columns(const RunResults& run, std::vector<Statement>& statements) {
+  for (const Gap& gap : gaps_of(run.problem)) tell_columns_of(run, gap.left, statements);
+}
+
+std::optional<WorstDrift> worst_drift(const RunResults& run, Index b) {
+  const Building& building = run.problem.buildings[b];
+  if (building.is_rigid() || building.has_gravity_loads) return std::nullopt;
+  const BuildingPeaks& peaks = run.response.buildings[b];
+  const LargestDrift with = largest_drift(peaks.drift_ratio), alone = largest_drift(peaks.drift_ratio_no_contact);
+  const bool is_alone = alone.ratio > with.ratio;
+  const LargestDrift& worst = is_alone ? alone : with;
+  return WorstDrift{building.name, worst.storey, worst.ratio, is_alone};
+}
+
+std::vector<Yields> yields_of(const RunResults& run, Index b) {
+  const auto& with = run.response.buildings[b].yielding.ductility;
+  const auto& alone = run.response.buildings[b].yielding_no_contact.ductility;
+  Index worst = -1;
+  for (Index storey = 0; storey < with.size(); ++storey) {
+    if (with(storey) > 1 && (worst < 0 || with(storey) > with(worst))) worst = storey;
+  }
+  if (worst < 0) return {};
+  const Building& building = run.problem.buildings[b];
+  Yields found{.name = building.name, .ductility = with(worst)};
+  if (worst < alone.size() && !std::isnan(alone(worst))) found.alone = alone(worst);
+  if (worst >= building.model.first_storey()) found.storey = building.model.storey_number(worst);
+  return {found};
+}
+
+Index most_softened(const BuildingPeaks::Yielding& yielding) {
+  const auto is_known = [](const Eigen::VectorXd& list, Index f) { return f < list.size() && !std::isnan(list(f)); };
+  Index worst = -1;
+  for (Index f = 0; f < yielding.strength_left.size(); ++f) {
+    if (!is_known(yielding.capped_time, f) && !is_known(yielding.failed_time, f)) continue;
+    if (worst < 0 || yielding.strength_left(f) < yielding.strength_left(worst)) worst = f;
+  }
+  return worst;
+}
+
+std::optional<Softened> softened_of(const RunResults& run, Index b) {
+  const BuildingPeaks::Yielding& yielding = run.response.buildings[b].yielding;
+  const Index worst = most_softened(yielding);
+  if (worst < 0) return std::nullopt;
+  return Softened{run.problem.buildings[b].name, yielding, worst};
+}
+
+void tell_failures(const RunResults& run, Story& told) {
+  tell_breaking(run, told);
+  tell_infill(run, told.statements);
+}
+
+void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
+  const double pga = applied_pga(run.c);
+  if (!(pga > 0)) return;
+  statements.push_back(
+      {.kind = "pga",
+       .values = {value_in("pga", pga, run.c.units.length + "/s²"), value_in("in_g", pga / run.c.units.gravity, "g")}});
+}
+
+LargestOfFloors largest_of_floors(const RunResults& run, const std::string& key) {
+  const RunView view = run.view();
+  const Quantity& quantity = quantity_named(key, Owner::floor);
+  LargestOfFloors most;
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    for (const QuantityPlace& at : floors_of(run.problem, b)) {
+      const double value = value_of(quantity, view, at);
+      if (std::isnan(value) || value <= most.value) continue;
+      most.value = value;
+      most.at = at;
+    }
+  }
+  return most;
+}
+
+double value_at(const RunResults& run, const std::string& key, const LargestOfFloors& found) {
+  return value_of(quantity_named(key, Owner::floor), run.view(), found.at);
+}
+
+}  // namespace bentur::story
