@@ -15,6 +15,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+PLANS = sorted((ROOT / "examples" / "plan").glob("*.toml"))
 CASES = sorted((ROOT / "tests" / "doors").glob("*.toml"))  # others, in which a door once stood alone
 
 

@@ -26,7 +26,7 @@ PROGRAM = os.environ.get("BENTUR_PROGRAM", "")
 TEXTS = tomllib.loads((doors.ROOT / "src/bentur/report/html/texts.toml").read_text(encoding="utf-8"))
 LANGUAGES = TEXTS["languages"]
 GRAVE = ["danger", "warning", "finding", "remark"]
-CASES = part([*doors.EXAMPLES, *doors.CASES], 2)
+CASES = part([*doors.EXAMPLES, *doors.CASES, *doors.PLANS], 2)
 
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="BENTUR_PROGRAM does not name the command line to compare with")
 
@@ -297,6 +297,89 @@ def test_a_suite_of_one_says_what_its_record_says(case, tmp_path):
     said = [one for one in of_suite if one["kind"] not in ("suite", "suite_mean")]  # how it was chosen and scaled
     assert list(doors.differences(of_record, [{k: v for k, v in one.items() if k != "many"} for one in said])) == []
 
+
+# A row of three, the plan that stands for it, and a suite of its one record.
+
+BUILDINGS = {  # masses [t], stiffnesses along x [kN/m], from the lowest storey up
+    "West": ([200.0, 180.0], [2.0e5, 1.6e5]),
+    "Middle": ([300.0, 250.0], [0.7e5, 0.6e5]),
+    "East": ([220.0, 200.0], [1.5e5, 1.4e5]),
+}
+GAPS = {("West", "Middle"): 0.02, ("Middle", "East"): 0.03}
+CONTACT = '{ law = "linear", stiffness = 4e5 }'
+UNITS = 'title = "Row of three"\n[units]\nlength = "m"\nforce = "kN"\n'
+MOTION = (f'[excitation]\nkind = "record"\nfile = "{(doors.ROOT / "data/el-centro-1940-ns.csv").as_posix()}"\nunit = "g"\n'
+          "[analysis]\nduration = 10.0\n")
+
+
+def as_row():
+    text = UNITS
+    for name, (masses, stiffnesses) in BUILDINGS.items():
+        text += f'[[building]]\nname = "{name}"\ndamping = 0.05\n[building.stick]\nstorey_heights = [3.5, 3.2]\n'
+        text += f"masses = {masses}\nstiffnesses = {stiffnesses}\n"
+    for (left, right), width in GAPS.items():
+        text += f'[[gap]]\nbetween = ["{left}", "{right}"]\nwidth = {width}\ncontact = {CONTACT}\n'
+    return text + MOTION
+
+
+def as_plan():
+    text, x = UNITS + f"[plan]\nclearance = 0.1\ncontact = {CONTACT}\n", 0.0
+    for (name, (masses, stiffnesses)), width in zip(BUILDINGS.items(), [*GAPS.values(), 0.0], strict=True):
+        text += f'[[building]]\nname = "{name}"\ndamping = 0.05\n[building.plan]\ncorner = [{x!r}, 0.0]\nsize = [8.0, 10.0]\n'
+        text += f"storey_heights = [3.5, 3.2]\nmasses = {masses}\n"
+        for axis, places in (("x", (1.0, 9.0)), ("y", (1.0, 7.0))):
+            for at in places:
+                text += f'[[building.plane]]\nname = "{axis} at {at}"\nalong = "{axis}"\nat = {at}\n'
+                text += f"stiffnesses = {[one / 2 for one in stiffnesses]}\n"
+        x += 8.0 + width
+    return text + MOTION
+
+
+@pytest.fixture(scope="module")
+def triplets(tmp_path_factory):
+    """The same buildings and motion three times: a row, a plan, a row under a suite of one."""
+    folder = tmp_path_factory.mktemp("triplets")
+    made = {"row": folder / "row.toml", "plan": folder / "plan.toml"}
+    made["row"].write_text(as_row(), encoding="utf-8")
+    made["plan"].write_text(as_plan(), encoding="utf-8")
+    made["suite"] = suite_of_one(made["row"], folder)
+    return made
+
+
+def what_is_said(statements):
+    """Kinds with gaps, and by name the numbers that do not hang on how many places a joint has. Not of rules, as DDC has no
+    period of floors that could turn, nor of the suite itself."""
+    said = []
+    for one in statements:
+        if one["severity"] == "remark" or one["kind"].startswith(("rules", "suite")):
+            continue
+        kind = {"pga_along": "pga"}.get(one["kind"], one["kind"])
+        numbers = {name: one["values"][name]["value"] for name in ("needed", "given", "short", "factor", "with", "without", "acceleration", "pga")
+                   if isinstance(one["values"].get(name), dict)}
+        said.append((kind, one.get("gap"), one.get("buildings"), numbers))
+    return said
+
+
+def test_a_row_a_plan_and_a_suite_of_one_say_the_same(triplets):
+    row, plan, suite = (json.loads(output("run", triplets[kind], "--json"))["statements"] for kind in ("row", "plan", "suite"))
+    expected = what_is_said(row)
+    assert {kind for kind, *_ in expected} >= {"pounding", "gap_short_alone", "amplified", "acceleration_ratio", "storey_shear_ratio"}
+    for other in (what_is_said(plan), what_is_said(suite)):
+        assert [one[:3] for one in other] == [one[:3] for one in expected]
+        for (kind, _, _, numbers), (_, _, _, given) in zip(other, expected, strict=True):
+            assert numbers == pytest.approx(given, rel=1e-9), kind
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("kind", ["row", "plan"])
+def test_every_door_says_so_of_rows_and_plans(kind, language, triplets):
+    case, told = triplets[kind], doors.command_line(PROGRAM, triplets[kind])
+    sentences, noted = terminal(case, told, language)
+    for statement, (gap, badge, sentence) in zip(outcome(told), sentences, strict=True):
+        agrees(statement, sentence, language)
+        assert (badge or "") == (badge_of(statement, language) or "").upper()
+    assert python(bentur.run(case), told, language) == sentences
+    assert report(output("report", case, "-o", "-", "--lang", language), told, language) == (in_order_of_a_report(sentences, told), noted)
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_a_column_that_fails_is_told_first(language):

@@ -116,13 +116,11 @@ void examine_gap(const RunResults& run, Eigen::Index gap, const JudgedGap& one, 
 }
 
 /// Kinds of statements, each with its gap, in order of the alphabet. Not compared: remarks; rules, as the
-/// double-difference rule needs a period of each building, which floors that turn have not; accelerations and shears
-/// against those without contact, which plans do not have.
+/// double-difference rule needs a period of each building, which floors that turn have not.
 std::set<std::string> said(const Story& story) {
   std::set<std::string> kinds;
   for (Statement one : story.statements) {
     if (one.severity == Severity::remark || one.kind.starts_with("rules")) continue;
-    if (one.kind.starts_with("acceleration_ratio") || one.kind.starts_with("storey_shear_ratio")) continue;
     if (one.kind == "pga_along") one.kind = "pga";
     kinds.insert(one.gap ? fmt::format("{} of gap {}", one.kind, *one.gap) : one.kind);
   }

@@ -10,6 +10,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_case.h"
 #include "bentur/model/quantities.h"
+#include "bentur/model/run_results.h"
 
 namespace bentur {
 

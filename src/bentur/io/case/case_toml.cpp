@@ -249,6 +249,10 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
     plan->error("is of buildings in plan, which is not taken here; bentur run, gap and report take it");
     return read;
   }
+  if (const auto study = root.find("case"); study && !root.has("building")) {
+    study->error("names the case of a study, which is not taken here: bentur sweep, ida, gap and remedy take studies");
+    return read;
+  }
   (void)TableView::of(root, case_keys());
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";

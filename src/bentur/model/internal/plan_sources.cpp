@@ -14,8 +14,9 @@ using Eigen::VectorXd;
 
 double entry(const VectorXd& list, Index i) { return i < list.size() ? list(i) : no_value; }
 
+constexpr double round_off = 1e-9;  // of the largest free peak of the case
+
 RoundOff round_off_of(const PlanRun& run) {
-  constexpr double round_off = 1e-9;
   double largest = 0, side = 0;
   for (const PlanBuilding& building : run.problem.buildings) {
     side = std::max(side, building.model.footprint.size.maxCoeff());
@@ -68,10 +69,17 @@ QuantitySource plan_amplification(PlanList list, double RoundOff::*least) {
   });
 }
 
-QuantitySource plan_ratio(PlanList list) {
-  return in_plan([list](const PlanRun& run, const QuantityPlace& at) {
-    return ratio_of_peaks(entry(run.response.buildings[at.item].*list, at.floor),
-                          entry(run.response.buildings_no_contact[at.item].*list, at.floor));
+QuantitySource plan_ratio(PlanList list, PlanList across) {
+  return in_plan([=](const PlanRun& run, const QuantityPlace& at) {
+    double largest = 0;
+    for (const PlanPeaks& free : run.response.buildings_no_contact) {
+      for (const VectorXd* const one : {&(free.*list), &(free.*across)}) {
+        for (const double value : *one) largest = std::max(largest, value);
+      }
+    }
+    const double free = entry(run.response.buildings_no_contact[at.item].*list, at.floor);
+    if (!(free > round_off * largest)) return no_value;
+    return ratio_of_peaks(entry(run.response.buildings[at.item].*list, at.floor), free);
   });
 }
 

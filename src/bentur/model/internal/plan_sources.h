@@ -17,8 +17,9 @@ using PlanList = Eigen::VectorXd PlanPeaks::*;
 /// Over the floors of a building.
 [[nodiscard]] QuantitySource plan_floors(PlanList list, PlanBuildings of = &PlanResponse::buildings);
 [[nodiscard]] QuantitySource plan_amplification(PlanList list, double RoundOff::*least);
-/// Over that without contact; none where contact makes something of nothing, round-off included.
-[[nodiscard]] QuantitySource plan_ratio(PlanList list);
+/// Over that without contact; none where contact makes something of nothing, round-off included, also that of what
+/// moves along the other axis. @param across the same peaks along that axis
+[[nodiscard]] QuantitySource plan_ratio(PlanList list, PlanList across);
 /// The largest shear of the lowest storey over the weight of the building.
 [[nodiscard]] QuantitySource plan_base_shear(PlanList list);
 [[nodiscard]] QuantitySource edge_drift();
