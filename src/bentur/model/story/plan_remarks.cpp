@@ -32,26 +32,63 @@ void check_buildings(const PlanCase& c, const PlanProblem& problem, List& list) 
   }
 }
 
-/// Elastic stiffness of a level of a gap, of all its points together, where its law has one.
-std::optional<double> stiffness_of(const PlanGap& gap, const ContactSpec& contact) {
-  if (gap.contacts.empty() || contact.law == "hertz" || contact.law == "hertz-damp" || contact.law == "jankowski") {
-    return std::nullopt;
+/// How far contacts of all gaps overlap at the start [length].
+std::vector<double> overlaps(const PlanProblem& problem) {
+  const std::vector<Index> places = places_of(problem);
+  std::vector<double> found(places.size(), 0.0);
+  if (problem.initial_displacement.empty()) return found;
+  const System system = system_of(problem);
+  const auto of = [&](const BodyRow& row) { return row.row.dot(problem.initial_displacement[row.body]); };
+  std::size_t n = 0;
+  for (const Contact& one : system.contacts) found[places[n++]] = of(one.at.left) + of(one.at.right) - one.width;
+  for (const RubbingContact& one : system.rubbing) found[places[n++]] = of(one.at.left) + of(one.at.right) - one.width;
+  return found;
+}
+
+/// The depth of the beams at a floor of a building whose planes have frames, the deepest; nothing where there are none.
+std::optional<double> beam_depth(const PlanCase& c, Index b, Index floor) {
+  const auto* const plan = b < std::ssize(c.buildings) ? std::get_if<Plan>(&c.buildings[b].structure) : nullptr;
+  std::optional<double> depth;
+  for (std::size_t p = 0; plan != nullptr && p < plan->planes.size(); ++p) {
+    const auto& frame = plan->planes[p].frame;
+    if (!frame || floor < 0 || floor >= std::ssize(frame->beams)) continue;
+    depth = std::max(depth.value_or(0), depth_of(frame->beams[static_cast<std::size_t>(floor)]));
   }
-  std::optional<double> sum;
-  for (const PlanContact& one : gap.contacts) {
-    if (one.elevation != gap.contacts.front().elevation || !one.is_of_joint()) break;
-    for (const auto& [key, value] : one.law->parameters()) {
-      if (key == "stiffness") sum = sum.value_or(0) + value;
+  return depth;
+}
+
+/// Level after level of a gap, with all contacts of its joint together. @param overlaps of the gap's contacts
+void check_levels(const PlanCase& c, const PlanProblem& problem, std::size_t g, const double* overlaps, List& list) {
+  const PlanGap& gap = problem.gaps[g];
+  const std::string name = gap_name(problem, gap);
+  for (std::size_t i = 0; i < gap.contacts.size();) {
+    const PlanContact& first = gap.contacts[i];
+    if (!first.is_of_joint()) break;
+    const PlanModel &left = problem.buildings[gap.left].model, &right = problem.buildings[gap.right].model;
+    const double above = left.elevations[first.left_floor] - right.elevations[first.right_floor];
+    LevelLook look{.gap = name, .width = gap.stretch.width, .apart = std::abs(above)};
+    look.beam_depth = above > 0 ? beam_depth(c, gap.left, first.left_floor - left.first_storey())
+                                : beam_depth(c, gap.right, first.right_floor - right.first_storey());
+    for (; i < gap.contacts.size() && gap.contacts[i].elevation == first.elevation; ++i) {
+      const auto stiffness = stiffness_of(c.gaps[g].contact.law, gap.contacts[i].law->parameters());
+      if (stiffness) look.stiffness = look.stiffness.value_or(0) + *stiffness;
+      look.overlap = std::max(look.overlap, overlaps[i]);
     }
+    for (const auto& [b, floor] : {std::pair(gap.left, first.left_floor), std::pair(gap.right, first.right_floor)}) {
+      const PlanBuilding& building = problem.buildings[b];
+      if (!building.is_rigid()) look.take(building.model.floor_masses[floor], building.modes.omega(0));
+    }
+    check_level(look, c.units, list);
   }
-  return sum;
 }
 
 void check_before(const PlanCase& c, const PlanProblem& problem, List& list) {
   check_buildings(c, problem, list);
+  const std::vector<double> overlap = overlaps(problem);
+  const double* of_gap = overlap.data();
   for (std::size_t g = 0; g < problem.gaps.size() && g < c.gaps.size(); ++g) {
-    const PlanGap& gap = problem.gaps[g];
-    check_contact(gap_name(problem, gap), gap.stretch.width, stiffness_of(gap, c.gaps[g].contact), c.units, list);
+    check_levels(c, problem, g, of_gap, list);
+    of_gap += problem.gaps[g].contacts.size();
   }
   const bool both = std::none_of(problem.motions.begin(), problem.motions.end(),
                                  [](const GroundMotion& motion) { return std::holds_alternative<NoMotion>(motion); });

@@ -41,22 +41,7 @@ std::optional<double> beam_depth(const Case& c, Eigen::Index b, Eigen::Index flo
   const auto place = static_cast<std::size_t>(b);
   const auto* frame = place < c.buildings.size() ? std::get_if<PlaneFrame>(&c.buildings[place].structure) : nullptr;
   if (frame == nullptr || floor >= std::ssize(frame->beams)) return std::nullopt;
-  const Section& beam = frame->beams[static_cast<std::size_t>(floor)];
-  return std::sqrt(12 * beam.inertia / beam.area);  // of a rectangle
-}
-
-/// Floors that meet though the beam of the upper one ends above the lower one.
-void check_levels(const Case& c, const Problem& problem, List& list) {
-  for (const ContactPoint& point : problem.points) {
-    const StructuralModel& left = problem.buildings[point.left].model;
-    const StructuralModel& right = problem.buildings[point.left + 1].model;
-    if (point.left_floor >= left.floors() || point.right_floor >= right.floors()) continue;
-    const double above = left.elevations[point.left_floor] - right.elevations[point.right_floor];
-    const auto depth = above > 0 ? beam_depth(c, point.left, point.left_floor - left.first_storey())
-                                 : beam_depth(c, point.left + 1, point.right_floor - right.first_storey());
-    const double limit = depth.value_or(usual_beam_depth * list.metre());
-    list.most("level_tolerance", gap_name(problem, point.left), std::abs(above), list.length(), limit, limit);
-  }
+  return depth_of(frame->beams[static_cast<std::size_t>(floor)]);
 }
 
 /// Damping of the modes that take a blow at a column that is struck: by the squares of their shapes there. Modes of its
@@ -72,30 +57,6 @@ void check_blows(const Problem& problem, List& list) {
       if (shape(mode) * shape(mode) < share_of_blow * shape.squaredNorm() || !(omega > 0)) continue;
       list.most("impact_damping", building.name, building.modal_damping(mode, mode) / (2 * omega), "",
                 damping_range.most, damping_range.usual_to);
-    }
-  }
-}
-
-/// Buildings that touch at rest through something soft.
-void check_fillers(const Case& c, const Problem& problem, List& list) {
-  for (const ContactPoint& point : problem.points) {
-    if (point.width > 0) continue;
-    const GapSpec& gap = c.gaps.at(point.left);
-    if (gap.contact.law == "hertz" || gap.contact.law == "hertz-damp" || gap.contact.law == "jankowski") continue;
-    double shorter = 0, compliance = 0;
-    for (const auto& [b, at] :
-         {std::pair(point.left, point.left_floor), std::pair(point.left + 1, point.right_floor)}) {
-      const Building& building = problem.buildings[b];
-      if (!(building.first_omega() > 0)) continue;
-      const double period = 2 * std::numbers::pi / building.first_omega();
-      shorter = shorter > 0 ? std::min(shorter, period) : period;
-      const Eigen::Index floors = building.model.floors();
-      compliance += 1 / (at < floors ? building.model.floor_masses[at] : building.model.node_masses[at - floors]);
-    }
-    for (const auto& [key, value] : point.law->parameters()) {
-      if (key != "stiffness" || !(shorter > 0) || !(compliance > 0)) continue;
-      list.most("soft_contact", gap_name(problem, point.left),
-                std::numbers::pi / std::sqrt(value * compliance) / shorter, "", most_push, usual_push);
     }
   }
 }
@@ -121,19 +82,30 @@ double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t bu
   return all.empty() ? 0.0 : all[building](floor);
 }
 
-void check_gaps(const Case& c, const Problem& problem, List& list) {
+void check_levels(const Case& c, const Problem& problem, List& list) {
   for (const ContactPoint& point : problem.points) {
     const Eigen::Index left = point.left;
     const std::string name = gap_name(problem, left);
-    const double overlap = first_floor_value(problem.initial_displacement, left, point.left_floor) -
-                           first_floor_value(problem.initial_displacement, left + 1, point.right_floor) - point.width;
-    list.most("initial_overlap", name, overlap, list.length(), 0, 0);
-    const std::string& law = c.gaps.at(left).contact.law;
-    std::optional<double> stiffness;
-    for (const auto& [key, value] : point.law->parameters()) {
-      if (key == "stiffness" && law != "hertz" && law != "hertz-damp" && law != "jankowski") stiffness = value;
+    const StructuralModel &of_left = problem.buildings[left].model, &of_right = problem.buildings[left + 1].model;
+    LevelLook look{.gap = name,
+                   .width = point.width,
+                   .overlap = first_floor_value(problem.initial_displacement, left, point.left_floor) -
+                              first_floor_value(problem.initial_displacement, left + 1, point.right_floor) -
+                              point.width,
+                   .stiffness = stiffness_of(c.gaps.at(left).contact.law, point.law->parameters())};
+    if (point.left_floor < of_left.floors() && point.right_floor < of_right.floors()) {
+      const double above = of_left.elevations[point.left_floor] - of_right.elevations[point.right_floor];
+      look.apart = std::abs(above);
+      look.beam_depth = above > 0 ? beam_depth(c, left, point.left_floor - of_left.first_storey())
+                                  : beam_depth(c, left + 1, point.right_floor - of_right.first_storey());
     }
-    check_contact(name, point.width, stiffness, c.units, list);
+    for (const auto& [b, at] : {std::pair(left, point.left_floor), std::pair(left + 1, point.right_floor)}) {
+      const StructuralModel& model = problem.buildings[b].model;
+      const Eigen::Index floors = model.floors();
+      look.take(at < floors ? model.floor_masses[at] : model.node_masses[at - floors],
+                problem.buildings[b].first_omega());
+    }
+    check_level(look, c.units, list);
   }
 }
 
@@ -148,8 +120,6 @@ void check_before(const Case& c, const Problem& problem, List& list) {
   check_modes(c, problem, list);
   check_blows(problem, list);
   check_levels(c, problem, list);
-  check_gaps(c, problem, list);
-  check_fillers(c, problem, list);
   check_records(c, list);
   check_motion(problem.motion, c.excitation, "", problem.duration, c.units, list);
   std::vector<std::string> names;

@@ -259,5 +259,27 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   EXPECT_THROW((void)pair_of(run, 0), InvalidParameter);
 }
 
+/// What is unusual of levels that meet, as of rows.
+TEST(PlanGaps, AreRemarkedOnAsThoseOfRows) {
+  const auto remarked = [](const std::string& text, const std::string& key) {
+    Diagnostics diagnostics;
+    const auto c = read_plan_case_text(text, "a.toml", diagnostics);
+    for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
+    for (const Remark& one : remarks(*c, make_plan_problem(*c))) {
+      if (one.key == key && one.subject == "A | B") return one.value;
+    }
+    return 0.0;
+  };
+  const std::string near = with_piece(three_in_plan, "clearance = 0.1", "clearance = 0.1\nlevel_tolerance = 1.0");
+  EXPECT_EQ(remarked(three_in_plan, "level_tolerance"), 0);
+  EXPECT_NEAR(remarked(near, "level_tolerance"), 1.0, 1e-12);  // 7.7 and 6.7 m
+  const std::string pushed = three_in_plan + "[initial]\ndisplacements = { A = [[0.05, 0, 0], [0.0, 0, 0]] }\n";
+  EXPECT_EQ(remarked(three_in_plan, "initial_overlap"), 0);
+  EXPECT_NEAR(remarked(pushed, "initial_overlap"), 0.05 - 0.02, 1e-12);
+  const std::string touching = with_piece(three_in_plan, "corner = [12.02, 4]", "corner = [12, 4]");
+  EXPECT_EQ(remarked(touching, "soft_contact"), 0);
+  EXPECT_GT(remarked(with_piece(touching, "stiffness = 4e5", "stiffness = 4e4"), "soft_contact"), 0.1);
+}
+
 }  // namespace
 }  // namespace bentur

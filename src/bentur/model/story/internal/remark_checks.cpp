@@ -22,7 +22,7 @@ void check_frame(const std::string& name, const PlaneFrame& frame, const Units& 
       if (section.line_mass > 0) {
         list.check("density", name, section.line_mass / section.area * kilograms(units), "kg/m³", density_range);
       }
-      const double depth = std::sqrt(12 * section.inertia / section.area);  // of a rectangle
+      const double depth = depth_of(section);
       for (const double side : {depth, section.area / depth}) {
         // A steel section's equal area is a narrow rectangle, so that only its depth is small where something is wrong.
         if (side == depth || side > section_range.most * list.metre()) {
@@ -59,6 +59,8 @@ void check_weights(const BuildingLook& look, const Units& units, List& list) {
 }
 
 }  // namespace
+
+double depth_of(const Section& section) { return std::sqrt(12 * section.inertia / section.area); }
 
 void check_building(const BuildingLook& look, const Units& units, List& list) {
   if (look.omega > 0 && !look.on_bearings) {
@@ -135,12 +137,34 @@ void check_codes(const CodeSpec& code, List& list) {
   }
 }
 
-void check_contact(const std::string& gap, double width, std::optional<double> stiffness, const Units& units,
-                   List& list) {
-  list.most("gap_width", gap, width, list.length(), most_gap * list.metre(), usual_gap * list.metre());
-  if (!stiffness) return;
-  list.check("contact_stiffness", gap, *stiffness, units.force + "/" + units.length, stiffness_range,
+std::optional<double> stiffness_of(const std::string& law, const LawParameters& parameters) {
+  if (law == "hertz" || law == "hertz-damp" || law == "jankowski") return std::nullopt;
+  for (const auto& [key, value] : parameters) {
+    if (key == "stiffness") return value;
+  }
+  return std::nullopt;
+}
+
+void LevelLook::take(double mass, double omega) {
+  if (!(omega > 0)) return;
+  const double period = 2 * std::numbers::pi / omega;
+  shorter_period = shorter_period > 0 ? std::min(shorter_period, period) : period;
+  compliance += 1 / mass;
+}
+
+void check_level(const LevelLook& look, const Units& units, List& list) {
+  // Floors meet though the beam of the upper one ends above the lower one.
+  const double depth = look.beam_depth.value_or(usual_beam_depth * list.metre());
+  list.most("level_tolerance", look.gap, look.apart, list.length(), depth, depth);
+  list.most("initial_overlap", look.gap, look.overlap, list.length(), 0, 0);
+  list.most("gap_width", look.gap, look.width, list.length(), most_gap * list.metre(), usual_gap * list.metre());
+  if (!look.stiffness) return;
+  list.check("contact_stiffness", look.gap, *look.stiffness, units.force + "/" + units.length, stiffness_range,
              1 / (newtons(units.force) * list.metre()));
+  // Buildings that touch at rest through something soft.
+  if (look.width > 0 || !(look.shorter_period > 0) || !(look.compliance > 0)) return;
+  const double push = std::numbers::pi / std::sqrt(*look.stiffness * look.compliance);
+  list.most("soft_contact", look.gap, push / look.shorter_period, "", most_push, usual_push);
 }
 
 void check_impacts(const std::string& gap, double penetration, int slow_starts, List& list) {
