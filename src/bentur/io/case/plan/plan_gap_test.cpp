@@ -270,7 +270,7 @@ TEST(PlanGaps, AreRemarkedOnAsThoseOfRows) {
     }
     return 0.0;
   };
-  const std::string near = with_piece(three_in_plan, "clearance = 0.1", "clearance = 0.1\nlevel_tolerance = 1.0");
+  const std::string near = three_in_plan + "[[gap]]\nbetween = [\"A\", \"B\"]\nlevel_tolerance = 1.0\n";
   EXPECT_EQ(remarked(three_in_plan, "level_tolerance"), 0);
   EXPECT_NEAR(remarked(near, "level_tolerance"), 1.0, 1e-12);  // 7.7 and 6.7 m
   const std::string pushed = three_in_plan + "[initial]\ndisplacements = { A = [[0.05, 0, 0], [0.0, 0, 0]] }\n";
