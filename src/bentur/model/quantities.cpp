@@ -332,6 +332,7 @@ std::deque<Quantity>& list() {
       {"peak_ground_acceleration_x", run, "L s-2", "PGA_x", "peak ground acceleration along x as applied", {}, of_ground(0), "/excitation/peak_ground_acceleration_x"},
       {"peak_ground_acceleration_y", run, "L s-2", "PGA_y", "peak ground acceleration along y as applied", {}, of_ground(1), "/excitation/peak_ground_acceleration_y"},
       {"tangential_impulse", impact, "F s", "∫F_t dt", "impulse along the joint", {"Along the joint", "Sepanjang celah"}, when(When::rubs, impact_friction())},
+      {"slipped", impact, "1", "", "whether the buildings slipped off one another there, which lost what the contact held", {}, in_plan_alone(of_impacts(&Impact::slipped))},
   };
   return all;
 }

@@ -148,8 +148,8 @@ bool read_choices(const TableView& contact, const LawEntry& law, ContactSpec& sp
   return good;
 }
 
-/// What rubs along the joint, of buildings in plan.
-bool read_friction(const TableView& contact, const GapSides& sides, ContactSpec& spec) {
+/// What is of contact along a joint, of buildings in plan: friction, and what belongs to a corner.
+bool read_along_joint(const TableView& contact, const GapSides& sides, ContactSpec& spec) {
   bool good = true, rubs = false;
   for (const char* const name : {"friction", "tangential_stiffness"}) {
     const auto value = contact.find(name);
@@ -157,6 +157,11 @@ bool read_friction(const TableView& contact, const GapSides& sides, ContactSpec&
     const std::vector<double> numbers = value->as_number_or_numbers(contact.key(name).range, sides.points());
     good = good && !numbers.empty();
     if (!numbers.empty()) spec.numbers[name] = numbers;
+  }
+  if (const auto spread = contact.find("spread")) {
+    const auto length = spread->as_number(contact.key("spread").range);
+    good = good && length;
+    if (length) spec.numbers["spread"] = {*length};
   }
   if (const auto friction = spec.numbers.find("friction"); friction != spec.numbers.end()) {
     rubs = std::any_of(friction->second.begin(), friction->second.end(), [](double mu) { return mu > 0; });
@@ -186,7 +191,7 @@ std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sid
   spec.law = law->name;
   const bool numbers = read_numbers(contact, *law, sides, spec);
   const bool choices = read_choices(contact, *law, spec);
-  const bool friction = read_friction(contact, sides, spec);
+  const bool friction = read_along_joint(contact, sides, spec);
   return numbers && choices && friction ? std::optional(spec) : std::nullopt;
 }
 
@@ -303,7 +308,8 @@ GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuil
     check_laws(*gap.find("contact"), spec, sides);
   }
   if (const auto contact = gap.find("contact"); contact && contact->is(TomlValue::Kind::table)) {
-    contact->refuse({"friction", "tangential_stiffness"}, "is of buildings in plan: give them [building.plan]");
+    contact->refuse({"friction", "tangential_stiffness", "spread"},
+                    "is of buildings in plan: give them [building.plan]");
   }
   return spec;
 }

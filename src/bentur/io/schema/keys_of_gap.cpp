@@ -64,6 +64,11 @@ const KeyTable& contact_keys() {
                             .for_each("one per contact point")
                             .goes_with("friction")
                             .optional("8/9 of the stiffness across, at its beginning"));
+    made.keys.push_back(
+        Key::number("spread", dimension::length, Range::positive, {"Spread of a corner", "Sebaran sudut"},
+                    "between buildings in plan alone: the length of a joint that belongs to one corner, "
+                    "which bears half of what a long joint does")
+            .optional("a quarter of the shorter building along the joint"));
     return made;
   }();
   return table;

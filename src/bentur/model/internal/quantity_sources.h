@@ -61,6 +61,11 @@ constexpr QuantitySource::Number number_kind = std::is_same_v<Value, bool>  ? Qu
   return source;
 }
 
+[[nodiscard]] inline QuantitySource in_plan_alone(QuantitySource source) {
+  source.row = {};
+  return source;
+}
+
 /// What is computed of a row.
 [[nodiscard]] inline QuantitySource computed(double (*value)(const RunView&, const QuantityPlace&)) {
   QuantitySource source;

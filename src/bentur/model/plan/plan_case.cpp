@@ -84,8 +84,8 @@ std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<P
     const LevelPair& floors = gap.levels[level];
     const double m_e = effective_mass(floor_mass(left, floors.left_floor), floor_mass(right, floors.right_floor));
     const double height = floors.elevation - std::min(left.base_elevation, right.base_elevation);
-    for (StretchPoint& point :
-         points_between(left.footprint(), right.footprint(), gap.stretch, gap.points, moves_of_height * height)) {
+    for (StretchPoint& point : points_between(left.footprint(), right.footprint(), gap.stretch, gap.points,
+                                              moves_of_height * height, gap.contact.number("spread", 0))) {
       const auto law = make_contact_law(gap.contact, contact_input(gap.contact, level, m_e, point.share));
       (point.beside ? others : contacts)
           .push_back({.left_floor = floors.left_floor,

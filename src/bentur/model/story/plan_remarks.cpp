@@ -82,12 +82,26 @@ void check_levels(const PlanCase& c, const PlanProblem& problem, std::size_t g, 
   }
 }
 
+/// Corners of a joint that bear no share, being too near to others.
+double merged_corners(const PlanGap& gap) {
+  if (gap.contacts.empty()) return 0;
+  const auto is_place = [&](const StretchCorner& corner) {
+    return std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& one) {
+      return one.is_of_joint() && one.elevation == gap.contacts.front().elevation && one.along == corner.along;
+    });
+  };
+  return static_cast<double>(
+      std::count_if(gap.stretch.corners.begin(), gap.stretch.corners.end(),
+                    [&](const StretchCorner& corner) { return gap.stretch.includes(corner) && !is_place(corner); }));
+}
+
 void check_before(const PlanCase& c, const PlanProblem& problem, List& list) {
   check_buildings(c, problem, list);
   const std::vector<double> overlap = overlaps(problem);
   const double* of_gap = overlap.data();
   for (std::size_t g = 0; g < problem.gaps.size() && g < c.gaps.size(); ++g) {
     check_levels(c, problem, g, of_gap, list);
+    list.most("merged_corners", gap_name(problem, problem.gaps[g]), merged_corners(problem.gaps[g]), "", 0, 0);
     of_gap += problem.gaps[g].contacts.size();
   }
   const bool both = std::none_of(problem.motions.begin(), problem.motions.end(),

@@ -234,7 +234,8 @@ const std::vector<std::string_view>& remark_keys() {
                                                      "check_peaks",
                                                      "check_forces",
                                                      "check_energy",
-                                                     "slow_starts"};
+                                                     "slow_starts",
+                                                     "merged_corners"};
   return keys;
 }
 

@@ -238,6 +238,34 @@ void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& stat
   }
 }
 
+void tell_slips(const PlanRun& run, std::vector<Statement>& statements) {
+  const ShownUnits shown = shown_units(run);
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const Index first = first_contact(run.problem, g), end = first + std::ssize(run.problem.gaps[g].contacts);
+    const Impact *earliest = nullptr, *most = nullptr;
+    long slips = 0;
+    for (const Impact& one : run.response.impacts) {
+      if (!one.slipped || one.point < first || one.point >= end) continue;
+      ++slips;
+      if (earliest == nullptr || one.end < earliest->end) earliest = &one;
+      if (most == nullptr || one.energy_lost > most->energy_lost) most = &one;
+    }
+    if (slips == 0) continue;
+    const auto [left, right] = std::minmax(run.problem.gaps[g].left, run.problem.gaps[g].right);
+    const std::string energy = unit_text("F L", shown.units);
+    Statement statement{.kind = "slips",
+                        .gap = static_cast<Index>(g),
+                        .buildings = {left, right},
+                        .level = contact_at(run.problem, most->point).contact->elevation,
+                        .values = {text_of("left", run.problem.buildings[left].name),
+                                   text_of("right", run.problem.buildings[right].name), count_of("times", slips),
+                                   value_in("time", earliest->end, "s"),
+                                   value_in("energy", shown.factor("F L") * most->energy_lost, energy)}};
+    add_place(run.problem, run.problem.gaps[g], true, most->point - first, run.c.units.length, statement.values);
+    statements.push_back(std::move(statement));
+  }
+}
+
 bool tell_turning(const PlanRun& run, std::vector<Statement>& statements) {
   constexpr double more = 1 + 1e-9;
   LargestOfFloors turns = largest_of_floors(run, "amplification_rotation");

@@ -187,6 +187,7 @@ Story story_of(const AnyRun& run) {
   tell_failures(run, told);
   tell_all_gaps(run, gaps, told);
   for (std::size_t g = 0; g < gaps.count(); ++g) tell_gap(run, gaps, g, told.statements);
+  tell_slips(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_effects(run, told.statements);
   tell_yielding(run, told.statements);

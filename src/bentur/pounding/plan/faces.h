@@ -100,10 +100,13 @@ struct StretchPoint {
 inline constexpr double share_of_corner = 0.5;
 
 /// Evenly spaced between two corners each, these among them; of shares (P-7). @param points ≥ 2
-[[nodiscard]] std::vector<StretchPoint> points_of(const Stretch& stretch, int points);
+/// @param spread the length that belongs to one corner > 0 [length]; nothing: a quarter of the shorter of the two
+[[nodiscard]] std::vector<StretchPoint> points_of(const Stretch& stretch, int points,
+                                                  std::optional<double> spread = {});
 
 /// The same, and after them those of the families beside the joint; what is not of the joint's family is left to these.
 [[nodiscard]] std::vector<StretchPoint> points_between(const Footprint& left, const Footprint& right,
-                                                       const Stretch& joint, int points, double reach);
+                                                       const Stretch& joint, int points, double reach,
+                                                       std::optional<double> spread = {});
 
 }  // namespace bentur

@@ -53,6 +53,13 @@ PlanGap gap_between(const PlanProblem& problem, Index one, Index other, const La
   return gap;
 }
 
+/// What all points of a joint bear of what a long one does.
+double whole_share(const Stretch& joint, std::optional<double> spread) {
+  double sum = 0;
+  for (const StretchPoint& one : points_of(joint, 2, spread)) sum += one.share;
+  return sum;
+}
+
 Footprint square(const PlanPoint& corner, double side = 10) { return {.corner = corner, .size = {side, side}}; }
 
 /// A square at rest and one that comes from its lower left.
@@ -76,6 +83,24 @@ PlanResponse solved(const PlanProblem& problem, const Solver& solver = ExactSolv
 }
 
 // Computed by small steps by another hand; the digits are those that were told.
+/// A joint of up to `spread` bears what a corner does, one of twice that all of it, and so in between.
+TEST(Outlines, SpreadSaysWhatBelongsToACorner) {
+  const auto joint = joint_between(square({0, 0}), square({10.01, 9}));  // 1 m in common
+  ASSERT_TRUE(joint);
+  EXPECT_DOUBLE_EQ(whole_share(*joint, {}), 0.5);  // 2.5 m
+  EXPECT_DOUBLE_EQ(whole_share(*joint, 2.5), 0.5);
+  EXPECT_DOUBLE_EQ(whole_share(*joint, 1.0), 0.5);
+  EXPECT_NEAR(whole_share(*joint, 0.8), 0.5 * (1 + 0.25), 1e-12);
+  EXPECT_DOUBLE_EQ(whole_share(*joint, 0.5), 1.0);
+  // Corners of an arc that are nearer than that to one another are one place.
+  const Footprint round =
+      polygon_footprint({0, 0}, {{10.05, 0}, {18, 0}, {18, 10}, {10.05, 10}, {10.0, 5.2}, {9.99, 5.0}, {10.0, 4.8}});
+  const auto at_arc = joint_between({.corner = {0, 0}, .size = {9.98, 10}}, round);
+  ASSERT_TRUE(at_arc);
+  EXPECT_EQ(points_of(*at_arc, 2, 0.5).size(), 3U);  // the tip and both ends
+  EXPECT_EQ(points_of(*at_arc, 2, 0.1).size(), 5U);
+}
+
 TEST(Outlines, CornersTouchOnTheSideThatClosesLast) {
   struct Throw {
     PlanPoint velocity;

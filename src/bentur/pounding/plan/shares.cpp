@@ -69,7 +69,7 @@ std::vector<double> shares_of(const std::vector<Standing>& places, double spread
 
 }  // namespace
 
-std::vector<StretchPoint> points_of(const Stretch& stretch, int points) {
+std::vector<StretchPoint> points_of(const Stretch& stretch, int points, std::optional<double> spread) {
   std::vector<Standing> places;
   if (stretch.corners.empty()) {
     places = {{.along = stretch.from, .is_end = true}, {.along = stretch.to, .is_end = true}};
@@ -90,7 +90,7 @@ std::vector<StretchPoint> points_of(const Stretch& stretch, int points) {
     all.push_back(to);
   }
   constexpr double part_of_shorter = 0.25;
-  const std::vector<double> shares = shares_of(all, part_of_shorter * stretch.shorter);
+  const std::vector<double> shares = shares_of(all, spread.value_or(part_of_shorter * stretch.shorter));
   std::vector<StretchPoint> found;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (shares[i] > 0) found.push_back({all[i].along, shares[i]});
@@ -99,8 +99,8 @@ std::vector<StretchPoint> points_of(const Stretch& stretch, int points) {
 }
 
 std::vector<StretchPoint> points_between(const Footprint& left, const Footprint& right, const Stretch& joint,
-                                         int points, double reach) {
-  std::vector<StretchPoint> all = points_of(joint, points);
+                                         int points, double reach, std::optional<double> spread) {
+  std::vector<StretchPoint> all = points_of(joint, points, spread);
   const std::vector<FamilyBeside> families = families_beside(left, right, joint, reach);
   if (families.empty()) return all;
   for (StretchPoint& one : all) one.family = 0;

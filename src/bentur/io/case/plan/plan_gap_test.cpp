@@ -281,5 +281,32 @@ TEST(PlanGaps, AreRemarkedOnAsThoseOfRows) {
   EXPECT_GT(remarked(with_piece(touching, "stiffness = 4e5", "stiffness = 4e4"), "soft_contact"), 0.1);
 }
 
+/// Two floors with 0.1 m in common, of which one slides past the other: the numbers of docs/theory/plan.md.
+TEST(PlanGaps, SayWhatSlipsOff) {
+  const std::string soft = "rigidity = { centre = [5, 5], x = 1e-4, y = 1e-4, torsion = 1e-4 }\n";
+  const std::string floor = "storey_heights = [3], masses = [200] }\n" + soft;
+  const std::string text =
+      "[units]\nlength = \"m\"\nforce = \"kN\"\n[plan]\nclearance = 0.2\ncontact = { law = \"linear\", stiffness = 4e5 "
+      "}\n[[building]]\nname = \"A\"\ndamping = 0.0\nplan = { corner = [0, 0], size = [10, 10], " +
+      floor + "[[building]]\nname = \"B\"\ndamping = 0.0\nplan = { corner = [10.02, 9.9], size = [10, 10], " + floor +
+      "[excitation]\nkind = \"none\"\n[initial]\nvelocities = { A = [[0.5, -2, 0]] }\n[analysis]\nduration = 0.2\n";
+  const PlanRun run = plan_gap_run(text);
+  const std::vector<Statement> told = run_story(run).statements;
+  const auto slips = std::find_if(told.begin(), told.end(), [](const Statement& one) { return one.kind == "slips"; });
+  ASSERT_NE(slips, told.end());
+  const auto value = [&](const std::string& name) {
+    return std::find_if(slips->values.begin(), slips->values.end(),
+                        [&](const StoryValue& one) { return one.name == name; })
+        ->value;
+  };
+  EXPECT_EQ(std::get<long>(value("times")), 2);  // both ends of what they have in common
+  EXPECT_NEAR(std::get<double>(value("time")), 0.05013, 5e-6);
+  EXPECT_NEAR(std::get<double>(value("energy")), 1.0794, 2e-4);
+  const json impacts = json::parse(plan_summary_json(run, "test"))["impacts"];
+  ASSERT_EQ(impacts.size(), 2U);
+  for (const json& one : impacts) EXPECT_EQ(one["slipped"], true);
+  EXPECT_FALSE(story_tells(run_story(plan_gap_run(three_in_plan)), "slips"));
+}
+
 }  // namespace
 }  // namespace bentur

@@ -174,7 +174,6 @@ Json plan_impact_json(const PlanRun& run, Index index) {
                {"x", place.at.x()},
                {"y", place.at.y()}};
   put_quantities(json, Owner::impact, run, {{index}});
-  if (run.response.impacts[index].slipped) json["slipped"] = true;
   return json;
 }
 

@@ -98,6 +98,10 @@ inline void tell_failures(const PlanRun& /*run*/, Story& /*told*/) {}
 inline void tell_pairs_without_contact(const RunResults& /*run*/, std::vector<Statement>& /*statements*/) {}
 void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& statements);
 
+/// Buildings that slip off one another sideways.
+inline void tell_slips(const RunResults& /*run*/, std::vector<Statement>& /*statements*/) {}
+void tell_slips(const PlanRun& run, std::vector<Statement>& statements);
+
 /// Floors that contact turns; whether there are any.
 inline bool tell_turning(const RunResults& /*run*/, std::vector<Statement>& /*statements*/) { return false; }
 bool tell_turning(const PlanRun& run, std::vector<Statement>& statements);
