@@ -164,15 +164,18 @@ export function Units() {
   </>;
 }
 
-/** Another ground motion. What every kind has stays, and of records what is not of the file: how
- *  strong one is made, and which way round. */
+/** What says what the samples of a record are, in a file or in the case: of another record it says nothing. */
+const ofSamples = ["values", "time_step", "unit"];
+
+/** Another ground motion. What every kind has stays, and of records what is not of their samples: how strong one is
+ *  made, and in which direction. */
 function excite(kind: "record" | "harmonic", given: Record<string, string>) {
   const was = leaf(found.value, ["excitation", "kind"])?.value;
   const lines = { kind: JSON.stringify(kind), ...given };
   const stays = (key: Key) => key.with !== "file" &&
     (!key.when || (kind === "record" && was === kind && key.when.kind.includes(kind)));
   const kept = Object.entries(keysOf(schema.value!.case.properties!.excitation))
-    .filter(([name, node]) => !(name in lines) && node["x-bentur"].some(stays)).map(([name]) => name);
+    .filter(([name, node]) => !(name in lines) && !ofSamples.includes(name) && node["x-bentur"].some(stays)).map(([name]) => name);
   const written = Object.entries(lines).map(([key, value]) => `${key} = ${value}`);
   change(withTable(text.value, "excitation", written, kept));
 }
