@@ -261,7 +261,9 @@ TEST(RandomYieldingMirror, IsTheRowItselfHoweverUneven) {
     SolveOptions options{.output_step = 0.003, .energy_audit = true};
     const Response exact = solve(random.problem, ExactSolver{}, options);
     ASSERT_EQ(exact.status, Status::done) << "case " << seed << ": " << exact.message;
-    for (const Discrepancy& found : exact.discrepancies) EXPECT_NE(found.key, "check_peaks") << found.size;
+    for (const Discrepancy& found : exact.discrepancies) {
+      EXPECT_NE(found.key, "check_peaks") << found.size << ", case " << seed;
+    }
     const Response other = mirrored_back(audited(mirrored(random.problem), ExactSolver{}));
     expect_same(random, exact, other, seed, sensitive, "mirrored");
     for (std::size_t b = 0; b < exact.buildings.size(); ++b) {

@@ -131,7 +131,7 @@ void let_push(const std::vector<ModalSystem::Block>& blocks, Index components, M
 }
 
 /// ModalSystem::coupling. An element feels nothing of one between two other bodies.
-MatrixXd couplings(const ModalSystem& system) {
+Couplings couplings(const ModalSystem& system) {
   const auto& elements = system.elements;
   const Index count = std::ssize(elements);
   std::vector<std::vector<Index>> of_body(system.blocks.size());
@@ -140,14 +140,20 @@ MatrixXd couplings(const ModalSystem& system) {
     of_body[at.left].push_back(i);
     if (at.right != at.left) of_body[at.right].push_back(i);
   }
-  MatrixXd coupling = MatrixXd::Zero(count, count);
+  Couplings coupling(count);
+  std::vector<std::pair<Index, double>> row;
   VectorXd pushed = VectorXd::Zero(system.size);
   for (Index i = 0; i < count; ++i) {
     const ModalSystem::Relation& at = elements[i].relation;
     system.push(i, -1.0, pushed);
-    for (const Index body : {at.left, at.right}) {
-      for (const Index j : of_body[body]) coupling(i, j) = elements[j].relation.along(pushed);
+    row.clear();
+    for (const Index j : of_body[at.left]) row.emplace_back(j, elements[j].relation.along(pushed));
+    for (const Index j : of_body[at.right]) {
+      const ModalSystem::Relation& other = elements[j].relation;
+      const bool is_taken = other.left == at.left || other.right == at.left;
+      if (!is_taken) row.emplace_back(j, other.along(pushed));
     }
+    coupling.set_row(i, row);
     pushed.segment(at.left_begin, at.left_size).setZero();
     pushed.segment(at.right_begin, at.right_size).setZero();
   }
@@ -325,7 +331,7 @@ ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at
     return of;
   }
   // Rᵀ X R of coupled rows R has the norm of Lᵀ X L, R Rᵀ = L Lᵀ.
-  const SymmetricModes gram = symmetric_modes(coupling(at, at));
+  const SymmetricModes gram = symmetric_modes(coupling.among(at));
   const MatrixXd l = gram.vectors * gram.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
   norms(l.transpose() * stiffness * l, symmetric, of.stiffer, of.softer);
   if (damping.size() > 0) {
@@ -419,10 +425,7 @@ const double* ModalSystem::load_of(const double* q, VectorXd& load) const {
 
 VectorXd ModalSystem::forces_for(const std::vector<Index>& at, const VectorXd& missing) const {
   const Index count = std::ssize(at);
-  MatrixXd matrix(count, count);
-  for (Index i = 0; i < count; ++i) {
-    for (Index j = 0; j < count; ++j) matrix(i, j) = coupling(at[i], at[j]);
-  }
+  const MatrixXd matrix = coupling.among(at);
   if (count == 0) return missing;
   constexpr double apart = 1e-11;  // of the largest pivot: what holds more than can move does so with the least norm
   const Ldlt factors(matrix);

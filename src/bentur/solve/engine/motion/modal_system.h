@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "bentur/solve/engine/motion/couplings.h"
 #include "bentur/solve/engine/motion/kernels/rows.h"
 #include "bentur/solve/engine/motion/time_grid.h"
 #include "bentur/solve/system.h"
@@ -163,7 +164,7 @@ struct ModalSystem {
   }
   /// The joint that System::joints has at this place, as an element.
   [[nodiscard]] Eigen::Index joint(Eigen::Index number) const { return switched + number; }
-  Eigen::MatrixXd coupling;    ///< −push_i · row_j [1/mass], elements × elements
+  Couplings coupling;          ///< −push_i · row_j [1/mass]
   std::vector<double> nu;      ///< ν of the ground motion, per component [rad/s]
   bool classical = true;       ///< every D is diagonal
   bool ground_counts = false;  ///< some δ has a part of the ground's displacement

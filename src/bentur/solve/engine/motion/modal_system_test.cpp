@@ -103,5 +103,34 @@ TEST(ModalSystem, GroundHasNoPartInTheSpeedOfTheBuildings) {
   EXPECT_NEAR(system.speed(v), std::sqrt(energy), 1e-14);
 }
 
+/// What is kept of many elements is what is kept of few.
+TEST(Couplings, OfManyElementsAreThoseOfFew) {
+  std::mt19937 draw(7);
+  std::uniform_real_distribution<double> value(-1, 1);
+  const Eigen::Index count = engine::Couplings::most_whole + 10, few = 40;
+  engine::Couplings many(count), whole(few);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    std::vector<std::pair<Eigen::Index, double>> row;
+    for (Eigen::Index j = count - 1; j >= 0; --j) {
+      if (value(draw) > -0.9) continue;
+      expected(i, j) = value(draw);
+      row.emplace_back(j, expected(i, j));
+    }
+    many.set_row(i, row);
+    std::erase_if(row, [&](const auto& one) { return one.first >= few; });
+    if (i < few) whole.set_row(i, row);
+  }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      EXPECT_EQ(many(i, j), expected(i, j));
+      if (i < few && j < few) {
+        EXPECT_EQ(whole(i, j), expected(i, j));
+      }
+    }
+  }
+  EXPECT_EQ(many.among({5, 1, 300})(2, 0), expected(300, 5));
+}
+
 }  // namespace
 }  // namespace bentur::engine
