@@ -429,7 +429,7 @@ double sensitivity(const Draw& draw, const PlanProblem& problem, const PlanRespo
 
 TEST(RandomPlans, BothSolversEnergyAndWhatChangesNothing) {
   const auto [first, last] = seeds();
-  int impacts = 0, rubbed = 0, sensitive = 0;
+  int impacts = 0, rubbed = 0, sensitive = 0, fallen = 0;
   double worst_solver = 0, worst_told = 0, worst_energy = 0;
   int watched = 0;
   for (unsigned seed = first; seed <= last; ++seed) {
@@ -438,6 +438,15 @@ TEST(RandomPlans, BothSolversEnergyAndWhatChangesNothing) {
     const PlanProblem problem = problem_of(draw);
     ASSERT_FALSE(problem.gaps.empty());
     const PlanResponse exact = solve(problem, ExactSolver{}, {.both_ways = true, .energy_audit = true});
+    if (exact.status == Status::collapsed) {  // few are drawn so: how they end is compared, and nothing else
+      ++fallen;
+      const PlanResponse adaptive = solve(problem, AdaptiveSolver{.tolerance = 1e-12});
+      ASSERT_TRUE(exact.collapse && adaptive.collapse);
+      EXPECT_EQ(adaptive.collapse->building, exact.collapse->building);
+      EXPECT_EQ(adaptive.collapse->storey, exact.collapse->storey);
+      EXPECT_NEAR(adaptive.collapse->time, exact.collapse->time, 1e-8 * problem.duration);
+      continue;
+    }
     ASSERT_EQ(exact.status, Status::done) << exact.message;
     EXPECT_TRUE(exact.discrepancies.empty());
     worst_energy = std::max(worst_energy, exact.energy->relative_residual());
@@ -480,6 +489,7 @@ TEST(RandomPlans, BothSolversEnergyAndWhatChangesNothing) {
               last - first + 1, impacts, rubbed, sensitive, worst_solver, worst_told, worst_energy);
   EXPECT_GT(impacts, 5 * static_cast<int>(last - first));
   EXPECT_GT(watched, 4 * static_cast<int>(last - first));
+  EXPECT_LE(fallen, static_cast<int>(last - first) / 50 + 1);
 }
 
 }  // namespace
