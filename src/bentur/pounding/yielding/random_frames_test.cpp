@@ -398,7 +398,7 @@ TEST_P(RandomFrames, AreAlikeByBothSolvers) {
     const Problem problem = Generator(seed, {.kind = GetParam()}).make();
     const Response exact = run(problem, ExactSolver{});
     ASSERT_TRUE(exact.status == Status::done || exact.status == Status::collapsed) << exact.message;
-    const double differs = breaks() || softens() ? std::max(1.0, held_at_peak(problem, exact)) : 1.0;
+    const double differs = std::max(1.0, held_at_peak(problem, exact));
     EXPECT_LE(exact.energy->relative_residual(), 1e-12 * differs);
     const Response adaptive = run(problem, AdaptiveSolver{1e-12});
     ASSERT_EQ(adaptive.status, exact.status) << adaptive.message;
