@@ -57,7 +57,7 @@ BEYOND = {
             generic-hardening-alone generic-of-plan-in-row plan-generic-and-rigidity plan-generic-yields
             isolation-of-plan-in-row plan-isolation-of-row plan-soil-twist soil-of-plan-in-row
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
-            plan-friction-of-law plan-gap-width plan-link-without-place
+            contact-spread-in-row plan-friction-of-law plan-gap-width plan-link-without-place
             plan-size-without-corner matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice
