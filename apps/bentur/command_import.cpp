@@ -28,7 +28,9 @@ struct ImportArguments {
   std::vector<std::string> sections;  ///< NAME=AREA,I33
   BlockRules rules;
   std::vector<double> period_formula;
-  bool metres = false, force = false;
+  GeoJsonOptions houses;
+  std::optional<double> radius;
+  bool force = false;
   std::vector<std::string> of_frame, of_block;  ///< options that were given
 };
 
@@ -52,8 +54,10 @@ std::map<std::string, E2kProperties> sections_of(const std::vector<std::string>&
 
 /// GeoJSON by its name, or by how it begins.
 bool is_geojson(const std::string& file, const std::string& text) {
-  if (file.ends_with(".geojson") || file.ends_with(".json")) return true;
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  for (const char* const end : {".geojson", ".json", ".geojsonl", ".geojsons", ".geojsonseq", ".ndjson"}) {
+    if (file.ends_with(end)) return true;
+  }
+  const std::size_t begin = text.find_first_not_of(" \t\r\n\x1e");
   return begin != std::string::npos && text[begin] == '{';
 }
 
@@ -64,7 +68,10 @@ std::optional<ImportedCase> read_block(const ImportArguments& arguments, const s
     rules.period_coefficient = arguments.period_formula[0];
     rules.period_exponent = arguments.period_formula[1];
   }
-  const auto houses = read_geojson(text, arguments.file, arguments.metres, diagnostics);
+  GeoJsonOptions options = arguments.houses;
+  options.radius = arguments.radius.value_or(options.radius);
+  options.unread_as_none = rules.storeys.has_value();
+  const auto houses = read_geojson(text, arguments.file, options, diagnostics);
   if (!houses) return std::nullopt;
   return make_block_case(*houses, arguments.file, rules, diagnostics);
 }
@@ -79,6 +86,9 @@ void run(const ImportArguments& arguments) {
   if (!astray.empty()) {
     throw Failure(exit_bad_input, fmt::format("bentur import: {} is of {}, not of this file", astray.front(),
                                               is_block ? "ETABS models" : "GeoJSON"));
+  }
+  if (arguments.radius && arguments.houses.around.empty()) {
+    throw Failure(exit_bad_input, "bentur import: --radius needs --around, a house or a place to be near to");
   }
   const auto made =
       is_block ? read_block(arguments, *text, diagnostics)
@@ -114,14 +124,27 @@ void add_import_command(CLI::App& app) {
           ->type_name("NAME=AREA,I33[,I22]")
           ->allow_extra_args(false)};
   BlockRules& rules = arguments->rules;
+  GeoJsonOptions& houses = arguments->houses;
   const std::vector<CLI::Option*> of_block = {
       command->add_option("--snap", rules.snap, "overlaps up to this are trimmed, in metres; default 0.1")
           ->check(positive()),
       command->add_flag("--hull", rules.hull, "footprints that are not convex become their hulls"),
-      command->add_flag("--metres", arguments->metres, "coordinates are metres east and north, not degrees"),
+      command->add_flag("--metres", houses.metres, "coordinates are metres east and north, not degrees"),
+      command->add_option("--around", houses.around, "houses that are near to one, by its name or id, or to a place")
+          ->type_name("NAME|LON,LAT")
+          ->check(not_empty()),
+      command->add_option("--radius", arguments->radius, "how near, in metres; default 50")->check(positive()),
+      command->add_option("--without", houses.without, "a house to leave out, by its name or id, as often as needed")
+          ->type_name("NAME")
+          ->allow_extra_args(false)
+          ->check(not_empty()),
+      command->add_flag("--parts", houses.parts, "parts of a MultiPolygon become buildings of their own"),
+      command->add_option("--levels", houses.levels, "a property that has storeys, where it is not a usual one")
+          ->type_name("PROPERTY")
+          ->check(not_empty()),
       command->add_option("--clearance", rules.clearance, "who stands so near may touch, in metres; default 0.5")
           ->check(positive()),
-      command->add_option("--storeys", rules.storeys, "of buildings of which neither storeys nor a height are given")
+      command->add_option("--storeys", rules.storeys, "of buildings of which neither storeys nor a height can be read")
           ->check(CLI::Range(1, 200)),
       command->add_option("--storey-height", rules.storey_height, "where none is given, in metres; default 3")
           ->check(positive()),
@@ -139,7 +162,8 @@ void add_import_command(CLI::App& app) {
   command->footer(
       "What is not read is listed with its lines, what is taken in place of what the file does not say as well.\n"
       "Example: bentur import model.e2k --at 6 -o frame.toml\n"
-      "Example: bentur import block.geojson -o block.toml");
+      "Example: bentur import block.geojson -o block.toml\n"
+      "Example: bentur import ward.geojson --around Hotel --radius 40 --hull --parts --storeys 3 -o hotel.toml");
   command->callback([arguments, of_frame, of_block] {
     const auto given = [](const std::vector<CLI::Option*>& options) {
       std::vector<std::string> names;

@@ -44,7 +44,7 @@ _bentur() {
     spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --lang --force --json --help' ;;
     plot) options='--output --force --list --from --to --gap --elevation --at --against --event --width --lang --help' ;;
     example) options='--output --no-schema --force --help' ;;
-    import) options='--along --at --section --snap --hull --metres --clearance --storeys --storey-height --floor-mass --period-formula --output --force --help' ;;
+    import) options='--along --at --section --around --radius --without --parts --levels --snap --hull --metres --clearance --storeys --storey-height --floor-mass --period-formula --output --force --help' ;;
     schema) options='--output --force --help' ;;
   esac
   if [[ -z $command || $current == -* ]]; then

@@ -12,6 +12,7 @@ import math
 import os
 import pathlib
 import pty
+import random
 import re
 import resource
 import shlex
@@ -24,6 +25,7 @@ import tempfile
 import time
 import unicodedata
 import unittest
+from collections import Counter
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
 from part import part_of_tests
@@ -1288,6 +1290,107 @@ class BlockOfHouses(CommandLine):
         self.assertIn('features[2] ("Clinic") has neither storeys', self.fails(2, "import", block, "--hull").stderr)
         self.assertIn('neither storeys nor a height are given: "Clinic"',
                       self.done("import", block, "--hull", "--storeys", 2).stderr)
+
+    def test_one_bad_house_does_not_stop_a_block(self):
+        block = self.folder / "block.geojson"
+        bad = self.text.replace('"height": 9.6', '"height": "tall", "building:levels": "3;4", "layer_no": 7')
+        block.write_text(bad)
+        refused = self.fails(2, "import", block, "--hull").stderr
+        self.assertIn('.properties.height = "tall", must be metres in (0, 1000]', refused)
+        self.assertIn('--storeys takes it as not given; --without "Clinic" leaves it out', refused)
+        done = self.done("import", block, "--hull", "--storeys", 2)
+        self.assertIn('taken: storeys are whole (of several the most, a part of one is one, of a sum all): '
+                      '"Clinic", 3;4 as 4', done.stderr)
+        self.assertIn('taken: what cannot be read is as if not given, as there is --storeys: '
+                      '"Clinic", height = "tall"', done.stderr)
+        self.assertIn("# - what cannot be read is as if not given", done.stdout)
+        self.assertEqual(done.stdout.count("storey_heights = [3, 3, 3, 3]\n"), 1)
+        without = self.done("import", block, "--hull", "--without", "Clinic", "--without", "Flats")
+        self.assertIn('taken: --without leaves out: "Clinic"; "Flats"\n', without.stderr)
+        self.assertEqual(without.stdout.count("[[building]]"), 3)
+        self.assertIn('--without = "Flat", did you mean "Flats"?',
+                      self.fails(2, "import", block, "--without", "Flat").stderr)
+        named = self.done("import", block, "--hull", "--storeys", 2, "--levels", "layer_no").stdout
+        self.assertIn("storey_heights = [3, 3, 3, 3, 3, 3, 3]\n", named)
+
+    def test_houses_around_one(self):
+        block = self.folder / "block.geojson"
+        for place, radius in ("Bakery", 4), ("107.61005,-6.91992", 12):  # of walls, and of a place within
+            made = self.done("import", block, "--around", place, "--radius", radius)
+            self.assertEqual(re.findall(r'^name = "(.*)"', made.stdout, re.M), ["Bakery", "Hotel", "Market hall"])
+            self.assertIn(f'taken: who is further than --radius {radius} m from "{place}" is left out: 2 houses', made.stderr)
+        self.assertEqual(self.done("import", block, "--around", "Hotel", "--hull").stdout.count("[[building]]"), 5)
+        self.assertIn("LON,LAT in degrees", self.fails(2, "import", block, "--around", "Theatre").stderr)
+        self.assertIn("--radius needs --around", self.fails(2, "import", block, "--radius", 12).stderr)
+        self.fails(2, "import", block, "--around", "Hotel", "--radius", 0)
+
+    def test_features_one_a_line(self):
+        lines = [json.dumps(one) for one in json.loads(self.text)["features"]]
+        whole = self.done("import", self.folder / "block.geojson", "--hull").stdout
+        for name, text in ("block.geojsonl", "\n".join(lines)), ("block.txt", "".join(f"\x1e{one}\n" for one in lines)):
+            (self.folder / name).write_text(text)
+            self.assertEqual(self.done("import", self.folder / name, "--hull").stdout, whole)
+        (self.folder / "one.geojson").write_text(lines[0])
+        self.assertIn("has 1 polygon, a block has two or more",
+                      self.fails(2, "import", self.folder / "one.geojson").stderr)
+
+    def extract(self, seed):
+        """Some 110 houses along five streets as a map has them, every kind of trouble among them."""
+        draw = random.Random(seed)
+        degree = 111320.0
+
+        def feature(number, tags, *parts):
+            rings = [[[[107.6 + x / degree, -0.01 + y / degree] for x, y in [*ring, ring[0]]] for ring in part]
+                     for part in parts]
+            kind = "Polygon" if len(rings) == 1 else "MultiPolygon"
+            return {"type": "Feature", "id": f"way/{number}", "properties": {"building": "yes", **tags},
+                    "geometry": {"type": kind, "coordinates": rings[0] if len(rings) == 1 else rings}}
+
+        def box(x, y, a, b):
+            return [(x, y), (x + a, y), (x + a, y + b), (x, y + b)]
+
+        features, kinds = [], Counter()
+        for street in range(5):
+            x = 0.0
+            for _ in range(20):
+                a, b, y = draw.uniform(6, 14), draw.uniform(9, 15), 45.0 * street
+                number, shape = len(features), draw.choice(["box"] * 6 + ["court", "wing", "shed"])
+                tags = draw.choice([{"building:levels": draw.randint(1, 6)}, {"building:levels": "3;4"}, {},
+                                    {"building:levels": "2.5", "height": "8,7"}, {"height": "31'6\""},
+                                    {"num_floors": 4, "height": 12.8}, {"building:levels": "many"},
+                                    {"tags": {"building:levels": "2-3", "roof:shape": "gabled"}}])
+                parts = [[box(x, y, a, b)]]
+                if shape == "court":
+                    parts = [[box(x, y, a, b), box(x + 2, y + 3, a - 4, b - 6)]]
+                if shape == "wing":  # an L whose inner corner is to the yard
+                    parts = [[[(x, y), (x + a, y), (x + a, y + b), (x + a / 2, y + b), (x + a / 2, y + b / 2),
+                               (x, y + b / 2)]]]
+                if shape == "shed":
+                    parts.append([box(x, y + 20, 4, 4)])
+                features.append(feature(number, tags, *parts))
+                kinds[shape] += 1
+                x += a + draw.choice([0, 0, -draw.uniform(0, 0.08), draw.uniform(0, 0.4)])
+        features.insert(7, {"type": "Feature", "id": "node/1", "properties": {"amenity": "cafe"},
+                            "geometry": {"type": "Point", "coordinates": [107.6, -0.01]}})
+        features.insert(40, {"type": "Feature", "id": "way/gone", "properties": {}, "geometry": None})
+        return features, kinds
+
+    def test_an_extract_of_a_map_comes_in_by_one_command(self):
+        for seed in 1, 2, 3:
+            features, kinds = self.extract(seed)
+            ward, case = self.folder / "ward.geojson", self.folder / f"ward-{seed}.toml"
+            ward.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+            made = self.done("import", ward, "--parts", "--hull", "--storeys", 2, "-o", case)
+            self.assertEqual(case.read_text().count("[[building]]"), 100 + kinds["shed"])
+            for said in ("features without geometry are left out: \"way/gone\"", "are houses of their own", "3;4 as 4",
+                         "2.5 as 3", "2-3 as 3", "8,7 as 8.7 m", "31'6\" as 9.601 m", 'building:levels = "many"',
+                         "2 storeys of 3 m, where neither storeys nor a height are given", "holes are left out",
+                         "the hull stands for an outline", "are cut off the later one"):
+                self.assertIn(said, made.stderr)
+            self.assertIn('not read: geometry "Point" of 1 feature', made.stderr)
+            self.assertIn("no errors", self.done("check", case).stdout)
+        case.write_text(case.read_text().replace("duration = 5.0", "duration = 0.5"))
+        self.done("run", case)
 
     def test_metres_and_what_is_no_geojson(self):
         block = self.folder / "block.geojson"

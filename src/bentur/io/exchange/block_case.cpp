@@ -116,6 +116,11 @@ class BlockMaker {
     diagnostics_.add({.position = house.position, .key = house.key + way, .rule = rule});
   }
 
+  /// One that no option helps with but the one that leaves the house out.
+  void error_without(const House& house, const std::string& way, const std::string& rule) {
+    error(house, way, fmt::format("{}; --without {} leaves it out", rule, in_quotes(house.name)));
+  }
+
   void add(const House& house) {
     BlockBuilding made;
     made.house = &house;
@@ -128,7 +133,7 @@ class BlockMaker {
     bool whole = true;
     const auto check = [&](const std::vector<PlanPoint>& ring, std::size_t index) {
       const auto fault = fault_of_outline(ring);
-      if (fault) error(house, fmt::format(".geometry.coordinates[{}]", index), *fault);
+      if (fault) error_without(house, fmt::format(".geometry.coordinates[{}]", index), *fault);
       whole = whole && !fault;
     };
     check(house.outline, 0);
@@ -136,7 +141,8 @@ class BlockMaker {
     if (!whole) return false;
     const std::vector<PlanPoint> hull = convex_hull(house.outline);
     if (hull.size() > most_hull_corners) {
-      error(house, ".geometry", fmt::format("must have at most {} corners, not {}", most_hull_corners, hull.size()));
+      error_without(house, ".geometry",
+                    fmt::format("must have at most {} corners, not {}", most_hull_corners, hull.size()));
       return false;
     }
     made.footprint = polygon_footprint({0, 0}, hull);
@@ -172,7 +178,7 @@ class BlockMaker {
       const Footprint ring{.polygon = i == 0 ? house.outline : house.holes[i - 1]};
       for (const PlanPoint& at : ring.polygon) {
         if (i == 0 || made.footprint.contains(at)) continue;
-        error(house, fmt::format(".geometry.coordinates[{}]", i), "must lie in the outline");
+        error_without(house, fmt::format(".geometry.coordinates[{}]", i), "must lie in the outline");
         return false;
       }
       const double area = std::abs(area_of(ring.polygon)) * (i == 0 ? 1 : -1);
@@ -184,7 +190,8 @@ class BlockMaker {
     made.radius2 = second / made.area - made.centre.squaredNorm();
     const bool is_possible = made.area >= least_area && made.radius2 > 0 && made.footprint.contains(made.centre);
     if (!is_possible) {
-      error(house, ".geometry", fmt::format("has {:.4g} m² of floor, must have {} or more", made.area, least_area));
+      error_without(house, ".geometry",
+                    fmt::format("has {:.4g} m² of floor, must have {} or more", made.area, least_area));
     }
     return is_possible;
   }
@@ -202,7 +209,9 @@ class BlockMaker {
                       metres(rules_.storey_height)),
           in_quotes(house.name));
     } else if (!storeys) {
-      error(house, "", "has neither storeys (building:levels) nor a height; --storeys gives all such their number");
+      error(house, "",
+            "has neither storeys (building:levels) nor a height; --levels PROPERTY reads storeys from another one, "
+            "--storeys gives all such their number");
       return false;
     } else if (!house.height) {
       say(fmt::format("storeys are {} high, where no height is given", metres(rules_.storey_height)),
@@ -212,15 +221,15 @@ class BlockMaker {
     made.storey_height = house.height ? std::round(1000 * *house.height / *storeys) / 1000 : rules_.storey_height;
     const double period = period_of(made);
     if (!(period >= shortest_period && period <= longest_period)) {
-      error(house, "",
-            fmt::format("has a first period of {:.4g} s by --period-formula, must be in [{}, {}] s", period,
-                        shortest_period, longest_period));
+      error_without(house, "",
+                    fmt::format("has a first period of {:.4g} s by --period-formula, must be in [{}, {}] s", period,
+                                shortest_period, longest_period));
       return false;
     }
     if (made.storey_height >= lowest_storey && made.storey_height <= highest_storey) return true;
-    error(house, "",
-          fmt::format("has storeys of {}, must be in [{}, {}] m", metres(made.storey_height), lowest_storey,
-                      highest_storey));
+    error_without(house, "",
+                  fmt::format("has storeys of {}, must be in [{}, {}] m", metres(made.storey_height), lowest_storey,
+                              highest_storey));
     return false;
   }
 
@@ -245,9 +254,10 @@ class BlockMaker {
       if (!overlap(earlier.footprint, later.footprint)) return;
       const double depth = overlap_depth(earlier.footprint, later.footprint);
       if (depth <= rules_.snap) return;
-      error(*later.house, "",
-            fmt::format("overlaps {} by {}, {:.4g} m², must be at most --snap {}", in_quotes(earlier.house->name),
-                        metres(depth), common_area(earlier.footprint, later.footprint), metres(rules_.snap)));
+      error_without(
+          *later.house, "",
+          fmt::format("overlaps {} by {}, {:.4g} m², must be at most --snap {}", in_quotes(earlier.house->name),
+                      metres(depth), common_area(earlier.footprint, later.footprint), metres(rules_.snap)));
     });
   }
 
@@ -260,9 +270,9 @@ class BlockMaker {
         cut->polygon[i] = cut->polygon[i].unaryExpr(&rounded);
       if (!cut || fault_of_polygon(cut->polygon) || area_of(cut->polygon) < least_area ||
           cut->polygon.size() > most_hull_corners) {
-        error(*later.house, "",
-              fmt::format("overlaps {} by {}, without which nothing is left of it", in_quotes(earlier.house->name),
-                          metres(depth)));
+        error_without(*later.house, "",
+                      fmt::format("overlaps {} by {}, without which nothing is left of it",
+                                  in_quotes(earlier.house->name), metres(depth)));
         later.footprint.polygon.clear();
         return;
       }
@@ -299,9 +309,10 @@ class BlockMaker {
           fmt::format("{}, {} apart in height", names_of(earlier, later), metres(least)));
     });
     if (joints_.empty()) {
-      diagnostics_.error({file_},
-                         fmt::format("no two buildings are within --clearance {} of one another: nothing can touch",
-                                     metres(rules_.clearance)));
+      std::string rule = fmt::format("no two buildings are within --clearance {} of one another: nothing can touch",
+                                     metres(rules_.clearance));
+      for (const std::string& one : houses_.left_out) rule += "; " + one;
+      diagnostics_.error({file_}, rule);
     }
   }
 
@@ -318,6 +329,8 @@ class BlockMaker {
   void say_rules() {
     std::vector<std::string>& taken = result_.taken;
     taken.push_back(fmt::format("x is east and y north, counted from {}", houses_.middle));
+    taken.insert(taken.end(), houses_.left_out.begin(), houses_.left_out.end());
+    taken.insert(taken.end(), houses_.taken.begin(), houses_.taken.end());
     if (!houses_.renamed.empty()) {
       std::vector<std::string> names;
       for (const std::string& name : houses_.renamed) names.push_back(in_quotes(name));

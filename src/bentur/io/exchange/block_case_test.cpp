@@ -62,9 +62,10 @@ struct Block {
   }
 };
 
-Block block_of(const std::string& text, const BlockRules& rules = {}, bool metres = true) {
+Block block_of(const std::string& text, const BlockRules& rules = {},
+               const GeoJsonOptions& options = {.metres = true}) {
   Block block;
-  const auto houses = read_geojson(text, "block.geojson", metres, block.diagnostics);
+  const auto houses = read_geojson(text, "block.geojson", options, block.diagnostics);
   if (houses) block.made = make_block_case(*houses, "block.geojson", rules, block.diagnostics);
   if (!block.made) return block;
   block.c = read_plan_case_text(block.made->text, "block.toml", block.diagnostics, &block.problem);
@@ -183,8 +184,8 @@ TEST(Block, EveryErrorIsSaidAtOnceWithItsFeature) {
   const std::string errors =
       block_of(
           collection({
-              house(R"("name": "A", "height": "tall", "levels": 2.5)", box(0, 0, 10, 10)),
-              house(R"("name": "A\n", "levels": 2, "storeys": 2)", box(20, 0, 10, 10)),
+              house(R"("name": "A", "height": "tall", "levels": -2.5)", box(0, 0, 10, 10)),
+              house(R"("name": "A\n", "levels": 2, "storeys": 3)", box(20, 0, 10, 10)),
               R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[0,0],[1,0],[1,1],[0,1]]]}})",
               R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[0,0],["a",0],[1,1],[0,0]]]}})",
               R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": 7}})",
@@ -194,19 +195,21 @@ TEST(Block, EveryErrorIsSaidAtOnceWithItsFeature) {
           .errors();
   for (const char* const one : {
            "block.geojson:2:1: error: features[0] (\"A\").properties.height = \"tall\", must be metres in (0, 1000]",
-           "features[0] (\"A\").properties.levels = 2.5, must be a whole number from 1 to 200",
+           "features[0] (\"A\").properties.levels = -2.5, must be a whole number from 1 to 200",
            "features[1].properties.name = \"A\\x0a\", must be one line",
-           "properties.storeys must not stand beside levels",
+           "properties.storeys = 3, must not stand beside levels = 2; --levels PROPERTY says which is read; --without",
            "features[2] (\"building 3\").geometry.coordinates[0] must end where it begins",
            "coordinates[0][1] is a list, must be a list of numbers",
            "features[4] (\"building 5\").geometry.coordinates must be a list of rings",
-           "features[5] (\"building 6\").geometry has 2 polygons, must be one",
+           "features[5] (\"building 6\").geometry has 2 polygons, must be one: parts that stand apart move apart; "
+           "--parts "
+           "takes each as a house of its own; --without \"building 6\" leaves it out",
            "features[6] must be a Feature",
        }) {
     EXPECT_NE(errors.find(one), std::string::npos) << one << "\n" << errors;
   }
   const auto error_of = [](const std::string& text, bool metres = true) {
-    const Block block = block_of(text, {}, metres);
+    const Block block = block_of(text, {}, {.metres = metres});
     EXPECT_FALSE(block.made);
     return block.errors();
   };
@@ -224,8 +227,9 @@ TEST(Block, EveryErrorIsSaidAtOnceWithItsFeature) {
   expect("{\"type\": \"Topology\"}", "must be a GeoJSON FeatureCollection");
   expect("{\"type\": \"FeatureCollection\", \"features\": []}", "has 0 polygons, a block has two or more");
   expect(collection(std::vector<std::string>(201, house("", box(0, 0, 1, 1)))),
-         "has 201 polygons, a block has at most 200");
-  expect(pair(box(0, 0, 10, 10), ""), "has neither storeys (building:levels) nor a height; --storeys");
+         "has 201 polygons, a block has at most 200; --around NAME --radius METRES takes those near one");
+  expect(pair(box(0, 0, 10, 10), ""),
+         "nor a height; --levels PROPERTY reads storeys from another one, --storeys gives all such");
   expect(pair(box(0, 0, 10, 10), R"("levels": 100, "height": 12)"), "has storeys of 0.12 m");
   expect(pair({{0, 0}, {8, 8}, {8, 0}, {0, 7}}, R"("levels": 2)"), "must go round once");
   expect(pair({{0, 0}, {8, 0}, {4, 0}, {2, 0}}, R"("levels": 2)"), "must have an area");
@@ -246,7 +250,7 @@ TEST(Block, PlacesAndNamesAreReadAsTheyStand) {
       R"({"type": "Feature", "properties": null, "geometry": {"type": "Point", "coordinates": [10, 45]}})",
       R"({"type": "Feature", "properties": null, "geometry": null})",
   });
-  const Block block = block_of(text, {}, false);
+  const Block block = block_of(text, {}, {});
   ASSERT_TRUE(block.c) << block.errors();
   ASSERT_EQ(block.c->buildings.size(), 3U);
   EXPECT_EQ(block.c->buildings[0].name, "way/7");
@@ -255,11 +259,11 @@ TEST(Block, PlacesAndNamesAreReadAsTheyStand) {
   EXPECT_NEAR(block.c->buildings[0].footprint().size.y(), 11.1132, 1e-3);
   ASSERT_EQ(block.c->gaps.size(), 2U);
   EXPECT_EQ(block.c->gaps[0].stretch.width, 0);  // they have their corners in common
-  ASSERT_EQ(block.made->unread.size(), 3U);
+  ASSERT_EQ(block.made->unread.size(), 2U);
   EXPECT_EQ(block.made->unread[0].what, "property \"roof:shape\" of 1 feature");
   EXPECT_EQ(block.made->unread[1].what, "geometry \"Point\" of 1 feature");
-  EXPECT_EQ(block.made->unread[2].what, "a missing geometry of 1 feature");
-  EXPECT_EQ(block.made->unread[2].first, 6);
+  EXPECT_EQ(block.made->unread[1].first, 5);
+  EXPECT_NE(block.taken().find("features without geometry are left out: \"building 5\"\n"), std::string::npos);
 }
 
 TEST(Block, WhatIsMadeOfAnyBlockIsACase) {

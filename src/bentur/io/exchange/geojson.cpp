@@ -1,117 +1,66 @@
 #include "bentur/io/exchange/geojson.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "bentur/core/number_text.h"
-#include "bentur/io/exchange/local_plan.h"
-#include "bentur/io/json_position.h"
+#include "bentur/io/exchange/house_tags.h"
+#include "bentur/io/exchange/internal/geo_choice.h"
+#include "bentur/io/exchange/internal/geo_text.h"
 #include "bentur/io/toml/toml_view.h"
 
 namespace bentur {
 namespace {
 
-using GeoNode = nlohmann::json;
-
 constexpr std::size_t most_houses = 200;
 constexpr std::size_t most_ring_corners = 1000;
-constexpr std::size_t longest_name = 100;  // bytes
-constexpr double widest_block = 2000;      // [m]
-constexpr std::size_t most_unread = 30;    // properties and geometries that are listed by name
+constexpr double widest_block = 2000;    // [m]
+constexpr std::size_t most_unread = 30;  // properties and geometries that are listed by name
+constexpr const char* take_a_part = "--around NAME --radius METRES takes those near one";
 
-/// Where the entries of the list `features` begin, of a text that is JSON.
-std::vector<SourcePosition> places_of_features(const std::string& file, const std::string& text) {
-  std::vector<SourcePosition> places;
-  int line = 1, depth = 0;
-  std::size_t line_begin = 0, string_begin = 0;
-  bool in_string = false, is_features = false, is_entry_due = false;
-  std::string_view last;  // the string that ended last
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\n') {
-      ++line;
-      line_begin = i + 1;
-    }
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c != '"') continue;
-      in_string = false;
-      last = std::string_view(text).substr(string_begin, i - string_begin);
-      continue;
-    }
-    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
-    if (depth == 2 && is_features && is_entry_due && c != ']') {
-      places.push_back({file, line, static_cast<int>(i - line_begin) + 1});
-      is_entry_due = false;
-    }
-    if (c == '"') {
-      in_string = true;
-      string_begin = i + 1;
-    } else if (c == ':' && depth == 1) {
-      is_features = last == "features";
-      if (is_features) places.clear();
-    } else if (c == '{' || c == '[') {
-      ++depth;
-      if (depth == 2 && is_features) is_entry_due = true;
-    } else if (c == '}' || c == ']') {
-      --depth;
-    } else if (c == ',' && depth == 2) {
-      is_entry_due = true;
-    }
-  }
-  return places;
+bool is_usual_levels(const std::string& key) {
+  return key == "building:levels" || key == "levels" || key == "num_floors" || key == "storeys";
 }
 
-std::string shown_node(const GeoNode& node) {
-  if (node.is_object()) return "a table";
-  if (node.is_array()) return "a list";
-  if (node.is_string()) return in_quotes(node.get_ref<const std::string&>());
-  return node.dump();
-}
+/// What a house says of itself.
+struct GeoProperty {
+  std::string way;  ///< to it, from the properties
+  const GeoNode* value = nullptr;
+};
 
 class GeoReader {
  public:
-  GeoReader(const std::string& file, bool metres, Diagnostics& diagnostics)
-      : file_(file), metres_(metres), diagnostics_(diagnostics) {}
+  GeoReader(const std::string& file, const GeoJsonOptions& options, Diagnostics& diagnostics)
+      : file_(file), options_(options), diagnostics_(diagnostics) {}
 
   std::optional<Houses> read(const std::string& text) {
-    GeoNode root;
-    try {
-      root = GeoNode::parse(text);
-    } catch (const GeoNode::parse_error& fault) {
-      diagnostics_.error(json_position(file_, text, fault.byte), no_json);
-      return std::nullopt;
-    } catch (const GeoNode::exception&) {
-      return error("has a number that is too large");
+    const auto geo = read_geo_text(text, file_, diagnostics_);
+    if (!geo) return std::nullopt;
+    check_crs(geo->crs);
+    const GeoChoice choice = choose_houses(geo->features, file_, options_, diagnostics_);
+    if (!choice.is_made) return std::nullopt;
+    houses_.left_out = choice.left_out;
+    names_ = choice.names;
+    for (const auto& [what, feature] : choice.unread) leave_unread(what, feature->position);
+    std::size_t polygons = 0;
+    for (const GeoCandidate& one : choice.houses) polygons += options_.parts ? one.polygons().size() : 1;
+    if (polygons > most_houses) {
+      return error(fmt::format("has {} polygons, a block has at most {}; {}", polygons, most_houses, take_a_part));
     }
-    const bool is_collection = root.is_object() && root.value("type", GeoNode()) == "FeatureCollection" &&
-                               root.contains("features") && root["features"].is_array();
-    if (!is_collection) return error("must be a GeoJSON FeatureCollection with its features (RFC 7946)");
-    check_crs(root);
-    const auto places = places_of_features(file_, text);
-    const GeoNode& features = root["features"];
-    const auto is_polygon = [](const GeoNode& feature) {
-      const GeoNode* const shape = member(feature, "geometry");
-      const GeoNode* const type = shape != nullptr ? member(*shape, "type") : nullptr;
-      return type != nullptr && (*type == "Polygon" || *type == "MultiPolygon");
-    };
-    const auto polygons = std::count_if(features.begin(), features.end(), is_polygon);
-    if (polygons > static_cast<std::ptrdiff_t>(most_houses)) {
-      return error(fmt::format("has {} polygons, a block has at most {}", polygons, most_houses));
-    }
-    for (std::size_t i = 0; i < features.size(); ++i) {
-      read_feature(features[i], i, i < places.size() ? places[i] : SourcePosition{file_});
-    }
+    for (const GeoCandidate& one : choice.houses) read_candidate(one);
     list_unread();
+    say_what_was_read();
     if (houses_.all.size() < 2 && diagnostics_.ok()) {
-      error(fmt::format("has {}, a block has two or more", counted(houses_.all.size(), "polygon")));
+      std::string rule = fmt::format("has {}, a block has two or more", counted(houses_.all.size(), "polygon"));
+      for (const std::string& one : houses_.left_out) rule += "; " + one;
+      error(rule);
     }
     if (diagnostics_.ok()) project();
     if (!diagnostics_.ok()) return std::nullopt;
@@ -125,148 +74,175 @@ class GeoReader {
   }
 
   void error_at(const House& house, const std::string& way, const std::string& value, const std::string& rule) {
-    diagnostics_.add({.position = house.position, .key = house.key + way, .value = value, .rule = rule});
-  }
-
-  static const GeoNode* member(const GeoNode& node, const char* key) {
-    if (!node.is_object()) return nullptr;
-    const auto found = node.find(key);
-    return found == node.end() || found->is_null() ? nullptr : &*found;
+    diagnostics_.add({.position = house.position,
+                      .key = house.key + way,
+                      .value = value,
+                      .rule = house.name.empty() ? rule : rule + "; " + without_it(house)});
   }
 
   /// RFC 7946 has WGS 84 alone; what stood before it, and some programs still write, names it.
-  void check_crs(const GeoNode& root) {
-    const GeoNode* const crs = member(root, "crs");
-    if (crs == nullptr || metres_) return;
-    const GeoNode* const properties = member(*crs, "properties");
-    const GeoNode* const name = properties != nullptr ? member(*properties, "name") : nullptr;
+  void check_crs(const GeoNode& crs) {
+    if (crs.is_null() || options_.metres) return;
+    const GeoNode* const properties = geo_member(crs, "properties");
+    const GeoNode* const name = properties != nullptr ? geo_member(*properties, "name") : nullptr;
     static const std::set<std::string> known = {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:OGC::CRS84",
                                                 "urn:ogc:def:crs:EPSG::4326", "EPSG:4326"};
     if (name != nullptr && name->is_string() && known.count(name->get_ref<const std::string&>()) > 0) return;
     House whole;
     whole.position.file = file_;
-    error_at(whole, "crs", name != nullptr ? shown_node(*name) : "a table",
+    error_at(whole, "crs", name != nullptr ? shown_geo(*name) : "a table",
              "must be WGS 84 (CRS84), in degrees; give --metres where coordinates are metres");
   }
 
-  void read_feature(const GeoNode& feature, std::size_t index, const SourcePosition& position) {
-    House house;
-    house.position = position;
-    house.key = fmt::format("features[{}]", index);
-    const GeoNode* const type = member(feature, "type");
-    if (type == nullptr || *type != "Feature") return error_at(house, "", "", "must be a Feature");
-    const GeoNode* const shape = member(feature, "geometry");
-    const GeoNode* const kind = shape != nullptr ? member(*shape, "type") : nullptr;
-    if (kind == nullptr || (*kind != "Polygon" && *kind != "MultiPolygon")) {
-      leave_unread(kind != nullptr ? "geometry " + shown_node(*kind) : "a missing geometry", house);
+  void read_candidate(const GeoCandidate& one) {
+    diagnostics_.add(one.faults);
+    House house = one.house;
+    if (house.name != one.asked && one.faults.ok()) houses_.renamed.push_back(house.name);
+    if (one.properties != nullptr && !one.properties->is_object()) {
+      error_at(house, ".properties", "", "must be a table");
+    } else if (one.properties != nullptr) {
+      read_properties(*one.properties, house);
+    }
+    const std::vector<const GeoNode*> polygons = one.polygons();
+    if (polygons.size() == 1) {
+      if (read_rings(*polygons.front(), house)) houses_.all.push_back(std::move(house));
       return;
     }
-    const GeoNode* const properties = member(feature, "properties");
-    read_name(feature, properties, index, house);
-    if (properties != nullptr && !properties->is_object()) error_at(house, ".properties", "", "must be a table");
-    if (properties != nullptr && properties->is_object()) read_properties(*properties, house);
-    const GeoNode* coordinates = member(*shape, "coordinates");
-    if (coordinates == nullptr || !coordinates->is_array()) {
-      return error_at(house, ".geometry.coordinates", "", "must be a list of rings");
+    if (polygons.empty() || !options_.parts) {
+      return error_at(house, ".geometry", "",
+                      fmt::format("has {} polygons, must be one: parts that stand apart move apart; --parts takes "
+                                  "each as a house of its own",
+                                  polygons.size()));
     }
-    if (*kind == "MultiPolygon") {
-      if (coordinates->size() != 1) {
-        return error_at(house, ".geometry", "",
-                        fmt::format("has {} polygons, must be one: parts that stand apart move apart, and are "
-                                    "features of their own",
-                                    coordinates->size()));
-      }
-      coordinates = &(*coordinates)[0];
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const std::string asked = one.name_of_part(i + 1);
+      if (std::find(options_.without.begin(), options_.without.end(), asked) != options_.without.end()) continue;
+      House part = house;
+      part.name = asked;
+      for (int k = 2; !names_.insert(part.name).second; ++k) part.name = fmt::format("{} ({})", asked, k);
+      part.key = fmt::format("{} ({})", house.key.substr(0, house.key.find(' ')), in_quotes(part.name));
+      if (read_rings(*polygons[i], part)) houses_.all.push_back(std::move(part));
     }
-    if (!coordinates->is_array() || coordinates->empty()) {
-      return error_at(house, ".geometry.coordinates", "", "must be a list of rings");
+    parted_.push_back(fmt::format("{}, {} parts", in_quotes(house.name), polygons.size()));
+  }
+
+  /// @return whether they are a list, right or wrong
+  bool read_rings(const GeoNode& rings, House& house) {
+    if (!rings.is_array() || rings.empty()) {
+      error_at(house, ".geometry.coordinates", "", "must be a list of rings");
+      return false;
     }
-    for (std::size_t ring = 0; ring < coordinates->size(); ++ring) {
-      std::vector<PlanPoint> corners = read_ring((*coordinates)[ring], ring, house);
+    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+      std::vector<PlanPoint> corners = read_ring(rings[ring], ring, house);
       if (ring == 0) {
         house.outline = std::move(corners);
       } else {
         house.holes.push_back(std::move(corners));
       }
     }
-    houses_.all.push_back(std::move(house));
+    return true;
   }
 
-  void read_name(const GeoNode& feature, const GeoNode* properties, std::size_t index, House& house) {
-    const GeoNode* given = properties != nullptr ? member(*properties, "name") : nullptr;
-    const auto is_text = [](const GeoNode* node) { return node != nullptr && node->is_string(); };
-    const auto is_blank = [](const std::string& text) { return text.find_first_not_of(' ') == std::string::npos; };
-    if (given != nullptr && !given->is_string()) {
-      error_at(house, ".properties.name", shown_node(*given), "must be a text in quotes");
-    }
-    if (!is_text(given) || is_blank(given->get_ref<const std::string&>())) given = member(feature, "id");
-    house.name = fmt::format("building {}", index + 1);
-    if (given != nullptr && given->is_number_integer()) house.name = given->dump();
-    if (is_text(given) && !is_blank(given->get_ref<const std::string&>())) house.name = given->get<std::string>();
-    if (!is_one_line(house.name)) {
-      error_at(house, ".properties.name", in_quotes(house.name),
-               "must be one line without control characters and marks of direction");
-      house.name = fmt::format("building {}", index + 1);
-    }
-    if (house.name.size() > longest_name) {
-      error_at(house, ".properties.name", in_quotes(house.name),
-               fmt::format("must have at most {} bytes", longest_name));
-      house.name = fmt::format("building {}", index + 1);
-    }
-    const std::string asked = house.name;
-    for (int i = 2; !names_.insert(house.name).second; ++i) house.name = fmt::format("{} ({})", asked, i);
-    if (house.name != asked) houses_.renamed.push_back(house.name);
-    house.key += fmt::format(" ({})", in_quotes(house.name));
+  /// Of a feature, and of a table `tags` among them that it does not have itself.
+  static std::map<std::string, GeoProperty> properties_of(const GeoNode& node) {
+    std::map<std::string, GeoProperty> all;
+    const auto take = [&all](const GeoNode& table, const std::string& way) {
+      for (const auto& [key, value] : table.items()) {
+        const bool is_blank = value.is_string() && value.get_ref<const std::string&>().empty();
+        if (!value.is_null() && !is_blank) all.try_emplace(key, GeoProperty{way + key, &value});
+      }
+    };
+    take(node, "");
+    const GeoNode* const tags = geo_member(node, "tags");
+    if (tags == nullptr || !tags->is_object()) return all;
+    all.erase("tags");
+    take(*tags, "tags.");
+    return all;
   }
 
-  void read_properties(const GeoNode& properties, House& house) {
-    std::string levels;
-    for (const auto& [key, value] : properties.items()) {
-      const bool is_blank = value.is_string() && value.get_ref<const std::string&>().empty();
-      if (value.is_null() || is_blank || key == "name") continue;
+  void read_properties(const GeoNode& node, House& house) {
+    const std::map<std::string, GeoProperty> all = properties_of(node);
+    std::vector<GeoProperty> levels;
+    const auto named = options_.levels.empty() ? all.end() : all.find(options_.levels);
+    const bool is_named = named != all.end();
+    if (is_named) levels.push_back(named->second);
+    has_levels_ = has_levels_ || is_named;
+    for (const auto& [key, property] : all) {
+      properties_.insert(key);
+      const bool is_levels = is_usual_levels(key);
+      if (key == "name" || (is_named && key == options_.levels)) continue;
       if (key == "height") {
-        read_height(value, house);
-      } else if (key == "building:levels" || key == "levels" || key == "storeys") {
-        if (!levels.empty()) error_at(house, ".properties." + key, "", "must not stand beside " + levels);
-        levels = key;
-        read_storeys(key, value, house);
+        read_height(property, house);
+      } else if (is_levels && !is_named) {
+        levels.push_back(property);
       } else {
-        leave_unread("property " + in_quotes(key), house);
+        leave_unread("property " + in_quotes(property.way), house.position);
       }
     }
+    for (const GeoProperty& one : levels) read_storeys(one, levels.front(), house);
   }
 
-  /// A number, or the text that is one.
-  static std::optional<double> number_of(const GeoNode& value) {
-    if (value.is_number()) return value.get<double>();
-    if (!value.is_string()) return std::nullopt;
-    return parse_number(value.get_ref<const std::string&>());
+  /// A number, or a text.
+  static std::string tag_of(const GeoNode& value) {
+    if (value.is_number()) return value.dump();
+    return value.is_string() ? value.get<std::string>() : "";
   }
 
-  void read_height(const GeoNode& value, House& house) {
-    std::optional<double> height = number_of(value);
-    if (!height && value.is_string()) {
-      std::string text = value.get<std::string>();
-      if (text.ends_with('m')) {
-        text.pop_back();
-        while (text.ends_with(' ')) text.pop_back();
-        height = parse_number(text);
-      }
+  void cannot_read(const GeoProperty& property, const House& house, const std::string& rule) {
+    if (options_.unread_as_none) {
+      unreadable_.push_back(
+          fmt::format("{}, {} = {}", in_quotes(house.name), property.way, shown_geo(*property.value)));
+      return;
     }
-    if (height && *height > 0 && *height <= 1000) {
-      house.height = height;
-    } else {
-      error_at(house, ".properties.height", shown_node(value), "must be metres in (0, 1000], as 12.5 or \"12.5 m\"");
+    error_at(house, ".properties." + property.way, shown_geo(*property.value),
+             rule + "; --storeys takes it as not given");
+  }
+
+  void read_height(const GeoProperty& property, House& house) {
+    const std::string text = tag_of(*property.value);
+    const auto height = height_tag(text);
+    if (!height) {
+      return cannot_read(property, house, "must be metres in (0, 1000], as 12.5 or \"12.5 m\", or feet as \"40 ft\"");
+    }
+    house.height = height->value;
+    if (height->as_written) return;
+    heights_read_.push_back(
+        fmt::format("{}, {} as {} m", in_quotes(house.name), text, std::round(1000 * height->value) / 1000));
+  }
+
+  void read_storeys(const GeoProperty& property, const GeoProperty& first, House& house) {
+    const std::string text = tag_of(*property.value);
+    const auto storeys = storeys_tag(text);
+    if (!storeys) {
+      return cannot_read(property, house, "must be a whole number from 1 to 200, as 3 or \"3;4\", of which the most");
+    }
+    if (house.storeys && *house.storeys != storeys->value) {
+      return error_at(house, ".properties." + property.way, shown_geo(*property.value),
+                      fmt::format("must not stand beside {} = {}; --levels PROPERTY says which is read", first.way,
+                                  shown_geo(*first.value)));
+    }
+    house.storeys = storeys->value;
+    if (!storeys->as_written) {
+      storeys_read_.push_back(fmt::format("{}, {} as {}", in_quotes(house.name), text, storeys->value));
     }
   }
 
-  void read_storeys(const std::string& key, const GeoNode& value, House& house) {
-    const std::optional<double> storeys = number_of(value);
-    if (storeys && *storeys >= 1 && *storeys <= 200 && *storeys == std::floor(*storeys)) {
-      house.storeys = static_cast<int>(*storeys);
-    } else {
-      error_at(house, ".properties." + key, shown_node(value), "must be a whole number from 1 to 200");
+  /// What is not as it stands, and what is wrong about all of them.
+  void say_what_was_read() {
+    if (!options_.levels.empty() && !has_levels_) {
+      diagnostics_.add({.position = {file_},
+                        .key = "--levels",
+                        .value = in_quotes(options_.levels),
+                        .rule = "must be a property of a house that is read",
+                        .suggestion = likely(options_.levels, {properties_.begin(), properties_.end()})});
     }
+    const auto say = [&](const char* what, const std::vector<std::string>& whom) {
+      if (!whom.empty()) houses_.taken.push_back(fmt::format("{}: {}", what, fmt::join(whom, "; ")));
+    };
+    say("parts of a MultiPolygon are houses of their own, of the same storeys and height", parted_);
+    say("storeys are whole (of several the most, a part of one is one, of a sum all)", storeys_read_);
+    say("heights with a decimal comma or in feet are read as metres", heights_read_);
+    say("what cannot be read is as if not given, as there is --storeys", unreadable_);
   }
 
   /// Corners of a ring without the last, which is the first.
@@ -278,21 +254,19 @@ class GeoReader {
     }
     std::vector<PlanPoint> corners;
     for (const GeoNode& place : ring) {
-      const bool is_place = place.is_array() && place.size() >= 2 && place[0].is_number() && place[1].is_number();
-      if (!is_place) {
-        error_at(house, fmt::format("{}[{}]", way, corners.size()), shown_node(place), "must be a list of numbers");
+      const std::optional<PlanPoint> at = geo_place(place);
+      if (!at) {
+        error_at(house, fmt::format("{}[{}]", way, corners.size()), shown_geo(place), "must be a list of numbers");
         return {};
       }
-      const PlanPoint at(place[0].get<double>(), place[1].get<double>());
-      const bool is_in = metres_ ? at.cwiseAbs().maxCoeff() <= 1e8 : std::abs(at.x()) <= 180 && std::abs(at.y()) <= 90;
-      if (!is_in) {
-        error_at(house, fmt::format("{}[{}]", way, corners.size()), fmt::format("[{}, {}]", at.x(), at.y()),
-                 metres_ ? "must be metres within 1e8"
-                         : "must be a longitude in [-180, 180] and a latitude in [-90, 90]; give --metres where "
-                           "coordinates are metres");
+      if (!is_geo_place(*at, options_.metres)) {
+        error_at(house, fmt::format("{}[{}]", way, corners.size()), fmt::format("[{}, {}]", at->x(), at->y()),
+                 options_.metres ? "must be metres within 1e8"
+                                 : "must be a longitude in [-180, 180] and a latitude in [-90, 90]; give --metres "
+                                   "where coordinates are metres");
         return {};
       }
-      corners.push_back(at);
+      corners.push_back(*at);
     }
     if (corners.front() != corners.back()) {
       error_at(house, way, "", "must end where it begins (RFC 7946, 3.1.6)");
@@ -302,9 +276,9 @@ class GeoReader {
     return corners;
   }
 
-  void leave_unread(const std::string& what, const House& house) {
-    UnreadKind& unread = unread_.try_emplace(what, UnreadKind{house.position.line}).first->second;
-    unread.last = house.position.line;
+  void leave_unread(const std::string& what, const SourcePosition& position) {
+    UnreadKind& unread = unread_.try_emplace(what, UnreadKind{position.line}).first->second;
+    unread.last = position.line;
     ++unread.count;
   }
 
@@ -334,16 +308,15 @@ class GeoReader {
       }
     }
     const PlanPoint middle = 0.5 * (low + high);
-    const auto placed = [&](const PlanPoint& at) {
-      return metres_ ? PlanPoint(at - middle) : local_plan({at.x(), at.y()}, {middle.x(), middle.y()});
-    };
+    const auto placed = [&](const PlanPoint& at) { return geo_plan(at, middle, options_.metres); };
     const double extent = (placed(high) - placed(low)).maxCoeff();
     if (!(extent <= widest_block)) {
-      error(fmt::format("is {} m from end to end, a block is at most {} m", number(extent), number(widest_block)));
+      error(fmt::format("is {} m from end to end, a block is at most {} m; {}", number(extent), number(widest_block),
+                        take_a_part));
       return;
     }
-    houses_.middle = metres_ ? fmt::format("({:.3f}, {:.3f}) of the file", middle.x(), middle.y())
-                             : fmt::format("longitude {:.7f}, latitude {:.7f}", middle.x(), middle.y());
+    houses_.middle = options_.metres ? fmt::format("({:.3f}, {:.3f}) of the file", middle.x(), middle.y())
+                                     : fmt::format("longitude {:.7f}, latitude {:.7f}", middle.x(), middle.y());
     const auto to_plan = [&](std::vector<PlanPoint>& corners) {
       std::vector<PlanPoint> kept;
       for (const PlanPoint& at : corners) {
@@ -365,18 +338,21 @@ class GeoReader {
   };
 
   const std::string& file_;
-  bool metres_;
+  const GeoJsonOptions& options_;
   Diagnostics& diagnostics_;
   Houses houses_;
-  std::set<std::string> names_;
-  std::map<std::string, UnreadKind> unread_;  // by what messages call it
+  std::set<std::string> names_;       // of all houses, wanted or not
+  std::set<std::string> properties_;  // of those that are wanted
+  bool has_levels_ = false;           // one of them has the property of `levels`
+  std::vector<std::string> parted_, heights_read_, storeys_read_, unreadable_;  // which houses, and how
+  std::map<std::string, UnreadKind> unread_;                                    // by what messages call it
 };
 
 }  // namespace
 
-std::optional<Houses> read_geojson(const std::string& text, const std::string& name, bool metres,
+std::optional<Houses> read_geojson(const std::string& text, const std::string& name, const GeoJsonOptions& options,
                                    Diagnostics& diagnostics) {
-  return GeoReader(name, metres, diagnostics).read(text);
+  return GeoReader(name, options, diagnostics).read(text);
 }
 
 }  // namespace bentur
