@@ -247,6 +247,12 @@ std::optional<ImportedCase> imported(const std::string& text, const E2kFrame& fr
   return made;
 }
 
+TEST(E2k, LinesOfBlanksOfAnyKindSayNothing) {
+  const auto made = imported(changed("$ STORIES", "\f\n\v\r\r\n$ STORIES"));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->text, imported(small_model)->text);
+}
+
 TEST(E2k, ColumnsThatAreNotFixedAtTheirFeetAreErrors) {
   const auto made = imported(with_joints(fixed_feet));  // point 4 is of another frame
   ASSERT_TRUE(made);

@@ -54,6 +54,7 @@ class E2kTextReader {
         continue;
       }
       const E2kLine one{number, words_of(line)};
+      if (one.words.empty()) continue;  // a form feed
       if (!take(one)) unread(one, section_.empty() ? one.words.front() : section_);
     }
     if (comma_line_ > 0 && point_line_ > 0) {
