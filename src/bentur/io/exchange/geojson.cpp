@@ -167,6 +167,7 @@ class GeoReader {
     const bool is_named = named != all.end();
     if (is_named) levels.push_back(named->second);
     has_levels_ = has_levels_ || is_named;
+    if (!is_named) without_levels_.push_back(in_quotes(house.name));
     for (const auto& [key, property] : all) {
       properties_.insert(key);
       const bool is_levels = is_usual_levels(key);
@@ -239,6 +240,11 @@ class GeoReader {
     const auto say = [&](const char* what, const std::vector<std::string>& whom) {
       if (!whom.empty()) houses_.taken.push_back(fmt::format("{}: {}", what, fmt::join(whom, "; ")));
     };
+    if (has_levels_) {
+      houses_.taken.push_back(fmt::format("storeys are those of property {}{}", in_quotes(options_.levels),
+                                          without_levels_.empty() ? "" : "; read as usual, without it: "));
+      houses_.taken.back() += fmt::format("{}", fmt::join(without_levels_, "; "));
+    }
     say("parts of a MultiPolygon are houses of their own, of the same storeys and height", parted_);
     say("storeys are whole (of several the most, a part of one is one, of a sum all)", storeys_read_);
     say("heights with a decimal comma or in feet are read as metres", heights_read_);
@@ -344,6 +350,7 @@ class GeoReader {
   std::set<std::string> names_;       // of all houses, wanted or not
   std::set<std::string> properties_;  // of those that are wanted
   bool has_levels_ = false;           // one of them has the property of `levels`
+  std::vector<std::string> without_levels_;
   std::vector<std::string> parted_, heights_read_, storeys_read_, unreadable_;  // which houses, and how
   std::map<std::string, UnreadKind> unread_;                                    // by what messages call it
 };

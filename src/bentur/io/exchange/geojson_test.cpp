@@ -105,6 +105,8 @@ TEST(GeoJson, StoreysMayStandInAnotherPropertyAndInTags) {
             "3: property \"layer_no\" of 1 feature\n");
   const HousesRead named = read_houses(text, {.levels = "layer_no"});
   EXPECT_EQ(named.names, "A 3, B 5 15 m, C 1");  // who has no such property is read as usual
+  EXPECT_TRUE(
+      named.said.starts_with("storeys are those of property \"layer_no\"; read as usual, without it: \"A\"; \"C\"\n"));
   EXPECT_NE(named.said.find("3: property \"levels\" of 1 feature\n"), std::string::npos) << named.said;
   EXPECT_EQ(read_houses(text, {.levels = "layer_n"}).errors,
             "ward.geojson: error: --levels = \"layer_n\", did you mean \"layer_no\"?\n");
