@@ -248,7 +248,7 @@ TEST(PlanCsv, HasARowForEachImpact) {
   const PlanRun run = twisting_pair(0);
   const std::string csv = impacts_csv(run);
   EXPECT_EQ(csv.substr(0, csv.find(",start")), "left,right,elevation [m],x [m],y [m]");
-  EXPECT_NE(csv.find(",tangential_impulse [kN s]\n"), std::string::npos);
+  EXPECT_NE(csv.find(",tangential_impulse [kN s],slipped\n"), std::string::npos);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + std::ssize(run.response.impacts));
   EXPECT_NE(csv.find("\nWalled,Frame,6.7,12.02,18,"), std::string::npos);
 }

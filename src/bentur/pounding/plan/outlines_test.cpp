@@ -93,8 +93,8 @@ TEST(Outlines, SpreadSaysWhatBelongsToACorner) {
   EXPECT_NEAR(whole_share(*joint, 0.8), 0.5 * (1 + 0.25), 1e-12);
   EXPECT_DOUBLE_EQ(whole_share(*joint, 0.5), 1.0);
   // Corners of an arc that are nearer than that to one another are one place.
-  const Footprint round =
-      polygon_footprint({0, 0}, {{10.05, 0}, {18, 0}, {18, 10}, {10.05, 10}, {10.0, 5.2}, {9.99, 5.0}, {10.0, 4.8}});
+  const Footprint round = polygon_footprint(
+      {0, 0}, {{10.05, 0}, {18, 0}, {18, 10}, {10.05, 10}, {9.9905, 5.2}, {9.99, 5.0}, {9.9905, 4.8}});
   const auto at_arc = joint_between({.corner = {0, 0}, .size = {9.98, 10}}, round);
   ASSERT_TRUE(at_arc);
   EXPECT_EQ(points_of(*at_arc, 2, 0.5).size(), 3U);  // the tip and both ends
