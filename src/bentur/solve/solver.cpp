@@ -47,8 +47,8 @@ double worst_opening(const System& system, const Elements& elements, const std::
 
 /// How far any sample lies beyond the peak that is found of it, as a part of the largest peak of its kind [-].
 double beyond_peaks(const Solution& solution) {
-  // Of what an output is a sum of: smaller ones are known no better. What is beyond by 1e-9 of the scale is reported, so
-  // that this allows 1e-13 of the sum, some hundred times the precision of a number.
+  // Of what an output is a sum of: smaller ones are known no better. What is beyond by 1e-9 of the scale is reported,
+  // so that this allows 1e-13 of the sum, some hundred times the precision of a number.
   constexpr double round_off = 1e-4;
   if (solution.samples.time.empty()) return 0.0;
   double worst = 0.0;
