@@ -340,7 +340,7 @@ TEST(E2k, ATeeIsFourNumbers) {
 TEST(E2k, CommasMayBeDecimal) {
   std::string text = small_model;
   for (std::size_t at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
-    const auto line = text.begin() + static_cast<std::ptrdiff_t>(text.rfind('\n', at));
+    const auto line = text.begin() + static_cast<std::ptrdiff_t>(text.rfind('\n', at) + 1);  // of the first npos
     const bool is_quoted = std::count(line, text.begin() + static_cast<std::ptrdiff_t>(at), '"') % 2 != 0;
     if (!is_quoted && std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0) text[at] = ',';
   }
