@@ -226,8 +226,8 @@ TEST(Block, EveryErrorIsSaidAtOnceWithItsFeature) {
   expect(std::string(100000, '[') + std::string(100000, ']'), "must be a GeoJSON FeatureCollection");
   expect("{\"type\": \"Topology\"}", "must be a GeoJSON FeatureCollection");
   expect("{\"type\": \"FeatureCollection\", \"features\": []}", "has 0 polygons, a block has two or more");
-  expect(collection(std::vector<std::string>(201, house("", box(0, 0, 1, 1)))),
-         "has 201 polygons, a block has at most 200; --around NAME --radius METRES takes those near one");
+  expect(collection(std::vector<std::string>(1001, house("", box(0, 0, 1, 1)))),
+         "has 1001 polygons, a block has at most 1000; --around NAME --radius METRES takes those near one");
   expect(pair(box(0, 0, 10, 10), ""),
          "nor a height; --levels PROPERTY reads storeys from another one, --storeys gives all such");
   expect(pair(box(0, 0, 10, 10), R"("levels": 100, "height": 12)"), "has storeys of 0.12 m");

@@ -19,7 +19,7 @@
 namespace bentur {
 namespace {
 
-constexpr std::size_t most_houses = 200;
+constexpr std::size_t most_houses = 1000;
 constexpr std::size_t most_ring_corners = 1000;
 constexpr double widest_block = 2000;    // [m]
 constexpr std::size_t most_unread = 30;  // properties and geometries that are listed by name

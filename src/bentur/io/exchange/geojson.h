@@ -45,7 +45,7 @@ struct GeoJsonOptions {
 
 /// The polygons of a FeatureCollection, of a Feature or of features one a line: `name`, else the feature's id;
 /// `building:levels`, `levels`, `storeys` or `num_floors`, storeys_tag(); `height`, height_tag(); of the properties and
-/// of `tags` among them. Longitudes and latitudes are projected about their middle, local_plan(). At most 200 polygons
+/// of `tags` among them. Longitudes and latitudes are projected about their middle, local_plan(). At most 1000 polygons
 /// of at most 1000 corners, 2 km from end to end. Other geometries and properties are listed as unread.
 /// @return nothing when there is an error, all of which are in `diagnostics`
 [[nodiscard]] std::optional<Houses> read_geojson(const std::string& text, const std::string& name,
