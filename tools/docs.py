@@ -231,11 +231,19 @@ def cpp_reference(root, out):
     return "\n".join([*page, "```", ""])
 
 
+def documents_of(root):
+    """Names of the documents, from the folder of the project: those that git knows or, of an archive, all that are there."""
+    if shutil.which("git") and (root / ".git").exists():
+        return sorted(subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
+                                     cwd=root, capture_output=True, text=True, check=True).stdout.split("\0")[:-1])
+    made = {"build", "node_modules", ".git", "records"}
+    return sorted(str(found) for one in root.rglob("*.md") if not made & set((found := one.relative_to(root)).parts))
+
+
 def lay_out(root, source):
     """The documents with what they link to."""
     shutil.rmtree(source, ignore_errors=True)
-    documents = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
-                               cwd=root, capture_output=True, text=True, check=True).stdout.split("\0")[:-1]
+    documents = documents_of(root)
     for name in documents:
         target = source / name
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -18,14 +18,13 @@ import shutil
 import subprocess
 import tomllib
 
+import docs
 import pytest
 from doors import ROOT
 
 import bentur
 
-DOCUMENTS = sorted(ROOT / name for name in subprocess.run(
-    ["git", "ls-files", "--cached", "--others", "--exclude-standard", "*.md"], cwd=ROOT, capture_output=True, text=True,
-    check=True).stdout.split())
+DOCUMENTS = [ROOT / name for name in docs.documents_of(ROOT)]
 FENCE = re.compile(r"^```([^`\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PRINTS = re.compile(r"\A\n+prints\n+```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # What another test or command runs, by language or by the first words of a command.

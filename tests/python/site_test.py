@@ -1,11 +1,9 @@
 """What the site is made with: links that lead nowhere are found, folders become pages. `./dev docs` builds it."""
 
 import re
-import subprocess
 
 import docs
 from doors import ROOT
-
 
 
 def test_broken_links(tmp_path):
@@ -29,7 +27,7 @@ def test_documents_keep_their_links(tmp_path):
 def test_addresses_of_other_sites_have_their_form():
     """Whether they answer is asked by `./dev docs --links`, where there is a way out."""
     found = set()
-    for document in subprocess.run(["git", "ls-files", "*.md"], cwd=ROOT, capture_output=True, text=True).stdout.split():
+    for document in docs.documents_of(ROOT):
         text = re.sub(r"^```.*?^```", "", (ROOT / document).read_text(), flags=re.MULTILINE | re.DOTALL)
         found |= set(re.findall(r"https?:[^)>\s`]*", text))
     assert len(found) >= 3
