@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/io/records/internal/column_rows.h"
 
 namespace bentur {
@@ -37,7 +38,7 @@ std::optional<NumberTable> number_table(const std::string& text, const std::stri
   std::vector<Line> lines;
   for (const Line& line : records::lines_of(plain)) {
     const Line row = before_comment(line);
-    if (!records::trimmed(row.text).empty()) lines.push_back(row);
+    if (!trimmed(row.text).empty()) lines.push_back(row);
   }
   records::ColumnRows shape;
   for (const char separator : {',', ';'}) {  // the latter where both occur

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 
 namespace bentur {
 namespace {
@@ -13,11 +14,7 @@ constexpr double feet = 0.3048, inches = feet / 12;  // [m]
 constexpr double highest_house = 1000;               // [m]
 constexpr double most_storeys = 200;
 
-std::string_view without_blanks(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
+std::string_view without_blanks(std::string_view text) { return trimmed(text, " "); }
 
 std::string_view text_before(std::string_view text, std::size_t at) { return without_blanks(text.substr(0, at)); }
 

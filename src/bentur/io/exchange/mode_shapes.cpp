@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/core/units.h"
 #include "bentur/io/number_table.h"
 #include "bentur/io/records/internal/column_rows.h"
@@ -171,7 +172,7 @@ class ShapesReader {
   }
 
   static std::string_view unquoted(std::string_view text) {
-    text = records::trimmed(text);
+    text = trimmed(text);
     if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
     return text;
   }

@@ -3,18 +3,9 @@
 #include <system_error>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 
 namespace bentur {
-namespace {
-
-std::string trimmed(std::string text) {
-  const char* const blank = " \t";
-  text.erase(0, text.find_first_not_of(blank));
-  text.erase(text.find_last_not_of(blank) + 1);
-  return text;
-}
-
-}  // namespace
 
 std::optional<double> number_after(const std::string& text, const std::string& word) {
   const std::size_t at = text.find(word);

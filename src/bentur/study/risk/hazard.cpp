@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/core/units.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/toml_view.h"
@@ -16,12 +17,8 @@ namespace {
 
 constexpr InputKind hazard_input{"hazard curve", std::uintmax_t{16} << 20};
 
-std::string_view stripped(std::string_view text) {
-  const char* const blank = " \t\r\"";
-  const std::size_t first = text.find_first_not_of(blank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
+/// Quotes around a cell are no part of it.
+std::string_view stripped(std::string_view text) { return trimmed(text, " \t\r\""); }
 
 /// Cells between commas or semicolons; without either between blanks.
 std::vector<std::string_view> cells_of(std::string_view line) {

@@ -192,12 +192,6 @@ std::string upper(std::string_view text) {
   return result;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-  text.remove_prefix(first);
-  return text.substr(0, text.find_last_not_of(" \t") + 1);
-}
-
 std::string single_spaced(std::string_view text, std::string_view without) {
   std::string result;
   for (const Token& word : words_of({text, 0})) {

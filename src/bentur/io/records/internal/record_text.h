@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/core/text.h"
 #include "bentur/io/records/record_files.h"
 
 // What the readers of the single formats share.
@@ -88,7 +89,6 @@ inline constexpr std::size_t most_lines = 5000000, longest_line = std::size_t{4}
 [[nodiscard]] std::string shown(std::string_view text);
 
 [[nodiscard]] std::string upper(std::string_view text);
-[[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The words of a text with one blank between them, but for one, here in capitals.
 [[nodiscard]] std::string single_spaced(std::string_view text, std::string_view without = {});
 
