@@ -59,7 +59,7 @@ void Elements::collide(Index element, double time, State& state) {
     fastest_ = std::max(fastest_, relation(i).along_abs(state.v));
   }
   const Index count = std::ssize(at);
-  Eigen::MatrixXd a(count, count);
+  const Eigen::MatrixXd a = system_->coupling.among(at);
   Eigen::VectorXd before(count), b(count);
   std::vector<char> slow(at.size(), 0);
   for (Index n = 0; n < count; ++n) {
@@ -67,9 +67,6 @@ void Elements::collide(Index element, double time, State& state) {
     before(n) = speed(i, state);
     slow[n] = std::abs(before(n)) <= resting_threshold * fastest_ ? 1 : 0;
     b(n) = before(n) * (1.0 + (slow[n] != 0 ? 0.0 : *law(i).restitution()));
-    for (Index m = 0; m < count; ++m) {
-      a(n, m) = system_->coupling(i, at[m]);
-    }
   }
   std::optional<Eigen::VectorXd> found = complementary(a, b);
   failed_ = !found;
