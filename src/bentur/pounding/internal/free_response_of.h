@@ -1,14 +1,11 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "bentur/core/errors.h"
 #include "bentur/pounding/internal/after_motion.h"
 #include "bentur/pounding/internal/asked.h"
 #include "bentur/pounding/internal/progress_of_parts.h"
@@ -62,46 +59,49 @@ template <class Parts, class AnyResponse, class AnyProblem>
   return {std::move(problem), solver, std::move(free), limits, levels, std::move(response)};
 }
 
-/// What a problem, whose system is given, needs by the free response but for its widths and laws.
-template <class AnyProblem>
-void take_meetings_of(const AnyProblem& problem, const System& system, const FreeSolution& free, const Solver& solver,
-                      const RunLimits& limits, std::vector<PointSummary>& points) {
-  if (!has_meetings(problem)) return;
-  const auto reversed_response = [&] {
-    AnyProblem other = problem;
-    for (GroundMotion& motion : motions_in(other)) motion = reversed(std::move(motion));
-    return free_solution(system_of(other), solver, {}, limits, other.goes_on);
-  };
-  take_meetings(problem, system, free, reversed_response, limits, points);
-}
+/// A problem under the motion reversed, made where it is first asked for, as its response without contact is.
+template <class Parts, class AnyProblem>
+class ReversedFree {
+ public:
+  /// @param problem lives as long as this
+  ReversedFree(const AnyProblem& problem, const Solver& solver, const RunLimits& limits,
+               std::function<bool(double)> progress = {})
+      : given_(problem), solver_(solver), limits_(limits), progress_(std::move(progress)) {}
 
-/// Those of the problem itself, for response().
+  [[nodiscard]] const AnyProblem& problem() {
+    if (!problem_) {
+      problem_ = given_;
+      for (GroundMotion& motion : motions_in(*problem_)) motion = reversed(std::move(motion));
+    }
+    return *problem_;
+  }
+  [[nodiscard]] const Parts& parts() {
+    using AnyResponse = decltype(Parts::response);
+    if (!parts_) parts_.emplace(parts_of<Parts, AnyResponse>(problem(), solver_, progress_, limits_, false));
+    return *parts_;
+  }
+  /// For take_meetings().
+  [[nodiscard]] std::function<FreeSolution()> free() {
+    return [this] { return parts().free; };
+  }
+
+ private:
+  const AnyProblem& given_;
+  const Solver& solver_;
+  RunLimits limits_;
+  std::function<bool(double)> progress_;
+  std::optional<AnyProblem> problem_;
+  std::optional<Parts> parts_;
+};
+
+/// With the needs of the problem itself, for response().
 template <class Parts>
 [[nodiscard]] Parts with_needs(Parts parts) {
   if (!has_meetings(parts.problem)) return parts;
+  ReversedFree<Parts, decltype(Parts::problem)> other(parts.problem, parts.solver, parts.limits);
   parts.with_widths = parts.response;
-  take_meetings_of(parts.problem, parts.free.system(), parts.free, parts.solver, parts.limits,
-                   parts.with_widths->points);
+  take_meetings(parts.problem, parts.free.system(), parts.free, other.free(), parts.limits, parts.with_widths->points);
   return parts;
-}
-
-/// What `other`, a valid problem whose system is given, is not of the free response's but gaps.
-template <class AnyProblem>
-[[nodiscard]] std::optional<Difference> difference(const AnyProblem& problem, const System& free,
-                                                   const AnyProblem& other, const System& system) {
-  const auto number = [](double value) { return fmt::format("{}", value); };
-  if (problem.kinematics != other.kinematics) {
-    return Difference{"kinematics", other.kinematics == Kinematics::absolute ? "absolute" : "relative"};
-  }
-  if (problem.duration != other.duration) return Difference{"duration", number(other.duration)};
-  if (problem.goes_on != other.goes_on) return Difference{"goes_on", fmt::format("{}", other.goes_on)};
-  if (problem.collapse_drift != other.collapse_drift) return Difference{"collapse_drift", number(other.collapse_drift)};
-  if (!alike(free.motions, system.motions)) return Difference{"motion", "another one"};
-  return difference_but_gaps(free, system);
-}
-
-inline void require_none(const std::optional<Difference>& found) {
-  if (found) throw InvalidParameter(found->what, found->value, "must be that of the free response");
 }
 
 /// With the contacts of `other`, which its system has, and which is the parts' problem but for gaps and laws.
@@ -124,22 +124,15 @@ template <class Parts, class AnyProblem>
 
 /// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
 /// where some gap of several closes, so that others are struck that move otherwise than freely.
-template <class AnyProblem, class AnyResponse>
-void add_reversed(const AnyProblem& problem, const Solver& solver, const SolveOptions& options, const System& system,
-                  AnyResponse& response) {
+template <class AnyProblem, class AnyResponse, class Parts>
+void add_reversed(const AnyProblem& problem, const SolveOptions& options, const System& system,
+                  ReversedFree<Parts, AnyProblem>& other, AnyResponse& response) {
   if (!options.both_ways) {
     take_reversed({}, response.points);
     take_reversed({}, response.watched);
   }
   if (!options.both_ways || !is_over(response.status) || !is_shaken(system)) return;
-  AnyProblem other = problem;
-  for (GroundMotion& motion : motions_in(other)) motion = reversed(std::move(motion));
-  std::optional<FreeResponseOf<AnyProblem, AnyResponse>> free;
-  const auto solve_free = [&] {
-    const auto go_on = [&](double) { return !options.progress || options.progress(1.0); };
-    if (!free) free.emplace(other, solver, go_on, options.limits);
-    return is_over(free->response().status);
-  };
+  const auto is_solved = [&] { return is_over(other.parts().response.status); };
   ReversedRun reversed;
   const auto take_free = [&](const AnyResponse& found) {
     reversed.collapse_no_contact = found.collapse_no_contact;
@@ -148,8 +141,8 @@ void add_reversed(const AnyProblem& problem, const Solver& solver, const SolveOp
   if (is_mirrored(system)) {
     take_free(response);
   } else {
-    if (!solve_free()) return;
-    const AnyResponse& found = free->response();
+    if (!is_solved()) return;
+    const AnyResponse& found = other.parts().response;
     take_free(found);
     if (found.status == Status::done) {
       take_reversed(found.points, response.points);
@@ -157,12 +150,15 @@ void add_reversed(const AnyProblem& problem, const Solver& solver, const SolveOp
     }
   }
   if (gap_count(problem) > 1 && some_point_closes(response.points, gap_widths(problem))) {
-    if (!solve_free()) return;
+    if (!is_solved()) return;
     SolveOptions rest;
     rest.limits = options.limits;
     if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
-    AnyResponse with = free->solve(other, rest);
+    const FreeSolution& free = other.parts().free;
+    AnyResponse with = solved(other.parts(), other.problem(), free.system(), rest);
     if (!is_over(with.status)) return;
+    // Nothing is asked of the motion reversed once more.
+    take_meetings(other.problem(), free.system(), free, other.free(), rest.limits, with.points);
     reversed.has_contact = true;
     reversed.collapse = with.collapse;
     reversed.points = std::move(with.points);
@@ -181,9 +177,12 @@ template <class AnyResponse, class AnyProblem>
   rest.progress = progress.rest;
   const bool levels = options.levels || options.both_ways;
   const Parts parts = parts_of<Parts, AnyResponse>(problem, solver, progress.free, options.limits, levels);
-  AnyResponse response = solved(parts, problem, parts.free.system(), rest);
-  add_reversed(problem, solver, options, parts.free.system(), response);
-  take_meetings_of(problem, parts.free.system(), parts.free, solver, options.limits, response.points);
+  const System& system = parts.free.system();
+  ReversedFree<Parts, AnyProblem> other(problem, solver, options.limits,
+                                        [&](double) { return !options.progress || options.progress(1.0); });
+  AnyResponse response = solved(parts, problem, system, rest);
+  add_reversed(problem, options, system, other, response);
+  take_meetings(problem, system, parts.free, other.free(), options.limits, response.points);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }
@@ -203,7 +202,7 @@ std::optional<FreeResponseOf<AnyProblem, AnyResponse>> FreeResponseOf<AnyProblem
   AnyProblem given = any_problem::valid(std::move(problem));
   const System system = system_of(given);
   std::optional<FreeSolution> free = parts_->free.scaled(system.motions);
-  if (!free || any_problem::difference(parts_->problem, free->system(), given, system)) return std::nullopt;
+  if (!free || difference_but_gaps(parts_->problem, free->system(), given, system)) return std::nullopt;
   AnyResponse response = any_problem::told<AnyResponse>(given, *free, parts_->levels);
   FreeResponseOf result;
   result.parts_ = std::make_shared<const Parts>(any_problem::with_needs(
@@ -221,7 +220,7 @@ bool FreeResponseOf<AnyProblem, AnyResponse>::serves(const AnyProblem& problem) 
   validate(problem);
   const System system = system_of(problem);
   return parts_->free.takes(system.contacts, system.rubbing) &&
-         !any_problem::difference(parts_->problem, parts_->free.system(), problem, system);
+         !difference_but_gaps(parts_->problem, parts_->free.system(), problem, system);
 }
 
 template <class AnyProblem, class AnyResponse>
@@ -229,9 +228,10 @@ AnyResponse FreeResponseOf<AnyProblem, AnyResponse>::solve(const AnyProblem& pro
                                                            const SolveOptions& options) const {
   validate(problem);
   const System system = system_of(problem);
-  any_problem::require_none(any_problem::difference(parts_->problem, parts_->free.system(), problem, system));
+  require_none(difference_but_gaps(parts_->problem, parts_->free.system(), problem, system));
   AnyResponse response = any_problem::solved(*parts_, problem, system, options);
-  any_problem::take_meetings_of(problem, system, parts_->free, parts_->solver, options.limits, response.points);
+  any_problem::ReversedFree<Parts, AnyProblem> other(problem, parts_->solver, options.limits);
+  take_meetings(problem, system, parts_->free, other.free(), options.limits, response.points);
   return response;
 }
 

@@ -99,6 +99,7 @@ bool has_meetings(const PlanProblem& problem) {
 void take_meetings(const PlanProblem& problem, const System& system, const FreeSolution& free,
                    const std::function<FreeSolution()>& reversed, const RunLimits& limits,
                    std::vector<PointSummary>& points) {
+  if (!has_meetings(problem)) return;
   constexpr double unknown = std::numeric_limits<double>::infinity();
   const std::vector<std::size_t> numbers = numbers_in_system(problem);
   std::optional<std::vector<char>> touch, touch_reversed;
