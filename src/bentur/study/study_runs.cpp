@@ -257,20 +257,6 @@ std::optional<RunResult> StudyRuns::row_of(std::size_t run, const Case& c, const
   });
 }
 
-std::optional<RunResult> StudyRuns::solve_case(std::size_t run, const Case& c, const Problem& problem,
-                                               const std::function<bool()>& go_on) const {
-  SolveOptions options;
-  options.energy_audit = facts_.energy_audit;
-  options.limits = run_limits(c.analysis);
-  options.progress = [&](double) { return go_on(); };
-  try {
-    const FreeResponse free(problem, c.analysis.solver, nullptr, options.limits);
-    return row_of(run, c, problem, free.solve(problem, options));
-  } catch (const InvalidParameter& error) {
-    return RunResult{run, RunStatus::invalid, error.what(), {}};
-  }
-}
-
 std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::size_t run, SolveOptions& options) const {
   ReadPlan chosen = plan_of(run);
   if (!workspace.group || workspace.group->number != plan_.group(run)) {
@@ -287,28 +273,39 @@ std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::si
   PlanResponse response = shared != nullptr && shared->serves(chosen.problem)
                               ? shared->solve(chosen.problem, options)
                               : bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
-  return plan_row_of(run, std::move(chosen.c), std::move(chosen.problem), std::move(response));
+  return row_of(run, std::move(chosen.c), std::move(chosen.problem), std::move(response));
 }
 
-std::optional<RunResult> StudyRuns::plan_row_of(std::size_t run, PlanCase c, PlanProblem problem,
-                                                PlanResponse response) const {
+std::optional<RunResult> StudyRuns::row_of(std::size_t run, PlanCase c, PlanProblem problem,
+                                           PlanResponse response) const {
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
     fill_row(quantities_, run_results(std::move(c), std::move(problem), std::move(response)), row);
   });
 }
 
-std::optional<RunResult> StudyRuns::solve_case(std::size_t run, const PlanCase& c, const PlanProblem& problem,
-                                               const std::function<bool()>& go_on) const {
+template <class AnyCase, class AnyProblem>
+std::optional<RunResult> StudyRuns::solved_alone(std::size_t run, const AnyCase& c, const AnyProblem& problem,
+                                                 const std::function<bool()>& go_on) const {
   SolveOptions options;
   options.energy_audit = facts_.energy_audit;
   options.limits = run_limits(c.analysis);
-  options.levels = true;
+  options.levels = facts_.plan.has_value();
   options.progress = [&](double) { return go_on(); };
   try {
-    return plan_row_of(run, c, problem, bentur::solve(problem, c.analysis.solver, options));
+    return row_of(run, c, problem, bentur::solve(problem, c.analysis.solver, options));
   } catch (const InvalidParameter& error) {
     return RunResult{run, RunStatus::invalid, error.what(), {}};
   }
+}
+
+std::optional<RunResult> StudyRuns::solve_case(std::size_t run, const Case& c, const Problem& problem,
+                                               const std::function<bool()>& go_on) const {
+  return solved_alone(run, c, problem, go_on);
+}
+
+std::optional<RunResult> StudyRuns::solve_case(std::size_t run, const PlanCase& c, const PlanProblem& problem,
+                                               const std::function<bool()>& go_on) const {
+  return solved_alone(run, c, problem, go_on);
 }
 
 std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const std::function<bool()>& go_on) const {

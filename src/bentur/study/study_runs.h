@@ -80,8 +80,11 @@ class StudyRuns {
   [[nodiscard]] std::optional<RunResult> solved(Workspace& workspace, std::size_t run, SolveOptions& options) const;
   [[nodiscard]] std::optional<RunResult> solved_in_plan(Workspace& workspace, std::size_t run,
                                                         SolveOptions& options) const;
-  [[nodiscard]] std::optional<RunResult> plan_row_of(std::size_t run, PlanCase c, PlanProblem problem,
-                                                     PlanResponse response) const;
+  template <class AnyCase, class AnyProblem>
+  [[nodiscard]] std::optional<RunResult> solved_alone(std::size_t run, const AnyCase& c, const AnyProblem& problem,
+                                                      const std::function<bool()>& go_on) const;
+  [[nodiscard]] std::optional<RunResult> row_of(std::size_t run, PlanCase c, PlanProblem problem,
+                                                PlanResponse response) const;
   [[nodiscard]] std::optional<RunResult> row_of(std::size_t run, const Case& c, const Problem& problem,
                                                 const Response& response) const;
 
