@@ -60,29 +60,16 @@ std::string level_text(const GapView& facts, Index gap, double level) {
 
 /// The worst demand over capacity of the columns that are struck in each gap.
 void check_columns(const RunResults& run, Checks& checks) {
-  const RunView view = run.view();
   for (const bool shear : {true, false}) {
-    const Quantity& ratio =
-        quantity_named(shear ? "column_shear_demand_capacity" : "column_moment_demand_capacity", Owner::point);
     for (const Gap& gap : gaps_of(run.problem)) {
-      Index worst = -1;
-      double most = -1;
-      for (const Index i : gap.points) {
-        const double value = value_of(ratio, view, {i, 0});
-        if (!(value > most)) continue;
-        most = value;
-        worst = i;
-      }
-      if (worst < 0) continue;
-      const ContactPoint& point = run.problem.points[worst];
-      const ColumnPeaks& column = *run.response.points[worst].column;
-      const char* const form = shear ? "F" : "F L";
-      const double demand = view.shown.factor(form) * (shear ? column.shear : column.moment);
-      const std::string unit = unit_text(form, view.shown.units);
-      const std::string& building = run.problem.buildings[struck_column(run.problem, point)->building].name;
+      const std::optional<story::WorstColumn> worst = story::worst_column(run, gap, shear);
+      if (!worst) continue;
+      const std::string& building = run.problem.buildings[worst->building].name;
+      const double level = run.problem.points[worst->point].elevation;
       checks.add(shear ? "check.column_shear" : "check.column_moment", "column_capacity",
-                 building + ", " + with_unit(point.elevation, run.c.units.length), with_unit(demand, unit),
-                 most > 0 ? with_unit(demand / most, unit) : "–", !(most > 1 - story::reached));
+                 building + ", " + with_unit(level, run.c.units.length), with_unit(worst->demand, worst->unit),
+                 worst->ratio > 0 ? with_unit(worst->demand / worst->ratio, worst->unit) : "–",
+                 !(worst->ratio > 1 - story::reached));
     }
   }
 }

@@ -166,30 +166,13 @@ Statement model_statement(const PlanRun& run) {
 
 std::string PlanGaps::name(std::size_t gap) const { return gap_name(run_.problem, run_.problem.gaps[gap]); }
 
-void PlanGaps::tell(std::size_t gap, const std::function<void(Statement)>& hit, std::vector<Statement>& to) const {
-  const RunResults pair = pair_of(run_, gap);
-  const GapView view = judged_view_of(run_, gap, pair, judged_[gap]);
-  const std::size_t before = to.size();
-  tell_unmodelled(view, 0, to);
-  tell_judgement(view, 0, hit, to);
-  tell_need(view, 0, to);
-  tell_rules(view, 0, to);
-  const auto [first, second] = std::minmax(run_.problem.gaps[gap].left, run_.problem.gaps[gap].right);
-  for (std::size_t i = before; i < to.size(); ++i) {
-    to[i].gap = static_cast<Index>(gap);
-    to[i].buildings = {first, second};
-    for (StoryValue& value : to[i].values) {
-      if (value.name == "left") value.value = run_.problem.buildings[first].name;
-      if (value.name == "right") value.value = run_.problem.buildings[second].name;
-    }
-  }
-}
-
-void PlanGaps::put_tables(std::size_t gap, std::vector<StoryTable>& to) const {
-  const RunResults pair = pair_of(run_, gap);
-  for (StoryTable& table : gap_tables(judged_view_of(run_, gap, pair, judged_[gap]), 0)) {
-    table.gap = static_cast<Index>(gap);
-    to.push_back(std::move(table));
+void GapInPlan::rename(Statement& statement) const {
+  const auto [first, second] = std::minmax(run_.problem.gaps[gap_].left, run_.problem.gaps[gap_].right);
+  statement.gap = static_cast<Index>(gap_);
+  statement.buildings = {first, second};
+  for (StoryValue& value : statement.values) {
+    if (value.name == "left") value.value = run_.problem.buildings[first].name;
+    if (value.name == "right") value.value = run_.problem.buildings[second].name;
   }
 }
 

@@ -9,46 +9,52 @@ namespace {
 
 using Eigen::Index;
 
-void tell_columns_of(const RunResults& run, Index gap, std::vector<Statement>& statements) {
-  const RunView view = run.view();
+void tell_columns_of(const RunResults& run, const Gap& gap, std::vector<Statement>& statements) {
   for (const bool shear : {true, false}) {
-    const Quantity& ratio =
-        quantity_named(shear ? "column_shear_demand_capacity" : "column_moment_demand_capacity", Owner::point);
-    Index worst = -1;
-    double most = 1 + reached;
-    long beyond = 0;
-    for (const Index i : gap_at(run.problem, gap).points) {
-      const double value = value_of(ratio, view, {i, 0});
-      beyond += value > 1 + reached ? 1 : 0;
-      if (!(value > most)) continue;
-      most = value;
-      worst = i;
-    }
-    if (worst < 0) continue;
-    const ContactPoint& point = run.problem.points[worst];
-    const ColumnPeaks& column = *run.response.points[worst].column;
-    const Index building = struck_column(run.problem, point)->building;
-    const char* const form = shear ? "F" : "F L";
-    const std::string unit = unit_text(form, view.shown.units);
-    const double factor = view.shown.factor(form);
-    const double demand = factor * (shear ? column.shear : column.moment);
-    const double alone = factor * (shear ? column.shear_no_contact : column.moment_no_contact);
-    const double capacity = demand / most;
-    statements.push_back({.kind = shear ? "column_shear" : "column_moment",
-                          .severity = Severity::danger,
-                          .gap = gap,
-                          .buildings = {building},
-                          .level = point.elevation,
-                          .values = {text_of("building", run.problem.buildings[building].name),
-                                     value_in("level", point.elevation, run.c.units.length), value_in("ratio", most),
-                                     value_in("demand", demand, unit), value_in("capacity", capacity, unit),
-                                     value_in("alone", alone / capacity)}});
-    if (beyond > 1) statements.back().values.push_back(count_of("beyond", beyond));
-    statements.back().values.push_back(beyond > 1 ? word_of("others", "story.columns_beyond") : text_of("others", ""));
+    const std::optional<WorstColumn> worst = worst_column(run, gap, shear);
+    if (!worst || !(worst->ratio > 1 + reached)) continue;
+    const double level = run.problem.points[worst->point].elevation;
+    const double capacity = worst->demand / worst->ratio;
+    statements.push_back(
+        {.kind = shear ? "column_shear" : "column_moment",
+         .severity = Severity::danger,
+         .gap = gap.left,
+         .buildings = {worst->building},
+         .level = level,
+         .values = {text_of("building", run.problem.buildings[worst->building].name),
+                    value_in("level", level, run.c.units.length), value_in("ratio", worst->ratio),
+                    value_in("demand", worst->demand, worst->unit), value_in("capacity", capacity, worst->unit),
+                    value_in("alone", worst->alone / capacity)}});
+    auto& values = statements.back().values;
+    if (worst->beyond > 1) values.push_back(count_of("beyond", worst->beyond));
+    values.push_back(worst->beyond > 1 ? word_of("others", "story.columns_beyond") : text_of("others", ""));
   }
 }
 
 }  // namespace
+
+std::optional<WorstColumn> worst_column(const RunResults& run, const Gap& gap, bool shear) {
+  const RunView view = run.view();
+  const Quantity& ratio =
+      quantity_named(shear ? "column_shear_demand_capacity" : "column_moment_demand_capacity", Owner::point);
+  WorstColumn worst{.ratio = -1};
+  for (const Index i : gap.points) {
+    const double value = value_of(ratio, view, {i, 0});
+    worst.beyond += value > 1 + reached ? 1 : 0;
+    if (!(value > worst.ratio)) continue;
+    worst.ratio = value;
+    worst.point = i;
+  }
+  if (worst.ratio < 0) return std::nullopt;
+  const ColumnPeaks& column = *run.response.points[worst.point].column;
+  const char* const form = shear ? "F" : "F L";
+  const double factor = view.shown.factor(form);
+  worst.building = struck_column(run.problem, run.problem.points[worst.point])->building;
+  worst.demand = factor * (shear ? column.shear : column.moment);
+  worst.alone = factor * (shear ? column.shear_no_contact : column.moment_no_contact);
+  worst.unit = unit_text(form, view.shown.units);
+  return worst;
+}
 
 Statement model_statement(const RunResults& run) {
   std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
@@ -104,18 +110,6 @@ GapView view_of(const RunResults& run) {
 
 std::string RowGaps::name(std::size_t gap) const { return gap_name(run_.problem, static_cast<Index>(gap)); }
 
-void RowGaps::tell(std::size_t gap, const std::function<void(Statement)>& hit, std::vector<Statement>& to) const {
-  const auto g = static_cast<Index>(gap);
-  tell_unmodelled(view_, g, to);
-  tell_judgement(view_, g, hit, to);
-  tell_need(view_, g, to);
-  tell_rules(view_, g, to);
-}
-
-void RowGaps::put_tables(std::size_t gap, std::vector<StoryTable>& to) const {
-  for (StoryTable& table : gap_tables(view_, static_cast<Index>(gap))) to.push_back(std::move(table));
-}
-
 Hit hit_of(const RunResults& run, std::size_t gap) {
   const GapOutcome found = gap_outcome(run.problem, run.response, static_cast<Index>(gap));
   return {.impacts = found.impacts,
@@ -132,7 +126,7 @@ void put_place(const RunResults& run, std::size_t /*gap*/, const Hit& hit, State
 }
 
 void tell_columns(const RunResults& run, std::vector<Statement>& statements) {
-  for (const Gap& gap : gaps_of(run.problem)) tell_columns_of(run, gap.left, statements);
+  for (const Gap& gap : gaps_of(run.problem)) tell_columns_of(run, gap, statements);
 }
 
 std::optional<WorstDrift> worst_drift(const RunResults& run, Index b) {

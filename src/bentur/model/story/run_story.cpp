@@ -123,10 +123,24 @@ void tell_all_gaps(const AnyRun& run, const Gaps& gaps, Story& told) {
   tell_gaps(lines, shown_units(run), run.c.units.length, told);
 }
 
-template <class AnyRun, class Gaps>
-void tell_gap(const AnyRun& run, const Gaps& gaps, std::size_t gap, std::vector<Statement>& statements) {
-  gaps.tell(
-      gap, [&](Statement one) { tell_hit(run, gap, std::move(one), statements); }, statements);
+/// Contact, the need, the rules. @param one of the run's gaps, `gap` its number
+template <class AnyRun, class OneGap>
+void tell_gap(const AnyRun& run, const OneGap& one, std::size_t gap, std::vector<Statement>& statements) {
+  const std::size_t before = statements.size();
+  const auto hit = [&](Statement statement) { tell_hit(run, gap, std::move(statement), statements); };
+  tell_unmodelled(one.view(), one.number(), statements);
+  tell_judgement(one.view(), one.number(), hit, statements);
+  tell_need(one.view(), one.number(), statements);
+  tell_rules(one.view(), one.number(), statements);
+  for (std::size_t i = before; i < statements.size(); ++i) one.rename(statements[i]);
+}
+
+template <class OneGap>
+void put_tables(const OneGap& one, std::vector<StoryTable>& tables) {
+  for (StoryTable& table : gap_tables(one.view(), one.number())) {
+    one.rename(table);
+    tables.push_back(std::move(table));
+  }
 }
 
 /// What contact does to displacements, accelerations and shears.
@@ -186,7 +200,7 @@ Story story_of(const AnyRun& run) {
   tell_lost_strength(run, told.statements);
   tell_failures(run, told);
   tell_all_gaps(run, gaps, told);
-  for (std::size_t g = 0; g < gaps.count(); ++g) tell_gap(run, gaps, g, told.statements);
+  for (std::size_t g = 0; g < gaps.count(); ++g) tell_gap(run, gaps.at(g), g, told.statements);
   tell_slips(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_effects(run, told.statements);
@@ -205,8 +219,9 @@ Story story_of_gaps(const AnyRun& run) {
   tell_collapse(run, told.statements);
   tell_drifts(run, told.statements);
   for (std::size_t g = 0; g < gaps.count(); ++g) {
-    tell_gap(run, gaps, g, told.statements);
-    gaps.put_tables(g, told.tables);
+    const auto one = gaps.at(g);
+    tell_gap(run, one, g, told.statements);
+    put_tables(one, told.tables);
   }
   tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
@@ -218,7 +233,7 @@ template <class AnyRun>
 std::vector<StoryTable> tables_of_gaps(const AnyRun& run) {
   const auto gaps = gaps_told(run);
   std::vector<StoryTable> tables;
-  for (std::size_t g = 0; g < gaps.count(); ++g) gaps.put_tables(g, tables);
+  for (std::size_t g = 0; g < gaps.count(); ++g) put_tables(gaps.at(g), tables);
   return tables;
 }
 

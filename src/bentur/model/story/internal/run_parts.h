@@ -13,6 +13,40 @@
 // What run_story.cpp asks of a run: of a row in run_of_row.cpp, of buildings in plan in run_in_plan.cpp.
 namespace bentur::story {
 
+/// A gap of a row: how the whole is seen, and which of its gaps this is. What is said of it names it as it is.
+class GapOfRow {
+ public:
+  GapOfRow(const GapView& view, std::size_t gap) : view_(view), number_(static_cast<Eigen::Index>(gap)) {}
+
+  [[nodiscard]] const GapView& view() const { return view_; }
+  [[nodiscard]] Eigen::Index number() const { return number_; }
+  void rename(Statement& /*statement*/) const {}
+  void rename(StoryTable& /*table*/) const {}
+
+ private:
+  const GapView& view_;
+  Eigen::Index number_;
+};
+
+/// A gap in plan, seen as the only one of a row of two. What is said of it gets its own number and names.
+class GapInPlan {
+ public:
+  GapInPlan(const PlanRun& run, std::size_t gap, JudgedGap judged)
+      : run_(run), gap_(gap), pair_(pair_of(run, gap)), view_(judged_view_of(run, gap, pair_, std::move(judged))) {}
+  GapInPlan(const GapInPlan&) = delete;  // the view is of its own pair
+
+  [[nodiscard]] const GapView& view() const { return view_; }
+  [[nodiscard]] Eigen::Index number() const { return 0; }
+  void rename(Statement& statement) const;
+  void rename(StoryTable& table) const { table.gap = static_cast<Eigen::Index>(gap_); }
+
+ private:
+  const PlanRun& run_;
+  std::size_t gap_;
+  RunResults pair_;
+  GapView view_;
+};
+
 /// The gaps of a row, all judged.
 class RowGaps {
  public:
@@ -22,9 +56,7 @@ class RowGaps {
   [[nodiscard]] std::string name(std::size_t gap) const;
   [[nodiscard]] const GapFacts& facts(std::size_t gap) const { return view_.facts.at(gap); }
   [[nodiscard]] Sufficiency judged(std::size_t gap) const { return view_.judged.at(gap).value; }
-  /// Contact, the need, the rules. @param hit completes what is said of buildings that collide
-  void tell(std::size_t gap, const std::function<void(Statement)>& hit, std::vector<Statement>& to) const;
-  void put_tables(std::size_t gap, std::vector<StoryTable>& to) const;
+  [[nodiscard]] GapOfRow at(std::size_t gap) const { return {view_, gap}; }
 
  private:
   const RunResults& run_;
@@ -32,7 +64,7 @@ class RowGaps {
 };
 [[nodiscard]] inline RowGaps gaps_told(const RunResults& run) { return RowGaps(run); }
 
-/// Those of buildings in plan, each told as that of a row of two.
+/// Those of buildings in plan.
 class PlanGaps {
  public:
   explicit PlanGaps(const PlanRun& run) : run_(run), judged_(judged_gaps(run)) {}
@@ -41,8 +73,7 @@ class PlanGaps {
   [[nodiscard]] std::string name(std::size_t gap) const;
   [[nodiscard]] const GapFacts& facts(std::size_t gap) const { return judged_[gap].facts; }
   [[nodiscard]] Sufficiency judged(std::size_t gap) const { return judged_[gap].judgement.value; }
-  void tell(std::size_t gap, const std::function<void(Statement)>& hit, std::vector<Statement>& to) const;
-  void put_tables(std::size_t gap, std::vector<StoryTable>& to) const;
+  [[nodiscard]] GapInPlan at(std::size_t gap) const { return {run_, gap, judged_[gap]}; }
 
  private:
   const PlanRun& run_;

@@ -74,6 +74,17 @@ void tell_levels_once(Statement& statement);
 /// What has to be read of a code's text with the number of its rule.
 void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 
+/// The column of those struck in a gap that bears the most of what it can.
+struct WorstColumn {
+  Eigen::Index point = 0, building = 0;
+  double ratio = 0;              ///< demand over capacity [-] ≥ 0
+  double demand = 0, alone = 0;  ///< with contact and without, in `unit`
+  std::string unit = {};
+  long beyond = 0;  ///< how many of the gap have come to more than they bear
+};
+/// Nothing where no capacity is known. @param shear or moment
+[[nodiscard]] std::optional<WorstColumn> worst_column(const RunResults& run, const Gap& gap, bool shear);
+
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
 /// The same of the frames of buildings in plan, and of their columns as tell_breaking().
