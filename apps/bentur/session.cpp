@@ -237,24 +237,22 @@ std::string excitation_line(const ExcitationSpec& excitation, const Units& units
 
 std::string excitation_line(const Case& c, const Words& say) { return excitation_line(c.excitation, c.units, say); }
 
-namespace {
-
-std::string told_text(const std::vector<std::string>& lines, const Story& story, const Words& say, Told told) {
+std::string story_text(const std::vector<std::string>& gaps, const Story& story, const Words& say, Told told) {
   std::string text;
-  for (const std::string& line : lines) text += with_spaces(wrapped(line)) + "\n";
+  for (const std::string& line : story_lines(gaps, story, say, told)) text += with_spaces(wrapped(line)) + "\n";
   if (told == Told::remarks) return text;
-  for (const StoryTable& table : story.tables) text += "\n" + table_text(said(table, say));
+  const auto known = known_table(gaps, said(story.statements, say), say);
+  for (const bool of_gaps : {true, false}) {
+    for (const StoryTable& table : story.tables) {
+      if (table.kind.starts_with("row") == of_gaps) text += "\n" + table_text(said(table, say));
+    }
+    if (of_gaps && known) text += "\n" + table_text(*known);
+  }
   return text;
 }
 
-}  // namespace
-
 std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told) {
-  return told_text(story_lines(problem, story, say, told), story, say, told);
-}
-
-std::string story_text(const std::vector<std::string>& gaps, const Story& story, const Words& say, Told told) {
-  return told_text(story_lines(gaps, story, say, told), story, say, told);
+  return story_text(gap_names(problem), story, say, told);
 }
 
 std::string proportions_text(const Building& building, const Proportions& found, const ShownUnits& shown,

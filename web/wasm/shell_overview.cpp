@@ -88,6 +88,7 @@ Json statements_of(const std::vector<std::string>& gaps, const Story& story, con
                    {"severity", severity_name(one.severity)},
                    {"gap", one.gap ? Json(gaps.at(*one.gap)) : Json()},
                    {"badge", one.badge},
+                   {"shown", shown_name(one.shown)},
                    {"text", one.text}});
   }
   return all;

@@ -13,10 +13,14 @@
 namespace bentur::cli {
 
 std::string tables_text(const std::vector<std::string>& gaps, const Story& story, const Words& say) {
-  std::string text = story_text(gaps, {story.statements}, say, Told::outcome);
+  Story of_all{story.statements};
+  std::copy_if(story.tables.begin(), story.tables.end(), std::back_inserter(of_all.tables),
+               [](const StoryTable& table) { return !table.gap; });
+  std::string text = story_text(gaps, of_all, say, Told::outcome);
   std::optional<Eigen::Index> gap;
   for (const StoryTable& table : story.tables) {
-    if (table.gap != gap && gaps.size() > 1) text += "\n" + gaps.at(table.gap.value()) + "\n";
+    if (!table.gap) continue;
+    if (table.gap != gap && gaps.size() > 1) text += "\n" + gaps.at(*table.gap) + "\n";
     gap = table.gap;
     text += "\n" + table_text(said(table, say));
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "text/display_width.h"
@@ -74,8 +75,8 @@ std::string fitted(const std::string& given) {
   return result;
 }
 
-void Table::add(std::string name, std::string unit, std::vector<std::string> cells) {
-  columns_.push_back({std::move(name), std::move(unit), std::move(cells)});
+void Table::add(std::string name, std::string unit, std::vector<std::string> cells, bool is_left) {
+  columns_.push_back({std::move(name), std::move(unit), std::move(cells), is_left});
 }
 
 void Table::add(std::string name, std::string unit, const std::vector<double>& values) {
@@ -167,7 +168,8 @@ std::string Table::in_one(std::size_t widest_line) const {
   const auto line = [&](const auto& cell_of) {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const std::string& cell = cell_of(i);
-      text += std::string(2 + widths[i] - display_width(cell), ' ') + cell;
+      const std::string room(widths[i] - display_width(cell), ' ');
+      text += "  " + (columns_[i].is_left ? cell + room : room + cell);
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
@@ -197,7 +199,59 @@ std::string Table::in_one(std::size_t widest_line) const {
   return text;
 }
 
+namespace {
+
+/// Words in lines of at most `widest` characters.
+std::vector<std::string> in_lines(const std::string& text, std::size_t widest) {
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    std::string& line = lines.back();
+    if (!line.empty() && display_width(line) + 1 + display_width(word) > widest) {
+      lines.push_back(word);
+    } else {
+      line += (line.empty() ? "" : " ") + word;
+    }
+  }
+  return lines;
+}
+
+/// The table of a list, the words of whose last column go on below one another where lines would be too long.
+std::string list_text(const SaidTable& table) {
+  constexpr std::size_t least_room = 16;
+  const std::size_t last = table.columns.size() - 1;
+  std::vector<std::vector<std::string>> cells(table.columns.size());
+  std::size_t taken = 2;
+  for (std::size_t i = 0; i < last; ++i) {
+    std::size_t widest = display_width(table.columns[i].label);
+    for (const std::string& cell : table.columns[i].cells) widest = std::max(widest, display_width(cell));
+    taken += widest + 2;
+  }
+  const std::size_t width = std::min(usual_width, line_width());
+  if (taken + least_room > width) {
+    std::string text;
+    for (const std::string& line : rows_in_words(table)) text += with_spaces(wrapped(line)) + "\n";
+    return text;
+  }
+  for (std::size_t row = 0; row < table.columns[last].cells.size(); ++row) {
+    const std::vector<std::string> lines = in_lines(table.columns[last].cells[row], width - taken);
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      for (std::size_t i = 0; i < last; ++i) cells[i].push_back(line == 0 ? table.columns[i].cells.at(row) : "");
+      cells[last].push_back(lines[line]);
+    }
+  }
+  Table shown;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const TableColumn& column = table.columns[i];
+    shown.add(column.label, column.unit, std::move(cells[i]), !table.are_numbers[i]);
+  }
+  return shown.text();
+}
+
+}  // namespace
+
 std::string table_text(const SaidTable& table) {
+  if (table.is_list) return wrapped(table.heading) + "\n\n" + list_text(table);
   Table shown;
   for (const TableColumn& column : table.columns) shown.add(column.label, column.unit, column.cells);
   return wrapped(table.heading) + "\n\n" + shown.text();

@@ -22,13 +22,13 @@ namespace bentur::cli {
 [[nodiscard]] std::string fitted(const std::string& given);
 
 /// A table under a header of names, divided into two lines where the table would be wider than line_width(), and
-/// (where there are any) units, everything aligned to the right. Columns that go beyond asked_width() all the same
-/// stand in a second table below, behind the first column; a last one without a name, which marks rows, becomes a mark
-/// before them that is explained below.
+/// (where there are any) units, aligned to the right but for columns of words that are to be read. Columns that go
+/// beyond asked_width() all the same stand in a second table below, behind the first column; a last one without a name,
+/// which marks rows, becomes a mark before them that is explained below.
 class Table {
  public:
   /// `unit` empty: none. `cells` from top to bottom; all columns of one length.
-  void add(std::string name, std::string unit, std::vector<std::string> cells);
+  void add(std::string name, std::string unit, std::vector<std::string> cells, bool is_left = false);
   void add(std::string name, std::string unit, const std::vector<double>& values);
 
   /// Lines indented by two characters, with a rule under the header.
@@ -41,6 +41,7 @@ class Table {
   struct Column {
     std::string name, unit;
     std::vector<std::string> cells;
+    bool is_left = false;
   };
   std::vector<Column> columns_;
   std::vector<bool> marked_;  ///< rows with a mark before them; empty: none

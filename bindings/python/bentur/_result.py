@@ -346,8 +346,8 @@ class Result:
         )
 
     def verdict(self, language: str = "en") -> list[str]:
-        """What is to be said of the run, the gravest first, as ``bentur run`` prints it and the report begins; without
-        remarks. The same without words, as numbers with their units, is ``summary["statements"]``.
+        """What is to be said of the run, the gravest first, as ``bentur run`` prints it and the report begins, and after
+        the sentences a line for each row of what else is known; without remarks. The same without words, as numbers with their units, is ``summary["statements"]``.
 
         :param language: ``"en"`` or ``"id"``.
         """

@@ -285,9 +285,11 @@ void bind_run(py::module_& module) {
       .def("lines",
            [](const PyRun& run, const std::string& language) {
              const Words say(language);
-             std::vector<std::string> lines =
-                 run.plan ? story_lines(gap_names(run.plan->problem), run_story(*run.plan), say, Told::outcome)
-                          : story_lines(run.results.problem, run_story(run.results), say, Told::outcome);
+             const std::vector<std::string> gaps =
+                 run.plan ? gap_names(run.plan->problem) : gap_names(run.results.problem);
+             const Story story = run.plan ? run_story(*run.plan) : run_story(run.results);
+             std::vector<std::string> lines = story_lines(gaps, story, say, Told::outcome);
+             for (std::string& line : known_lines(gaps, story, say)) lines.push_back(std::move(line));
              for (std::string& line : lines) line = with_spaces(std::move(line));
              return lines;
            })

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <string_view>
 #include <utility>
@@ -48,6 +49,41 @@ std::string joined(const std::vector<std::string>& parts, const Words& say) {
   return text;
 }
 
+std::string trimmed_cell(std::string_view text) {
+  const std::size_t from = text.find_first_not_of(' ');
+  return from == text.npos ? "" : std::string(text.substr(from, text.find_last_not_of(' ') - from + 1));
+}
+
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  for (std::size_t from = 0; from <= row.size();) {
+    const std::size_t to = std::min(row.find('|', from), row.size());
+    cells.push_back(trimmed_cell(std::string_view(row).substr(from, to - from)));
+    from = to + 1;
+  }
+  return cells;
+}
+
+/// The rows of a statement: one for each of its items, or one.
+std::vector<std::vector<std::string>> rows_of(const Statement& statement, const std::string& key, const Filled& values,
+                                              const Words& say) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& item : statement.items) {
+    Filled all = filled(item, say);
+    all.insert(all.end(), values.begin(), values.end());
+    rows.push_back(cells_of(say(key + ".row", all)));
+  }
+  if (rows.empty()) rows.push_back(cells_of(say(key + ".row", values)));
+  if (statement.many) {
+    for (auto& row : rows) {
+      row.push_back(say("story.row_of_many", {{"count", std::to_string(statement.many->count)},
+                                              {"runs", say.count("story.count.records", statement.many->runs)},
+                                              {"worst", statement.many->worst}}));
+    }
+  }
+  return rows;
+}
+
 /// How a rule's wording is known, in the words of a language.
 std::string wording_text(std::string text, const Words& say) {
   for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("second hand", "gap.second_hand"),
@@ -69,8 +105,10 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
     std::vector<std::string> items;
     for (const auto& item : statement.items) items.push_back(say(key + ".item", filled(item, say)));
     values.emplace_back("items", joined(items, say));
-    SaidStatement one{.kind = statement.kind, .severity = statement.severity, .gap = statement.gap};
+    SaidStatement one{
+        .kind = statement.kind, .severity = statement.severity, .gap = statement.gap, .shown = statement.shown};
     one.text = say(key, values);
+    if (one.shown == Shown::row) one.rows = rows_of(statement, key, values, say);
     if (say.has(key + ".badge")) one.badge = say(key + ".badge");
     if (is_remark && statement.severity != Severity::remark) one.badge = say("remark.doubted");
     if (!statement.subject.empty()) {
@@ -114,6 +152,50 @@ SaidTable said(const StoryTable& table, const Words& say) {
   return result;
 }
 
+std::optional<SaidTable> known_table(const std::vector<std::string>& gaps, const std::vector<SaidStatement>& all,
+                                     const Words& say) {
+  constexpr std::size_t where = 2;
+  SaidTable table{.heading = say("story.table.known"), .columns = {}, .is_list = true};
+  std::size_t count = 0;
+  for (const SaidStatement& one : all) {
+    for (std::vector<std::string> row : one.rows) {
+      if (gaps.size() > 1 && one.gap) {
+        const std::string& gap = gaps.at(static_cast<std::size_t>(*one.gap));
+        row.at(where).insert(0, row.at(where).empty() ? gap : gap + ", ");
+      }
+      while (table.columns.size() < row.size()) {
+        table.columns.push_back({say("known." + std::to_string(table.columns.size())), "", {}});
+      }
+      ++count;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        table.columns[i].cells.resize(count);
+        table.columns[i].cells.back() = std::move(row[i]);
+      }
+    }
+  }
+  if (count == 0) return std::nullopt;
+  for (TableColumn& column : table.columns) column.cells.resize(count);
+  table.are_numbers.resize(table.columns.size());
+  table.are_numbers[1] = true;
+  return table;
+}
+
+std::vector<std::string> known_lines(const std::vector<std::string>& gaps, const Story& story, const Words& say) {
+  const std::optional<SaidTable> table = known_table(gaps, said(story.statements, say), say);
+  return table ? rows_in_words(*table) : std::vector<std::string>();
+}
+
+std::vector<std::string> rows_in_words(const SaidTable& table) {
+  std::vector<std::string> lines(table.columns.front().cells.size());
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    for (std::size_t row = 0; row < lines.size(); ++row) {
+      const std::string& cell = table.columns[i].cells[row];
+      if (!cell.empty()) lines[row] += (i == 0 ? "" : i == 1 ? ": " : ", ") + cell;
+    }
+  }
+  return lines;
+}
+
 std::string with_spaces(std::string text) {
   constexpr std::string_view no_break = "\u00A0";
   for (std::size_t at = text.find(no_break); at != std::string::npos; at = text.find(no_break, at)) {
@@ -128,11 +210,7 @@ std::string upper_case(std::string text) {
 }
 
 std::vector<std::string> story_lines(const Problem& problem, const Story& story, const Words& say, Told told) {
-  std::vector<std::string> gaps;
-  for (std::size_t left = 0; left + 1 < problem.buildings.size(); ++left) {
-    gaps.push_back(gap_name(problem, static_cast<Eigen::Index>(left)));
-  }
-  return story_lines(gaps, story, say, told);
+  return story_lines(gap_names(problem), story, say, told);
 }
 
 std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const Story& story, const Words& say,
@@ -140,6 +218,7 @@ std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const
   std::vector<std::string> lines;
   for (const SaidStatement& one : said(story.statements, say)) {
     if (told != Told::all && (one.severity == Severity::remark) != (told == Told::remarks)) continue;
+    if (told != Told::remarks && one.shown != Shown::sentence) continue;
     std::string line = one.badge.empty() ? one.text : upper_case(one.badge) + ": " + one.text;
     if (gaps.size() > 1 && one.gap) line.insert(0, gaps.at(static_cast<std::size_t>(*one.gap)) + ": ");
     if (one.kind.starts_with("remark.") && one.badge.empty()) line = say("cli.remark", {{"text", line}});

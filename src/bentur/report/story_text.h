@@ -16,6 +16,8 @@ struct SaidStatement {
   std::optional<Eigen::Index> gap = {};
   std::string badge = {};  ///< the verdict in two or three words; empty where the statement is none
   std::string text = {};
+  Shown shown = Shown::sentence;
+  std::vector<std::vector<std::string>> rows = {};  ///< of a table of what else is known: what, how much, where, more
 };
 
 /// The statements of a story, each in the words of a language. @throws InvalidParameter where the catalogue lacks one.
@@ -27,8 +29,20 @@ struct SaidTable {
   std::vector<TableColumn> columns;
   std::vector<bool> are_numbers = {};    ///< per column
   std::vector<std::size_t> marked = {};  ///< rows that stand out
+  bool is_list = false;                  ///< its words are to be read from the left
 };
 [[nodiscard]] SaidTable said(const StoryTable& table, const Words& say);
+
+/// What else is known: the rows of statements that a first screen shows in a table. Nothing where there are none.
+/// @param gaps the names of all gaps, which stand with the place where there are several
+[[nodiscard]] std::optional<SaidTable> known_table(const std::vector<std::string>& gaps,
+                                                   const std::vector<SaidStatement>& all, const Words& say);
+
+/// Rows as lines: "what: how much, where, more".
+[[nodiscard]] std::vector<std::string> rows_in_words(const SaidTable& table);
+/// Those of what else is known.
+[[nodiscard]] std::vector<std::string> known_lines(const std::vector<std::string>& gaps, const Story& story,
+                                                   const Words& say);
 
 /// With ordinary spaces, as a terminal is searched.
 [[nodiscard]] std::string with_spaces(std::string text);
@@ -36,7 +50,7 @@ struct SaidTable {
 /// A badge in capitals, as terminals have it.
 [[nodiscard]] std::string upper_case(std::string text);
 
-/// Which statements of a story.
+/// Which statements of a story: of its outcome those that a first screen has as sentences.
 enum class Told { outcome, remarks, all };
 /// A line a statement, the gravest first: "BADGE: text", behind the gap's name in a row of several gaps; remarks as
 /// "remark: text".

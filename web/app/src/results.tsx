@@ -27,7 +27,7 @@ function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOver
   let badge = under;
   return <>{all.map((one, i) => {
     const shown = one.badge && one.badge !== badge ? (badge = one.badge) : "";
-    return <div key={i} data-kind={one.kind}>
+    return <div key={i} data-kind={one.kind} data-shown={one.shown}>
       {shown && <p class={`badge${isGrave(one) ? "" : " fine"}`}>{shown}</p>}
       <p class={one.badge || one.severity === "danger" ? "lead" : ""}>{gaps.length > 1 && one.gap !== null ? `${gaps[one.gap].name}: ` : ""}{one.text}</p>
     </div>;
@@ -40,7 +40,7 @@ function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
   const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
-  const isFolded = (one: Said) => one.severity === "finding" && !one.badge;
+  const isFolded = (one: Said) => one.shown !== "sentence" || (one.severity === "finding" && !one.badge);
   const grave = told.some(isGrave);
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   return (

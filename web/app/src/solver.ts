@@ -27,7 +27,7 @@ export interface Histories {
 }
 /** `marks`: widths beside the one needed, of the motion reversed and of rules. */
 export interface GapOverview { name: string; width: number; needed: number | null; marks?: { at: number; name: string }[] }
-export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; text: string }
+export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; shown: "sentence" | "row" | "table"; text: string }
 export interface BuildingOverview {
   name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
   displacement: (number | null)[]; alone: (number | null)[]; drift: (number | null)[];

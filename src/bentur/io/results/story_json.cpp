@@ -59,7 +59,8 @@ std::string statements_json(const std::vector<std::string>& names, const std::ve
                 {"severity", severity_name(statement.severity)},
                 {"buildings", buildings},
                 {"level", statement.level ? Json(*statement.level) : Json(nullptr)},
-                {"values", values_json(statement.values)}};
+                {"values", values_json(statement.values)},
+                {"shown", shown_name(statement.shown)}};
     if (!statement.subject.empty()) one["subject"] = statement.subject;
     if (!items.empty()) one["items"] = items;
     if (const auto& many = statement.many) {

@@ -66,6 +66,10 @@ void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<Lev
                              : level->is_short()         ? "reversed_short"
                                                          : "reversed_enough";
     statements.push_back(need_statement(facts, gap, *level, kind));
+    // The larger of both is a sentence.
+    const auto given = governing_level(levels, facts.scale(gap));
+    const bool has_more = !given || level->gap_needed - level->width > given->gap_needed - given->width;
+    if (level->is_short() && !has_more) statements.back().shown = Shown::row;
   } else if (known.has_other_way) {
     statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = {gap, gap + 1}});
   }
@@ -381,14 +385,17 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
     // Rules of thumb do not decide.
     const bool decides = find_code_rule(found.rule) != nullptr || !judged_of(facts, gap).is_enough();
     if (found.is_short && decides) too_close.severity = Severity::warning;
+    const bool understates = found.lacks && facts.response != nullptr;
     if (found.at) {
       const double elevation = levels[*found.at].level.elevation;
-      (found.is_short ? too_close : all)
-          .items.push_back({title, value_in("gap", found.gap, length), value_in("level", elevation, length)});
+      auto& items = (found.is_short ? too_close : all).items;
+      items.push_back({title, value_in("gap", found.gap, length), value_in("level", elevation, length)});
+      if (understates) items.back().push_back(value_in("lacks", *found.lacks, length));
+      items.back().push_back(understates ? word_of("note", "story.rules_note") : text_of("note", ""));
     } else {
       silent.items.push_back({title, word_of("why", silence_word(found.silence))});
     }
-    if (found.lacks && facts.response != nullptr) {
+    if (understates) {
       too_small.items.push_back({title, value_in("gap", found.most, length), value_in("lacks", *found.lacks, length)});
     }
   }

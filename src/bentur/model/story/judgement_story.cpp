@@ -160,28 +160,38 @@ double lacking(const GoverningNeed& need) {
   return std::max(need.given.needed.value_or(0), need.reversed.needed.value_or(0)) - need.at.width;
 }
 
-/// The places of the gaps in the table: in their order, or of many the worst first.
-std::vector<std::size_t> shown_gaps(const std::vector<GapLine>& gaps) {
+/// The places of the gaps, the worst first: as they are judged, by how much they fall short, by the hardest impact.
+std::vector<std::size_t> worst_first(const std::vector<GapLine>& gaps) {
   std::vector<std::size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  if (gaps.size() <= most_lines) return order;
   const auto rank = [&](std::size_t g) {
     return gaps[g].judged == Sufficiency::too_small ? 0 : gaps[g].judged == Sufficiency::unknown ? 1 : 2;
   };
   std::vector<double> lacks;
   for (const GapLine& one : gaps) lacks.push_back(lacking(governing_need(*one.facts).value_or(GoverningNeed{})));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return rank(a) != rank(b) ? rank(a) < rank(b) : lacks[a] > lacks[b];
+    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    return lacks[a] != lacks[b] ? lacks[a] > lacks[b] : gaps[a].peak_force > gaps[b].peak_force;
   });
-  order.resize(worst_lines);
   return order;
 }
 
-StoryTable table_of_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const std::string& length) {
+/// Those in the table: all in their order, or of many the worst.
+std::vector<std::size_t> shown_gaps(const std::vector<GapLine>& gaps, std::vector<std::size_t> order) {
+  if (gaps.size() <= most_lines) {
+    std::iota(order.begin(), order.end(), std::size_t{0});
+  } else {
+    order.resize(worst_lines);
+  }
+  return order;
+}
+
+StoryTable table_of_gaps(const std::vector<GapLine>& gaps, const std::vector<std::size_t>& order,
+                         const ShownUnits& shown, const std::string& length) {
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
-  StoryColumn given{"column.given", length}, needed{"column.simulated", length}, lacks{"column.short_by", length};
+  StoryColumn given{"column.given", length}, needed{"column.simulated", length}, reversed{"column.reversed", length};
+  StoryColumn lacks{"column.short_by", length};
   StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
-  const std::vector<std::size_t> order = shown_gaps(gaps);
   StoryTable table{.kind = order.size() == gaps.size() ? "row" : "row_worst",
                    .values = {count_of("shown", std::ssize(order)), count_of("count", std::ssize(gaps))}};
   for (const std::size_t g : order) {
@@ -192,20 +202,23 @@ StoryTable table_of_gaps(const std::vector<GapLine>& gaps, const ShownUnits& sho
     verdict.texts.emplace_back(judgement_word(one.judged));
     given.numbers.push_back(need.at.width);
     needed.numbers.push_back(need.given.needed.value_or(not_there));
-    const double short_by = need.given.is_short ? need.given.needed.value_or(not_there) - need.at.width : not_there;
-    lacks.numbers.push_back(short_by);
+    reversed.numbers.push_back(need.reversed.needed.value_or(not_there));
+    const bool is_short = need.given.is_short || need.reversed.is_short;
+    lacks.numbers.push_back(is_short ? lacking(need) : not_there);
     impacts.texts.push_back(std::to_string(one.impacts));
     hardest.numbers.push_back(one.peak_force > 0 ? shown.force * one.peak_force : not_there);
   }
-  table.columns = {name, verdict, given, needed, lacks, impacts, hardest};
+  table.columns = {name, verdict, given, needed, reversed, lacks, impacts, hardest};
   return table;
 }
 
 }  // namespace
 
-void tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const std::string& length, Story& told) {
-  if (gaps.size() < 2) return;
-  told.tables.push_back(table_of_gaps(gaps, shown, length));
+std::optional<Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const std::string& length,
+                               Story& told) {
+  if (gaps.size() < 2) return std::nullopt;
+  const std::vector<std::size_t> order = worst_first(gaps);
+  told.tables.push_back(table_of_gaps(gaps, shown_gaps(gaps, order), shown, length));
   const auto judged = [&](Sufficiency as) {
     return static_cast<long>(
         std::count_if(gaps.begin(), gaps.end(), [&](const GapLine& one) { return one.judged == as; }));
@@ -220,6 +233,7 @@ void tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const 
   const bool more = small > 0 && unknown > 0;
   statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));
+  return static_cast<Index>(order.front());
 }
 
 }  // namespace bentur::story

@@ -108,9 +108,9 @@ void tell_hit(const AnyRun& run, std::size_t gap, Statement statement, std::vect
   statements.push_back(std::move(statement));
 }
 
-/// Of many gaps the headline and the table.
+/// Of many gaps the headline and the table. @return the worst of them; nothing where there is one alone
 template <class AnyRun, class Gaps>
-void tell_all_gaps(const AnyRun& run, const Gaps& gaps, Story& told) {
+std::optional<Index> tell_all_gaps(const AnyRun& run, const Gaps& gaps, Story& told) {
   std::vector<GapLine> lines;
   for (std::size_t g = 0; g < gaps.count(); ++g) {
     GapLine line{.name = gaps.name(g), .facts = &gaps.facts(g), .judged = gaps.judged(g)};
@@ -120,7 +120,7 @@ void tell_all_gaps(const AnyRun& run, const Gaps& gaps, Story& told) {
     }
     lines.push_back(std::move(line));
   }
-  tell_gaps(lines, shown_units(run), run.c.units.length, told);
+  return tell_gaps(lines, shown_units(run), run.c.units.length, told);
 }
 
 /// Contact, the need, the rules. @param one of the run's gaps, `gap` its number
@@ -180,6 +180,29 @@ void tell_effects(const AnyRun& run, std::vector<Statement>& statements) {
   values.push_back(value_in("in_g", fastest.value / run.c.units.gravity, "g"));
 }
 
+/// What a table says as well as a sentence. @param worst of many gaps the one that sentences are about
+void leave_to_tables(std::optional<Index> worst, std::vector<Statement>& statements) {
+  constexpr std::string_view rows[] = {
+      "pga",           "pga_along",          "pga_along_turned",        "acceleration",   "acceleration_ratio_none",
+      "not_amplified", "storey_shear_ratio", "storey_shear_ratio_none", "rules",          "rules_less",
+      "rules_short",   "rules_silent",       "reversed_alone",          "reversed_enough"};
+  for (Statement& one : statements) {
+    if (one.severity == Severity::danger) continue;
+    if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
+    if (one.kind == "rules_understate") one.shown = Shown::table;  // a note of the rules' rows
+    if (worst && one.gap && *one.gap != *worst) one.shown = Shown::table;
+  }
+}
+
+/// What the tables of a gap's levels and rules have.
+void leave_to_gap_tables(std::vector<Statement>& statements) {
+  for (Statement& one : statements) {
+    const bool is_level = one.kind.starts_with("reversed_") && one.shown == Shown::row;
+    if (is_level || one.kind.starts_with("rules")) one.shown = Shown::table;
+    if (one.kind == "rules_understate") one.shown = Shown::sentence;
+  }
+}
+
 /// Remarks and what the model leaves out, after all else.
 template <class AnyRun>
 void tell_remarks(const AnyRun& run, Story& told) {
@@ -199,7 +222,7 @@ Story story_of(const AnyRun& run) {
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
   tell_failures(run, told);
-  tell_all_gaps(run, gaps, told);
+  const std::optional<Index> worst = tell_all_gaps(run, gaps, told);
   for (std::size_t g = 0; g < gaps.count(); ++g) tell_gap(run, gaps.at(g), g, told.statements);
   tell_slips(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
@@ -208,6 +231,7 @@ Story story_of(const AnyRun& run) {
   story::tell_hinges(run, told);
   tell_links(run.problem, run.response.links, shown_units(run), run.c.units.length, told.statements);
   tell_motion(run, told.statements);
+  leave_to_tables(worst, told.statements);
   tell_remarks(run, told);
   return told;
 }
@@ -218,6 +242,7 @@ Story story_of_gaps(const AnyRun& run) {
   Story told;
   tell_collapse(run, told.statements);
   tell_drifts(run, told.statements);
+  const std::optional<Index> worst = tell_all_gaps(run, gaps, told);
   for (std::size_t g = 0; g < gaps.count(); ++g) {
     const auto one = gaps.at(g);
     tell_gap(run, one, g, told.statements);
@@ -225,6 +250,8 @@ Story story_of_gaps(const AnyRun& run) {
   }
   tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
+  leave_to_tables(worst, told.statements);
+  leave_to_gap_tables(told.statements);
   tell_remarks(run, told);
   return told;
 }

@@ -26,6 +26,11 @@ std::string_view severity_name(Severity severity) {
   return names[static_cast<std::size_t>(severity)];
 }
 
+std::string_view shown_name(Shown shown) {
+  constexpr std::string_view names[] = {"sentence", "row", "table"};
+  return names[static_cast<std::size_t>(shown)];
+}
+
 std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
   std::vector<Statement> statements;
   std::vector<char> told(remarks.size(), 0);

@@ -33,8 +33,18 @@ struct StoryValue {
   bool is_word = false;  ///< the value is the key of a text of its own, filled with the same values
 };
 
+/// Where a first screen shows a statement.
+enum class Shown {
+  sentence,  ///< among the few sentences that come first
+  row,       ///< in the table of what else is known, by the text ".row"
+  table,     ///< in a table of the story, that of its gaps, levels or rules
+};
+/// "sentence", "row", "table".
+[[nodiscard]] std::string_view shown_name(Shown shown);
+
 /// One sentence or two of what is to be said, without words: the catalogue has a text "story." + kind in each language,
-/// and where the statement is the head of a verdict a short one, ".badge". Every door renders them all, in order.
+/// where the statement is the head of a verdict a short one, ".badge", and where it may be a row of a table one with a
+/// bar between its cells, ".row". Every door renders them all, in order.
 struct Statement {
   std::string kind;
   Severity severity = Severity::finding;
@@ -50,6 +60,7 @@ struct Statement {
     std::string worst;
   };
   std::optional<OfMany> many = {};
+  Shown shown = Shown::sentence;
 };
 
 /// A column of a table: numbers, names, or words of the catalogue.

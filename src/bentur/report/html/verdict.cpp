@@ -79,7 +79,8 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   std::vector<Html> of_gaps(gaps.size());
   std::vector<std::string> badges(gaps.size());
   for (const SaidStatement& statement : all) {
-    if (statement.severity == Severity::remark) continue;
+    if (statement.severity == Severity::remark || statement.shown == Shown::row) continue;
+    if (!are_many && statement.shown == Shown::table) continue;
     if (are_many && statement.gap && statement.severity != Severity::danger) {
       // Of many gaps what each needs is folded away behind the table.
       of_gaps[*statement.gap] += paragraphs(statement, badges[*statement.gap], "");
@@ -91,6 +92,9 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     if (table.kind.starts_with("row")) block += table_of(said(table, say));
   }
   block += verdict.key;
+  std::vector<std::string> names;
+  for (const VerdictGap& gap : gaps) names.push_back(gap.in_short);
+  const std::optional<SaidTable> known = known_table(names, all, say);
   std::vector<std::vector<GapBar>> bars;
   double largest = 0;  // all bars at one scale
   for (const VerdictGap& gap : gaps) {
@@ -105,6 +109,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
       block += drawn;
     }
   }
+  if (known) block += table_of(*known);
   return {"verdict", say("heading.verdict"), element("div", block, verdict_class(grave))};
 }
 

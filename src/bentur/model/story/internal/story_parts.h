@@ -125,7 +125,9 @@ struct GapLine {
   double peak_force = 0;  ///< [force]; 0: none
 };
 /// Of more than one gap: how many are too small, of how many that is not known, and a table; of many gaps of the worst.
-void tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const std::string& length, Story& told);
+/// @return the worst gap, nothing where there is one alone
+std::optional<Eigen::Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown,
+                                      const std::string& length, Story& told);
 /// The item of model_statement() where gravity acts on `loaded` of so many buildings.
 [[nodiscard]] std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted);
 /// The storey that has least of its strength left of those that have softened, from 0; −1: none has.
