@@ -97,6 +97,7 @@ buildings move than they would alone, and how wide the gap must be for them neve
 :caption: Begin
 :maxdepth: 1
 
+docs/README
 docs/start
 docs/tutorials/designer
 docs/tutorials/researcher
@@ -141,6 +142,7 @@ docs/suites
 Commands <reference/commands>
 Python <reference/python>
 C++ <reference/cpp>
+docs/glossary
 docs/notation
 examples/README
 ```

@@ -89,7 +89,7 @@ void add_record(CLI::App& command, std::optional<int>& record) {
 }
 
 void add_language(CLI::App& command, std::string& language) {
-  command.add_option("--lang", language, "language of what is told and of what is wrong with the input: en or id")
+  command.add_option("--lang", language, "language of the results and of errors in the input: en or id")
       ->check(CLI::IsMember(report_languages()))
       ->type_name("LANG");
 }

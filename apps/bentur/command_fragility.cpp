@@ -243,7 +243,7 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
   std::string title = results.title.empty() ? "" : results.title + "\n";
   title += fmt::format("Event: {}{}. {} record{}{}, {} levels of {}{}\n", request.event,
                        quantity.empty() ? "" : " " + quantity, records, records == 1 ? "" : "s",
-                       results.table.together > 1 ? " both ways round" : "", results.table.levels.size(),
+                       results.table.together > 1 ? " as given and reversed" : "", results.table.levels.size(),
                        results.intensity, unit.empty() ? "" : " [" + unit + "]");
   std::string result = title + "\n" + curves_text(report, unit);
   if (!report.gaps.empty()) result += gaps_text(report, request, unit);

@@ -73,7 +73,7 @@ void add_risk_command(CLI::App& app) {
                       "a quantity of the results compared with a number in its unit there; default \"impacts > 0\"");
   command->add_option("--method", arguments->method, "of the fragility: likelihood (default), cloud or stripes")
       ->check(CLI::IsMember({"likelihood", "cloud", "stripes"}));
-  command->add_option("--years", request.years, "that a probability is told for; default 50")->check(finite());
+  command->add_option("--years", request.years, "for which a probability is given; default 50")->check(finite());
   command->add_option("--target", request.target, "the gap for this probability of pounding in --years")
       ->check(finite());
   command->add_option("--resamples", request.bootstrap.resamples, "of the bootstrap; default 1000")

@@ -226,8 +226,27 @@ def version(root):
         yield f"CITATION.cff: {dated[0] if dated else 'no date-released'}, but CHANGELOG.md has {first} ({when})"
 
 
+OLD_WORDS = re.compile(r"\b(?:(?:one|other|both|either|which) ways? round|told(?! apart)|tells?(?![^.]*\b(?:apart|from)\b)|"
+                       r"bears?|bore)\b")
+
+
+def words(root):
+    """One word for one thing, in plain order: what a reader of results and documents sees says "reports", "carries" and
+    "reversed", not "tells", "bears" and "the other way round"."""
+    catalogue = root / "src/bentur/report/html/texts.toml"
+    lines = [(catalogue, number, line) for number, line in enumerate(catalogue.read_text().splitlines(), 1) if line.startswith("en = ")]
+    for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
+        lines += [(path, number, line) for number, line in enumerate(path.read_text().splitlines(), 1)]
+    for path in sorted((root / "src/bentur/io/schema").glob("*.cpp")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            lines += [(path, number, text) for text in re.findall(r'"((?:\\.|[^"\\])*)"', line)]
+    for path, number, line in lines:
+        if found := OLD_WORDS.search(line):
+            yield f'{path}:{number}: "{found[0]}": use the glossary\'s word (reports, shows, carries, reversed)'
+
+
 RULES = {rule.__name__: rule for rule in (includes, sizes, output, headers, readme, prose, alone, colours,
-                                        judgement, version)}
+                                        judgement, version, words)}
 
 
 def main():

@@ -90,7 +90,7 @@ def _warn_of_remarks(result: Result) -> None:
 
 
 def run_suite(case: Case | str | PathLike[str], *, progress: Progress = None) -> dict[str, Any]:
-    """Runs a case with each record of its suite, as ``bentur run CASE --json`` tells them: ``suite`` with the spectra
+    """Runs a case with each record of its suite, as ``bentur run CASE --json`` reports them: ``suite`` with the spectra
     as scaled, ``records`` with a few numbers of each, ``mean`` and ``largest`` of these.
 
     :param case: a case with ``excitation.kind = "suite"``, or its file. :func:`run` takes one record of it, by

@@ -126,7 +126,7 @@ def _warn_of_runs(found: xarray.Dataset) -> None:
     remarked, doubted = int((found.remarks > 0).sum()), int((found.doubts > 0).sum())
     warnings.warn(
         f"{remarked} of {found.remarks.size} runs have remarks, {doubted} in doubt: {', '.join(about)}; `remarks`, "
-        "`doubts` and `remark_kinds` tell which",
+        "`doubts` and `remark_kinds` say which",
         RemarkWarning,
         stacklevel=4,
     )

@@ -191,7 +191,7 @@ StoreyLaw::StoreyLaw(std::string name, std::vector<BranchData> branches, double 
   const BranchData& first = branches.front();
   if (first.base.value_or(0) != 0 || first.stiffness != 1 || first.damping != 0) {
     throw InvalidParameter("branches[0]", "another line",
-                           "must be F = δ in a storey, base 0 and stiffness 1: its branches are told in units of its "
+                           "must be F = δ in a storey, base 0 and stiffness 1: its branches are given in units of its "
                            "yield force and yield deformation");
   }
 }

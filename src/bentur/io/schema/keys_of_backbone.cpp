@@ -23,7 +23,7 @@ std::vector<Key> points_of_backbone(const Key& yield, bool storeys) {
                   "failed")
           .by_default(0),
       Key::number("ultimate_drift", dimension::length, Range::positive, {"Ultimate drift", "Simpangan batas"},
-                  "at which it fails and bears nothing any more")
+                  "at which it fails and carries nothing any more")
           .optional("none")};
   if (!storeys) return points;
   for (Key& point : points) point.for_each("one per storey");
@@ -72,7 +72,7 @@ const KeyTable& hinge_backbone_keys() {
            "failed")
            .by_default(0),
        Key::number("ultimate_rotation", dimension::none, Range::positive, {"Ultimate rotation", "Rotasi batas"},
-                   "beyond the cap, at which it fails and bears nothing any more: b of ASCE 41")
+                   "beyond the cap, at which it fails and carries nothing any more: b of ASCE 41")
            .counted_in("rad")
            .optional("none"),
        wear("strength_wear", {"Wear of strength", "Keausan kekuatan"},

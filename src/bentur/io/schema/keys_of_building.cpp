@@ -235,7 +235,7 @@ const KeyTable& section_keys() {
            .goes_with("moment_capacity")
            .by_default(0),
        Key::number("rotation_limits", dimension::none, Range::positive, {"Limits of rotation", "Batas rotasi"},
-                   "IO, LS and CP of ASCE 41, ascending, that rotations of its hinges are told as parts of")
+                   "IO, LS and CP of ASCE 41, ascending, that rotations of its hinges are reported as parts of")
            .list("IO, LS, CP", 3)
            .counted_in("rad")
            .goes_with("moment_capacity")
@@ -245,7 +245,7 @@ const KeyTable& section_keys() {
            .goes_with("moment_capacity")
            .optional("no strength is lost"),
        Key::number("line_load", dimension::stiffness, Range::not_negative, {"Line load", "Beban merata"},
-                   "on a beam, downwards: the moments that its hinges bear at rest")
+                   "on a beam, downwards: the moments that its hinges carry at rest")
            .by_default(0),
        Key::number("shear_capacity", dimension::force, Range::positive_or_infinite,
                    {"Shear capacity", "Kapasitas geser"}, "shear at which a column [breaks](#columns-that-break)")
@@ -282,7 +282,7 @@ const KeyTable& storey_columns_keys() {
        Key::number("mass", dimension::mass, Range::positive, {"Mass", "Massa"}, "of one column from floor to floor")
            .for_each("one per storey"),
        Key::whole("number", 1, 1000, {"Columns side by side", "Kolom berdampingan"},
-                  "how many a floor strikes at once; forces that are told are those of all of them")
+                  "how many a floor strikes at once; forces that are reported are those of all of them")
            .by_default(1)}};
   return table;
 }
@@ -366,7 +366,7 @@ const KeyTable& modal_keys() {
            .goes_with("shapes_file")
            .optional("all that the file has"),
        Key::of("floor_names", Key::Kind::text, {"Names in the file", "Nama dalam berkas"},
-               "of its storeys or joints, lowest first, where neither elevations nor numbers in the names tell which "
+               "of its storeys or joints, lowest first, where neither elevations nor numbers in the names show which "
                "is which")
            .list("one per floor")
            .goes_with("shapes_file")

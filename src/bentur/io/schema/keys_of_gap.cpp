@@ -30,9 +30,10 @@ const KeyTable& gap_keys() {
        Key::of("strikes_columns", Key::Kind::flag, {"Floors strike columns", "Lantai membentur kolom"},
                "`elevations` may name a floor that faces a column of the other building, a frame or one with `columns`")
            .by_default(0),
-       Key::sub_table("column_capacity", column_capacity_keys(), {"Capacity of struck columns", "Kapasitas kolom"},
-                      "what the columns bear that are struck, for demand over capacity; with `strikes_columns`. Where "
-                      "floors meet the number counts for nothing")
+       Key::sub_table(
+           "column_capacity", column_capacity_keys(), {"Capacity of struck columns", "Kapasitas kolom"},
+           "the capacities of the columns that are struck, for demand over capacity; with `strikes_columns`. Where "
+           "floors meet the number counts for nothing")
            .optional("none")
            .goes_with("strikes_columns")}};
   return table;
@@ -40,7 +41,7 @@ const KeyTable& gap_keys() {
 
 const KeyTable& column_capacity_keys() {
   static const KeyTable table = {"gap.column_capacity",
-                                 "what struck columns bear: one or both",
+                                 "what struck columns can carry: one or both",
                                  {Key::number("shear", dimension::force, Range::positive, {"Shear", "Geser"})
                                       .for_each("one per contact point")
                                       .optional(),
@@ -67,7 +68,7 @@ const KeyTable& contact_keys() {
     made.keys.push_back(
         Key::number("spread", dimension::length, Range::positive, {"Spread of a corner", "Sebaran sudut"},
                     "between buildings in plan alone: the length of a joint that belongs to one corner, "
-                    "which bears half of what a long joint does")
+                    "which carries half of what a long joint does")
             .optional("a quarter of the shorter building along the joint"));
     return made;
   }();

@@ -64,7 +64,7 @@ std::vector<Key> record_keys() {
                       .one_of("record")
                       .counted_in("unit"),
                   Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
-                              "reversed: every acceleration times −1, as if the pair of buildings stood mirrored")
+                              "reversed: every acceleration times −1, as if the pair of buildings were mirrored")
                       .called({{"as recorded", "seperti direkam"},
                                {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}})
                       .optional(),
@@ -382,7 +382,7 @@ const KeyTable& analysis_keys() {
                "all energy is accounted for; what is missing is reported, and the curves stand in `histories.nc`")
            .by_default(0),
        Key::of("both_ways", Key::Kind::flag, {"Both ways", "Dua arah"},
-               "what the same ground motion the other way round needs is told beside what it needs as given")
+               "what the same ground motion reversed needs is reported beside what it needs as given")
            .by_default(1),
        Key::sub_table("limits", limit_keys(), {"Limits", "Batas"}, "see [What a run takes](#what-a-run-takes)")
            .optional(),
@@ -403,7 +403,7 @@ const KeyTable& limit_keys() {
                    "a response has no more: touches, partings, yieldings; each takes up to 1 kB")
            .by_default(1e6),
        Key::number("seconds", dimension::time, Range::positive, {"Seconds", "Detik"},
-                   "of wall time, of each response: without contact, with it, and the other way round")
+                   "of wall time, of each response: without contact, with it, and reversed")
            .optional(),
        Key::number("memory", dimension::none, Range::memory_limit, {"Memory", "Memori"}, "of a run with its histories")
            .by_default(1000)
