@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "tests/reference/shared_folder.h"
 
@@ -27,7 +27,7 @@ const std::string touches_at_rest = "plan-yielding-planes";
 void judge_plan(const std::string& name, const Solver& solver, int factor) {
   SCOPED_TRACE(name + ", " + std::string(bentur::name(solver)));
   Diagnostics diagnostics;
-  const auto c = read_plan_case(plan_folder / (name + ".toml"), diagnostics);
+  const auto c = read_case(plan_folder / (name + ".toml"), diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   ASSERT_TRUE(c);
   const PlanProblem problem = make_plan_problem(*c);

@@ -106,7 +106,7 @@ std::string link_tables(const PlanRun& run, const Words& say) {
     const std::string name = link_name(run.problem, run.problem.links[places.front().item]);
     Table table;
     table.add(say("cli.level"), run.c.units.length, levels);
-    text += "\n" + say("cli.links", {{"link", name}, {"law", run.c.links[spec].link.law}}) + "\n\n" +
+    text += "\n" + say("cli.links", {{"link", name}, {"law", run.c.links[spec].law}}) + "\n\n" +
             with_columns(std::move(table), table_columns(Owner::link, run, places, say.number()));
   }
   return text;
@@ -114,19 +114,10 @@ std::string link_tables(const PlanRun& run, const Words& say) {
 
 }  // namespace
 
-std::string plan_motion_text(const PlanRun& run, const Words& say) {
-  std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
-  text += excitation_line(run.c.excitation[0], run.c.units, say) + "\n";
-  if (!std::holds_alternative<NoMotion>(run.problem.motions[1])) {
-    text += say("cli.along_y", {{"motion", excitation_line(run.c.excitation[1], run.c.units, say)}}) + "\n";
-  }
-  return text;
-}
-
 std::string plan_summary_text(const PlanRun& run, const Words& say) {
   const PlanProblem& problem = run.problem;
   const std::vector<std::string> gaps = gap_names(problem);
-  std::string text = plan_motion_text(run, say);
+  std::string text = heading(run.c, say);
   const Story story = run_story(run);
   text += "\n" + story_text(gaps, story, say, Told::outcome);
   for (std::size_t g = 0; g < gaps.size(); ++g) {

@@ -2,13 +2,10 @@
 
 #include <string>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/report/words.h"
 
 namespace bentur::cli {
-
-/// The title, and what shakes the buildings.
-[[nodiscard]] std::string plan_motion_text(const PlanRun& run, const Words& say);
 
 /// What is told of a run of buildings in plan on a terminal.
 [[nodiscard]] std::string plan_summary_text(const PlanRun& run, const Words& say);

@@ -33,10 +33,9 @@ std::string impacts_csv(const RunView& run) {
   csv += "\n";
   for (Eigen::Index i = 0; i < std::ssize(run.response.impacts); ++i) {
     const ContactPoint& point = run.problem.points.at(static_cast<std::size_t>(run.response.impacts[i].point));
-    const auto left = static_cast<std::size_t>(point.left);
     const std::optional<StruckColumn> struck = struck_column(run.problem, point);
-    csv += fmt::format("{},{},{},{}", csv_field(run.problem.buildings[left].name),
-                       csv_field(run.problem.buildings[left + 1].name), csv_number(point.elevation),
+    csv += fmt::format("{},{},{},{}", csv_field(run.problem.buildings[point.left].name),
+                       csv_field(run.problem.buildings[point.right].name), csv_number(point.elevation),
                        struck ? csv_field(run.problem.buildings[struck->building].name) : "");
     for (const Quantity* quantity : columns) csv += "," + csv_number(value_of(*quantity, run, {i, 0}));
     csv += "\n";

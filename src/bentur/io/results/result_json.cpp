@@ -198,10 +198,10 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(run.problem)) {
     Json points = Json::array();
-    for (const Eigen::Index i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.left).contact));
-    Json json = {{"between", between_json(run.problem, gap.left)}};
-    put_quantities(json, Owner::gap, run, gap.left);
-    json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.left, c.units.length);
+    for (const Eigen::Index i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.number).contact));
+    Json json = {{"between", between_json(run.problem, gap.number)}};
+    put_quantities(json, Owner::gap, run, gap.number);
+    json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.number, c.units.length);
     json["points"] = points;
     json["watched_floors"] = watched_list(run.problem, run.response, gap);
     gaps.push_back(json);
@@ -253,10 +253,10 @@ std::string gap_json(const RunResults& results, std::string_view version) {
   const std::vector<LevelSeparation> all = separations(problem, results.response, results.c.code, results.c.units);
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(problem)) {
-    gaps.push_back(gap_json_of(results.c, problem, of_gap(all, gap.left),
-                               displacement_scale(problem, results.response, gap.left),
-                               results.response.collapse_no_contact.has_value(), gap.left,
-                               screening(problem, gap.left, results.c.screening, results.c.units)));
+    gaps.push_back(gap_json_of(results.c, problem, of_gap(all, gap.number),
+                               displacement_scale(problem, results.response, gap.number),
+                               results.response.collapse_no_contact.has_value(), gap.number,
+                               screening(problem, gap.number, results.c.screening, results.c.units)));
   }
   put_judgements(told_judgements(results), gaps);
   return text_of({{"title", results.c.title},
@@ -288,8 +288,8 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
     }
   }
   for (const Gap& gap : gaps_of(problem)) {
-    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left,
-                               screening(problem, gap.left, c.screening, c.units)));
+    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.number), 0, false, gap.number,
+                               screening(problem, gap.number, c.screening, c.units)));
   }
   put_judgements(told_judgements(c, problem, spectral), gaps);
   return text_of(

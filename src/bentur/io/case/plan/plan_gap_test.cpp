@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/plan/plan_json.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur {
@@ -58,7 +58,7 @@ duration = 4
 
 PlanRun plan_gap_run(const std::string& text) {
   Diagnostics diagnostics;
-  auto c = read_plan_case_text(text, "a.toml", diagnostics);
+  auto c = read_case_text(text, "a.toml", diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   PlanProblem problem = make_plan_problem(*c);
   PlanResponse response = solve(problem, c->analysis.solver, solve_options(*c));
@@ -68,7 +68,7 @@ PlanRun plan_gap_run(const std::string& text) {
 
 std::vector<std::string> plan_gap_errors(const std::string& text) {
   Diagnostics diagnostics;
-  (void)read_plan_case_text(text, "a.toml", diagnostics);
+  (void)read_case_text(text, "a.toml", diagnostics);
   std::vector<std::string> errors;
   for (const Diagnostic& error : diagnostics.errors()) errors.push_back(error.message());
   return errors;
@@ -225,7 +225,7 @@ TEST(PlanGaps, RulesFromHeightsAlone) {
   const std::string code = "[code]\ngb-50011-2010 = { intensity = 8, system = \"frame\" }\n";
   Diagnostics diagnostics;
   const auto c =
-      read_plan_case_text(with_piece(three_in_plan, "[excitation]", code + "[excitation]"), "a.toml", diagnostics);
+      read_case_text(with_piece(three_in_plan, "[excitation]", code + "[excitation]"), "a.toml", diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   ASSERT_TRUE(c);
   const PlanProblem problem = make_plan_problem(*c);
@@ -256,14 +256,14 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   // The other gap closes, so that this is not what would do.
   EXPECT_TRUE(story_tells(gap_story(far), "gap_need_alone"));
   run.response.watched.clear();
-  EXPECT_THROW((void)pair_of(run, 0), InvalidParameter);
+  EXPECT_THROW((void)row_of(run), InvalidParameter);
 }
 
 /// What is unusual of levels that meet, as of rows.
 TEST(PlanGaps, AreRemarkedOnAsThoseOfRows) {
   const auto remarked = [](const std::string& text, const std::string& key) {
     Diagnostics diagnostics;
-    const auto c = read_plan_case_text(text, "a.toml", diagnostics);
+    const auto c = read_case_text(text, "a.toml", diagnostics);
     for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
     for (const Remark& one : remarks(*c, make_plan_problem(*c))) {
       if (one.key == key && one.subject == "A | B") return one.value;

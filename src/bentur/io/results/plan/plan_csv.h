@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 
 namespace bentur {
 

@@ -15,8 +15,8 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_frames.h"
-#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_places.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/story.h"
 #include "bentur/structure/modes.h"
@@ -146,20 +146,20 @@ Json normal_json(const Stretch& stretch) {
   return stretch.across == 0 ? "x" : "y";
 }
 
-Json plan_gap_json(const PlanRun& run, std::size_t g) {
+Json plan_gap_json(const PlanRun& run, const RunResults& row, std::size_t g) {
   const PlanGap& gap = run.problem.gaps[g];
-  const RunResults pair = pair_of(run, g);
+  const auto number = static_cast<Index>(g);
   const Index first = first_contact(run.problem, g);
   Json points = Json::array();
   for (Index i = first; i < first + std::ssize(gap.contacts); ++i) points.push_back(plan_point_json(run, i));
-  Json json = {{"between", between_json(pair.problem, 0)},
+  Json json = {{"between", between_json(row.problem, number)},
                {"normal", normal_json(gap.stretch)},
                {"width", gap.stretch.width},
                {"stretch", {gap.stretch.from, gap.stretch.to}}};
-  put_quantities(json, Owner::gap, run, {{static_cast<Index>(g)}});
-  json["unmodelled_contact"] = unmodelled_list(pair.problem, pair.response, 0, run.c.units.length, &gap);
+  put_quantities(json, Owner::gap, run, {{number}});
+  json["unmodelled_contact"] = unmodelled_list(row.problem, row.response, number, run.c.units.length, &run.problem);
   json["points"] = std::move(points);
-  json["watched_floors"] = watched_list(pair.problem, pair.response, gap_at(pair.problem, 0), &gap);
+  json["watched_floors"] = watched_list(row.problem, row.response, gap_at(row.problem, number), &run.problem);
   return json;
 }
 
@@ -202,9 +202,9 @@ Json plan_collapse_json(const PlanRun& run, const Collapse& collapse) {
           {"time", collapse.time}};
 }
 
-Json excitations_json(const PlanCase& c) {
-  Json json = excitation_json(c.excitation[0]);
-  Json y = excitation_json(c.excitation[1]);
+Json excitations_json(const Case& c) {
+  Json json = excitation_json(c.excitation);
+  Json y = excitation_json(c.excitation_y);
   y.erase("delays");
   y.erase("kinematics");
   json["angle"] = c.angle;
@@ -234,9 +234,10 @@ Json discrepancies_json(const std::vector<Discrepancy>& discrepancies) {
 }  // namespace
 
 std::string plan_summary_json(const PlanRun& run, std::string_view version) {
+  const auto row = row_of(run);
   Json buildings = Json::array(), gaps = Json::array(), impacts = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b));
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) gaps.push_back(plan_gap_json(run, g));
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) gaps.push_back(plan_gap_json(run, *row, g));
   put_judgements(told_judgements(run), gaps);
   for (Index i = 0; i < std::ssize(run.response.impacts); ++i) impacts.push_back(plan_impact_json(run, i));
   Json json = {{"title", run.c.title},
@@ -263,13 +264,14 @@ std::string plan_summary_json(const PlanRun& run, std::string_view version) {
 }
 
 std::string plan_gap_json(const PlanRun& run, std::string_view version) {
+  const auto row = row_of(run);
+  const std::vector<LevelSeparation> all = separations(row->problem, row->response, row->c.code, row->c.units);
   Json gaps = Json::array();
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    const RunResults pair = pair_of(run, g);
-    gaps.push_back(
-        gap_json_of(pair.c, pair.problem, separations(pair.problem, pair.response, pair.c.code, pair.c.units),
-                    displacement_scale(pair.problem, pair.response, 0), pair.response.collapse_no_contact.has_value(),
-                    0, plan_screening(run.c, run.problem, g), &run.problem.gaps[g]));
+  for (Index gap = 0; gap < gap_count(row->problem); ++gap) {
+    gaps.push_back(gap_json_of(row->c, row->problem, of_gap(all, gap),
+                               displacement_scale(row->problem, row->response, gap),
+                               row->response.collapse_no_contact.has_value(), gap,
+                               plan_screening(run.c, run.problem, static_cast<std::size_t>(gap)), &run.problem));
   }
   put_judgements(told_judgements(run), gaps);
   return text_of({{"title", run.c.title},
@@ -281,12 +283,10 @@ std::string plan_gap_json(const PlanRun& run, std::string_view version) {
                   {"gaps", std::move(gaps)}});
 }
 
-std::string plan_height_rules_json(const PlanCase& c, const PlanProblem& problem, std::string_view version) {
+std::string plan_height_rules_json(const Case& c, const PlanProblem& problem, std::string_view version) {
+  const Problem row = row_of(problem);
   Json gaps = Json::array();
-  for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
-    const RunResults pair = pair_of(c, problem, g);
-    gaps.push_back(height_gap_json(pair.c, pair.problem, 0));
-  }
+  for (Index gap = 0; gap < gap_count(row); ++gap) gaps.push_back(height_gap_json(c, row, gap));
   return text_of({{"title", c.title},
                   {"units", {{"length", c.units.length}, {"force", c.units.force}}},
                   {"version", version},

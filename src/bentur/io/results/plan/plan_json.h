@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 
 namespace bentur {
 
@@ -14,8 +14,7 @@ namespace bentur {
 [[nodiscard]] std::string plan_gap_json(const PlanRun& run, std::string_view version);
 
 /// What rules ask from heights alone, as height_rules_json() of a row's.
-[[nodiscard]] std::string plan_height_rules_json(const PlanCase& c, const PlanProblem& problem,
-                                                 std::string_view version);
+[[nodiscard]] std::string plan_height_rules_json(const Case& c, const PlanProblem& problem, std::string_view version);
 
 /// Periods, participation and effective mass fractions along x and y, and mass-normalised shapes of x, y, θ per floor.
 [[nodiscard]] std::string plan_modes_json(const PlanProblem& problem);
