@@ -161,7 +161,7 @@ void run_rules(const GapArguments& arguments) {
   const Case& c = loaded.c;
   const bool in_plan = c.is_in_plan();
   if (arguments.json) {
-    return print(in_plan ? plan_height_rules_json(c, loaded.plan, version())
+    return print(in_plan ? height_rules_json(c, loaded.plan, version())
                          : height_rules_json(c, loaded.problem, version()));
   }
   std::string text = c.title.empty() ? "" : c.title + "\n\n";
@@ -194,7 +194,7 @@ void run(const GapArguments& arguments) {
   };
   if (loaded.c.is_in_plan()) {
     const PlanRun run = simulate_plan(loaded, 0, true, arguments.language);
-    return print(arguments.json ? plan_gap_json(run, version()) : fitted(told(run, say("cli.plan_gap_note"))));
+    return print(arguments.json ? gap_json(run, version()) : fitted(told(run, say("cli.plan_gap_note"))));
   }
   const RunResults run = simulate(loaded, 0, true, arguments.language);
   print(arguments.json ? gap_json(run, version()) : fitted(told(run, say("cli.gap_note"))));

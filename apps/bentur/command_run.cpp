@@ -9,10 +9,10 @@
 #include "bentur/core/version.h"
 #include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/files/figure_files.h"
@@ -169,12 +169,13 @@ std::string law_text(const RunResults& run, const RunView& view, const Words& sa
   return "\n" + say("cli.laws") + "\n\n" + table.text() + note;
 }
 
-std::string summary_text(const RunResults& run, const Words& say) {
+using cli::run_tables;  // of buildings in plan
+
+/// Points, laws, links and floors of a row, as tables.
+std::string run_tables(const RunResults& run, const Words& say) {
   const RunView view = run.view();
   const Problem& problem = run.problem;
-  std::string text = heading(run.c, say) + "\n";
-  const Story story = run_story(run);
-  text += story_text(problem, story, say, Told::outcome);
+  std::string text;
   for (const Gap& gap : gaps_of(problem)) {
     if (gap.points.empty()) continue;
     text += "\n" + say("cli.contact", {{"gap", gap_name(problem, gap.number)}}) + "\n\n" +
@@ -215,16 +216,25 @@ std::string summary_text(const RunResults& run, const Words& say) {
     }
     text += yielding_table(view, b, say);
   }
-  text += "\n" + say("cli.storeys") + "\n\n" + story_text(problem, story, say, Told::remarks);
+  return text;
+}
+
+template <class Run>
+std::string summary_text(const Run& run, const Words& say) {
+  const std::vector<std::string> gaps = gap_names(run.problem);
+  const Story story = run_story(run);
+  std::string text = heading(run.c, say) + "\n" + story_text(gaps, story, say, Told::outcome) + run_tables(run, say) +
+                     "\n" + say("cli.storeys") + "\n\n" + story_text(gaps, story, say, Told::remarks);
   if (run.response.energy) {
+    const ShownUnits shown = shown_units(run);
     text += "\n" +
-            say("cli.energy", {{"input", number(view.shown.force * run.response.energy->peak_input)},
-                               {"force", view.shown.units.force},
+            say("cli.energy", {{"input", number(shown.force * run.response.energy->peak_input)},
+                               {"force", shown.units.force},
                                {"length", run.c.units.length},
                                {"residual", number(run.response.energy->relative_residual())}}) +
             "\n";
   }
-  const std::string all = number(problem.duration);
+  const std::string all = number(run.problem.duration);
   return text + "\n" +
          say("cli.solver",
              {{"solver", solver_name(run.c.analysis.solver)},
@@ -284,8 +294,6 @@ void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
   if (!run.is_whole()) throw Failure(exit_other, "");
 }
 
-std::string summary_text(const PlanRun& run, const Words& say) { return plan_summary_text(run, say); }
-
 /// Writes what is asked for and prints the summary.
 template <class Run>
 void tell(const RunArguments& arguments, const Run& run, const std::string& summary, const std::string& impacts,
@@ -326,7 +334,7 @@ void execute(const RunArguments& arguments) {
   const double step = output ? loaded.c.analysis.output_step : 0;
   if (loaded.c.is_in_plan()) {
     const PlanRun run = simulate_plan(loaded, step, !arguments.quiet, arguments.language);
-    return tell(arguments, run, plan_summary_json(run, version()), impacts_csv(run), output);
+    return tell(arguments, run, summary_json(run, version()), impacts_csv(run), output);
   }
   RunResults run = simulate(loaded, step, !arguments.quiet, arguments.language);
   if (!arguments.figures.empty()) run.figures = figure_data(run);

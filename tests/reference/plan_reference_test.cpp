@@ -36,7 +36,7 @@ void judge_plan(const std::string& name, const Solver& solver, int factor) {
   EXPECT_LE(response.energy->relative_residual(), factor > 1 ? 1e-8 : 1e-12);
   const std::string stem =
       (fs::path(BENTUR_BINARY_DIR) / ("reference-" + name)).string() + std::string(bentur::name(solver));
-  std::ofstream(stem + ".json") << plan_summary_json({*c, problem, response}, "test");
+  std::ofstream(stem + ".json") << summary_json({*c, problem, response}, "test");
   const auto run = [](const std::string& command) { EXPECT_EQ(std::system(command.c_str()), 0) << command; };
   std::string expected = (plan_folder / (name + ".expected.json")).string();
   if (name == touches_at_rest) {

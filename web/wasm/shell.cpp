@@ -19,7 +19,6 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
@@ -286,7 +285,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
 }
 
 std::string Studio::summary() const {
-  if (plan_run_) return plan_summary_json(*plan_run_, version());
+  if (plan_run_) return summary_json(*plan_run_, version());
   if (suite_run_) return suite_run_json(*suite_run_, *suite_gaps_, version());
   return run_ ? summary_json(*run_, version()) : "";
 }
@@ -297,14 +296,14 @@ std::string Studio::impacts() const {
 }
 
 std::string Studio::gaps() const {
-  if (plan_run_) return plan_gap_json(*plan_run_, version());
+  if (plan_run_) return gap_json(*plan_run_, version());
   if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, version());
   if (suite_gaps_) return gap_study_json(*suite_gaps_, version(), suite_said_json(*suite_run_, *suite_gaps_));
   return run_ ? gap_json(*run_, version()) : "";
 }
 
 std::string Studio::modes() const {
-  if (plan_) return plan_modes_json(*plan_);
+  if (plan_) return modes_json(*plan_);
   return problem_ ? modes_json(problem_->buildings, case_->units) : "";
 }
 

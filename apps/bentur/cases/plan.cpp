@@ -76,7 +76,7 @@ void print_plan_modes(PlanProblem problem, bool by_jacobi, bool json) {
       building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
     }
   }
-  if (json) return print(plan_modes_json(problem));
+  if (json) return print(modes_json(problem));
   std::string text;
   for (const PlanBuilding& building : problem.buildings) text += (text.empty() ? "" : "\n") + modes_text(building);
   print(fitted(text));

@@ -7,7 +7,7 @@
 
 namespace bentur::cli {
 
-/// What is told of a run of buildings in plan on a terminal.
-[[nodiscard]] std::string plan_summary_text(const PlanRun& run, const Words& say);
+/// Points, links, floors, foundations, bearings and planes of a run of buildings in plan, as tables.
+[[nodiscard]] std::string run_tables(const PlanRun& run, const Words& say);
 
 }  // namespace bentur::cli

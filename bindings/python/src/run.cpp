@@ -11,7 +11,6 @@
 #include "bentur/io/file_identity.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_csv.h"
@@ -169,7 +168,7 @@ py::list impacts(const PyRun& run) {
 
 std::string summary(PyRun& run) {
   tell_source(run);
-  return run.plan ? plan_summary_json(*run.plan, version()) : summary_json(run.results, version());
+  return run.plan ? summary_json(*run.plan, version()) : summary_json(run.results, version());
 }
 
 const std::vector<Remark>& remarks_of(const PyRun& run) { return run.plan ? run.plan->remarks : run.results.remarks; }
@@ -180,7 +179,7 @@ std::string table_of_impacts(const PyRun& run) {
 
 std::string gaps(PyRun& run) {
   tell_source(run);
-  return run.plan ? plan_gap_json(*run.plan, version()) : gap_json(run.results, version());
+  return run.plan ? gap_json(*run.plan, version()) : gap_json(run.results, version());
 }
 
 /// Writes the results into a folder by the rules that the command line has. @return the names of the files.
@@ -226,7 +225,7 @@ std::string modes(const PyCase& given, bool jacobi) {
       if (!jacobi || building.is_rigid()) continue;
       building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
     }
-    return plan_modes_json(problem);
+    return modes_json(problem);
   }
   std::vector<Building> buildings = given.problem.buildings;
   for (Building& building : buildings) {
@@ -343,7 +342,7 @@ void bind_run(py::module_& module) {
   module.def(
       "height_rules_json",
       [](const PyCase& given) {
-        if (given.plan) return plan_height_rules_json(given.c, *given.plan, version());
+        if (given.plan) return height_rules_json(given.c, *given.plan, version());
         return height_rules_json(given.c, given.problem, version());
       },
       py::arg("case"));

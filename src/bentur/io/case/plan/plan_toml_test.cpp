@@ -149,7 +149,7 @@ TEST(PlanToml, ReadsAll) {
   EXPECT_NEAR(damping, whole, 1e-12 * whole);
   const PlanResponse response = solve(problem);
   EXPECT_EQ(response.status, Status::done) << response.message;
-  EXPECT_NE(plan_summary_json({c, problem, response}, "test").find("\"peak_storey_torque\""), std::string::npos);
+  EXPECT_NE(summary_json({c, problem, response}, "test").find("\"peak_storey_torque\""), std::string::npos);
 }
 
 /// A polygon whose corner stands before a wall, and the same in the common plan's coordinates.
@@ -317,7 +317,7 @@ TEST(PlanToml, CornerSlidesAlongAWall) {
                 1e-11 * response.points[0].peak_force);
     EXPECT_EQ(response.friction[1].friction_loss, 0);
     EXPECT_GT(along.sliding, 0);
-    const std::string json = plan_summary_json({*read.c, problem, response}, "test");
+    const std::string json = summary_json({*read.c, problem, response}, "test");
     EXPECT_NE(json.find("\"friction_loss\""), std::string::npos);
   }
 }

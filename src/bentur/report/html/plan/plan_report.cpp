@@ -10,7 +10,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
 #include "bentur/excitation/motion_measures.h"
-#include "bentur/io/results/plan/plan_csv.h"
+#include "bentur/io/results/result_csv.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/hand_in.h"

@@ -13,8 +13,8 @@
 #include "bentur/files/result_netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_csv.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/plan/plan_row.h"
@@ -269,7 +269,7 @@ TEST(PlanReport, OfResultsIsThatOfTheRun) {
   PlanRun run = test::plan_run(test::twisting_pair());
   const TemporaryFolder folder;
   AtomicFiles files(folder.path());
-  files.add("summary.json", plan_summary_json(run, "0"), ResultKind::summary);
+  files.add("summary.json", summary_json(run, "0"), ResultKind::summary);
   files.add("histories.nc", histories_netcdf(run, "0"), ResultKind::histories);
   files.add("case.toml", run.c.source->text, ResultKind::case_copy);
   files.commit();
