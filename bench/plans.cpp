@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include "bench/timing.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 
 namespace bentur::bench {
@@ -44,7 +45,7 @@ PlanProblem houses(int count, int columns, double clear, int storeys, const std:
   }
   for (int n = 0; n < count; ++n) text += house(n, n % columns, n / columns, clear, storeys);
   Diagnostics diagnostics;
-  const auto c = read_plan_case_text(text, "houses.toml", diagnostics);
+  const auto c = read_case_text(text, "houses.toml", diagnostics);
   if (!c) throw std::runtime_error(diagnostics.errors().front().text());
   return make_plan_problem(*c);
 }

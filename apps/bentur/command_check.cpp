@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "arguments.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/report/errors.h"
 #include "cases/plan.h"
 #include "commands.h"
@@ -71,13 +71,26 @@ std::string infill_text(const Building& building, const Units& units) {
 }
 
 void run(const std::string& file, const Words& say) {
-  if (is_plan_case(file)) return check_plan(file, say.language());
-  const Loaded loaded = load(file, Purpose::no_run, say.language());
+  const Loaded loaded = load(file, Purpose::no_run, say.language(), Takes::rows_and_plans);
   std::string text = fmt::format("{}: no errors\n", file);
   if (!loaded.c.title.empty()) {
     text += loaded.c.title + "\n";
   }
-  text += excitation_line(loaded.c, say) + "\n";
+  text += excitation_lines(loaded.c, say);
+  const auto solver = [&] {
+    return fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
+                       loaded.c.analysis.energy_audit ? ", energy audit" : "");
+  };
+  const auto refuse = [&](const std::string& why) {
+    if (why.empty()) return;
+    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = why}, say.language()));
+  };
+  if (loaded.c.is_in_plan()) {
+    refuse(beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
+    const Story unusual = {remark_statements(remarks(loaded.c, loaded.plan))};
+    return print(
+        fitted(text + plan_lines(loaded) + solver() + story_text(gap_names(loaded.plan), unusual, say, Told::all)));
+  }
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     const Building& building = loaded.problem.buildings[b];
     if (building.is_rigid()) {
@@ -115,15 +128,12 @@ void run(const std::string& file, const Words& say) {
     print(fitted(text + say("suite.takes_all") + "\n" + unusual));
     return;
   }
-  text += fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
-                      loaded.c.analysis.energy_audit ? ", energy audit" : "");
+  text += solver();
   SolveOptions options;
   options.output_step = loaded.c.analysis.output_step;
   options.energy_audit = loaded.c.analysis.energy_audit;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
-  if (!refusal.empty())
-    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, say.language()));
+  refuse(beyond_limits(loaded.c, loaded.problem, needed));
   print(fitted(text + effort_text(loaded, needed) + unusual));
 }
 

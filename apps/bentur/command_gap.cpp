@@ -6,16 +6,16 @@
 
 #include "arguments.h"
 #include "bentur/core/version.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/rules_json.h"
 #include "bentur/model/gap/spectral_gap.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/errors.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/gap/gap_study_story.h"
 #include "cases/gap_text.h"
-#include "cases/plan.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "session.h"
@@ -71,7 +71,7 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
     return;
   }
   std::string text = c.title.empty() ? "" : c.title + "\n";
-  text += excitation_line(c, say) + "\n";
+  text += excitation_line(c.excitation, c.units, say) + "\n";
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     text += "\n" + peaks_text(loaded.problem.buildings[b], spectral.peaks[b], c.units.length, say);
   }
@@ -157,17 +157,17 @@ void run_rules(const GapArguments& arguments) {
                   error_words("bentur gap: --record is for simulated gaps, not for --rules", arguments.language));
   }
   const Words say(arguments.language);
-  if (is_plan_case(arguments.file)) return print_plan_rules(arguments.file, arguments.json, arguments.language);
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
+  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   const Case& c = loaded.c;
+  const bool in_plan = c.is_in_plan();
   if (arguments.json) {
-    print(height_rules_json(c, loaded.problem, version()));
-    return;
+    return print(in_plan ? height_rules_json(c, loaded.plan, version())
+                         : height_rules_json(c, loaded.problem, version()));
   }
   std::string text = c.title.empty() ? "" : c.title + "\n\n";
-  const Story story = height_rules_story(c, loaded.problem);
-  if (!story.tables.empty())
-    text += tables_text(gap_names(loaded.problem), story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
+  const Story story = in_plan ? height_rules_story(c, loaded.plan) : height_rules_story(c, loaded.problem);
+  const std::vector<std::string> names = in_plan ? gap_names(loaded.plan) : gap_names(loaded.problem);
+  if (!story.tables.empty()) text += tables_text(names, story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
   print(fitted(text + codes_note(c.code, say)));
 }
 
@@ -181,29 +181,23 @@ void run(const GapArguments& arguments) {
   }
   if (arguments.at)
     throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
-  if (is_plan_case(arguments.file)) {
-    if (arguments.record) {
-      throw Failure(exit_bad_input,
-                    error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
-    }
-    return print_plan_gaps(arguments.file, arguments.json, arguments.language);
-  }
   const Words say(arguments.language);
-  Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
+  Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   if (loaded.c.excitation.suite) {
     return tell_suite(arguments, loaded);
   }
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);
-  const RunResults results = simulate(loaded, 0, true, arguments.language);
-  if (arguments.json) {
-    print(gap_json(results, version()));
-    return;
+  const auto told = [&](const auto& run, const std::string& note) {
+    return heading(run.c, say) +
+           all_gaps_text(gap_names(run.problem), run.c.code, gap_story(run), {note, say("screening.note")}, say);
+  };
+  if (loaded.c.is_in_plan()) {
+    const PlanRun run = simulate_plan(loaded, 0, true, arguments.language);
+    return print(arguments.json ? gap_json(run, version()) : fitted(told(run, say("cli.plan_gap_note"))));
   }
-  std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
-  text += excitation_line(loaded.c, say) + "\n";
-  print(fitted(text + all_gaps_text(gap_names(results.problem), results.c.code, gap_story(results),
-                                    {say("cli.gap_note"), say("screening.note")}, say)));
+  const RunResults run = simulate(loaded, 0, true, arguments.language);
+  print(arguments.json ? gap_json(run, version()) : fitted(told(run, say("cli.gap_note"))));
 }
 
 }  // namespace

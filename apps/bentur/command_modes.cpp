@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "arguments.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/structure/modes.h"
 #include "cases/plan.h"
@@ -77,10 +77,10 @@ struct ModesArguments {
 };
 
 void run(const ModesArguments& arguments) {
-  if (is_plan_case(arguments.file)) {
-    return print_plan_modes(arguments.file, arguments.method == "jacobi", arguments.json);
+  Loaded loaded = load(arguments.file, Purpose::no_run, "en", Takes::rows_and_plans);
+  if (loaded.c.is_in_plan()) {
+    return print_plan_modes(std::move(loaded.plan), arguments.method == "jacobi", arguments.json);
   }
-  Loaded loaded = load(arguments.file, Purpose::no_run);
   if (arguments.method == "jacobi") {
     for (Building& building : loaded.problem.buildings) {
       if (building.modes.omega.size() < building.model.dofs()) continue;  // known by some modes alone, or by none

@@ -10,7 +10,6 @@
 
 #include "arguments.h"
 #include "bentur/core/version.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/studies/remedy_figure.h"
@@ -19,7 +18,6 @@
 #include "bentur/study/remedy/least_gap.h"
 #include "bentur/study/remedy/remedy.h"
 #include "bentur/study/remedy/remedy_story.h"
-#include "cases/plan.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
@@ -62,9 +60,9 @@ std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::fi
 
 /// Of a case as it stands: the least gap, which wants no search.
 LeastGaps gaps_of(const RemedyArguments& arguments) {
-  if (is_plan_case(arguments.study)) return least_gaps(simulate_plan(arguments.study, arguments.language));
-  const Loaded loaded = load(arguments.study, Purpose::no_run, arguments.language);
+  const Loaded loaded = load(arguments.study, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   const Case& c = loaded.c;
+  if (c.is_in_plan()) return least_gaps(simulate_plan(loaded, 0, true, arguments.language));
   if (c.excitation.suite) {
     const SuiteRun run = run_records(loaded, true, arguments.language);
     const GapStudy study = run.is_whole() ? gaps_over_records(loaded, arguments.study, arguments.language) : GapStudy();

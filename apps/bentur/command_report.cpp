@@ -10,7 +10,6 @@
 #include "bentur/core/version.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_variable.h"
@@ -21,7 +20,6 @@
 #include "bentur/report/html/suite_report.h"
 #include "bentur/report/studies/sweep_report.h"
 #include "bentur/report/words.h"
-#include "cases/plan.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
@@ -91,6 +89,9 @@ std::string from_case(const Loaded& loaded, const std::string& file, const Repor
     const SpectralGaps gaps = spectral_gaps(loaded.problem, *spectrum, loaded.c.code, loaded.c.units);
     return spectral_report_html(loaded.c, loaded.problem, gaps, options);
   }
+  if (loaded.c.is_in_plan()) {
+    return plan_report_html(simulate_plan(loaded, report_output_step(loaded.plan), true, options.language), options);
+  }
   RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
   results.figures = figure_data(results);
   return report_html(results, options);
@@ -135,11 +136,7 @@ void run(const ReportArguments& arguments) {
     throw Failure(exit_bad_input,
                   error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
   }
-  if (!from_files && is_plan_case(input)) {
-    const ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
-    return report_plan(arguments.input, arguments.head, arguments.output, arguments.force, options);
-  }
-  Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language);
+  Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   // Before the work, so that a place that cannot be written to costs none.
   std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;

@@ -9,16 +9,17 @@
 #include "bentur/core/version.h"
 #include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/files/figure_files.h"
 #include "bentur/report/files/picture.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
-#include "cases/plan.h"
+#include "cases/plan_text.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
@@ -99,7 +100,7 @@ std::string struck_table(const RunView& run, const Gap& gap, const Words& say) {
   std::vector<TableColumn> columns =
       table_columns(Owner::point, run, places_of(points), say.number(), QuantityTable::struck);
   columns.insert(columns.begin(), {say("cli.column_of"), "", struck});
-  return "\n" + say("cli.columns", {{"gap", gap_name(run.problem, gap.left)}}) + "\n\n" +
+  return "\n" + say("cli.columns", {{"gap", gap_name(run.problem, gap.number)}}) + "\n\n" +
          table_of(std::move(columns), run, elevations, say).text();
 }
 
@@ -168,16 +169,16 @@ std::string law_text(const RunResults& run, const RunView& view, const Words& sa
   return "\n" + say("cli.laws") + "\n\n" + table.text() + note;
 }
 
-std::string summary_text(const RunResults& run, const Words& say) {
+using cli::run_tables;  // of buildings in plan
+
+/// Points, laws, links and floors of a row, as tables.
+std::string run_tables(const RunResults& run, const Words& say) {
   const RunView view = run.view();
   const Problem& problem = run.problem;
-  std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
-  text += excitation_line(run.c, say) + "\n\n";
-  const Story story = run_story(run);
-  text += story_text(problem, story, say, Told::outcome);
+  std::string text;
   for (const Gap& gap : gaps_of(problem)) {
     if (gap.points.empty()) continue;
-    text += "\n" + say("cli.contact", {{"gap", gap_name(problem, gap.left)}}) + "\n\n" +
+    text += "\n" + say("cli.contact", {{"gap", gap_name(problem, gap.number)}}) + "\n\n" +
             quantity_table(view, Owner::point, places_of(points_from_top(gap)), say).text() +
             struck_table(view, gap, say);
   }
@@ -215,16 +216,25 @@ std::string summary_text(const RunResults& run, const Words& say) {
     }
     text += yielding_table(view, b, say);
   }
-  text += "\n" + say("cli.storeys") + "\n\n" + story_text(problem, story, say, Told::remarks);
+  return text;
+}
+
+template <class Run>
+std::string summary_text(const Run& run, const Words& say) {
+  const std::vector<std::string> gaps = gap_names(run.problem);
+  const Story story = run_story(run);
+  std::string text = heading(run.c, say) + "\n" + story_text(gaps, story, say, Told::outcome) + run_tables(run, say) +
+                     "\n" + say("cli.storeys") + "\n\n" + story_text(gaps, story, say, Told::remarks);
   if (run.response.energy) {
+    const ShownUnits shown = shown_units(run);
     text += "\n" +
-            say("cli.energy", {{"input", number(view.shown.force * run.response.energy->peak_input)},
-                               {"force", view.shown.units.force},
+            say("cli.energy", {{"input", number(shown.force * run.response.energy->peak_input)},
+                               {"force", shown.units.force},
                                {"length", run.c.units.length},
                                {"residual", number(run.response.energy->relative_residual())}}) +
             "\n";
   }
-  const std::string all = number(problem.duration);
+  const std::string all = number(run.problem.duration);
   return text + "\n" +
          say("cli.solver",
              {{"solver", solver_name(run.c.analysis.solver)},
@@ -247,12 +257,14 @@ class RunOutput {
                  {.inputs = loaded.files, .force = arguments.force, .is_netcdf = &is_netcdf_result}, *loaded.c.source),
         pictures_(results_, arguments.figures) {}
 
-  void write(const RunResults& run, const std::string& summary) {
-    results_.write(*run.c.source, summary, impacts_csv(run.view()), histories_netcdf(run, version()));
+  template <class Run>
+  void write(const Run& run, const std::string& summary, const std::string& impacts) {
+    results_.write(*run.c.source, summary, impacts, histories_netcdf(run, version()));
   }
 
   /// Draws what the run has to show into the folder "figures" beside its results.
-  void write_pictures(const RunResults& run) const {
+  template <class Run>
+  void write_pictures(const Run& run) const {
     pictures_.write(run_figures(run, RunPictures::options(arguments_.language)), arguments_.quiet);
   }
 
@@ -276,11 +288,24 @@ void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
     print(suite_run_json(run, gaps, version()));
   } else if (!arguments.quiet) {
     const Words say(arguments.language);
-    std::string text = loaded.c.title.empty() ? "" : loaded.c.title + "\n";
-    text += excitation_line(loaded.c, say) + "\n\n" + story_text(run.problem, suite_story(run, gaps), say, Told::all);
+    std::string text = heading(loaded.c, say) + "\n" + story_text(run.problem, suite_story(run, gaps), say, Told::all);
     print(fitted(text + "\n" + wrapped(say("suite.note")) + "\n"));
   }
   if (!run.is_whole()) throw Failure(exit_other, "");
+}
+
+/// Writes what is asked for and prints the summary.
+template <class Run>
+void tell(const RunArguments& arguments, const Run& run, const std::string& summary, const std::string& impacts,
+          std::optional<RunOutput>& output) {
+  if (output) output->write(run, summary, impacts);
+  if (arguments.json) {
+    print(summary);
+  } else if (!arguments.quiet) {
+    print(fitted(summary_text(run, Words(arguments.language))));
+  }
+  if (output && !arguments.quiet) message(written_line(*run.c.source, arguments.directory));
+  if (!arguments.figures.empty()) output->write_pictures(run);
 }
 
 void execute(const RunArguments& arguments) {
@@ -301,30 +326,19 @@ void execute(const RunArguments& arguments) {
     message(error_words("No case given: running the built-in example m12-el-centro.", arguments.language));
   }
   if (arguments.file.empty() && arguments.record) refuse("--record needs a CASE");
-  if (!arguments.file.empty() && is_plan_case(arguments.file)) {
-    if (arguments.record) refuse("--record is for a case with excitation.kind = \"suite\"");
-    return run_plan(
-        {arguments.file, arguments.directory, arguments.figures, arguments.json, arguments.quiet, arguments.force},
-        arguments.language);
-  }
   Loaded loaded = arguments.file.empty() ? load_example("m12-el-centro")
                                          : load_for_run(arguments.file, arguments.record, arguments.language);
   if (loaded.c.excitation.suite) return execute_suite(arguments, loaded);
   std::optional<RunOutput> output;
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
-  RunResults run = simulate(loaded, output ? loaded.c.analysis.output_step : 0, !arguments.quiet, arguments.language);
+  const double step = output ? loaded.c.analysis.output_step : 0;
+  if (loaded.c.is_in_plan()) {
+    const PlanRun run = simulate_plan(loaded, step, !arguments.quiet, arguments.language);
+    return tell(arguments, run, summary_json(run, version()), impacts_csv(run), output);
+  }
+  RunResults run = simulate(loaded, step, !arguments.quiet, arguments.language);
   if (!arguments.figures.empty()) run.figures = figure_data(run);
-  const std::string summary = summary_json(run, version());
-  if (output) output->write(run, summary);
-  if (arguments.json) {
-    print(summary);
-  } else if (!arguments.quiet) {
-    print(fitted(summary_text(run, Words(arguments.language))));
-  }
-  if (output && !arguments.quiet) {
-    message(written_line(*loaded.c.source, arguments.directory));
-  }
-  if (!arguments.figures.empty()) output->write_pictures(run);
+  tell(arguments, run, summary_json(run, version()), impacts_csv(run.view()), output);
 }
 
 }  // namespace

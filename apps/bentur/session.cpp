@@ -107,22 +107,24 @@ Notice::~Notice() {
 Failure::Failure(const Diagnostics& diagnostics, const std::string& language)
     : Failure(exit_bad_input, all_of(diagnostics, language)) {}
 
-Loaded load(const std::filesystem::path& file, Purpose purpose, const std::string& language) {
+Loaded load(const std::filesystem::path& file, Purpose purpose, const std::string& language, Takes takes) {
   Diagnostics diagnostics;
-  std::vector<Building> buildings;
+  MadeParts made;
   std::optional<Case> c;
   {
     const Notice notice("reading the case and computing the modes of its buildings");
     Progress display("of the spectra of the records");
-    c = read_case(file, diagnostics, &buildings, [&](double fraction) { display.show(fraction); });
+    c = read_case(file, diagnostics, &made, [&](double fraction) { display.show(fraction); });
   }
   if (!c) throw Failure(diagnostics, language);
+  if (takes == Takes::rows && refuse_plan(*c, file, diagnostics)) throw Failure(diagnostics, language);
+  std::vector<std::filesystem::path> files = files_read(*c);
+  files.push_back(file);
+  if (c->is_in_plan()) return {std::move(*c), {}, std::move(made.plan), std::move(files)};
   if (purpose == Purpose::run && refuse_without_motion(*c, diagnostics)) throw Failure(diagnostics, language);
   try {
-    Problem problem = make_still_problem(*c, std::move(buildings));
-    std::vector<std::filesystem::path> files = files_read(*c);
-    files.push_back(file);
-    return {std::move(*c), std::move(problem), std::move(files)};
+    Problem problem = make_still_problem(*c, std::move(made.buildings));
+    return {std::move(*c), std::move(problem), {}, std::move(files)};
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, error_text({.position = {.file = file.string()}, .rule = error.what()}, language));
   }
@@ -151,23 +153,40 @@ void refuse_unless_done(Status status, const std::string& message, double done, 
   }
 }
 
+namespace {
+
+void refuse_beyond_limits(const Loaded& loaded, const std::string& refusal, const std::string& language) {
+  if (refusal.empty()) return;
+  const std::string file = loaded.files.back().string();
+  throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));
+}
+
+}  // namespace
+
 RunResults simulate(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
   SolveOptions options = solve_options(loaded.c);
   options.output_step = output_step;
   options.energy_step = loaded.c.analysis.output_step;
   options.course = output_step > 0;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  const std::string refusal = beyond_limits(loaded.c, loaded.problem, needed);
-  if (!refusal.empty()) {
-    const std::string file = loaded.files.back().string();
-    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = refusal}, language));
-  }
+  refuse_beyond_limits(loaded, beyond_limits(loaded.c, loaded.problem, needed), language);
   const std::string warning = long_run_text(loaded, needed);
   if (progress && !warning.empty()) message(warning);
   Response response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);
   });
   return run_results(loaded.c, loaded.problem, std::move(response));
+}
+
+PlanRun simulate_plan(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
+  SolveOptions options = solve_options(loaded.c);
+  if (output_step > 0) options.output_step = output_step;
+  refuse_beyond_limits(loaded, beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, options)),
+                       language);
+  PlanResponse response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
+    return solve(loaded.plan, loaded.c.analysis.solver, shown);
+  });
+  return run_results(loaded.c, loaded.plan, std::move(response));
 }
 
 std::string solver_name(const Solver& solver) {
@@ -235,7 +254,15 @@ std::string excitation_line(const ExcitationSpec& excitation, const Units& units
   return line;
 }
 
-std::string excitation_line(const Case& c, const Words& say) { return excitation_line(c.excitation, c.units, say); }
+std::string excitation_lines(const Case& c, const Words& say) {
+  const std::string text = excitation_line(c.excitation, c.units, say) + "\n";
+  if (std::holds_alternative<NoMotion>(c.excitation_y.motion)) return text;
+  return text + say("cli.along_y", {{"motion", excitation_line(c.excitation_y, c.units, say)}}) + "\n";
+}
+
+std::string heading(const Case& c, const Words& say) {
+  return (c.title.empty() ? "" : c.title + "\n") + excitation_lines(c, say);
+}
 
 std::string story_text(const std::vector<std::string>& gaps, const Story& story, const Words& say, Told told) {
   std::string text;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/story_text.h"
 
@@ -68,16 +69,19 @@ class Notice {
 
 struct Loaded {
   Case c;
-  Problem problem;
+  Problem problem;                           ///< of a row
+  PlanProblem plan;                          ///< in its place, of buildings in plan
   std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
 /// What a case is read for: a run, which a spectrum has nothing for, or what needs no course in time.
 enum class Purpose { run, no_run };
+/// Which cases are taken.
+enum class Takes { rows, rows_and_plans };
 
 /// Reads a case and makes its problem. @throws Failure with every error found, told in that language (exit_bad_input).
 [[nodiscard]] Loaded load(const std::filesystem::path& file, Purpose purpose = Purpose::run,
-                          const std::string& language = "en");
+                          const std::string& language = "en", Takes takes = Takes::rows);
 
 /// The same for an example built into the program. @throws Failure when there is none of that name.
 [[nodiscard]] Loaded load_example(const std::string& name);
@@ -126,12 +130,19 @@ auto solve_shown(Options options, bool progress, const std::string& language, co
 [[nodiscard]] RunResults simulate(const Loaded& loaded, double output_step, bool progress,
                                   const std::string& language = "en");
 
+/// The same of buildings in plan, without a warning.
+[[nodiscard]] PlanRun simulate_plan(const Loaded& loaded, double output_step, bool progress,
+                                    const std::string& language = "en");
+
 /// "exact", or another one with its number: "runge-kutta, step 0.006 s".
 [[nodiscard]] std::string solver_name(const Solver& solver);
 
 /// What shakes the buildings, in one line: the record as it was read, or the harmonic motion.
-[[nodiscard]] std::string excitation_line(const Case& c, const Words& say);
 [[nodiscard]] std::string excitation_line(const ExcitationSpec& excitation, const Units& units, const Words& say);
+/// The same of a case, in plan along x and y.
+[[nodiscard]] std::string excitation_lines(const Case& c, const Words& say);
+/// The title, where there is one, and excitation_lines().
+[[nodiscard]] std::string heading(const Case& c, const Words& say);
 /// The unit of a record's numbers: "m/s²".
 [[nodiscard]] std::string unit_of(const RecordEcho& record);
 /// What was read from a record file, and how.

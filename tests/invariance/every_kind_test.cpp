@@ -133,7 +133,8 @@ std::vector<WatchedFloor> faces_alone(const Problem& problem) {
   const auto add = [&](Eigen::Index left, const Eigen::VectorXd& left_row, const Eigen::VectorXd& right_row) {
     for (const double sign : {1.0, -1.0}) {
       WatchedFloor one;
-      one.left = one.floor_of = left;
+      one.left = one.floor_of = one.gap = left;
+      one.right = left + 1;
       one.left_row = sign * left_row;
       one.right_row = sign * right_row;
       alone.push_back(one);

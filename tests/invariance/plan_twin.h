@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bentur/io/case/case_toml.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 
 // Rows of sticks and frames stood in plan: symmetric floors with their stiffness in two planes, shaken along x.
 namespace bentur::test {
@@ -63,13 +63,13 @@ inline std::vector<PlanPlane> planes_of(PlaneFrame frame) {
   return {low, high, plane_of(springs, 0.5, false, 400), plane_of(springs, 9.5, false, 400)};
 }
 
-inline std::optional<PlanBuildingSpec> twin_of(const BuildingSpec& spec, double corner) {
+inline std::optional<BuildingSpec> twin_of(const BuildingSpec& spec, double corner) {
   const Footprint footprint{.corner = {corner, -3}, .size = twin_size};
-  PlanBuildingSpec twin{.name = spec.name,
-                        .structure = PlanWall{footprint, {}},
-                        .damping = spec.damping,
-                        .tangent_damping = spec.tangent_damping,
-                        .base_elevation = spec.base_elevation};
+  BuildingSpec twin{.name = spec.name,
+                    .structure = PlanWall{footprint, {}},
+                    .damping = spec.damping,
+                    .tangent_damping = spec.tangent_damping,
+                    .base_elevation = spec.base_elevation};
   if (const auto* wall = std::get_if<RigidSpec>(&spec.structure)) {
     twin.structure = PlanWall{footprint, wall->elevations};
     return twin;
@@ -100,7 +100,7 @@ inline std::optional<PlanBuildingSpec> twin_of(const BuildingSpec& spec, double 
 inline Footprint under(const Eigen::Matrix2d& map, const Footprint& from) {
   return {.corner = (map * from.corner).cwiseMin(map * from.far_corner()), .size = map.cwiseAbs() * from.size};
 }
-inline void put_under(const Eigen::Matrix2d& map, PlanBuildingSpec& building) {
+inline void put_under(const Eigen::Matrix2d& map, BuildingSpec& building) {
   if (auto* wall = std::get_if<PlanWall>(&building.structure)) {
     wall->footprint = under(map, wall->footprint);
     return;
@@ -138,9 +138,9 @@ inline bool ends_part(const Case& c) {
 }
 
 /// Nothing where the row has more in it than sticks and walls one distance apart.
-inline std::optional<PlanCase> twin_of(const Case& c, int points, const Eigen::Matrix2d& map) {
+inline std::optional<Case> twin_of(const Case& c, int points, const Eigen::Matrix2d& map) {
   if (is_without_motion(c) || !c.links.empty() || ends_part(c)) return std::nullopt;
-  PlanCase twin;
+  Case twin;
   twin.units = c.units;
   double corner = 2;
   for (std::size_t b = 0; b < c.buildings.size(); ++b) {
@@ -157,9 +157,10 @@ inline std::optional<PlanCase> twin_of(const Case& c, int points, const Eigen::M
   }
   for (std::size_t g = 0; g < c.gaps.size(); ++g) {
     const StructuralModel left = structural_model(c.buildings[g]), right = structural_model(c.buildings[g + 1]);
-    PlanGapSpec gap{.left = static_cast<Eigen::Index>(g),
-                    .right = static_cast<Eigen::Index>(g) + 1,
-                    .stretch = *facing(twin.buildings[g].footprint(), twin.buildings[g + 1].footprint())};
+    GapSpec gap;
+    gap.left = static_cast<Eigen::Index>(g);
+    gap.right = gap.left + 1;
+    gap.stretch = *facing(twin.buildings[g].footprint(), twin.buildings[g + 1].footprint());
     gap.stretch.width = c.gaps[g].widths.front();  // without the round-off of where edges are
     gap.levels = floors_of_points(c.gaps[g], {c.buildings[g], left}, {c.buildings[g + 1], right});
     if (gap.stretch.swapped) {
@@ -171,7 +172,7 @@ inline std::optional<PlanCase> twin_of(const Case& c, int points, const Eigen::M
     gap.contact = c.gaps[g].contact;
     twin.gaps.push_back(std::move(gap));
   }
-  twin.excitation[0] = c.excitation;
+  twin.excitation = c.excitation;
   twin.angle = std::atan2(map(1, 0), map(0, 0)) * 180 / std::numbers::pi;
   twin.initial = {triples_of(c.initial.displacements, map), triples_of(c.initial.velocities, map)};
   twin.analysis = c.analysis;

@@ -18,7 +18,7 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "tests/invariance/plan_twin.h"
 #include "tests/invariance/random_building.h"
 #include "tests/reference/shared_folder.h"
@@ -202,13 +202,12 @@ class TwinsOfRows {
           sensitive * (std::any_of(row.gaps.begin(), row.gaps.end(), is_integrated_law) ? 1e-8 : 1e-9);
       expect_twins(problem, plan, *wanted, tolerance, map(0, 0) == 0);
       watched += expect_watched_twins(problem, plan, row_problem, *wanted, tolerance);
-      for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
-        const PlanGap& gap = problem.gaps[g];
-        const RunResults pair = pair_of({*twin, problem, plan}, g);
+      const auto seen = row_of(PlanRun{*twin, problem, plan});
+      for (const Gap& gap : gaps_of(seen->problem)) {
         const Eigen::Index left = std::min(gap.left, gap.right);
         const double needed = gap_needed(row_problem, *wanted, left);
-        EXPECT_NEAR(gap_needed(pair.problem, pair.response, 0), needed, 10 * tolerance * (1e-9 + needed));
-        EXPECT_EQ(unmodelled_contacts(pair.problem, pair.response, 0).size(),
+        EXPECT_NEAR(gap_needed(seen->problem, seen->response, gap.number), needed, 10 * tolerance * (1e-9 + needed));
+        EXPECT_EQ(unmodelled_contacts(seen->problem, seen->response, gap.number).size(),
                   2 * unmodelled_contacts(row_problem, *wanted, left).size());
       }
       twins += 1;
@@ -381,7 +380,7 @@ TEST(PlanTwins, OfFramesWithHinges) {
 }
 
 /// Two sticks under gravity that yield, with so much on the left one and collapse at so much drift; and their twin.
-std::pair<Case, PlanCase> under_gravity(const std::string& loads, double collapse_drift) {
+std::pair<Case, Case> under_gravity(const std::string& loads, double collapse_drift) {
   Diagnostics diagnostics;
   auto row = read_case_text(
       "units = { length = \"m\", force = \"kN\" }\n"

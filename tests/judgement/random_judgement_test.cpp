@@ -129,7 +129,7 @@ std::set<std::string> said(const Story& story) {
 
 /// The same in plan, where it stands for the row: each gap is judged alike, for the same reasons, in the same words.
 void examine_twin(const Case& c, const RunResults& given, const std::vector<JudgedGap>& row, Judged& tally) {
-  const std::optional<PlanCase> twin = twin_of(c, 2, Eigen::Matrix2d::Identity());
+  const std::optional<Case> twin = twin_of(c, 2, Eigen::Matrix2d::Identity());
   if (!twin) return;
   PlanProblem problem = make_plan_problem(*twin);
   PlanResponse response = solve(problem, ExactSolver{}, judged_options());

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "tests/reference/shared_folder.h"
 
@@ -27,7 +27,7 @@ const std::string touches_at_rest = "plan-yielding-planes";
 void judge_plan(const std::string& name, const Solver& solver, int factor) {
   SCOPED_TRACE(name + ", " + std::string(bentur::name(solver)));
   Diagnostics diagnostics;
-  const auto c = read_plan_case(plan_folder / (name + ".toml"), diagnostics);
+  const auto c = read_case(plan_folder / (name + ".toml"), diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   ASSERT_TRUE(c);
   const PlanProblem problem = make_plan_problem(*c);
@@ -36,7 +36,7 @@ void judge_plan(const std::string& name, const Solver& solver, int factor) {
   EXPECT_LE(response.energy->relative_residual(), factor > 1 ? 1e-8 : 1e-12);
   const std::string stem =
       (fs::path(BENTUR_BINARY_DIR) / ("reference-" + name)).string() + std::string(bentur::name(solver));
-  std::ofstream(stem + ".json") << plan_summary_json({*c, problem, response}, "test");
+  std::ofstream(stem + ".json") << summary_json({*c, problem, response}, "test");
   const auto run = [](const std::string& command) { EXPECT_EQ(std::system(command.c_str()), 0) << command; };
   std::string expected = (plan_folder / (name + ".expected.json")).string();
   if (name == touches_at_rest) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/input_file.h"
 
 namespace bentur::test {
@@ -12,9 +12,10 @@ namespace bentur::test {
 /// A run of buildings in plan with histories and energies.
 inline PlanRun plan_run(const std::string& text, double output_step = 0.01) {
   Diagnostics diagnostics;
-  PlanProblem problem;
+  MadeParts made;
+  PlanProblem& problem = made.plan;
   const std::string file = std::string(BENTUR_SOURCE_DIR) + "/examples/plan/case.toml";
-  auto c = read_plan_case_text(text, file, diagnostics, &problem);
+  auto c = read_case_text(text, file, diagnostics, &made);
   if (!c) throw std::runtime_error(diagnostics.errors().front().text());
   SolveOptions options = solve_options(*c);
   options.output_step = output_step;

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/study/study_runs.h"
@@ -83,8 +83,9 @@ class PlanStudy : public testing::Test {
     std::string text = case_;
     change(text);
     Diagnostics diagnostics;
-    PlanProblem problem;
-    const auto c = read_plan_case_text(text, folder_.path() / "case.toml", diagnostics, &problem);
+    MadeParts made;
+    PlanProblem& problem = made.plan;
+    const auto c = read_case_text(text, folder_.path() / "case.toml", diagnostics, &made);
     for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
     PlanResponse response = solve(problem, c->analysis.solver, {.levels = true});
     std::vector<double> row(row_size(runs.quantities()));

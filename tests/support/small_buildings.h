@@ -54,7 +54,8 @@ inline Building wall() { return oscillator(1e15, 1e20); }
 
 inline ContactPoint contact(double width, double stiffness, int floor = 0, int left = 0) {
   ContactPoint point;
-  point.left = left;
+  point.left = point.gap = left;
+  point.right = left + 1;
   point.left_floor = floor;
   point.right_floor = floor;
   point.elevation = floor + 1.0;

@@ -19,7 +19,6 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
@@ -156,26 +155,18 @@ std::string Studio::open(const std::string& text, const std::string& file) {
     if (std::optional<Json> answer = too_large(*root)) return *answer;
     const std::string name = path.string();  // which the view refers to
     const TomlView view(*root, "", name, diagnostics);
-    const CaseSource source{.file = file, .text = text, .sha256 = sha256(text)};
-    const auto refused = [&]() -> Json { return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}}; };
-    if (plan_of(view)) {
-      ReadPlan read = read_plan_case_parts(view, path.parent_path(), diagnostics, memo_.get());
-      if (!diagnostics.ok()) return refused();
-      read.c.source = source;
-      read.c.given = std::make_shared<const TomlValue>(*root);
-      for (ExcitationSpec& one : read.c.excitation) know(one);
-      plan_ = std::move(read);
-      return {{"ok", true}, {"errors", Json::array()}};
-    }
     ReadCase read = read_case_parts(view, path.parent_path(), diagnostics, memo_.get());
-    if (!diagnostics.ok()) return refused();
-    Problem problem = is_without_motion(read.c) ? make_still_problem(read.c, read.made_buildings()) : read.problem();
+    if (!diagnostics.ok()) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
+    if (read.plan) {
+      plan_ = std::move(read.plan);
+    } else {
+      problem_ = is_without_motion(read.c) ? make_still_problem(read.c, read.made_buildings()) : read.problem();
+    }
     suite_ = read.c.excitation.suite;
-    read.c.source = source;
+    read.c.source = CaseSource{.file = file, .text = text, .sha256 = sha256(text)};
     read.c.given = std::make_shared<const TomlValue>(*root);
-    know(read.c.excitation);
+    for (ExcitationSpec* const one : {&read.c.excitation, &read.c.excitation_y}) know(*one);
     case_ = std::move(read.c);
-    problem_ = std::move(problem);
     return {{"ok", true}, {"errors", Json::array()}};
   });
 }
@@ -194,7 +185,7 @@ std::string Studio::contacts() const {
     if (plan_) return {{"ok", true}, {"errors", Json::array()}, {"counts", Json::array()}};
     if (!problem_) return failure("no case is open");
     std::vector<int> counts(problem_->buildings.size() - 1);
-    for (const ContactPoint& point : problem_->points) ++counts[static_cast<std::size_t>(point.left)];
+    for (const ContactPoint& point : problem_->points) ++counts[static_cast<std::size_t>(point.gap)];
     return {{"ok", true}, {"errors", Json::array()}, {"counts", counts}};
   });
 }
@@ -252,8 +243,8 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
     };
     if (plan_) {
-      const PlanCase& c = plan_->c;
-      const PlanProblem& problem = plan_->problem;
+      const Case& c = *case_;
+      const PlanProblem& problem = *plan_;
       SolveOptions options = options_of(c, problem, output_step);
       PlanResponse response;
       const auto refused = [&](const Effort& needed) { return beyond_limits(c, needed); };
@@ -294,7 +285,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
 }
 
 std::string Studio::summary() const {
-  if (plan_run_) return plan_summary_json(*plan_run_, version());
+  if (plan_run_) return summary_json(*plan_run_, version());
   if (suite_run_) return suite_run_json(*suite_run_, *suite_gaps_, version());
   return run_ ? summary_json(*run_, version()) : "";
 }
@@ -305,14 +296,14 @@ std::string Studio::impacts() const {
 }
 
 std::string Studio::gaps() const {
-  if (plan_run_) return plan_gap_json(*plan_run_, version());
+  if (plan_run_) return gap_json(*plan_run_, version());
   if (spectral_) return spectral_gap_json(*case_, *problem_, *spectral_, version());
   if (suite_gaps_) return gap_study_json(*suite_gaps_, version(), suite_said_json(*suite_run_, *suite_gaps_));
   return run_ ? gap_json(*run_, version()) : "";
 }
 
 std::string Studio::modes() const {
-  if (plan_) return plan_modes_json(plan_->problem);
+  if (plan_) return modes_json(*plan_);
   return problem_ ? modes_json(problem_->buildings, case_->units) : "";
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_parts.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/run_results.h"
@@ -107,7 +107,7 @@ class Studio {
   std::size_t record_ = 0;                  // from 1; 0: all
   std::optional<SuiteRun> suite_run_;       // and its gaps
   std::optional<GapStudy> suite_gaps_;
-  std::optional<ReadPlan> plan_;  // in place of case and problem, and its run
+  std::optional<PlanProblem> plan_;  // in place of the problem, and its run
   std::optional<PlanRun> plan_run_;
   GroundMotion motion_;  // of the figures that were made last, which another width of the gap leaves their spectrum
   FigureData figures_;

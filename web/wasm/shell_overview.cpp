@@ -9,8 +9,8 @@
 #include "bentur/core/version.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
-#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_places.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/spectral_report.h"
@@ -155,7 +155,7 @@ namespace {
 
 std::vector<std::string> names_of(const Problem& problem) {
   std::vector<std::string> names;
-  for (const Gap& gap : gaps_of(problem)) names.push_back(gap_name(problem, gap.left));
+  for (const Gap& gap : gaps_of(problem)) names.push_back(gap_name(problem, gap.number));
   return names;
 }
 
@@ -227,7 +227,7 @@ std::string Studio::overview(const std::string& language) const {
       const std::vector<JudgedGap> judged = judged_gaps(*case_, *problem_, *spectral_);
       for (const Gap& gap : gaps_of(*problem_)) {
         gaps.push_back(
-            gap_overview(*problem_, gap.left, governing(*spectral_, gap.left), judged.at(gap.left).facts, say));
+            gap_overview(*problem_, gap.number, governing(*spectral_, gap.number), judged.at(gap.number).facts, say));
       }
       Json all = overview_of(case_->title, case_->units, problem_->duration, gaps, names_of(*problem_),
                              spectral_story(*case_, *problem_, *spectral_), say);
@@ -238,12 +238,12 @@ std::string Studio::overview(const std::string& language) const {
     const RunResults& run = *run_;
     const std::vector<JudgedGap> judged = judged_gaps(run);
     for (const Gap& gap : gaps_of(run.problem)) {
-      gaps.push_back(gap_overview(run.problem, gap.left, gap_outcome(run.problem, run.response, gap.left).governing,
-                                  judged.at(gap.left).facts, say));
+      gaps.push_back(gap_overview(run.problem, gap.number, gap_outcome(run.problem, run.response, gap.number).governing,
+                                  judged.at(gap.number).facts, say));
     }
     Json points = Json::array();
     for (const ContactPoint& point : run.problem.points) {
-      points.push_back({{"gap", point.left}, {"elevation", point.elevation}});
+      points.push_back({{"gap", point.gap}, {"elevation", point.elevation}});
     }
     Json all =
         overview_of(run.c.title, run.c.units, run.problem.duration, gaps, names_of(run.problem), run_story(run), say);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_places.h"
-#include "bentur/model/story/story.h"
 #include "session.h"
 #include "text/table.h"
 
@@ -106,7 +104,7 @@ std::string link_tables(const PlanRun& run, const Words& say) {
     const std::string name = link_name(run.problem, run.problem.links[places.front().item]);
     Table table;
     table.add(say("cli.level"), run.c.units.length, levels);
-    text += "\n" + say("cli.links", {{"link", name}, {"law", run.c.links[spec].link.law}}) + "\n\n" +
+    text += "\n" + say("cli.links", {{"link", name}, {"law", run.c.links[spec].law}}) + "\n\n" +
             with_columns(std::move(table), table_columns(Owner::link, run, places, say.number()));
   }
   return text;
@@ -114,23 +112,12 @@ std::string link_tables(const PlanRun& run, const Words& say) {
 
 }  // namespace
 
-std::string plan_motion_text(const PlanRun& run, const Words& say) {
-  std::string text = run.c.title.empty() ? "" : run.c.title + "\n";
-  text += excitation_line(run.c.excitation[0], run.c.units, say) + "\n";
-  if (!std::holds_alternative<NoMotion>(run.problem.motions[1])) {
-    text += say("cli.along_y", {{"motion", excitation_line(run.c.excitation[1], run.c.units, say)}}) + "\n";
-  }
-  return text;
-}
-
-std::string plan_summary_text(const PlanRun& run, const Words& say) {
+std::string run_tables(const PlanRun& run, const Words& say) {
   const PlanProblem& problem = run.problem;
-  const std::vector<std::string> gaps = gap_names(problem);
-  std::string text = plan_motion_text(run, say);
-  const Story story = run_story(run);
-  text += "\n" + story_text(gaps, story, say, Told::outcome);
-  for (std::size_t g = 0; g < gaps.size(); ++g) {
-    text += "\n" + say("cli.contact", {{"gap", gaps[g]}}) + "\n\n" + contact_table(run, g, say);
+  std::string text;
+  for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
+    const std::string name = gap_name(problem, problem.gaps[g]);
+    text += "\n" + say("cli.contact", {{"gap", name}}) + "\n\n" + contact_table(run, g, say);
   }
   text += link_tables(run, say);
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
@@ -139,23 +126,7 @@ std::string plan_summary_text(const PlanRun& run, const Words& say) {
     if (problem.buildings[b].is_rigid()) text += "  " + say("cli.moves") + "\n";
     text += foundation_table(run, b, say) + bearing_table(run, b, say) + plane_table(run, b, say);
   }
-  text += "\n" + say("cli.storeys") + "\n\n" + story_text(gaps, story, say, Told::remarks);
-  if (run.response.energy) {
-    const ShownUnits shown = shown_units(run);
-    text += "\n" +
-            say("cli.energy", {{"input", number(shown.force * run.response.energy->peak_input)},
-                               {"force", shown.units.force},
-                               {"length", run.c.units.length},
-                               {"residual", number(run.response.energy->relative_residual())}}) +
-            "\n";
-  }
-  return text + "\n" +
-         say("cli.solver", {{"solver", solver_name(run.c.analysis.solver)},
-                            {"time", number(problem.duration)},
-                            {"ms", number(1e3 * run.response.wall_time)},
-                            {"steps", std::to_string(run.response.steps)},
-                            {"events", std::to_string(run.response.events)}}) +
-         "\n";
+  return text;
 }
 
 }  // namespace bentur::cli

@@ -2,15 +2,12 @@
 
 #include <string>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/report/words.h"
 
 namespace bentur::cli {
 
-/// The title, and what shakes the buildings.
-[[nodiscard]] std::string plan_motion_text(const PlanRun& run, const Words& say);
-
-/// What is told of a run of buildings in plan on a terminal.
-[[nodiscard]] std::string plan_summary_text(const PlanRun& run, const Words& say);
+/// Points, links, floors, foundations, bearings and planes of a run of buildings in plan, as tables.
+[[nodiscard]] std::string run_tables(const PlanRun& run, const Words& say);
 
 }  // namespace bentur::cli

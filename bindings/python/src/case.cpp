@@ -28,23 +28,18 @@ std::shared_ptr<PyCase> read_unlocked(std::shared_ptr<const TomlValue> given, co
                                       const fs::path& folder, std::optional<CaseSource> source, Diagnostics& found) {
   auto made = std::make_shared<PyCase>();
   const TomlView view(*given, "", name, found);
-  if (plan_of(view)) {
-    ReadPlan& plan = made->plan.emplace(read_plan_case_parts(view, folder, found));
-    plan.c.source = std::move(source);
-    plan.c.given = given;
-  } else {
-    ReadCase parts = read_case_parts(view, folder, found);
-    if (found.ok()) {
-      try {
-        made->problem = is_without_motion(parts.c) ? make_still_problem(parts.c) : parts.problem();
-      } catch (const InvalidParameter& error) {
-        found.error({name, 0, 0}, error.what());
-      }
+  ReadCase parts = read_case_parts(view, folder, found);
+  if (found.ok() && !parts.plan) {
+    try {
+      made->problem = is_without_motion(parts.c) ? make_still_problem(parts.c) : parts.problem();
+    } catch (const InvalidParameter& error) {
+      found.error({name, 0, 0}, error.what());
     }
-    made->c = std::move(parts.c);
-    made->c.source = std::move(source);
-    made->c.given = given;
   }
+  made->plan = std::move(parts.plan);
+  made->c = std::move(parts.c);
+  made->c.source = std::move(source);
+  made->c.given = given;
   made->root = std::move(given);
   made->name = name;
   made->folder = folder;
@@ -113,7 +108,7 @@ std::shared_ptr<PyCase> with_record(const PyCase& given, std::size_t record) {
 
 py::dict excitation_of(const PyCase& given) {
   py::dict found;
-  const ExcitationSpec& excitation = given.excitation();
+  const ExcitationSpec& excitation = given.c.excitation;
   if (const auto* sampled = std::get_if<SampledMotion>(&excitation.motion)) {
     found["time_step"] = sampled->time_step;
     found["acceleration"] = array_of(sampled->acceleration);
@@ -140,7 +135,7 @@ std::string PyCase::text_in(const fs::path& of) const {
     is_moved = is_moved || fs::path(way).lexically_normal() != fs::path(named).lexically_normal();
     return way;
   });
-  return source() && !is_moved ? source()->text : toml_file(is_moved ? moved : *root);
+  return c.source && !is_moved ? c.source->text : toml_file(is_moved ? moved : *root);
 }
 
 void bind_case(py::module_& module) {
@@ -164,25 +159,23 @@ void bind_case(py::module_& module) {
       .def("is_same", &are_same, py::arg("other"))
       .def("text_in", &PyCase::text_in, py::arg("folder"))
       .def_property_readonly("has_own_law", [](const PyCase& c) { return has_own_law(*c.root); })
-      .def_property_readonly("title", [](const PyCase& c) { return c.title(); })
+      .def_property_readonly("title", [](const PyCase& c) { return c.c.title; })
       .def_property_readonly("folder", [](const PyCase& c) { return c.folder; })
       .def_property_readonly("name", [](const PyCase& c) { return c.name; })
       .def_property_readonly(
           "text",
-          [](const PyCase& c) -> py::object { return c.source() ? py::object(py::str(c.source()->text)) : py::none(); })
-      .def_property_readonly("length", [](const PyCase& c) { return c.units().length; })
-      .def_property_readonly("force", [](const PyCase& c) { return c.units().force; })
-      .def_property_readonly("gravity", [](const PyCase& c) { return c.units().gravity; })
-      .def_property_readonly("duration", [](const PyCase& c) { return c.analysis().duration; })
-      .def_property_readonly("output_step", [](const PyCase& c) { return c.analysis().output_step; })
-      .def_property_readonly("energy_audit", [](const PyCase& c) { return c.analysis().energy_audit; })
+          [](const PyCase& c) -> py::object { return c.c.source ? py::object(py::str(c.c.source->text)) : py::none(); })
+      .def_property_readonly("length", [](const PyCase& c) { return c.c.units.length; })
+      .def_property_readonly("force", [](const PyCase& c) { return c.c.units.force; })
+      .def_property_readonly("gravity", [](const PyCase& c) { return c.c.units.gravity; })
+      .def_property_readonly("duration", [](const PyCase& c) { return c.c.analysis.duration; })
+      .def_property_readonly("output_step", [](const PyCase& c) { return c.c.analysis.output_step; })
+      .def_property_readonly("energy_audit", [](const PyCase& c) { return c.c.analysis.energy_audit; })
       .def_property_readonly("excitation", &excitation_of)
       .def_property_readonly("buildings",
                              [](const PyCase& c) {
                                std::vector<std::string> names;
-                               for (const Building& building : c.problem.buildings) names.push_back(building.name);
-                               if (!c.plan) return names;
-                               for (const PlanBuildingSpec& one : c.plan->c.buildings) names.push_back(one.name);
+                               for (const BuildingSpec& one : c.c.buildings) names.push_back(one.name);
                                return names;
                              })
       .def("matrices", [](const PyCase& c, std::size_t b) {
@@ -193,7 +186,7 @@ void bind_case(py::module_& module) {
           found["elevations"] = array_of(model.elevations);
         };
         if (c.plan) {
-          take(c.plan->problem.buildings.at(b).model);
+          take(c.plan->buildings.at(b).model);
         } else {
           take(c.problem.buildings.at(b).model);
         }

@@ -9,18 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_parts.h"
 #include "bentur/io/results/result_variable.h"
 #include "bentur/io/toml/toml_value.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur::python {
 
 /// A case with its problem, and the values it was read from, so that others can be put into it.
 struct PyCase {
-  Case c;  ///< with `problem` of a row, else empty
-  Problem problem;
-  std::optional<ReadPlan> plan;  ///< of buildings in plan
+  Case c;
+  Problem problem;                  ///< of a row
+  std::optional<PlanProblem> plan;  ///< in its place, of buildings in plan
   std::shared_ptr<const TomlValue> root;
   std::string name;              ///< that messages carry
   std::filesystem::path folder;  ///< that record files are relative to
@@ -28,11 +29,6 @@ struct PyCase {
   /// The case as a file in a folder has it: the text that it was read from, where the files that it names are found
   /// from there too, else written anew.
   [[nodiscard]] std::string text_in(const std::filesystem::path& of) const;
-  [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : c.title; }
-  [[nodiscard]] const Units& units() const { return plan ? plan->c.units : c.units; }
-  [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : c.analysis; }
-  [[nodiscard]] const std::optional<CaseSource>& source() const { return plan ? plan->c.source : c.source; }
-  [[nodiscard]] const ExcitationSpec& excitation() const { return plan ? plan->c.excitation[0] : c.excitation; }
 };
 
 /// A run and all that is told of it. Arrays that Python gets look into it and keep it alive.

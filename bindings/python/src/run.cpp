@@ -11,7 +11,6 @@
 #include "bentur/io/file_identity.h"
 #include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_csv.h"
@@ -96,14 +95,14 @@ auto watched(SolveOptions& options, const py::object& progress, const Solve& sol
 /// As solved() of buildings in plan.
 std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double> output_step,
                                       const py::object& progress) {
-  ReadPlan plan = *given.plan;
-  SolveOptions options = solve_options(plan.c);
-  options.output_step = output_step.value_or(report_output_step(plan.problem));
-  if (!output_step) options.energy_step = plan.c.analysis.output_step;
-  refuse(beyond_limits(plan.c, effort(plan.problem, plan.c.analysis.solver, options)), given);
-  PlanResponse response =
-      watched(options, progress, [&] { return solve(plan.problem, plan.c.analysis.solver, options); });
-  PlanRun run = run_results(std::move(plan.c), std::move(plan.problem), std::move(response));
+  PlanProblem problem = *given.plan;
+  const AnalysisSpec& analysis = given.c.analysis;
+  SolveOptions options = solve_options(analysis);
+  options.output_step = output_step.value_or(report_output_step(problem));
+  if (!output_step) options.energy_step = analysis.output_step;
+  refuse(beyond_limits(given.c, effort(problem, analysis.solver, options)), given);
+  PlanResponse response = watched(options, progress, [&] { return solve(problem, analysis.solver, options); });
+  PlanRun run = run_results(given.c, std::move(problem), std::move(response));
   return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
 }
 
@@ -169,7 +168,7 @@ py::list impacts(const PyRun& run) {
 
 std::string summary(PyRun& run) {
   tell_source(run);
-  return run.plan ? plan_summary_json(*run.plan, version()) : summary_json(run.results, version());
+  return run.plan ? summary_json(*run.plan, version()) : summary_json(run.results, version());
 }
 
 const std::vector<Remark>& remarks_of(const PyRun& run) { return run.plan ? run.plan->remarks : run.results.remarks; }
@@ -180,7 +179,7 @@ std::string table_of_impacts(const PyRun& run) {
 
 std::string gaps(PyRun& run) {
   tell_source(run);
-  return run.plan ? plan_gap_json(*run.plan, version()) : gap_json(run.results, version());
+  return run.plan ? gap_json(*run.plan, version()) : gap_json(run.results, version());
 }
 
 /// Writes the results into a folder by the rules that the command line has. @return the names of the files.
@@ -221,12 +220,12 @@ std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& fold
 
 std::string modes(const PyCase& given, bool jacobi) {
   if (given.plan) {
-    PlanProblem problem = given.plan->problem;
+    PlanProblem problem = *given.plan;
     for (PlanBuilding& building : problem.buildings) {
       if (!jacobi || building.is_rigid()) continue;
       building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
     }
-    return plan_modes_json(problem);
+    return modes_json(problem);
   }
   std::vector<Building> buildings = given.problem.buildings;
   for (Building& building : buildings) {
@@ -345,7 +344,7 @@ void bind_run(py::module_& module) {
   module.def(
       "height_rules_json",
       [](const PyCase& given) {
-        if (given.plan) return plan_height_rules_json(given.plan->c, given.plan->problem, version());
+        if (given.plan) return height_rules_json(given.c, *given.plan, version());
         return height_rules_json(given.c, given.problem, version());
       },
       py::arg("case"));

@@ -114,7 +114,7 @@ class PyStudy {
     for (const std::size_t run : numbers) {
       if (!goes_on()) break;
       const PyCase& one = *cases_[run];
-      auto result = one.plan ? runs_->solve_case(run, one.plan->c, one.plan->problem, goes_on)
+      auto result = one.plan ? runs_->solve_case(run, one.c, *one.plan, goes_on)
                              : runs_->solve_case(run, one.c, one.problem, goes_on);
       if (!result) break;
       found.push_back(*std::move(result));
@@ -189,7 +189,7 @@ std::shared_ptr<PyStudy> of_cases(const std::vector<std::shared_ptr<PyCase>>& ca
   const PyCase& first = *cases.at(0);
   StudyFacts facts;
   facts.problem = first.problem;
-  if (first.plan) facts.plan = first.plan->problem;
+  if (first.plan) facts.plan = first.plan;
   facts.units = first.units();
   facts.title = first.title();
   facts.energy_audit = first.analysis().energy_audit;
@@ -202,7 +202,7 @@ std::shared_ptr<PyStudy> of_cases(const std::vector<std::shared_ptr<PyCase>>& ca
     if (a.length != b.length || a.force != b.force || a.gravity != b.gravity) refuse("has other units than cases[0]");
     if (one.plan.has_value() != first.plan.has_value()) refuse("is not in plan or in a row as cases[0] is");
     if (one.analysis().energy_audit != facts.energy_audit) refuse("has another analysis.energy_audit than cases[0]");
-    if (!(one.plan ? take_places(one.plan->problem, facts) : take_places(one.problem, facts))) {
+    if (!(one.plan ? take_places(*one.plan, facts) : take_places(one.problem, facts))) {
       refuse("has other numbers of floors, contact points or links than cases[0], or other buildings that can yield");
     }
   }

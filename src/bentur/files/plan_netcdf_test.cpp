@@ -14,8 +14,8 @@
 #include "bentur/files/result_netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_csv.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/story/story.h"
 #include "tests/support/plan_run.h"
@@ -128,7 +128,7 @@ void expect_read_back(PlanRun run) {
   run.c.source->copied = true;
   const TemporaryFolder folder;
   AtomicFiles files(folder.path());
-  files.add("summary.json", plan_summary_json(run, "0"), ResultKind::summary);
+  files.add("summary.json", summary_json(run, "0"), ResultKind::summary);
   files.add("histories.nc", histories_netcdf(run, "0"), ResultKind::histories);
   files.add("case.toml", run.c.source->text, ResultKind::case_copy);
   files.commit();
@@ -136,7 +136,7 @@ void expect_read_back(PlanRun run) {
   read.response.wall_time = run.response.wall_time;
   read.c.source->copied = true;
   EXPECT_EQ(impacts_csv(read), impacts_csv(run));
-  EXPECT_EQ(plan_summary_json(read, "0"), plan_summary_json(run, "0"));
+  EXPECT_EQ(summary_json(read, "0"), summary_json(run, "0"));
   EXPECT_EQ(histories_netcdf(read, "0"), histories_netcdf(run, "0"));
   const std::vector<Statement> told = run_story(run).statements, again = run_story(read).statements;
   ASSERT_EQ(again.size(), told.size());
@@ -210,7 +210,7 @@ TEST(PlanReading, FramesWithHingesAreWhatWasWritten) {
   EXPECT_EQ(tells("hinges") + tells("hinges_none"), 2);
   EXPECT_EQ(tells("columns_break") + tells("columns_whole"), 1);
   EXPECT_EQ(run_story(run).tables.front().kind, tells("columns_break") > 0 ? "broken_columns" : "hinges");
-  const std::string json = plan_summary_json(run, "0");
+  const std::string json = summary_json(run, "0");
   for (const char* const key : {"\"hinge_order\"", "\"rotation_demand\"", "\"mechanism\"", "\"breaking_columns\"",
                                 "\"hinge_energy\"", "\"peak_edge_drift_ratio\""}) {
     EXPECT_NE(json.find(key), std::string::npos) << key;
@@ -234,7 +234,7 @@ TEST(PlanReading, RefusesWhatIsNotOfOneRun) {
     std::ofstream(folder.path() / name, std::ios::binary) << text;
   };
   write("histories.nc", histories_netcdf(run, "0"));
-  write("summary.json", plan_summary_json(run, "0"));
+  write("summary.json", summary_json(run, "0"));
   EXPECT_THROW((void)read_plan_results(folder.path()), std::runtime_error);  // without its case
   write("case.toml", run.c.source->text + "# changed\n");
   EXPECT_THROW((void)read_plan_results(folder.path()), std::runtime_error);

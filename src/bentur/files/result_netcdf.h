@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {

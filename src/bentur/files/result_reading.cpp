@@ -16,13 +16,14 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/json_position.h"
 #include "bentur/io/results/judged_by_json.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
+#include "bentur/io/toml/toml_value.h"
+#include "bentur/model/plan/plan_row.h"
 
 namespace bentur {
 namespace {
@@ -130,13 +131,15 @@ void read_gap(const UnorderedJson& json, const Gap& gap, const fs::path& file, R
   for (const UnorderedJson& entry : json.value("watched_floors", UnorderedJson::array())) {
     const bool of_left = entry.at("floor_of") == problem.buildings.at(gap.left).name;
     WatchedFloor floor;
-    floor.left = static_cast<int>(gap.left);
-    floor.floor_of = floor.left + (of_left ? 0 : 1);
+    floor.left = gap.left;
+    floor.right = gap.right;
+    floor.gap = gap.number;
+    floor.floor_of = of_left ? gap.left : gap.right;
     floor.elevation = entry.at("elevation");
     floor.width = entry.at("width");
-    floor.floor = nearest_floor(problem.buildings.at(gap.left + (of_left ? 0 : 1)), floor.elevation);
+    floor.floor = nearest_floor(problem.buildings.at(floor.floor_of), floor.elevation);
     if (entry.at("faces") == "floor") {
-      floor.facing_floor = nearest_floor(problem.buildings.at(gap.left + (of_left ? 1 : 0)), floor.elevation);
+      floor.facing_floor = nearest_floor(problem.buildings.at(floor.faced()), floor.elevation);
     }
     results.problem.watched.push_back(floor);
     results.response.watched.push_back(watched_summary(entry, json));
@@ -223,7 +226,7 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
   read_collapses(
       json, file, results.problem.buildings, [](const Building& building) { return building.model.storey_number(0); },
       results.response);
-  for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.left), gap, file, results);
+  for (const Gap& gap : gaps_of(results.problem)) read_gap(json.at("gaps").at(gap.number), gap, file, results);
   std::size_t links = 0;
   for (const UnorderedJson& table : json.value("links", UnorderedJson::array())) {
     read_link_table(table, links, file, results);
@@ -249,7 +252,7 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
   if (!c) return;
   Problem problem = make_problem(*c);
   const auto same_places = [](const ContactPoint& a, const ContactPoint& b) {
-    return a.left == b.left && a.elevation == b.elevation && a.width == b.width;
+    return a.gap == b.gap && a.elevation == b.elevation && a.width == b.width;
   };
   const auto same_links = [](const Link& a, const Link& b) {
     return a.left == b.left && a.right == b.right && a.elevation == b.elevation;
@@ -288,10 +291,11 @@ void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun&
   UnorderedJson along_y = along_x.at("y");
   for (const char* key : {"delays", "kinematics"}) along_y[key] = along_x.at(key);
   double longest = 0;
-  for (const auto& [component, told] : {std::pair(0, &along_x), std::pair(1, &std::as_const(along_y))}) {
+  for (const auto& [of, told] :
+       {std::pair(&run.c.excitation, &along_x), std::pair(&run.c.excitation_y, &std::as_const(along_y))}) {
     if (told->at("kind") != "record") continue;
-    run.c.excitation.at(component).record = excitation(*told).record;
-    longest = std::max(longest, run.c.excitation.at(component).record->duration);
+    of->record = excitation(*told).record;
+    longest = std::max(longest, of->record->duration);
   }
   const TomlValue* const analysis = run.c.given->find("analysis");
   if (longest > 0 && (analysis == nullptr || analysis->find("duration") == nullptr)) {
@@ -357,9 +361,11 @@ PlanRun read_plan_results(const NetcdfReader& histories) {
   if (histories.attribute("case_sha256") != hash) fail(histories.name(), "is not of the case that stands beside it");
   Diagnostics diagnostics;
   PlanRun run;
-  std::optional<PlanCase> c = read_plan_case_without_records(text, file, diagnostics, &run.problem);
-  if (!c) fail(file, "is no case of buildings in plan of this version");
+  MadeParts made;
+  std::optional<Case> c = read_case_without_record(text, file, diagnostics, &made);
+  if (!c || !c->is_in_plan()) fail(file, "is no case of buildings in plan of this version");
   run.c = *std::move(c);
+  run.problem = std::move(made.plan);
   if (const std::string name = histories.attribute("case_file"); !name.empty()) run.c.source->file = name;
   read_plan_response(histories, run);
   const fs::path summary = folder / "summary.json";
@@ -367,6 +373,7 @@ PlanRun read_plan_results(const NetcdfReader& histories) {
     if (hash_of_case(json) != hash) fail(summary, "is not of the same run as histories.nc");
     read_plan_summary(json, summary, run);
   });
+  run.row = row_of(run);
   return run;
 }
 

@@ -87,7 +87,8 @@ std::vector<ContactPoint> points_of(const Case& c, std::size_t gap, const std::v
   std::vector<ContactPoint> points;
   for (std::size_t i = 0; i < spec.elevations.size(); ++i) {
     ContactPoint point;
-    point.left = static_cast<int>(gap);
+    point.left = point.gap = static_cast<Eigen::Index>(gap);
+    point.right = point.left + 1;
     const LevelPair& floors = floors_of[i];
     point.left_floor = floors.left_floor;
     point.right_floor = floors.right_floor;
@@ -125,7 +126,8 @@ void watch_gap(const GapSpec& spec, int gap, const std::vector<Building>& buildi
       return sway_at(model, elevation, side == 0 ? Face::right : Face::left);
     };
     WatchedFloor watched;
-    watched.left = gap;
+    watched.left = watched.gap = gap;
+    watched.right = gap + 1;
     watched.floor_of = gap + found.side;
     watched.floor = found.floor;
     watched.facing_floor = found.facing;
@@ -210,6 +212,24 @@ std::shared_ptr<const ContactLaw> make_contact_law(const GapSpec& gap, std::size
   return make_contact_law(gap.contact, input);
 }
 
+bool BuildingSpec::is_in_plan() const {
+  return std::holds_alternative<Plan>(structure) || std::holds_alternative<PlanWall>(structure);
+}
+
+const Footprint& BuildingSpec::footprint() const {
+  const Plan* const plan = std::get_if<Plan>(&structure);
+  return plan != nullptr ? plan->footprint : std::get<PlanWall>(structure).footprint;
+}
+
+bool BuildingSpec::is_rigid() const {
+  return std::holds_alternative<RigidSpec>(structure) || std::holds_alternative<PlanWall>(structure);
+}
+
+std::vector<const ExcitationSpec*> Case::excitations() const {
+  if (!is_in_plan()) return {&excitation};
+  return {&excitation, &excitation_y};
+}
+
 const std::vector<ColumnNode>* column_nodes(const BuildingSpec& spec) {
   if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) return &frame->nodes;
   return spec.columns ? &spec.columns->nodes : nullptr;
@@ -241,6 +261,11 @@ StructuralModel structural_model(const BuildingSpec& spec) {
       std::vector<double> elevations = rigid.elevations;
       for (double& elevation : elevations) elevation += base;
       return rigid_building("", elevations).model;
+    }
+    StructuralModel operator()(const Plan& /*plan*/) const { return not_in_a_row(); }
+    StructuralModel operator()(const PlanWall& /*wall*/) const { return not_in_a_row(); }
+    [[noreturn]] static StructuralModel not_in_a_row() {
+      throw InvalidParameter("structure", "plan", "must be that of a building in a row");
     }
   };
   StructuralModel model = std::visit(Make{base}, spec.structure);
@@ -341,7 +366,7 @@ std::optional<double> watched_width(const std::vector<ContactPoint>& points, Eig
   const ContactPoint* below = nullptr;
   const ContactPoint* above = nullptr;
   for (const ContactPoint& point : points) {
-    if (point.left != gap) continue;
+    if (point.gap != gap) continue;
     if (point.elevation <= elevation) below = &point;
     if (point.elevation >= elevation && above == nullptr) above = &point;
   }

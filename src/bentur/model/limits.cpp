@@ -17,7 +17,7 @@ std::string fastest_source(const Case& c, const Problem& problem, const Effort::
       return fmt::format("the damping of {}", problem.buildings[fastest.building].name);
     case By::contact: {
       const ContactPoint& point = problem.points[fastest.point];
-      return fmt::format("the contact of {} at level {} {}", gap_name(problem, point.left), number(point.elevation),
+      return fmt::format("the contact of {} at level {} {}", gap_name(problem, point.gap), number(point.elevation),
                          c.units.length);
     }
     case By::mode:
@@ -62,7 +62,7 @@ std::string beyond_limits(const Case& c, const Problem& problem, const Effort& e
                 [&] { return fmt::format("The fastest motion is {}. ", fastest_text(c, problem, effort.apart)); });
 }
 
-std::string beyond_limits(const PlanCase& c, const Effort& effort) {
+std::string beyond_limits(const Case& c, const Effort& effort) {
   return beyond(c.analysis.limits, effort, [] { return ""; });
 }
 

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "bentur/model/case.h"
-#include "bentur/model/plan/plan_case.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
@@ -16,7 +15,7 @@ namespace bentur {
 
 /// Why a run is refused before any work is done, with what makes it so; empty where it is within the case's limits.
 [[nodiscard]] std::string beyond_limits(const Case& c, const Problem& problem, const Effort& effort);
-/// The same of buildings in plan; what makes it so is not told.
-[[nodiscard]] std::string beyond_limits(const PlanCase& c, const Effort& effort);
+/// The same of buildings in plan, without naming the cause.
+[[nodiscard]] std::string beyond_limits(const Case& c, const Effort& effort);
 
 }  // namespace bentur

@@ -12,6 +12,7 @@
 #include "bentur/elements/law.h"
 #include "bentur/elements/law_entry.h"
 #include "bentur/model/gap/levels.h"
+#include "bentur/pounding/plan/faces.h"
 #include "bentur/pounding/problem.h"
 
 namespace bentur {
@@ -25,6 +26,10 @@ struct LinkSpec {
   std::map<std::string, std::vector<double>, std::less<>> numbers = {};
   std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
   std::shared_ptr<const LawEntryOf<Law>> own = nullptr;  ///< a law that is not listed, in place of `law`
+  // Of buildings in plan, L and R of the stretch in place of left and right:
+  Stretch stretch = {};
+  double at = 0;                             ///< on the stretch [length]
+  PlanPoint direction = PlanPoint::UnitX();  ///< that it acts along, of length 1
 
   /// What applies at point `point` (0 the lowest): the number given, or the law's default.
   /// @throws InvalidParameter when there is neither, or a list has no such entry.

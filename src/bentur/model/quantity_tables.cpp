@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "bentur/core/number_text.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/run_results.h"
 

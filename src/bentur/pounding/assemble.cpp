@@ -29,7 +29,7 @@ Interface between(const Problem& problem, Index left, Index left_dof, Index righ
 
 Interface watched(const Problem& problem, const WatchedFloor& floor) {
   return {{floor.left, floor.left_row, of_ground(problem, 1.0)},
-          {floor.left + 1, -floor.right_row, of_ground(problem, -1.0)}};
+          {floor.right, -floor.right_row, of_ground(problem, -1.0)}};
 }
 
 /// Storeys that have collapsed where their drift passes a limit: those of buildings that gravity pulls down.
@@ -72,7 +72,7 @@ System system_of(const Problem& problem, bool levels) {
   for (const Building& building : problem.buildings) system.bodies.push_back(body_of(building));
   for (const ContactPoint& point : problem.points) {
     system.contacts.push_back(
-        {between(problem, point.left, point.left_floor, point.left + 1, point.right_floor), point.law, point.width});
+        {between(problem, point.left, point.left_floor, point.right, point.right_floor), point.law, point.width});
   }
   for (const Link& link : problem.links) {
     Element& joint = system.joints.emplace_back();

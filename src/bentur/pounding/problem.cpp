@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bentur/core/algebra/factors.h"
@@ -99,18 +100,26 @@ void check_building(const Building& building, Eigen::Index b, double duration) {
           name + ".modal_damping", building.modal_damping.norm(), "must be finite, and at most 1e15 over the duration");
 }
 
+/// The places of a row that is solved are between neighbours.
+template <class Place>
+void check_place(const Place& place, const std::string& name) {
+  require(place.right == place.left + 1, name + ".right", place.right, "must be the building to the right of left");
+  require(place.gap == place.left, name + ".gap", place.gap, "must be the number of the building to its left");
+}
+
 void check_point(const Problem& problem, const ContactPoint& point, std::size_t i) {
   const auto name = fmt::format("points[{}]", i);
   const Eigen::Index last = std::ssize(problem.buildings) - 1;
   require(point.left >= 0 && point.left < last, name + ".left", point.left, "must have a building to its right");
-  const Eigen::Index left = point.left;
+  check_place(point, name);
+  const Eigen::Index left = point.left, right = point.right;
   // Nodes in columns come after the floors.
   const auto floors = [&](Eigen::Index b) {
     return problem.buildings[b].model.floors() + problem.buildings[b].model.nodes();
   };
   require(point.left_floor >= 0 && point.left_floor < floors(left), name + ".left_floor", point.left_floor,
           "must be a floor of the left building");
-  require(point.right_floor >= 0 && point.right_floor < floors(left + 1), name + ".right_floor", point.right_floor,
+  require(point.right_floor >= 0 && point.right_floor < floors(right), name + ".right_floor", point.right_floor,
           "must be a floor of the right building");
   require(std::isfinite(point.width) && point.width >= 0.0, name + ".width", point.width, "must be finite and ≥ 0");
   require(point.law != nullptr, name + ".law", "none", "must be given");
@@ -148,13 +157,14 @@ void check_watched(const Problem& problem, const WatchedFloor& watched, std::siz
   const auto name = fmt::format("watched[{}]", i);
   const Eigen::Index last = std::ssize(problem.buildings) - 1;
   require(watched.left >= 0 && watched.left < last, name + ".left", watched.left, "must have a building to its right");
-  require(watched.floor_of == watched.left || watched.floor_of == watched.left + 1, name + ".floor_of",
-          watched.floor_of, "must be one of the two neighbours");
-  const Eigen::Index left = watched.left;
+  check_place(watched, name);
+  require(watched.floor_of == watched.left || watched.floor_of == watched.right, name + ".floor_of", watched.floor_of,
+          "must be one of the two neighbours");
+  const Eigen::Index left = watched.left, right = watched.right;
   require(watched.left_row.size() == problem.buildings[left].model.dofs() && watched.left_row.allFinite(),
           name + ".left_row", fmt::format("{} entries", watched.left_row.size()),
           "must have one finite entry per degree of freedom");
-  require(watched.right_row.size() == problem.buildings[left + 1].model.dofs() && watched.right_row.allFinite(),
+  require(watched.right_row.size() == problem.buildings[right].model.dofs() && watched.right_row.allFinite(),
           name + ".right_row", fmt::format("{} entries", watched.right_row.size()),
           "must have one finite entry per degree of freedom");
   require(std::isfinite(watched.width) && watched.width >= 0.0, name + ".width", watched.width,
@@ -170,9 +180,8 @@ double initial_at(const Problem& problem, Eigen::Index building, Eigen::Index fl
 /// Faces that collide without a force cannot be inside one another: no force would part them.
 void check_overlap(const ContactPoint& point, const Problem& problem, std::size_t i) {
   if (!point.law->restitution()) return;
-  const Eigen::Index left = point.left;
-  const double left_at = initial_at(problem, left, point.left_floor);
-  const double right_at = initial_at(problem, left + 1, point.right_floor);
+  const double left_at = initial_at(problem, point.left, point.left_floor);
+  const double right_at = initial_at(problem, point.right, point.right_floor);
   require(!overlap(point.width, left_at, right_at), fmt::format("points[{}]", i), left_at - right_at - point.width,
           "must not overlap at the start: its law has no force that would part the buildings");
 }
@@ -184,22 +193,36 @@ bool overlap(double width, double left, double right) {
   return left - right - width > round_off * (width + std::abs(left) + std::abs(right));
 }
 
+Eigen::Index gap_count(const Problem& problem) {
+  if (!problem.sides.empty()) return std::ssize(problem.sides);
+  return std::max<Eigen::Index>(std::ssize(problem.buildings), 1) - 1;
+}
+
+GapPair sides_of(const Problem& problem, Eigen::Index gap) {
+  require(gap >= 0 && gap < gap_count(problem), "gap", fmt::format("{}", gap), "must have a building on either side");
+  return problem.sides.empty() ? GapPair{gap, gap + 1} : problem.sides[gap];
+}
+
+std::vector<Eigen::Index> buildings_of(const Problem& problem, Eigen::Index gap) {
+  const GapPair sides = sides_of(problem, gap);
+  return {std::min(sides.left, sides.right), std::max(sides.left, sides.right)};
+}
+
 Gap gap_at(const Problem& problem, Eigen::Index gap) {
-  require(gap >= 0 && gap + 1 < std::ssize(problem.buildings), "gap", fmt::format("{}", gap),
-          "must have a building on either side");
+  const GapPair sides = sides_of(problem, gap);
   const auto indices = [gap](const auto& all) {
     std::vector<Eigen::Index> found;
     for (Eigen::Index i = 0; i < std::ssize(all); ++i) {
-      if (all[i].left == gap) found.push_back(i);
+      if (all[i].gap == gap) found.push_back(i);
     }
     return found;
   };
-  return {gap, indices(problem.points), indices(problem.watched)};
+  return {gap, sides.left, sides.right, indices(problem.points), indices(problem.watched)};
 }
 
 std::vector<Gap> gaps_of(const Problem& problem) {
   std::vector<Gap> gaps;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) gaps.push_back(gap_at(problem, gap));
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) gaps.push_back(gap_at(problem, gap));
   return gaps;
 }
 
@@ -209,15 +232,16 @@ double delay_of(const Problem& problem, std::size_t building) {
 
 std::optional<Eigen::Index> face_floor(const Problem& problem, const ContactPoint& point, int side) {
   const Eigen::Index dof = side == 0 ? point.left_floor : point.right_floor;
-  return dof < problem.buildings[point.left + side].model.floors() ? std::optional(dof) : std::nullopt;
+  return dof < problem.buildings[side == 0 ? point.left : point.right].model.floors() ? std::optional(dof)
+                                                                                      : std::nullopt;
 }
 
 std::optional<Eigen::Index> face_floor(const WatchedFloor& floor, int side) {
-  return floor.floor_of == floor.left + side ? std::optional(floor.floor) : floor.facing_floor;
+  return floor.floor_of == (side == 0 ? floor.left : floor.right) ? std::optional(floor.floor) : floor.facing_floor;
 }
 
 std::optional<StruckColumn> struck_column(const Problem& problem, const ContactPoint& point) {
-  for (const Eigen::Index b : {point.left, point.left + 1}) {
+  for (const Eigen::Index b : {point.left, point.right}) {
     const StructuralModel& model = problem.buildings.at(b).model;
     const Eigen::Index node = (b == point.left ? point.left_floor : point.right_floor) - model.floors();
     if (node >= 0) return StruckColumn{b, node};
@@ -226,12 +250,13 @@ std::optional<StruckColumn> struck_column(const Problem& problem, const ContactP
 }
 
 std::string gap_name(const Problem& problem, Eigen::Index gap) {
-  return problem.buildings.at(gap).name + " | " + problem.buildings.at(gap + 1).name;
+  const std::vector<Eigen::Index> both = buildings_of(problem, gap);
+  return problem.buildings.at(both[0]).name + " | " + problem.buildings.at(both[1]).name;
 }
 
 std::vector<std::string> gap_names(const Problem& problem) {
   std::vector<std::string> names;
-  for (const Gap& gap : gaps_of(problem)) names.push_back(gap_name(problem, gap.left));
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) names.push_back(gap_name(problem, gap));
   return names;
 }
 

@@ -13,7 +13,7 @@
 
 namespace bentur {
 
-/// A place where two neighbouring buildings can touch: building `left` and building `left + 1`, at one elevation.
+/// A place where two buildings can touch, at one elevation: of a row two neighbours.
 /// Opening g = width + x_right − x_left (T-1).
 struct ContactPoint {
   Eigen::Index left = 0;         ///< index of the left building
@@ -25,19 +25,26 @@ struct ContactPoint {
   std::shared_ptr<const ContactLaw> law;
   double column_shear_capacity = 0;   ///< of a struck column [force]; 0: not given
   double column_moment_capacity = 0;  ///< of a struck column [force·length]; 0: not given
+  Eigen::Index right = left + 1;      ///< index of the right building
+  Eigen::Index gap = left;            ///< number of the gap that it is in
 };
 
 /// A floor that faces its neighbour where no contact is modelled: nothing acts there, but how near it comes is watched.
 /// Opening g = width + x_right − x_left, each x a row over the dofs of its building.
 struct WatchedFloor {
   Eigen::Index left = 0;                     ///< index of the left building
-  Eigen::Index floor_of = 0;                 ///< index of the building whose floor it is: left or left + 1
+  Eigen::Index floor_of = 0;                 ///< index of the building whose floor it is: left or right
   Eigen::Index floor = 0;                    ///< index of that floor
   std::optional<Eigen::Index> facing_floor;  ///< of the other building; nothing: a column between two floors
   double elevation = 0;                      ///< [length]
   double width = 0;                          ///< w [length] ≥ 0
   double beyond = 0;                         ///< as ContactPoint::beyond [length] ≥ 0
   Eigen::VectorXd left_row, right_row;       ///< [-, or length on rotations]
+  Eigen::Index right = left + 1;             ///< index of the right building
+  Eigen::Index gap = left;                   ///< number of the gap that it is in
+
+  /// The other of the two.
+  [[nodiscard]] Eigen::Index faced() const { return floor_of == left ? right : left; }
 };
 
 /// What joins two buildings of the row, neighbours or not, at one elevation: F of δ = x_left − x_right pushes left −F
@@ -48,6 +55,11 @@ struct Link {
   double elevation = 0;                          ///< [length]
   std::shared_ptr<const Law> law;
   std::string kind = {};  ///< what it is, for people: "spring", "dashpot", or the name of its law
+};
+
+/// The two buildings of a gap, indices.
+struct GapPair {
+  Eigen::Index left = 0, right = 1;
 };
 
 enum class Kinematics { relative, absolute };
@@ -73,6 +85,7 @@ struct Problem {
   bool goes_on = false;
   /// Drift ratio [-] > 0 at which a storey of a building with gravity loads has collapsed, which ends the run.
   double collapse_drift = 0.1;
+  std::vector<GapPair> sides = {};  ///< of each gap; empty: of each two neighbours, left to right
 };
 
 /// A column between floors that a floor strikes: of a building, and which of its nodes.
@@ -86,13 +99,18 @@ struct StruckColumn {
 /// The one at a contact point; nothing where floors meet.
 [[nodiscard]] std::optional<StruckColumn> struck_column(const Problem& problem, const ContactPoint& point);
 
-/// What lies between building `left` and building `left` + 1: indices into Problem::points and Problem::watched, from
-/// the lowest up.
+/// What lies between two buildings: indices into Problem::points and Problem::watched, from the lowest up.
 struct Gap {
-  Eigen::Index left = 0;
+  Eigen::Index number = 0;  ///< among the gaps of the problem
+  Eigen::Index left = 0, right = 1;
   std::vector<Eigen::Index> points, watched;
 };
 
+[[nodiscard]] Eigen::Index gap_count(const Problem& problem);
+/// @throws InvalidParameter unless there are so many.
+[[nodiscard]] GapPair sides_of(const Problem& problem, Eigen::Index gap);
+/// The two buildings as people are told of them, whichever comes first in the case.
+[[nodiscard]] std::vector<Eigen::Index> buildings_of(const Problem& problem, Eigen::Index gap);
 /// The gaps of a problem, left to right.
 [[nodiscard]] std::vector<Gap> gaps_of(const Problem& problem);
 /// One of them. @throws InvalidParameter unless there are so many.
@@ -101,7 +119,7 @@ struct Gap {
 /// τ_b [s] of a building: 0 where the problem gives no delays.
 [[nodiscard]] double delay_of(const Problem& problem, std::size_t building);
 
-/// "Model 1 | Model 2" for the gap to the right of building `gap`.
+/// "Model 1 | Model 2", as buildings_of() a gap.
 [[nodiscard]] std::string gap_name(const Problem& problem, Eigen::Index gap);
 /// Of every gap, left to right.
 [[nodiscard]] std::vector<std::string> gap_names(const Problem& problem);

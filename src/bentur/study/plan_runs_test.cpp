@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bentur/excitation/motion_measures.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/study_variables.h"
 #include "tests/support/plan_study.h"
@@ -64,9 +64,9 @@ TEST_F(PlanRuns, WhereABuildingStandsDoesNotMatterWithoutContact) {
     std::string text = case_;
     put(text, "[12.02, 0]", corner);
     Diagnostics diagnostics;
-    PlanProblem made;
-    EXPECT_TRUE(read_plan_case_text(text, folder_.path() / "case.toml", diagnostics, &made));
-    return made;
+    MadeParts made;
+    EXPECT_TRUE(read_case_text(text, folder_.path() / "case.toml", diagnostics, &made));
+    return made.plan;
   };
   const PlanFreeResponse free(problem("[12.02, 0]"));
   for (const char* const corner : {"[12.01, 0]", "[12.03, 0]", "[12.0371, 0]"}) {
@@ -291,8 +291,7 @@ TEST_F(PlanRuns, NormalisationIsOfBothComponents) {
     Diagnostics diagnostics;
     put(text, "kind = \"harmonic\"\nperiod = 0.5\ndisplacement_amplitude = 0.03\n",
         "kind = 'record'\nfile = '" + name + "'\nunit = 'm/s2'\n");
-    return motion_measures(read_plan_case_text(text, folder_.path() / "case.toml", diagnostics)->excitation[0].motion)
-        .pgv;
+    return motion_measures(read_case_text(text, folder_.path() / "case.toml", diagnostics)->excitation.motion).pgv;
   };
   const double a = std::sqrt(pgv("a-x.csv") * pgv("a-y.csv")), b = std::sqrt(pgv("b-x.csv") * pgv("b-y.csv"));
   EXPECT_NEAR(factors[0] * a, factors[1] * b, 1e-12 * a);
@@ -361,11 +360,12 @@ levels = [1.0, 3.0]
       if (record == 1) put(text, "a-x.csv", "b-x.csv");
       if (record == 1) put(text, "a-y.csv", "b-y.csv");
       Diagnostics diagnostics;
-      PlanProblem problem;
-      const auto c = read_plan_case_text(text, folder_.path() / "case.toml", diagnostics, &problem);
+      MadeParts made;
+      PlanProblem& problem = made.plan;
+      const auto c = read_case_text(text, folder_.path() / "case.toml", diagnostics, &made);
       ASSERT_TRUE(c);
       const PlanRun run{*c, problem, solve(problem, c->analysis.solver, {.levels = true})};
-      const RunResults pair = pair_of(run, 0);
+      const RunResults pair = *row_of(run);
       const LevelSeparation largest = largest_of(separations(pair.problem, pair.response, pair.c.code, pair.c.units));
       const GapNeed& need = needs.records[record].gaps.at(0);
       EXPECT_EQ(need.gap_needed, largest.gap_needed);

@@ -43,15 +43,15 @@ std::optional<WidthPlace> width_place(const ParameterPath& path) {
 void set_widths(const WidthPlace& place, const TomlValue& value, Problem& problem) {
   std::size_t point = 0;
   for (ContactPoint& p : problem.points) {
-    if (p.left != place.gap) continue;
+    if (p.gap != place.gap) continue;
     if (!place.point || *place.point == point) {
       p.width = value.kind == TomlValue::Kind::list ? value.items.at(point).real : value.real;
     }
     ++point;
   }
   for (WatchedFloor& floor : problem.watched) {
-    if (floor.left == place.gap) {
-      floor.width = watched_width(problem.points, floor.left, floor.elevation).value_or(value.real);
+    if (floor.gap == place.gap) {
+      floor.width = watched_width(problem.points, floor.gap, floor.elevation).value_or(value.real);
     }
   }
 }
@@ -115,22 +115,22 @@ TomlValue StudyRuns::root_of(std::size_t run) const {
   return root;
 }
 
-ReadPlan StudyRuns::plan_of(std::size_t run) const {
+ReadCase StudyRuns::plan_of(std::size_t run) const {
   Diagnostics found;
-  ReadPlan read = read_chosen_plan(study_, root_of(run), *memo_, found);
+  ReadCase read = read_chosen(study_, root_of(run), *memo_, found);
   if (!found.ok()) throw NotACase(first_message(found));
-  if (!same_places(read.problem, *facts_.plan)) {
+  if (!same_places(*read.plan, *facts_.plan)) {
     throw NotACase("other numbers of floors, planes, bearings or contact points");
   }
   return read;
 }
 
-std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run, const ReadPlan* in_plan) const {
+std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run, const ReadCase* in_plan) const {
   Group group{.number = plan_.group(run)};
   if (facts_.plan) {
-    const std::optional<ReadPlan> read = in_plan == nullptr ? std::optional(plan_of(run)) : std::nullopt;
-    const ReadPlan& chosen = read ? *read : *in_plan;
-    group.free_in_plan = free_response_of(run, chosen.problem, chosen.c.analysis, &Group::free_in_plan);
+    const std::optional<ReadCase> read = in_plan == nullptr ? std::optional(plan_of(run)) : std::nullopt;
+    const ReadCase& chosen = read ? *read : *in_plan;
+    group.free_in_plan = free_response_of(run, *chosen.plan, chosen.c.analysis, &Group::free_in_plan);
     return std::make_shared<const Group>(std::move(group));
   }
   Diagnostics found;
@@ -170,12 +170,12 @@ std::size_t StudyRuns::representative(std::size_t run) const {
   return run;
 }
 
-std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run, const ReadPlan* in_plan) const {
+std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run, const ReadCase* in_plan) const {
   const bool is_shared = plan_.has_groups() || at_first_level(run) == run;
   return is_shared ? shared_group(run, in_plan) : made_group(run, in_plan);
 }
 
-std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run, const ReadPlan* in_plan) const {
+std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run, const ReadCase* in_plan) const {
   const std::uint64_t number = plan_.group(run);
   std::shared_ptr<Place> place;
   {
@@ -258,7 +258,7 @@ std::optional<RunResult> StudyRuns::row_of(std::size_t run, const Case& c, const
 }
 
 std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::size_t run, SolveOptions& options) const {
-  ReadPlan chosen = plan_of(run);
+  ReadCase chosen = plan_of(run);
   if (!workspace.group || workspace.group->number != plan_.group(run)) {
     workspace.group = nullptr;
     try {
@@ -270,21 +270,20 @@ std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::si
   const PlanFreeResponse* const shared = workspace.group ? &*workspace.group->free_in_plan : nullptr;
   options.limits = run_limits(chosen.c.analysis);
   options.levels = true;
-  PlanResponse response = shared != nullptr && shared->serves(chosen.problem)
-                              ? shared->solve(chosen.problem, options)
-                              : bentur::solve(chosen.problem, chosen.c.analysis.solver, options);
-  return row_of(run, std::move(chosen.c), std::move(chosen.problem), std::move(response));
+  PlanResponse response = shared != nullptr && shared->serves(*chosen.plan)
+                              ? shared->solve(*chosen.plan, options)
+                              : bentur::solve(*chosen.plan, chosen.c.analysis.solver, options);
+  return row_of(run, std::move(chosen.c), std::move(*chosen.plan), std::move(response));
 }
 
-std::optional<RunResult> StudyRuns::row_of(std::size_t run, PlanCase c, PlanProblem problem,
-                                           PlanResponse response) const {
+std::optional<RunResult> StudyRuns::row_of(std::size_t run, Case c, PlanProblem problem, PlanResponse response) const {
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
     fill_row(quantities_, run_results(std::move(c), std::move(problem), std::move(response)), row);
   });
 }
 
-template <class AnyCase, class AnyProblem>
-std::optional<RunResult> StudyRuns::solved_alone(std::size_t run, const AnyCase& c, const AnyProblem& problem,
+template <class AnyProblem>
+std::optional<RunResult> StudyRuns::solved_alone(std::size_t run, const Case& c, const AnyProblem& problem,
                                                  const std::function<bool()>& go_on) const {
   SolveOptions options;
   options.energy_audit = facts_.energy_audit;
@@ -303,7 +302,7 @@ std::optional<RunResult> StudyRuns::solve_case(std::size_t run, const Case& c, c
   return solved_alone(run, c, problem, go_on);
 }
 
-std::optional<RunResult> StudyRuns::solve_case(std::size_t run, const PlanCase& c, const PlanProblem& problem,
+std::optional<RunResult> StudyRuns::solve_case(std::size_t run, const Case& c, const PlanProblem& problem,
                                                const std::function<bool()>& go_on) const {
   return solved_alone(run, c, problem, go_on);
 }

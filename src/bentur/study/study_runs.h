@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/study/plan/study_check.h"
@@ -53,7 +54,7 @@ class StudyRuns {
   /// others (take_places()). Nothing where it was stopped.
   [[nodiscard]] std::optional<RunResult> solve_case(std::size_t run, const Case& c, const Problem& problem,
                                                     const std::function<bool()>& go_on) const;
-  [[nodiscard]] std::optional<RunResult> solve_case(std::size_t run, const PlanCase& c, const PlanProblem& problem,
+  [[nodiscard]] std::optional<RunResult> solve_case(std::size_t run, const Case& c, const PlanProblem& problem,
                                                     const std::function<bool()>& go_on) const;
 
  private:
@@ -63,9 +64,9 @@ class StudyRuns {
 
   /// Its case, with the record at its intensity.
   [[nodiscard]] TomlValue root_of(std::size_t run) const;
-  [[nodiscard]] ReadPlan plan_of(std::size_t run) const;
+  [[nodiscard]] ReadCase plan_of(std::size_t run) const;
   /// @param in_plan the run's case of buildings in plan, where it has been read
-  [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run, const ReadPlan* in_plan) const;
+  [[nodiscard]] std::shared_ptr<const Group> made_group(std::size_t run, const ReadCase* in_plan) const;
   /// Of an [ida] in a grid, the run that differs from `run` by its intensity alone and has the first one.
   [[nodiscard]] std::optional<std::size_t> at_first_level(std::size_t run) const;
   /// @param of the free response of a group
@@ -73,17 +74,17 @@ class StudyRuns {
   [[nodiscard]] Free free_response_of(std::size_t run, const AnyProblem& problem, const AnalysisSpec& analysis,
                                       std::optional<Free> Group::*of) const;
   [[nodiscard]] std::size_t representative(std::size_t run) const;
-  [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run, const ReadPlan* in_plan = nullptr) const;
-  [[nodiscard]] std::shared_ptr<const Group> shared_group(std::size_t run, const ReadPlan* in_plan = nullptr) const;
+  [[nodiscard]] std::shared_ptr<const Group> group_of(std::size_t run, const ReadCase* in_plan = nullptr) const;
+  [[nodiscard]] std::shared_ptr<const Group> shared_group(std::size_t run, const ReadCase* in_plan = nullptr) const;
   void set_problem(Workspace& workspace, std::size_t run) const;
   /// A run until its end, with its values where it got there; nothing where it was stopped.
   [[nodiscard]] std::optional<RunResult> solved(Workspace& workspace, std::size_t run, SolveOptions& options) const;
   [[nodiscard]] std::optional<RunResult> solved_in_plan(Workspace& workspace, std::size_t run,
                                                         SolveOptions& options) const;
-  template <class AnyCase, class AnyProblem>
-  [[nodiscard]] std::optional<RunResult> solved_alone(std::size_t run, const AnyCase& c, const AnyProblem& problem,
+  template <class AnyProblem>
+  [[nodiscard]] std::optional<RunResult> solved_alone(std::size_t run, const Case& c, const AnyProblem& problem,
                                                       const std::function<bool()>& go_on) const;
-  [[nodiscard]] std::optional<RunResult> row_of(std::size_t run, PlanCase c, PlanProblem problem,
+  [[nodiscard]] std::optional<RunResult> row_of(std::size_t run, Case c, PlanProblem problem,
                                                 PlanResponse response) const;
   [[nodiscard]] std::optional<RunResult> row_of(std::size_t run, const Case& c, const Problem& problem,
                                                 const Response& response) const;

@@ -216,10 +216,29 @@ std::vector<double> wave_delays(const TableView& view, const std::vector<ReadBui
   return delays;
 }
 
-std::vector<double> read_delays(const TableView& view, const std::vector<ReadBuilding>& buildings,
+/// τ_b = (s · C_b − min)/v [s] of a wave that goes along s: C_b is the middle of the footprint.
+std::vector<double> wave_delays_in_plan(const TableView& view, const std::vector<ReadBuilding>& buildings) {
+  const double velocity = view.number("wave_velocity").value_or(1);
+  const double angle = view.number("wave_angle").value_or(0) * std::numbers::pi / 180;
+  const PlanPoint along(std::cos(angle), std::sin(angle));
+  std::vector<double> delays;
+  double first = std::numeric_limits<double>::infinity();
+  for (const ReadBuilding& building : buildings) {
+    const Footprint& footprint = building.spec.footprint();
+    delays.push_back(along.dot(footprint.corner + footprint.middle()));
+    first = std::min(first, delays.back());
+  }
+  for (double& delay : delays) delay = (delay - first) / velocity;
+  return delays;
+}
+
+std::vector<double> read_delays(const TableView& view, const std::vector<ReadBuilding>& buildings, bool in_plan,
                                 const std::vector<GapSpec>& gaps) {
   const auto key = view.exactly_one("delay");
-  if (key == "wave_velocity") return wave_delays(view, buildings, gaps);
+  if (key == "wave_velocity") {
+    return in_plan ? wave_delays_in_plan(view, buildings) : wave_delays(view, buildings, gaps);
+  }
+  if (in_plan) view.refuse({"wave_angle"}, "goes with wave_velocity, which is not given");
   if (key == "delays") {
     auto delays = view.numbers("delays", buildings.size());
     if (!delays.empty()) return delays;
@@ -243,21 +262,24 @@ void read_motion(const TableView& view, const Units& units, const std::filesyste
   }
 }
 
-ExcitationSpec read_excitation(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings,
-                               const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
-                               Diagnostics& diagnostics, CaseMemo* memo) {
-  ExcitationSpec spec;
+void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buildings, const CaseFiles& files,
+                     bool in_plan, Case& c) {
+  ExcitationSpec& spec = c.excitation;
   const auto given = root.get("excitation");
   const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
-  if (!view) return spec;
-  view->refuse({"y", "angle", "wave_angle"}, "is of buildings in plan: give them [building.plan]");
+  if (!view) return;
   const std::string kind = view->has("kind") ? view->find("kind")->value().text : "";
-  if (kind == "spectrum") {
-    spec.spectrum = read_spectrum(*view, units, buildings.size(), folder, diagnostics);
-    spec.delays.assign(buildings.size(), 0.0);
-    return spec;
+  if (in_plan && (kind == "spectrum" || kind == "suite")) {
+    view->find("kind")->error_value("does not go with buildings in plan");
+    return;
   }
-  if (kind == "displacements") {
+  if (!in_plan) view->refuse({"y", "angle", "wave_angle"}, "is of buildings in plan: give them [building.plan]");
+  if (kind == "spectrum") {
+    spec.spectrum = read_spectrum(*view, c.units, buildings.size(), files.folder, files.diagnostics);
+    spec.delays.assign(buildings.size(), 0.0);
+    return;
+  }
+  if (kind == "displacements" && !in_plan) {
     SpectrumSpec& none = spec.spectrum.emplace();
     none.shape = kind;
     none.position = view->find("kind")->position();
@@ -270,7 +292,7 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
                       "\"spectrum\" computes those of others",
                       building.path));
     }
-    return spec;
+    return;
   }
   for (const ReadBuilding& building : buildings) {
     if (!building.has_displacements()) continue;
@@ -281,15 +303,18 @@ ExcitationSpec read_excitation(const TomlView& root, const Units& units, const s
     break;
   }
   if (kind == "suite") {
-    spec.suite = read_suite(*view, units, folder, diagnostics);
+    spec.suite = read_suite(*view, c.units, files.folder, files.diagnostics);
   } else {
-    read_motion(*view, units, folder, diagnostics, spec, memo);
+    read_motion(*view, c.units, files.folder, files.diagnostics, spec, files.memo);
   }
-  spec.delays = read_delays(*view, buildings, gaps);
-  if (view->word("kinematics") == "absolute") {
-    spec.kinematics = Kinematics::absolute;
+  spec.delays = read_delays(*view, buildings, in_plan, c.gaps);
+  if (view->word("kinematics") == "absolute") spec.kinematics = Kinematics::absolute;
+  if (!in_plan) return;
+  c.angle = view->number("angle").value_or(0);
+  if (!view->has("y")) return;
+  if (const auto along_y = view->table("y")) {
+    read_motion(*along_y, c.units, files.folder, files.diagnostics, c.excitation_y, files.memo);
   }
-  return spec;
 }
 
 }  // namespace bentur

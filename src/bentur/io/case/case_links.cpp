@@ -6,6 +6,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
 
@@ -95,7 +96,7 @@ LinkSpec read_link(const TableView& link, const std::vector<ReadBuilding>& build
   return spec;
 }
 
-std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
+std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool in_plan) {
   std::vector<LinkSpec> links;
   if (!root.has("link")) return links;
   const auto list = root.tables("link", "");
@@ -103,8 +104,14 @@ std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBui
   for (const TomlView& entry : list->items()) {
     const auto link = TableView::of(entry, link_keys());
     if (!link) continue;
-    link->refuse({"at", "along"}, "is for links of buildings in plan");
-    links.push_back(read_link(*link, buildings, read_sides(*link, buildings)));
+    LinkSpec place;
+    auto sides = in_plan ? read_between(*link, buildings, "two buildings") : read_sides(*link, buildings);
+    if (in_plan) read_place(*link, buildings, sides, place);
+    if (!in_plan) link->refuse({"at", "along"}, "is for links of buildings in plan");
+    LinkSpec& spec = links.emplace_back(read_link(*link, buildings, sides));
+    spec.stretch = std::move(place.stretch);
+    spec.at = place.at;
+    spec.direction = place.direction;
   }
   return links;
 }

@@ -13,6 +13,7 @@
 #include "bentur/io/input_file.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
+#include "bentur/pounding/plan/plan_problem.h"
 #include "bentur/structure/plan/plan_generic.h"
 
 // The parts a case file is read in. Each reader reports what is wrong and fills in what it can, so that the later parts
@@ -32,7 +33,11 @@ struct ReadBuilding {
   std::vector<double> elevations;        ///< [length] of the floors above the ground datum; empty: not known
   std::optional<StructuralModel> model;  ///< assembled; nothing where what was read makes none
   std::shared_ptr<const Building> made;  ///< with modes and damping, once the whole case is found right
+  bool is_whole = false;                 ///< of one in plan: its footprint and floors are known
 };
+
+/// The table of a building that has been read, by its path.
+[[nodiscard]] TomlView view_of(const TomlView& root, const std::vector<ReadBuilding>& buildings, std::size_t building);
 
 [[nodiscard]] Units read_units(const TomlView& root);
 
@@ -142,7 +147,8 @@ void make(ReadBuilding& building);
 [[nodiscard]] LinkSpec read_link(const TableView& link, const std::vector<ReadBuilding>& buildings,
                                  const std::optional<std::pair<std::size_t, std::size_t>>& sides);
 /// case_links.cpp
-[[nodiscard]] std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBuilding>& buildings);
+[[nodiscard]] std::vector<LinkSpec> read_links(const TomlView& root, const std::vector<ReadBuilding>& buildings,
+                                               bool in_plan);
 
 /// case_stick.cpp: [building.stick] into `building`.
 void read_stick(const TomlView& stick, ReadBuilding& building);
@@ -157,11 +163,10 @@ void read_backbone(const TableView& view, std::size_t storeys, Stick& stick);
 /// case_damping.cpp: damping_stiffness of a building, once its structure and damping are read.
 void read_damping_stiffness(const TableView& building, ReadBuilding& read);
 
-/// case_excitation.cpp. `folder` is the one that record files are relative to.
-[[nodiscard]] ExcitationSpec read_excitation(const TomlView& root, const Units& units,
-                                             const std::vector<ReadBuilding>& buildings,
-                                             const std::vector<GapSpec>& gaps, const std::filesystem::path& folder,
-                                             Diagnostics& diagnostics, CaseMemo* memo = nullptr);
+/// case_excitation.cpp: [excitation], of a case in plan both components and the angle of their axes, into a case whose
+/// gaps are known.
+void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buildings, const CaseFiles& files,
+                     bool in_plan, Case& c);
 
 /// case_excitation.cpp: a record or a harmonic motion, by `kind`, with what is to be said of it.
 void read_motion(const TableView& view, const Units& units, const std::filesystem::path& folder,
@@ -225,10 +230,11 @@ void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, co
 struct ReadCase {
   Case c;
   std::vector<ReadBuilding> buildings;
+  std::optional<PlanProblem> plan = {};  ///< what a case in plan that is right is solved as
 
-  /// The buildings of a case that is right, as make_problem() takes them.
+  /// The buildings of a row that is right, as make_problem() takes them.
   [[nodiscard]] std::vector<Building> made_buildings() const;
-  /// make_problem() of a case that is right. @throws InvalidParameter
+  /// make_problem() of a row that is right. @throws InvalidParameter
   [[nodiscard]] Problem problem() const { return make_problem(c, made_buildings()); }
 };
 

@@ -6,16 +6,20 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "bentur/core/errors.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
 #include "bentur/io/toml/parameter_path.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/model/suite/suite.h"
 
@@ -25,9 +29,21 @@ namespace {
 constexpr double shortest_time = 1e-15;  // of the duration: less has no phase left in a number [-]
 constexpr double most_samples = 1e7;     // of one history [-]
 
+/// [x, y, rotation] of each floor one after the other; empty (and an error) unless all are right.
+std::vector<double> read_triples(const TomlView& given, Range range, std::size_t floors) {
+  std::vector<double> values;
+  if (floors == 0 || !given.is_list_of("[x, y, rotation]", {floors, "one per floor"})) return values;
+  for (const TomlView& item : given.items()) {
+    const std::vector<double> triple = item.as_numbers(range, {3, "x, y and rotation"});
+    values.insert(values.end(), triple.begin(), triple.end());
+  }
+  return values.size() == 3 * floors ? values : std::vector<double>{};
+}
+
 /// One list per building, zeros where the case names none; empty when the table is missing.
 std::vector<std::vector<double>> read_initial_table(const TableView& initial, const std::string& key,
-                                                    const std::vector<ReadBuilding>& buildings, bool& moves) {
+                                                    const std::vector<ReadBuilding>& buildings, bool in_plan,
+                                                    bool& moves) {
   const auto table = initial.find(key);
   if (!table) return {};
   const Key& known = initial.key(key);
@@ -35,25 +51,31 @@ std::vector<std::vector<double>> read_initial_table(const TableView& initial, co
   std::vector<std::vector<double>> lists;
   for (const ReadBuilding& building : buildings) {
     names.push_back(building.spec.name);
-    lists.emplace_back(building.elevations.size(), 0.0);
+    lists.emplace_back((in_plan ? 3 : 1) * building.elevations.size(), 0.0);
   }
-  const bool is_table =
-      read_by_building(*table, "list, one value per floor", names, [&](std::size_t b, const TomlView& given) {
-        const auto values = given.as_numbers(known.range, {lists[b].size(), std::string(known.each)});
-        if (values.empty()) return;
-        lists[b] = values;
-        moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
-      });
+  const std::string each = in_plan ? "list of one [x, y, rotation] per floor" : "list, one value per floor";
+  const bool is_table = read_by_building(*table, each, names, [&](std::size_t b, const TomlView& given) {
+    const std::size_t floors = buildings[b].elevations.size();
+    if (in_plan && buildings[b].spec.is_rigid()) {
+      given.error("is of a wall, which moves with the ground");
+      return;
+    }
+    const std::vector<double> values = in_plan ? read_triples(given, known.range, floors)
+                                               : given.as_numbers(known.range, {floors, std::string(known.each)});
+    if (values.empty()) return;
+    lists[b] = values;
+    moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
+  });
   return is_table ? lists : std::vector<std::vector<double>>{};
 }
 
 /// @param moves set when something is given an initial displacement or velocity.
-InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool& moves) {
+InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool in_plan, bool& moves) {
   InitialSpec initial;
   const auto view = TableView(root, case_keys()).table("initial");
   if (!view) return initial;
-  initial.displacements = read_initial_table(*view, "displacements", buildings, moves);
-  initial.velocities = read_initial_table(*view, "velocities", buildings, moves);
+  initial.displacements = read_initial_table(*view, "displacements", buildings, in_plan, moves);
+  initial.velocities = read_initial_table(*view, "velocities", buildings, in_plan, moves);
   return initial;
 }
 
@@ -141,30 +163,66 @@ void check_overlaps(const TomlView& root, const ReadCase& read) {
   if (c.initial.displacements.empty() || std::none_of(c.gaps.begin(), c.gaps.end(), hard)) return;
   const std::vector<Building> made = read.made_buildings();
   for (const ContactPoint& point : contact_points(c, made)) {
-    if (point.left_floor >= made[point.left].model.floors() ||
-        point.right_floor >= made[point.left + 1].model.floors()) {
+    if (point.left_floor >= made[point.left].model.floors() || point.right_floor >= made[point.right].model.floors()) {
       continue;  // a node starts where the floors around it take it
     }
-    const auto left = static_cast<std::size_t>(point.left);
+    const Eigen::Index left = point.left, right = point.right;
     const double left_at = c.initial.displacements[left][static_cast<std::size_t>(point.left_floor)];
-    const double right_at = c.initial.displacements[left + 1][static_cast<std::size_t>(point.right_floor)];
+    const double right_at = c.initial.displacements[right][static_cast<std::size_t>(point.right_floor)];
     if (!point.law->restitution() || !overlap(point.width, left_at, right_at)) continue;
     root.find("initial")
         ->find("displacements")
         ->error(fmt::format("makes \"{}\" and \"{}\" overlap by {:.4g} at elevation {}; with law = \"restitution\" "
                             "no force would part them: start without overlap or choose a law with a stiffness",
-                            made[left].name, made[left + 1].name, left_at - right_at - point.width, point.elevation));
+                            made[left].name, made[right].name, left_at - right_at - point.width, point.elevation));
   }
 }
 
 /// Times of which the duration has more than numbers can tell apart: validate() would refuse them without a position.
 void check_times(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read) {
   const Case& c = read.c;
-  for (std::size_t b = 0; b < views.size(); ++b) {
+  for (std::size_t b = 0; b < views.size() && !read.plan; ++b) {
     const Building& building = *read.buildings[b].made;
     check_mode_times(views[b], building.modes, building.modal_damping, c.analysis.duration);
   }
-  check_motion_times(*root.find("excitation"), c.excitation.motion, c.analysis.duration, c.units);
+  const TomlView excitation = *root.find("excitation");
+  check_motion_times(excitation, c.excitation.motion, c.analysis.duration, c.units);
+  if (const auto y = excitation.find("y")) {
+    check_motion_times(*y, c.excitation_y.motion, c.analysis.duration, c.units);
+  }
+}
+
+/// Of a case in plan steps of one length do not follow friction.
+void refuse_steps_with_friction(const TomlView& root, const std::vector<GapSpec>& gaps) {
+  const bool rubs = std::any_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) {
+    const auto friction = gap.contact.numbers.find("friction");
+    return friction != gap.contact.numbers.end() &&
+           std::any_of(friction->second.begin(), friction->second.end(), [](double value) { return value > 0; });
+  });
+  const auto analysis = root.find("analysis");
+  if (!analysis || !analysis->is(TomlValue::Kind::table)) return;
+  const auto solver = analysis->find("solver");
+  if (rubs && solver && solver->value().text == "runge-kutta") solver->error_value("does not go with friction");
+}
+
+/// The excitation that says how long the ground moves: the longer record.
+const ExcitationSpec& longest_of(const Case& c) {
+  const auto length = [](const ExcitationSpec& one) { return one.record ? one.record->duration : 0.0; };
+  return length(c.excitation_y) > length(c.excitation) ? c.excitation_y : c.excitation;
+}
+
+/// What a case in plan is solved as, of one that is right so far.
+void make_in_plan(const TomlView& root, ReadCase& read, Diagnostics& diagnostics) {
+  std::vector<PlanBuilding> made = make_buildings(root, read.c, read.buildings);
+  read.plan.emplace();
+  check_times(root, {}, read);
+  if (!diagnostics.ok()) return;
+  try {
+    read.plan = make_plan_problem(read.c, std::move(made));
+  } catch (const InvalidParameter& fault) {  // an overlap at the start, of contacts without time
+    const auto initial = root.find("initial");
+    (initial ? *initial : root).error(std::string("cannot be computed with: ") + fault.what());
+  }
 }
 
 }  // namespace
@@ -245,10 +303,8 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
                          CaseMemo* memo, const std::function<void(double)>& progress) {
   ReadCase read;
   Case& c = read.c;
-  if (const auto plan = plan_of(root)) {
-    plan->error("is of buildings in plan, which is not taken here; bentur run, gap and report take it");
-    return read;
-  }
+  const CaseFiles files{folder, diagnostics, memo};
+  const bool in_plan = plan_of(root).has_value();
   if (const auto study = root.find("case"); study && !root.has("building")) {
     study->error("names the case of a study, which is not taken here: bentur sweep, ida, gap and remedy take studies");
     return read;
@@ -258,26 +314,36 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
   std::vector<ReadBuilding>& buildings = read.buildings;
-  buildings = with_struck_columns(root, read_buildings(root, c.units, {folder, diagnostics}, memo));
-  c.gaps = read_gaps(root, buildings);
-  c.links = read_links(root, buildings);
-  c.excitation = read_excitation(root, c.units, buildings, c.gaps, folder, diagnostics, memo);
+  buildings = in_plan ? read_plan_buildings(root, c.units)
+                      : with_struck_columns(root, read_buildings(root, c.units, {folder, diagnostics}, memo));
+  c.gaps = in_plan ? read_plan_gaps(root, buildings) : read_gaps(root, buildings);
+  c.links = read_links(root, buildings, in_plan);
+  const std::size_t neighbours = buildings.empty() ? 0 : buildings.size() - 1;
+  const std::size_t gaps = !in_plan ? neighbours : diagnostics.ok() ? c.gaps.size() : 0;
+  read_excitation(root, buildings, files, in_plan, c);
   bool moves = false;
-  c.initial = read_initial(root, buildings, moves);
-  c.analysis = read_analysis(root, c.excitation);
-  c.code = read_code(root, c.units, buildings.size(), buildings.empty() ? 0 : buildings.size() - 1);
+  c.initial = read_initial(root, buildings, in_plan, moves);
+  if (in_plan) refuse_steps_with_friction(root, c.gaps);
+  c.analysis = read_analysis(root, longest_of(c));
+  c.code = read_code(root, c.units, buildings.size(), gaps);
   c.screening = read_screening(root);
   c.project = read_project(root, folder, diagnostics);
   check_values(root, case_keys());
   for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
   if (!diagnostics.ok()) return read;
-  if (std::holds_alternative<NoMotion>(c.excitation.motion) && !is_without_motion(c) && !moves) {
+  const bool still =
+      std::holds_alternative<NoMotion>(c.excitation.motion) && std::holds_alternative<NoMotion>(c.excitation_y.motion);
+  if (still && !is_without_motion(c) && !moves) {
     root.find("excitation")
         ->find("kind")
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
-  std::vector<TomlView> views = root.find("building")->items();
-  for (std::size_t b = 0; b < views.size(); ++b) views[b] = views[b].renamed(buildings[b].path);
+  if (in_plan) {
+    make_in_plan(root, read, diagnostics);
+    return read;
+  }
+  std::vector<TomlView> views;
+  for (std::size_t b = 0; b < buildings.size(); ++b) views.push_back(view_of(root, buildings, b));
   check_assembled(views, c.units, buildings);
   if (diagnostics.ok()) {
     check_overlaps(root, read);
@@ -287,6 +353,10 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   }
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;
+}
+
+TomlView view_of(const TomlView& root, const std::vector<ReadBuilding>& buildings, std::size_t building) {
+  return root.find("building")->item(building).renamed(buildings.at(building).path);
 }
 
 Units read_units(const TomlView& root) {
@@ -318,20 +388,24 @@ std::optional<Case> read_parsed(const std::string& text, const std::filesystem::
   return c;
 }
 
-/// Puts a harmonic motion in place of a record. @return whether there was one.
-bool take_record_out(TomlValue& root) {
-  TomlValue* const excitation = root.find("excitation");
-  if (excitation != nullptr) {
-    const TomlValue* const kind = excitation->find("kind");
-    if (kind == nullptr || (kind->text != "record" && kind->text != "suite")) return false;
-    std::erase_if(excitation->members, [](const TomlMember& one) {
-      return one.key != "delays" && one.key != "wave_velocity" && one.key != "kinematics";
-    });
+void take_made(ReadCase& read, MadeParts& made) {
+  if (read.plan) {
+    made.plan = std::move(*read.plan);
+  } else {
+    made.buildings = read.made_buildings();
   }
-  put_value(root, {"excitation", "kind"}, toml_text("harmonic"));
-  for (const char* key : {"period", "displacement_amplitude"}) put_value(root, {"excitation", key}, toml_number(1));
-  // The duration is a record's own where none is given.
-  for (const char* key : {"duration", "output_step"}) put_value(root, {"analysis", key}, toml_number(1));
+}
+
+/// Puts a harmonic motion in place of a record or a suite, in [excitation] or its y. @return whether there was one
+bool take_record_out(TomlValue& excitation) {
+  const TomlValue* const kind = excitation.find("kind");
+  if (kind == nullptr || (kind->text != "record" && kind->text != "suite")) return false;
+  constexpr std::string_view kept[] = {"delays", "wave_velocity", "wave_angle", "kinematics", "angle", "y"};
+  std::erase_if(excitation.members, [&](const TomlMember& one) {
+    return std::find(std::begin(kept), std::end(kept), one.key) == std::end(kept);
+  });
+  put_value(excitation, {"kind"}, toml_text("harmonic"));
+  for (const char* key : {"period", "displacement_amplitude"}) put_value(excitation, {key}, toml_number(1));
   return true;
 }
 
@@ -344,23 +418,45 @@ void leave_out_lost_logo(TomlValue& root, const std::filesystem::path& folder) {
   std::erase_if(project->members, [](const TomlMember& one) { return one.key == "logo"; });
 }
 
+bool refuse_plan(const Case& c, const std::filesystem::path& file, Diagnostics& diagnostics) {
+  if (!c.is_in_plan()) return false;
+  const std::string name = file.string();
+  const auto plan = c.given != nullptr ? plan_of(TomlView(*c.given, "", name, diagnostics)) : std::nullopt;
+  const std::string why = "is of buildings in plan, which is not taken here; bentur run, gap and report take it";
+  if (plan) {
+    plan->error(why);
+  } else {
+    diagnostics.error({name, 0, 0}, why);
+  }
+  return true;
+}
+
 std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
-                                   std::vector<Building>* buildings, const std::function<void(double)>& progress) {
+                                   MadeParts* made, const std::function<void(double)>& progress) {
   return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {
     ReadCase read = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found, nullptr, progress);
-    if (buildings != nullptr && found.ok()) *buildings = read.made_buildings();
+    if (made != nullptr && found.ok()) take_made(read, *made);
     return std::move(read.c);
   });
 }
 
 std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
-                                             Diagnostics& diagnostics) {
+                                             Diagnostics& diagnostics, MadeParts* made) {
   return read_parsed(text, file, diagnostics, [&](TomlValue& root, const std::string& name, Diagnostics& found) {
-    const bool taken = take_record_out(root);
     leave_out_lost_logo(root, file.parent_path());
-    Case c = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found).c;
-    if (taken) c.excitation.motion = NoMotion{};
-    return c;
+    TomlValue* const excitation = root.find("excitation");
+    TomlValue* const along_y = excitation != nullptr ? excitation->find("y") : nullptr;
+    const bool taken = excitation != nullptr && take_record_out(*excitation);
+    const bool taken_y = along_y != nullptr && take_record_out(*excitation->find("y"));
+    const TomlValue* const analysis = root.find("analysis");
+    const bool lasts = analysis != nullptr && analysis->find("duration") != nullptr;
+    if ((taken || taken_y) && !lasts) put_value(root, {"analysis", "duration"}, toml_number(1));
+    ReadCase read = read_case_parts(TomlView(root, "", name, found), file.parent_path(), found);
+    if (taken) read.c.excitation.motion = NoMotion{};
+    if (taken_y) read.c.excitation_y.motion = NoMotion{};
+    if (read.plan) read.plan->motions = {read.c.excitation.motion, read.c.excitation_y.motion};
+    if (made != nullptr && found.ok()) take_made(read, *made);
+    return std::move(read.c);
   });
 }
 
@@ -377,10 +473,10 @@ std::optional<ProjectSpec> project_of(const std::string& text) {
   return found.ok() ? project : std::nullopt;
 }
 
-std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics,
-                              std::vector<Building>* buildings, const std::function<void(double)>& progress) {
+std::optional<Case> read_case(const std::filesystem::path& file, Diagnostics& diagnostics, MadeParts* made,
+                              const std::function<void(double)>& progress) {
   const auto text = read_input(file, case_input, diagnostics);
-  return text ? read_case_text(*text, file, diagnostics, buildings, progress) : std::nullopt;
+  return text ? read_case_text(*text, file, diagnostics, made, progress) : std::nullopt;
 }
 
 std::vector<std::filesystem::path> files_read(const Case& c) {
@@ -388,7 +484,9 @@ std::vector<std::filesystem::path> files_read(const Case& c) {
   const auto add = [&](const std::string& path) {
     if (!path.empty()) files.emplace_back(path);
   };
-  if (c.excitation.record) add(c.excitation.record->path);
+  for (const ExcitationSpec* const one : c.excitations()) {
+    if (one->record) add(one->record->path);
+  }
   if (c.excitation.spectrum) add(c.excitation.spectrum->path);
   if (c.excitation.suite) {
     add(c.excitation.suite->target.path);

@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/case/plan/plan_toml.h"
 #include "bentur/io/toml/toml_value.h"
 #include "tests/support/mutated_text.h"
 
@@ -53,11 +52,6 @@ bool is_tried_here(const std::string& file) {
 #endif
 }
 
-/// Whether a case can be read, of a row or of buildings in plan.
-bool reads(const fs::path& file, Diagnostics& diagnostics) {
-  return is_plan_case(file) ? read_plan_case(file, diagnostics).has_value() : read_case(file, diagnostics).has_value();
-}
-
 /// Counts are refused before any work that grows with them.
 TEST(CaseToml, TooManyBuildingsAndStoreysAreCountedFirst) {
   std::string buildings, numbers;
@@ -85,7 +79,7 @@ TEST(CaseToml, EachBadInputGivesItsMessages) {
     ++cases;
     SCOPED_TRACE(entry.path().filename().string());
     Diagnostics diagnostics;
-    EXPECT_FALSE(reads(entry.path(), diagnostics));
+    EXPECT_FALSE(read_case(entry.path(), diagnostics));
     const std::string folder = entry.path().parent_path().string() + "/";
     const auto expected = lines(content(fs::path(entry.path()).replace_extension(".expected")));
     const auto errors = diagnostics.errors();
@@ -110,7 +104,7 @@ TEST(CaseToml, EachMessageOfBadInputHasItsKey) {
   for (const std::string& file : files) {
     if (!is_tried_here(file)) continue;
     Diagnostics diagnostics;
-    (void)reads(bad_input / file, diagnostics);
+    (void)read_case(bad_input / file, diagnostics);
     for (const Diagnostic& one : diagnostics.errors()) {
       keys.push_back(file + ":" + (one.key.empty() ? "" : " " + one.key));
       EXPECT_TRUE(one.message().starts_with(one.key)) << one.text();

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/gap/levels.h"
 #include "bentur/pounding/plan/faces.h"
@@ -384,7 +384,7 @@ class BlockMaker {
   /// What is written can be read, whatever the rules are.
   void check_case() {
     Diagnostics found;
-    if (read_plan_case_text(result_.text, "", found)) return;
+    if (read_case_text(result_.text, "", found)) return;
     for (const Diagnostic& one : found.errors()) {
       diagnostics_.error({file_}, "would become a case with an error: " + one.message());
     }

@@ -9,8 +9,8 @@
 #include <random>
 #include <tuple>
 
-#include "bentur/io/case/plan/plan_toml.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/pounding/plan/faces.h"
 
 namespace bentur {
@@ -47,7 +47,7 @@ std::string collection(const std::vector<std::string>& features) {
 struct Block {
   Diagnostics diagnostics;
   std::optional<ImportedCase> made;
-  std::optional<PlanCase> c;
+  std::optional<Case> c;
   PlanProblem problem;
 
   [[nodiscard]] std::string errors() const {
@@ -68,7 +68,9 @@ Block block_of(const std::string& text, const BlockRules& rules = {},
   const auto houses = read_geojson(text, "block.geojson", options, block.diagnostics);
   if (houses) block.made = make_block_case(*houses, "block.geojson", rules, block.diagnostics);
   if (!block.made) return block;
-  block.c = read_plan_case_text(block.made->text, "block.toml", block.diagnostics, &block.problem);
+  MadeParts made;
+  block.c = read_case_text(block.made->text, "block.toml", block.diagnostics, &made);
+  block.problem = std::move(made.plan);
   return block;
 }
 

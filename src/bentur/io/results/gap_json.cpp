@@ -7,24 +7,24 @@
 #include "bentur/io/results/internal/code_json.h"
 #include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 
 namespace bentur {
 namespace {
 
 /// `at`: [x, y] in the middle of the gap; nothing of a row.
-void put_place(const PlanGap* gap, bool is_point, Eigen::Index index, Json& json) {
-  if (gap == nullptr) return;
-  const PlanPoint at = place_of(*gap, is_point, index);
+void put_place(const PlanProblem* plan, const Problem& row, bool is_point, Eigen::Index index, Json& json) {
+  if (plan == nullptr) return;
+  const PlanPoint at = place_of(*plan, row, is_point, index);
   json["at"] = {at.x(), at.y()};
 }
 
 /// Of one watched floor: where it is, and what it needs or does.
-Json watched_json(const Problem& problem, Eigen::Index index, const PlanGap* in_plan) {
+Json watched_json(const Problem& problem, Eigen::Index index, const PlanProblem* plan) {
   const WatchedFloor& floor = problem.watched[index];
   Json json = {{"floor_of", problem.buildings[floor.floor_of].name}, {"elevation", floor.elevation}};
-  put_place(in_plan, false, index, json);
-  json["faces"] = floor.facing_floor ? "floor" : in_plan != nullptr ? "edge" : "column";
+  put_place(plan, problem, false, index, json);
+  json["faces"] = floor.facing_floor ? "floor" : plan != nullptr ? "edge" : "column";
   json["width"] = floor.width;
   return json;
 }
@@ -57,14 +57,14 @@ void forget_needs(std::vector<LevelSeparation>& levels) {
 
 /// What each rule asks where it falls short the most.
 Json findings_json(const std::vector<RuleFinding>& findings, const std::vector<LevelSeparation>& levels,
-                   const PlanGap* in_plan) {
+                   const Problem& problem, const PlanProblem* plan) {
   Json json = Json::array();
   for (const RuleFinding& found : findings) {
     Json one = {{"rule", found.rule}};
     if (found.at) {
       const FacingLevel& level = levels[*found.at].level;
       one.update({{"gap", found.gap}, {"elevation", level.elevation}});
-      put_place(in_plan, level.is_point, level.index, one);
+      put_place(plan, problem, level.is_point, level.index, one);
       one.update({{"width", level.width},
                   {"given_is", found.is_short ? "too_small" : "enough"},
                   {"understates", found.lacks.has_value()}});
@@ -99,13 +99,14 @@ void put_judgements(const std::vector<ToldJudgement>& told, Json& gaps) {
 }
 
 Json between_json(const Problem& problem, Eigen::Index gap) {
-  return {problem.buildings[gap].name, problem.buildings[gap + 1].name};
+  const GapPair sides = sides_of(problem, gap);
+  return {problem.buildings[sides.left].name, problem.buildings[sides.right].name};
 }
 
-Json watched_list(const Problem& problem, const Response& response, const Gap& gap, const PlanGap* in_plan) {
+Json watched_list(const Problem& problem, const Response& response, const Gap& gap, const PlanProblem* plan) {
   Json list = Json::array();
   for (const Eigen::Index i : gap.watched) {
-    Json json = watched_json(problem, i, in_plan);
+    Json json = watched_json(problem, i, plan);
     const WatchedSummary& summary = response.watched.at(i);
     json["gap_needed"] = response.collapse_no_contact ? Json(nullptr) : Json(summary.gap_needed);
     json["gap_needed_reversed"] = or_null(summary.gap_needed_reversed);
@@ -119,15 +120,15 @@ Json watched_list(const Problem& problem, const Response& response, const Gap& g
 }
 
 Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap, const std::string& length,
-                     const PlanGap* in_plan) {
+                     const PlanProblem* plan) {
   Json list = Json::array();
   for (const Eigen::Index i : unmodelled_contacts(problem, response, gap)) {
     const WatchedFloor& floor = problem.watched[i];
     Json json = {{"floor_of", problem.buildings[floor.floor_of].name}, {"elevation", floor.elevation}};
-    put_place(in_plan, false, i, json);
+    put_place(plan, problem, false, i, json);
     json.update({{"least_opening", response.watched[i].least_opening},
                  {"time", response.watched[i].least_time},
-                 {"to_model", remedy_text(problem, floor, length, in_plan != nullptr)}});
+                 {"to_model", remedy_text(problem, floor, length, plan != nullptr)}});
     list.push_back(std::move(json));
   }
   return list;
@@ -135,24 +136,23 @@ Json unmodelled_list(const Problem& problem, const Response& response, Eigen::In
 
 Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels, double scale,
                  bool collapsed, Eigen::Index gap, const std::vector<ScreeningFinding>& screened,
-                 const PlanGap* in_plan) {
-  const std::vector<RuleFinding> findings =
-      rule_findings(problem, levels, c.code, scale, collapsed, in_plan != nullptr);
+                 const PlanProblem* plan) {
+  const std::vector<RuleFinding> findings = rule_findings(problem, levels, c.code, scale, collapsed, plan != nullptr);
   if (collapsed) forget_needs(levels);
   Json points = Json::array(), watched = Json::array();
   for (const LevelSeparation& one : levels) {
     if (one.level.is_point) {
       points.push_back({{"elevation", one.level.elevation}});
-      put_place(in_plan, true, one.level.index, points.back());
+      put_place(plan, problem, true, one.level.index, points.back());
       points.back()["width"] = one.level.width;
     } else {
-      watched.push_back(watched_json(problem, one.level.index, in_plan));
+      watched.push_back(watched_json(problem, one.level.index, plan));
     }
     (one.level.is_point ? points : watched).back().update(separation_json(one));
   }
   Json json = {{"between", between_json(problem, gap)}};
   json.update(separation_json(largest_of(levels)));
-  json["rules"] = findings_json(findings, levels, in_plan);
+  json["rules"] = findings_json(findings, levels, problem, plan);
   json["points"] = points;
   json["watched_floors"] = watched;
   json["screening"] = screening_json(screened, c.units);

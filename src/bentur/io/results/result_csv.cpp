@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bentur/model/plan/plan_places.h"
+
 namespace bentur {
 
 std::string csv_heading(const Quantity& quantity, const Units& units) {
@@ -26,22 +28,45 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string impacts_csv(const RunView& run) {
-  const std::vector<const Quantity*> columns = quantities_of(Owner::impact);
-  std::string csv = fmt::format("left,right,elevation [{}],struck", run.units.length);
-  for (const Quantity* quantity : columns) csv += "," + csv_heading(*quantity, run.units);
+namespace {
+
+/// @param seen where quantities are read from @param places_of the first fields of an impact, as `headings` call them
+template <class Seen, class PlacesOf>
+std::string csv_of(const Seen& seen, const Units& units, const std::vector<const Quantity*>& columns,
+                   const std::string& headings, const PlacesOf& places_of) {
+  std::string csv = headings;
+  for (const Quantity* const quantity : columns) csv += "," + csv_heading(*quantity, units);
   csv += "\n";
-  for (Eigen::Index i = 0; i < std::ssize(run.response.impacts); ++i) {
-    const ContactPoint& point = run.problem.points.at(static_cast<std::size_t>(run.response.impacts[i].point));
-    const auto left = static_cast<std::size_t>(point.left);
-    const std::optional<StruckColumn> struck = struck_column(run.problem, point);
-    csv += fmt::format("{},{},{},{}", csv_field(run.problem.buildings[left].name),
-                       csv_field(run.problem.buildings[left + 1].name), csv_number(point.elevation),
-                       struck ? csv_field(run.problem.buildings[struck->building].name) : "");
-    for (const Quantity* quantity : columns) csv += "," + csv_number(value_of(*quantity, run, {i, 0}));
+  for (Eigen::Index i = 0; i < std::ssize(seen.response.impacts); ++i) {
+    csv += places_of(seen.response.impacts[i].point);
+    for (const Quantity* const quantity : columns) csv += "," + csv_number(value_of(*quantity, seen, {i}));
     csv += "\n";
   }
   return csv;
+}
+
+}  // namespace
+
+std::string impacts_csv(const RunView& run) {
+  const std::string headings = fmt::format("left,right,elevation [{}],struck", run.units.length);
+  return csv_of(run, run.units, quantities_of(Owner::impact), headings, [&](Eigen::Index at) {
+    const ContactPoint& point = run.problem.points.at(static_cast<std::size_t>(at));
+    const std::optional<StruckColumn> struck = struck_column(run.problem, point);
+    return fmt::format("{},{},{},{}", csv_field(run.problem.buildings[point.left].name),
+                       csv_field(run.problem.buildings[point.right].name), csv_number(point.elevation),
+                       struck ? csv_field(run.problem.buildings[struck->building].name) : "");
+  });
+}
+
+std::string impacts_csv(const PlanRun& run) {
+  const std::string headings = fmt::format("left,right,elevation [{0}],x [{0}],y [{0}]", run.c.units.length);
+  return csv_of(run, run.c.units, quantities_of(Owner::impact, true), headings, [&](Eigen::Index at) {
+    const PlanContactPlace place = contact_at(run.problem, at);
+    const PlanGap& gap = run.problem.gaps[place.gap];
+    return fmt::format("{},{},{},{},{}", csv_field(run.problem.buildings[gap.left].name),
+                       csv_field(run.problem.buildings[gap.right].name), csv_number(place.contact->elevation),
+                       csv_number(place.at.x()), csv_number(place.at.y()));
+  });
 }
 
 }  // namespace bentur

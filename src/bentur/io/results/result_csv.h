@@ -18,5 +18,7 @@ namespace bentur {
 /// `impacts.csv`: one row per impact by start, a header row with units, numbers to the last digit (RFC 4180, LF). Every
 /// quantity of an impact is a column, behind those that say where it was; one that is not known stays empty.
 [[nodiscard]] std::string impacts_csv(const RunView& run);
+/// The same of buildings in plan, with the places of the contact points.
+[[nodiscard]] std::string impacts_csv(const PlanRun& run);
 
 }  // namespace bentur

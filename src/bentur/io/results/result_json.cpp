@@ -7,15 +7,8 @@
 #include <optional>
 #include <variant>
 
-#include "bentur/io/results/internal/asked_json.h"
-#include "bentur/io/results/internal/code_json.h"
-#include "bentur/io/results/internal/gap_json.h"
 #include "bentur/io/results/internal/hinges_json.h"
-#include "bentur/io/results/judged_by_json.h"
-#include "bentur/io/results/story_json.h"
-#include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/judgement/judged_gaps.h"
-#include "bentur/model/story/story.h"
+#include "bentur/io/results/internal/run_json.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -31,29 +24,6 @@ Json place_json(const HingePlace& place) {
   return {{"member", "column"}, {"storey", place.level}, {"line", place.number}, {"end", word_of(place.end)}};
 }
 
-/// Every quantity of `owner` at a place into the object that stands for it, where nothing stands yet.
-void put_quantities(Json& object, Owner owner, const RunView& run, Eigen::Index item = 0, Eigen::Index place = 0) {
-  const auto json_of = [&](const Quantity& quantity, Eigen::Index floor) -> Json {
-    const double value = value_of(quantity, run, {item, floor});
-    if (std::isnan(value)) return nullptr;
-    return is_whole(quantity) ? Json(static_cast<long>(value)) : Json(value);
-  };
-  for (const Quantity* quantity : quantities_of(owner)) {
-    const Json::json_pointer at(quantity->pointer.empty() ? "/" + std::string(quantity->key)
-                                                          : std::string(quantity->pointer));
-    if (object.contains(at) || !is_told_at_any(*quantity, run, {{.item = item}})) continue;
-    if (owner == Owner::floor) {
-      Json list = Json::array();
-      for (Eigen::Index i = 0; i < run.problem.buildings[item].model.floors(); ++i) {
-        list.push_back(json_of(*quantity, i));
-      }
-      object[at] = list;
-    } else {
-      object[at] = json_of(*quantity, place);
-    }
-  }
-}
-
 /// What the columns of a frame did that can break in shear.
 void put_breaking_columns(Json& json, const RunView& run, Eigen::Index b) {
   const std::vector<BreakingColumn>& columns = run.problem.buildings[b].model.hinges.columns;
@@ -64,7 +34,7 @@ void put_breaking_columns(Json& json, const RunView& run, Eigen::Index b) {
     Json column = {{"storey", place.storey}, {"line", place.line}};
     if (place.piece > 0) column["piece"] = place.piece;
     column["shear_capacity"] = place.capacity;
-    put_quantities(column, Owner::column, run, at.item, at.floor);
+    put_quantities(column, Owner::column, run, {at});
     json["breaking_columns"].push_back(std::move(column));
   }
 }
@@ -82,12 +52,6 @@ Json soil_json(const SoilSpec& spec) {
                           {"radius", half_space->radius}};
   }
   return json;
-}
-
-Json collapse_json(const RunView& run, const Collapse& collapse) {
-  return {{"building", run.problem.buildings.at(static_cast<std::size_t>(collapse.building)).name},
-          {"storey", run.problem.buildings[collapse.building].model.storey_number(collapse.storey)},
-          {"time", collapse.time}};
 }
 
 /// How good the shapes are that were given, and what of each floor's mass they move.
@@ -108,8 +72,8 @@ Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
     if (spec.soil) json["soil"] = soil_json(*spec.soil);
     if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) json["modal"] = modal_json(spec, *modal);
   }
-  put_quantities(json, Owner::building, run, b);
-  put_quantities(json, Owner::floor, run, b);
+  put_quantities(json, Owner::building, run, {{b}});
+  put_quantities(json, Owner::floor, run, floors_of(run.problem, b));
   if (!building.model.hinges.places.empty() || !building.model.hinges.columns.empty()) put_hinges(json, run, b);
   return json;
 }
@@ -121,7 +85,7 @@ Json point_json(const RunView& run, Eigen::Index i, const ContactSpec& contact) 
   if (const auto struck = struck_column(run.problem, point)) {
     json["struck"] = run.problem.buildings[struck->building].name;
   }
-  put_quantities(json, Owner::point, run, i);
+  put_quantities(json, Owner::point, run, {{i}});
   if (run.response.collapse_no_contact) json["gap_needed"] = nullptr;
   json["contact"] = contact_json(*point.law, contact);
   return json;
@@ -136,7 +100,7 @@ Json links_json(const RunView& run, const Case& c) {
     for (const Eigen::Index i : of_table) {
       const Link& link = run.problem.links.at(static_cast<std::size_t>(i));
       Json json = {{"elevation", link.elevation}};
-      put_quantities(json, Owner::link, run, i);
+      put_quantities(json, Owner::link, run, {{i}});
       json["link"] = {{"law", c.links[tables.size()].law}};
       for (const auto& [name, value] : link.law->parameters()) json["link"][std::string(name)] = value;
       points.push_back(json);
@@ -145,16 +109,6 @@ Json links_json(const RunView& run, const Case& c) {
     tables.push_back({{"between", names}, {"points", points}});
   }
   return tables;
-}
-
-Json solver_json(const Solver& solver, const Response& response) {
-  Json json = {{"name", name(solver)}};
-  if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver)) json["tolerance"] = adaptive->tolerance;
-  if (const auto* stepwise = std::get_if<RungeKuttaSolver>(&solver)) json["step"] = stepwise->step;
-  json["steps"] = response.steps;
-  json["wall_time"] = response.wall_time;
-  json["peak_input_energy"] = response.energy ? Json(response.energy->peak_input) : Json(nullptr);
-  return json;
 }
 
 }  // namespace
@@ -175,7 +129,7 @@ void put_hinges(Json& json, const RunView& run, Eigen::Index b) {
   json["hinges"] = Json::array();
   for (const QuantityPlace& at : hinges_of(run.problem, b)) {
     Json hinge = place_json(hinges.places[at.floor]);
-    put_quantities(hinge, Owner::hinge, run, at.item, at.floor);
+    put_quantities(hinge, Owner::hinge, run, {at});
     const bool known = hinges.clockwise.size() > at.floor;  // not from histories.nc
     if (known && std::isinf(hinges.clockwise(at.floor)) && std::isinf(hinges.anticlockwise(at.floor))) {
       hinge["never_flows"] = true;
@@ -198,32 +152,16 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   Json gaps = Json::array();
   for (const Gap& gap : gaps_of(run.problem)) {
     Json points = Json::array();
-    for (const Eigen::Index i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.left).contact));
-    Json json = {{"between", between_json(run.problem, gap.left)}};
-    put_quantities(json, Owner::gap, run, gap.left);
-    json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.left, c.units.length);
+    for (const Eigen::Index i : gap.points) points.push_back(point_json(run, i, c.gaps.at(gap.number).contact));
+    Json json = {{"between", between_json(run.problem, gap.number)}};
+    put_quantities(json, Owner::gap, run, {{gap.number}});
+    json["unmodelled_contact"] = unmodelled_list(run.problem, run.response, gap.number, c.units.length);
     json["points"] = points;
     json["watched_floors"] = watched_list(run.problem, run.response, gap);
     gaps.push_back(json);
   }
-  put_judgements(told_judgements(results), gaps);
-  Json json = {{"title", c.title},
-               {"units", units_json(c.units)},
-               {"version", version},
-               {"case", source_json(c.source)},
-               {"status", run.response.collapse ? "collapsed" : "completed"},
-               {"solver", solver_json(c.analysis.solver, run.response)},
-               {"excitation", excitation_json(c.excitation)},
-               {"statements", Json::parse(statements_json(run.problem, run_story(results).statements))},
-               {"remarks", remarks_json(results.remarks)},
-               {"buildings", buildings},
-               {"gaps", gaps}};
-  json["judged_by"] = judged_by_json(run.response, drifts_no_contact(results));
-  const Response& response = run.response;
-  if (response.collapse) json["collapse"] = collapse_json(run, *response.collapse);
-  if (response.collapse_no_contact) json["collapse_no_contact"] = collapse_json(run, *response.collapse_no_contact);
+  Json json = summary_of(results, run, version, std::move(buildings), std::move(gaps));
   if (!c.links.empty()) json["links"] = links_json(run, c);
-  put_quantities(json, Owner::run, run);
   return text_of(json);
 }
 
@@ -249,23 +187,11 @@ std::string modes_json(const std::vector<Building>& buildings, const Units& unit
 }
 
 std::string gap_json(const RunResults& results, std::string_view version) {
-  const Problem& problem = results.problem;
-  const std::vector<LevelSeparation> all = separations(problem, results.response, results.c.code, results.c.units);
-  Json gaps = Json::array();
-  for (const Gap& gap : gaps_of(problem)) {
-    gaps.push_back(gap_json_of(results.c, problem, of_gap(all, gap.left),
-                               displacement_scale(problem, results.response, gap.left),
-                               results.response.collapse_no_contact.has_value(), gap.left,
-                               screening(problem, gap.left, results.c.screening, results.c.units)));
+  std::vector<std::vector<ScreeningFinding>> screened;
+  for (Eigen::Index gap = 0; gap < gap_count(results.problem); ++gap) {
+    screened.push_back(screening(results.problem, gap, results.c.screening, results.c.units));
   }
-  put_judgements(told_judgements(results), gaps);
-  return text_of({{"title", results.c.title},
-                  {"units", units_json(results.c.units)},
-                  {"version", version},
-                  {"excitation", excitation_json(results.c.excitation)},
-                  {"statements", Json::parse(statements_json(problem, gap_story(results).statements))},
-                  {"code_rules", code_rules_json(results.c.code)},
-                  {"gaps", gaps}});
+  return gaps_json(results, results, version, screened);
 }
 
 std::string spectral_gap_json(const Case& c, const Problem& problem, const SpectralGaps& spectral,
@@ -288,15 +214,15 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
     }
   }
   for (const Gap& gap : gaps_of(problem)) {
-    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.left), 0, false, gap.left,
-                               screening(problem, gap.left, c.screening, c.units)));
+    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.number), 0, false, gap.number,
+                               screening(problem, gap.number, c.screening, c.units)));
   }
   put_judgements(told_judgements(c, problem, spectral), gaps);
   return text_of(
       {{"title", c.title},
        {"units", units_json(c.units)},
        {"version", version},
-       {"excitation", excitation_json(c.excitation)},
+       {"excitation", excitation_json(c)},
        {"statements", Json::parse(statements_json(problem, spectral_story(c, problem, spectral).statements))},
        {"code_rules", code_rules_json(c.code)},
        {"buildings", buildings},

@@ -82,12 +82,13 @@ OrderedJson height_gap_json(const Case& c, const Problem& problem, Eigen::Index 
   for (const HeightFinding& found : height_findings(problem, gap, c.code, c.units)) {
     rules.push_back(finding_json(found));
   }
-  return {{"between", {problem.buildings[gap].name, problem.buildings[gap + 1].name}}, {"rules", rules}};
+  const GapPair sides = sides_of(problem, gap);
+  return {{"between", {problem.buildings[sides.left].name, problem.buildings[sides.right].name}}, {"rules", rules}};
 }
 
 std::string height_rules_json(const Case& c, const Problem& problem, std::string_view version) {
   OrderedJson gaps = OrderedJson::array();
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     gaps.push_back(height_gap_json(c, problem, gap));
   }
   const OrderedJson json = {

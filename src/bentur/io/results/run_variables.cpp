@@ -317,7 +317,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       for (std::size_t i = 0; i < all.size(); ++i) {
         if (names[i].empty()) continue;
         const bool left = problem_.buildings[all[i].left].name == names[i];
-        const StructuralModel& model = problem_.buildings[all[i].left + (left ? 0 : 1)].model;
+        const StructuralModel& model = problem_.buildings[left ? all[i].left : all[i].right].model;
         if (nodes[i] < 0 || nodes[i] >= model.nodes()) file_.source.fail("a floor strikes a column that is not in it");
         (left ? all[i].left_floor : all[i].right_floor) = model.floors() + nodes[i];
         all[i].column_shear_capacity = shears[i];
@@ -476,7 +476,10 @@ RunResults read_run(const ResultSource& source) {
     if (item.left_floor == 0) item.left_floor = nearest_floor(problem.buildings[left], item.elevation);
     if (item.right_floor == 0) item.right_floor = nearest_floor(problem.buildings[right], item.elevation);
   };
-  for (ContactPoint& point : problem.points) take_floors(point, point.left, point.left + 1);
+  for (ContactPoint& point : problem.points) {
+    point.gap = point.left;
+    take_floors(point, point.left, point.right);
+  }
   for (Link& link : problem.links) take_floors(link, link.left, link.right);
   problem.duration = results.response.histories.time.back();  // less than a step before the end of the analysis
   for (const Impact& impact : results.response.impacts) problem.duration = std::max(problem.duration, impact.end);

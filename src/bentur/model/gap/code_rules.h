@@ -52,7 +52,8 @@ struct CodeSide {
 
 struct CodePair {
   CodeSide left, right;
-  std::size_t left_building = 0;  ///< its place in the row; the right one is the next
+  std::size_t left_building = 0;                   ///< its place among the buildings
+  std::size_t right_building = left_building + 1;  ///< likewise
   bool floors_aligned =
       false;  ///< up to the lower roof every floor of either has a floor of the other at its elevation
   Boundary boundary = Boundary::property_line;

@@ -348,6 +348,7 @@ TEST(CodeRules, EachBuildingOfARowHasItsOwnNumbers) {
   CodePair pair = pair_in_metres();
   CodeRuleSpec given{.rule = "is-1893-1", .numbers = {{"response_reduction", {100.0, 5.0, 3.0}}}};
   pair.left_building = 1;
+  pair.right_building = 2;
   pair.floors_aligned = true;
   EXPECT_NEAR(gap(pair, given), 5 * 0.03 + 3 * 0.04, 1e-15);
   given.numbers["response_reduction"] = {4};

@@ -28,14 +28,15 @@ std::vector<FacingLevel> facing_levels(const Problem& problem, Eigen::Index gap)
 
 std::vector<FacingLevel> facing_levels(const Problem& problem) {
   std::vector<FacingLevel> all;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     for (const FacingLevel& level : facing_levels(problem, gap)) all.push_back(level);
   }
   return all;
 }
 
 double face_height(const Problem& problem, const FacingLevel& level, int side) {
-  const StructuralModel& model = problem.buildings[level.gap + side].model;
+  const GapPair sides = sides_of(problem, level.gap);
+  const StructuralModel& model = problem.buildings[side == 0 ? sides.left : sides.right].model;
   const auto floor = face_floor(problem, level, side);
   return (floor ? model.elevations[*floor] : level.elevation) - base_of(model);
 }

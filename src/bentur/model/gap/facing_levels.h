@@ -9,7 +9,7 @@ namespace bentur {
 
 /// A level at which two neighbours face one another: a contact point or a watched floor of a problem.
 struct FacingLevel {
-  Eigen::Index gap = 0;    ///< index of the building to its left
+  Eigen::Index gap = 0;    ///< its number
   bool is_point = true;    ///< a contact point; else a watched floor
   Eigen::Index index = 0;  ///< into Problem::points or Problem::watched
   double elevation = 0;    ///< [length]

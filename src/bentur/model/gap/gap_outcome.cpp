@@ -15,7 +15,7 @@ constexpr double near_part = 0.25;  // of the smallest storey at two floors: fur
 
 /// The neighbour that a watched floor faces.
 const Building& faced_building(const Problem& problem, const WatchedFloor& floor) {
-  return problem.buildings[static_cast<Eigen::Index>(2 * floor.left + 1 - floor.floor_of)];
+  return problem.buildings[floor.faced()];
 }
 
 /// A tolerance of two digits that lets floors so far apart meet [length].
@@ -30,8 +30,7 @@ bool GoverningLevel::is_short() const { return falls_short(width, gap_needed, sc
 
 double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap) {
   double scale = 0;
-  for (const Eigen::Index b : {gap, gap + 1}) {
-    if (b >= std::ssize(problem.buildings)) continue;
+  for (const Eigen::Index b : buildings_of(problem, gap)) {
     const Eigen::VectorXd& free = response.buildings.at(static_cast<std::size_t>(b)).displacement_no_contact;
     if (free.size() > 0) scale += free.maxCoeff();
   }

@@ -37,21 +37,22 @@ bool first_mode_known(const Building& building) {
 }  // namespace
 
 bool is_linked(const Problem& problem, Eigen::Index gap) {
+  const GapPair sides = sides_of(problem, gap);
   const auto ties = [&](const Link& link) {
-    const auto of_gap = [&](Eigen::Index b) { return b == gap || b == gap + 1; };
+    const auto of_gap = [&](Eigen::Index b) { return b == sides.left || b == sides.right; };
     return of_gap(link.left) || of_gap(link.right);
   };
   return std::any_of(problem.links.begin(), problem.links.end(), ties);
 }
 
 bool is_known_by_peaks(const Problem& problem, Eigen::Index gap) {
-  return problem.buildings.at(static_cast<std::size_t>(gap)).given ||
-         problem.buildings.at(static_cast<std::size_t>(gap) + 1).given;
+  const GapPair sides = sides_of(problem, gap);
+  return problem.buildings[sides.left].given || problem.buildings[sides.right].given;
 }
 
 CodePair code_pair(const Problem& problem, const FacingLevel& level, const CodeSpec& code, const Units& units) {
-  const Building& left = problem.buildings[level.gap];
-  const Building& right = problem.buildings[level.gap + 1];
+  const GapPair sides = sides_of(problem, level.gap);
+  const Building &left = problem.buildings[sides.left], &right = problem.buildings[sides.right];
   const auto side = [&](int of, const Building& building) {
     return CodeSide{
         .level = face_height(problem, level, of),
@@ -61,7 +62,8 @@ CodePair code_pair(const Problem& problem, const FacingLevel& level, const CodeS
   };
   return {.left = side(0, left),
           .right = side(1, right),
-          .left_building = static_cast<std::size_t>(level.gap),
+          .left_building = static_cast<std::size_t>(sides.left),
+          .right_building = static_cast<std::size_t>(sides.right),
           .floors_aligned = code.is_aligned(static_cast<std::size_t>(level.gap)),
           .boundary = code.boundary_at(static_cast<std::size_t>(level.gap)),
           .metre = 1 / metres(units.length)};
@@ -72,8 +74,8 @@ std::vector<LevelSeparation> separations(const Problem& problem,
                                          const CodeSpec& code, const Units& units) {
   std::vector<LevelSeparation> result;
   for (const FacingLevel& level : facing_levels(problem)) {
-    const Building& left = problem.buildings[level.gap];
-    const Building& right = problem.buildings[level.gap + 1];
+    const GapPair sides = sides_of(problem, level.gap);
+    const Building &left = problem.buildings[sides.left], &right = problem.buildings[sides.right];
     const LevelPeaks peaks = peaks_at(level);
     const auto ddc = [&] {
       if (!first_mode_known(left) || !first_mode_known(right) || is_linked(problem, level.gap)) return not_known;
@@ -113,9 +115,11 @@ std::vector<LevelSeparation> separations(const Problem& problem, const Response&
   }
   const auto peaks_of = [&](const FacingLevel& level, const auto& summary) {
     // A floor's is known without having been asked for.
+    const GapPair sides = sides_of(problem, level.gap);
     const auto peak = [&](int side, double asked) {
       const auto floor = face_floor(problem, level, side);
-      const Eigen::VectorXd& floors = response.buildings[level.gap + side].displacement_no_contact;
+      const Eigen::Index building = side == 0 ? sides.left : sides.right;
+      const Eigen::VectorXd& floors = response.buildings[building].displacement_no_contact;
       return std::isnan(asked) && floor && *floor < floors.size() ? floors(*floor) : asked;
     };
     const double left = peak(0, summary.peak_left), right = peak(1, summary.peak_right);

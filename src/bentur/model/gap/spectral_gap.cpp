@@ -35,7 +35,7 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> face_rows(const Problem& problem, co
   const auto unit = [&](Eigen::Index b, Eigen::Index dof) -> Eigen::VectorXd {
     return Eigen::VectorXd::Unit(problem.buildings[b].model.dofs(), dof);
   };
-  return {unit(level.gap, point.left_floor), unit(level.gap + 1, point.right_floor)};
+  return {unit(point.left, point.left_floor), unit(point.right, point.right_floor)};
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
     gaps.demands.push_back(capacity_demand(building, gaps.modes.back(), spectrum.combination));
   }
   const auto peaks_at = [&](const FacingLevel& level) {
-    const Eigen::Index left = level.gap, right = level.gap + 1;
+    const auto [left, right] = sides_of(problem, level.gap);
     const auto [left_row, right_row] = face_rows(problem, level);
     const auto peak = [&](Eigen::Index b, const Eigen::VectorXd& row) {
       if (const auto& given = problem.buildings[b].given) return given->amplification * row.dot(given->displacement);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_places.h"
+#include "bentur/model/plan/plan_row.h"
 
 namespace bentur::sources {
 
@@ -15,8 +15,7 @@ QuantitySource of_gaps(double (*value)(const RunView&, const QuantityPlace&), bo
   QuantitySource source = computed(value);
   source.plan.value = [=](const PlanRun& run, const QuantityPlace& at) {
     if (both_ways && !run.c.analysis.both_ways) return no_value;
-    const RunResults pair = pair_of(run, at.item);
-    return value(pair.view(), {});
+    return value(row_of(run)->view(), at);
   };
   return source;
 }

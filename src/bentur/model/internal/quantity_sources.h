@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/quantities.h"
 
 // How quantities are read from responses of rows and plans, and put back.

@@ -66,8 +66,9 @@ std::vector<Remark> doubts_about(const RunFacts& run, const std::string& left, c
 
 /// All of a gap but its levels.
 GapFacts common_facts(const Problem& problem, Index gap, std::vector<RuleFinding> rules, const RunFacts& run) {
-  GapFacts facts{.left = problem.buildings.at(static_cast<std::size_t>(gap)).name,
-                 .right = problem.buildings.at(static_cast<std::size_t>(gap + 1)).name,
+  const std::vector<Index> both = buildings_of(problem, gap);
+  GapFacts facts{.left = problem.buildings[both[0]].name,
+                 .right = problem.buildings[both[1]].name,
                  .levels = {},
                  .given = run.given,
                  .reversed = run.reversed,

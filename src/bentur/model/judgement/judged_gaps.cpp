@@ -1,11 +1,12 @@
 #include "bentur/model/judgement/judged_gaps.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 
 namespace bentur {
 namespace {
@@ -62,18 +63,29 @@ RunFacts common_facts(const Run& run, const std::vector<LargestDrift>& drifts, b
   return facts;
 }
 
-/// @param row of a gap's own, or the row of two that a gap in plan is
-/// @param gap of that row; `number`: of the whole run
-JudgedGap judged(const RunResults& row, const std::vector<LevelSeparation>& all, Index gap, std::size_t number,
-                 const RunFacts& run, bool in_plan) {
-  const std::vector<LevelSeparation> levels = of_gap(all, gap);
-  const double scale = displacement_scale(row.problem, row.response, gap);
+/// @param row the run, or row_of() it
+RunFacts with_gaps(RunFacts facts, const RunResults& row) {
+  for (Index gap = 0; gap < gap_count(row.problem); ++gap) {
+    facts.names.push_back(gap_name(row.problem, gap));
+    facts.closes.push_back(closes_either_way(row.problem, row.response, gap));
+  }
+  return facts;
+}
+
+/// @param row likewise
+std::vector<JudgedGap> judged(const RunResults& row, const RunFacts& run, bool in_plan) {
+  const auto all = separations(row.problem, row.response, row.c.code, row.c.units);
   const bool collapsed = row.response.collapse_no_contact.has_value();
-  JudgedGap made{.facts = gap_facts(row.problem, row.response, gap, levels,
-                                    rule_findings(row.problem, levels, row.c.code, scale, collapsed, in_plan), run,
-                                    run.others_close(number)),
-                 .judgement = {}};
-  made.judgement = judge(made.facts);
+  std::vector<JudgedGap> made;
+  for (Index gap = 0; gap < gap_count(row.problem); ++gap) {
+    const std::vector<LevelSeparation> levels = of_gap(all, gap);
+    const double scale = displacement_scale(row.problem, row.response, gap);
+    std::vector<RuleFinding> rules = rule_findings(row.problem, levels, row.c.code, scale, collapsed, in_plan);
+    const bool others_close = run.others_close(static_cast<std::size_t>(gap));
+    GapFacts facts = gap_facts(row.problem, row.response, gap, levels, std::move(rules), run, others_close);
+    Judgement judgement = judge(facts);
+    made.push_back({std::move(facts), std::move(judgement)});
+  }
   return made;
 }
 
@@ -94,35 +106,18 @@ std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) {
 }
 
 RunFacts run_facts(const RunResults& run) {
-  RunFacts facts = common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation));
-  for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
-    facts.names.push_back(gap_name(run.problem, gap));
-    facts.closes.push_back(closes_either_way(run.problem, run.response, gap));
-  }
-  return facts;
+  return with_gaps(common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation)), run);
 }
 
 RunFacts run_facts(const PlanRun& run) {
   bool either = false;
-  for (const std::size_t i : {0U, 1U}) either = either || moves(run.problem.motions[i], run.c.excitation[i]);
-  RunFacts facts = common_facts(run, drifts_no_contact(run), either);
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    const RunResults pair = pair_of(run, g);
-    facts.names.push_back(gap_name(run.problem, run.problem.gaps[g]));
-    facts.closes.push_back(closes_either_way(pair.problem, pair.response, 0));
-  }
-  return facts;
+  for (const std::size_t i : {0U, 1U}) either = either || moves(run.problem.motions[i], *run.c.excitations()[i]);
+  return with_gaps(common_facts(run, drifts_no_contact(run), either), *row_of(run));
 }
 
-std::vector<JudgedGap> judged_gaps(const RunResults& run) {
-  const RunFacts facts = run_facts(run);
-  const auto levels = separations(run.problem, run.response, run.c.code, run.c.units);
-  std::vector<JudgedGap> all;
-  for (Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
-    all.push_back(judged(run, levels, gap, static_cast<std::size_t>(gap), facts, false));
-  }
-  return all;
-}
+std::vector<JudgedGap> judged_gaps(const RunResults& run) { return judged(run, run_facts(run), false); }
+
+std::vector<JudgedGap> judged_gaps(const PlanRun& run) { return judged(*row_of(run), run_facts(run), true); }
 
 std::vector<JudgedGap> judged_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   RunFacts facts;
@@ -136,24 +131,13 @@ std::vector<JudgedGap> judged_gaps(const Case& c, const Problem& problem, const 
     if (!(most.ratio > 1)) continue;
     facts.given.capacities.push_back({building.name, building.model.storey_number(most.storey), most.ratio});
   }
-  for (Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) facts.names.push_back(gap_name(problem, gap));
+  for (Index gap = 0; gap < gap_count(problem); ++gap) facts.names.push_back(gap_name(problem, gap));
   std::vector<JudgedGap> all;
-  for (Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+  for (Index gap = 0; gap < gap_count(problem); ++gap) {
     const std::vector<LevelSeparation> levels = of_gap(spectral.levels, gap);
     all.push_back({.facts = gap_facts(problem, gap, levels, rule_findings(problem, levels, c.code, 0, false), facts),
                    .judgement = {}});
     all.back().judgement = judge(all.back().facts);
-  }
-  return all;
-}
-
-std::vector<JudgedGap> judged_gaps(const PlanRun& run) {
-  const RunFacts facts = run_facts(run);
-  std::vector<JudgedGap> all;
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    const RunResults pair = pair_of(run, g);
-    const auto levels = separations(pair.problem, pair.response, pair.c.code, pair.c.units);
-    all.push_back(judged(pair, levels, 0, g, facts, true));
   }
   return all;
 }

@@ -5,7 +5,7 @@
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/judgement/facts.h"
 #include "bentur/model/judgement/judge.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {

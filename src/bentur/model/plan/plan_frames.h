@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {

@@ -58,7 +58,7 @@ double narrowest(const PlanGap& gap) {
 
 }  // namespace
 
-std::vector<ScreeningFinding> plan_screening(const PlanCase& c, const PlanProblem& problem, std::size_t gap) {
+std::vector<ScreeningFinding> plan_screening(const Case& c, const PlanProblem& problem, std::size_t gap) {
   const PlanGap& of = problem.gaps.at(gap);
   const auto plan_of = [&](Index b) {
     return b < std::ssize(c.buildings) ? std::get_if<Plan>(&c.buildings[static_cast<std::size_t>(b)].structure)

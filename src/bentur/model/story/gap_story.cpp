@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
@@ -33,9 +33,9 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
   statement.values.push_back(value_in("width", level.width, length));
   statement.values.push_back(value_in("difference", std::abs(level.gap_needed - level.width), length));
   statement.gap = gap;
-  statement.buildings = {gap, gap + 1};
+  statement.buildings = buildings_of(facts.problem, gap);
   if (level.watched) {
-    add_faces(facts.problem, facts.problem.watched[*level.watched], facts.in_plan != nullptr, statement.values);
+    add_faces(facts.problem, facts.problem.watched[*level.watched], facts.plan != nullptr, statement.values);
     statement.values.push_back(word_of("faces", "story.faces"));
   } else {
     statement.values.push_back(text_of("faces", ""));
@@ -71,7 +71,7 @@ void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<Lev
     const bool has_more = !given || level->gap_needed - level->width > given->gap_needed - given->width;
     if (level->is_short() && !has_more) statements.back().shown = Shown::row;
   } else if (known.has_other_way) {
-    statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = {gap, gap + 1}});
+    statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
   }
 }
 
@@ -82,14 +82,15 @@ struct PlaceColumns {
   explicit PlaceColumns(const std::string& length) : x{"x", length}, y{"y", length} {}
   /// @param level null: there is none in this row
   void add(const GapView& facts, const FacingLevel* level) {
-    if (facts.in_plan == nullptr) return;
+    if (facts.plan == nullptr) return;
     const bool known = level != nullptr;
-    const PlanPoint at = known ? place_of(*facts.in_plan, level->is_point, level->index) : PlanPoint(none, none);
+    const PlanPoint at =
+        known ? place_of(*facts.plan, facts.problem, level->is_point, level->index) : PlanPoint(none, none);
     x.numbers.push_back(at.x());
     y.numbers.push_back(at.y());
   }
   void put(const GapView& facts, StoryTable& table) const {
-    if (facts.in_plan != nullptr) table.columns.insert(table.columns.end(), {x, y});
+    if (facts.plan != nullptr) table.columns.insert(table.columns.end(), {x, y});
   }
 };
 
@@ -105,7 +106,7 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   StoryColumn verdict{.label = "gap.given_is", .are_words = true}, governs{.label = "", .are_words = true};
   const auto shown = [&](double value) { return value > 0 ? without_round_off(value, scale) : value; };
   PlaceColumns place_columns(length);
-  const char* const between = facts.in_plan != nullptr ? "gap.edge" : "gap.column";
+  const char* const between = facts.plan != nullptr ? "gap.edge" : "gap.column";
   StoryTable table{.kind = "levels", .gap = gap};
   for (auto one = levels.rbegin(); one != levels.rend(); ++one) {
     const FacingLevel& level = one->level;
@@ -213,8 +214,7 @@ StoryTable screening_table(const GapView& facts, Eigen::Index gap) {
 
 std::vector<RuleFinding> findings_of(const GapView& facts, const std::vector<LevelSeparation>& levels,
                                      Eigen::Index gap) {
-  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed,
-                       facts.in_plan != nullptr);
+  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed, facts.plan != nullptr);
 }
 
 const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation) {
@@ -285,7 +285,7 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   const auto found = governing_level(levels, facts.scale(gap));
   if (!found) {
-    statements.push_back({.kind = "no_level", .gap = gap, .buildings = {gap, gap + 1}});
+    statements.push_back({.kind = "no_level", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
     return;
   }
   const GoverningLevel& level = *found;
@@ -310,7 +310,7 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
     statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap))));
     statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation)));
   } else {
-    statements.push_back({.kind = "need_unknown", .gap = gap, .buildings = {gap, gap + 1}});
+    statements.push_back({.kind = "need_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
     statements.back().values = {text_of("left", known.left), text_of("right", known.right)};
   }
   tell_reversed(facts, gap, levels, statements);
@@ -318,8 +318,9 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
 
 void add_level(const GapView& facts, bool is_point, Eigen::Index index, double elevation,
                std::vector<StoryValue>& values) {
-  if (facts.in_plan != nullptr) {
-    add_place(*facts.plan, *facts.in_plan, is_point, index, facts.c.units.length, values);
+  if (facts.plan != nullptr) {
+    const PlaceInGap at = place_in_gap(facts.problem, is_point, index);
+    add_place(*facts.plan, facts.plan->gaps[at.gap], is_point, at.index, facts.c.units.length, values);
   } else {
     values.push_back(value_in("level", elevation, facts.c.units.length));
   }
@@ -328,7 +329,7 @@ void add_level(const GapView& facts, bool is_point, Eigen::Index index, double e
 void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::vector<Eigen::Index> met = unmodelled_contacts(facts.problem, *facts.response, gap);
   if (met.empty()) return;
-  const bool in_plan = facts.in_plan != nullptr;
+  const bool in_plan = facts.plan != nullptr;
   const std::string& length = facts.c.units.length;
   const WatchedFloor& floor = facts.problem.watched[met.front()];
   const WatchedSummary& summary = facts.response->watched[met.front()];
@@ -339,7 +340,7 @@ void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Stateme
   Statement statement{.kind = "unmodelled",
                       .severity = Severity::danger,
                       .gap = gap,
-                      .buildings = {gap, gap + 1},
+                      .buildings = buildings_of(facts.problem, gap),
                       .level = floor.elevation};
   add_level(facts, false, met.front(), floor.elevation, statement.values);
   statement.values.push_back(value_in("depth", -summary.least_opening, length));
@@ -372,7 +373,7 @@ void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Stateme
 void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::string& length = facts.c.units.length;
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
-  Statement all{.kind = "rules", .gap = gap, .buildings = {gap, gap + 1}};
+  Statement all{.kind = "rules", .gap = gap, .buildings = buildings_of(facts.problem, gap)};
   Statement too_close = all, too_small = all, silent = all;
   too_close.kind = "rules_short";
   too_small.kind = "rules_understate";
@@ -444,7 +445,7 @@ std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {
 Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   const story::GapView facts = story::judged_view_of(c, problem, spectral);
   Story told;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     story::tell_judgement(facts, gap, {}, told.statements);
     story::tell_need(facts, gap, told.statements);
     story::tell_rules(facts, gap, told.statements);

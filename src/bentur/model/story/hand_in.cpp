@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "bentur/model/plan/plan_frames.h"
-#include "bentur/model/plan/plan_pair.h"
-#include "bentur/model/plan/plan_screening.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 #include "bentur/model/suite/suite.h"
 
@@ -340,12 +339,12 @@ std::vector<Statement> unchecked_of(const GapView& facts, bool needs_seismicity)
   tell_codes(c, statements);
   std::string bare;  // levels at which a column is struck of which is not said what it bears
   for (const Gap& gap : gaps_of(facts.problem)) {
-    const auto place = static_cast<std::size_t>(gap.left);
+    const auto place = static_cast<std::size_t>(gap.number);
     if (place < c.gaps.size() && c.gaps[place].column_capacity) continue;
     for (const Index i : gap.points) {
       const ContactPoint& point = facts.problem.points[i];
       if (struck_column(facts.problem, point) && point.column_shear_capacity == 0) {
-        bare += (bare.empty() ? "" : "; ") + level_text(facts, gap.left, point.elevation);
+        bare += (bare.empty() ? "" : "; ") + level_text(facts, gap.number, point.elevation);
       }
     }
   }
@@ -358,21 +357,31 @@ std::vector<Statement> unchecked_of(const GapView& facts, bool needs_seismicity)
   return statements;
 }
 
-/// Rules of thumb for every gap, and all that is told of what is checked. @param run null: there is none
-HandIn hand_in_with(const GapView& facts, Checks checks, const RunResults* run) {
+/// Rules of thumb for every gap. @return whether one of them needs to know the seismicity
+bool check_screenings(const GapView& facts, Checks& checks) {
   bool needs_seismicity = false;
   for (Index gap = 0; gap < std::ssize(facts.screened); ++gap) {
     needs_seismicity = check_screening(facts, gap, checks) || needs_seismicity;
   }
+  return needs_seismicity;
+}
+
+void check_gaps(const GapView& facts, Checks& checks) {
+  for (Index gap = 0; gap < gap_count(facts.problem); ++gap) {
+    check_need(facts, gap, checks);
+    check_rules(facts, gap, checks);
+  }
+}
+
+/// Rules of thumb for every gap, and all that is told of what is checked. @param run null: there is none
+HandIn hand_in_with(const GapView& facts, Checks checks, const RunResults* run) {
+  const bool needs_seismicity = check_screenings(facts, checks);
   if (run != nullptr) check_solution(run->response.discrepancies, checks);
   return {assumptions_of(facts.c, facts.problem), checks.take(), unchecked_of(facts, needs_seismicity)};
 }
 
 HandIn hand_in(const GapView& facts, Checks checks, const RunResults* run) {
-  for (Index gap = 0; gap + 1 < std::ssize(facts.problem.buildings); ++gap) {
-    check_need(facts, gap, checks);
-    check_rules(facts, gap, checks);
-  }
+  check_gaps(facts, checks);
   return hand_in_with(facts, std::move(checks), run);
 }
 
@@ -428,20 +437,10 @@ HandIn hand_in(const PlanRun& run) {
   check_shears(frames, checks);
   check_hinges(frames, checks);
   check_planes(run, checks);
-  std::vector<JudgedGap> judged = judged_gaps(run);
-  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
-    const RunResults pair = pair_of(run, gap);
-    const GapView facts = story::judged_view_of(run, gap, pair, std::move(judged[gap]));
-    check_need(facts, 0, checks);
-    check_rules(facts, 0, checks);
-  }
-  bool needs_seismicity = false;
-  for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
-    const RunResults pair = pair_of(run.c, run.problem, gap);
-    const GapView facts{
-        .c = pair.c, .problem = pair.problem, .levels = {}, .screened = {plan_screening(run.c, run.problem, gap)}};
-    needs_seismicity = check_screening(facts, 0, checks) || needs_seismicity;
-  }
+  const auto row = row_of(run);
+  const GapView facts = story::judged_view_of(run, *row);
+  check_gaps(facts, checks);
+  const bool needs_seismicity = check_screenings(facts, checks);
   check_solution(run.response.discrepancies, checks);
   std::vector<Statement> assumptions = {story::model_statement(run)};
   tell_motion(run.problem.delays, assumptions);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur::story {
@@ -111,7 +111,7 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
     return std::any_of(judged.reasons.begin(), judged.reasons.end(),
                        [&](const Reason& one) { return one.kind == kind && one.way == Way::given; });
   };
-  Statement statement{.kind = "no_pounding", .gap = gap, .buildings = {gap, gap + 1}};
+  Statement statement{.kind = "no_pounding", .gap = gap, .buildings = buildings_of(view.problem, gap)};
   statement.values = {text_of("left", facts.left), text_of("right", facts.right)};
   if (const Response* const response = view.response) {
     const double duration = response->collapse ? response->collapse->time : view.problem.duration;
@@ -240,11 +240,14 @@ std::optional<Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnit
 namespace bentur {
 namespace {
 
-ToldJudgement told(const story::GapView& view, Eigen::Index gap, Eigen::Index left, Eigen::Index right) {
+ToldJudgement told(const story::GapView& view, Eigen::Index gap) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
-  ToldJudgement made{
-      .left = left, .right = right, .width = none, .judgement = view.judged.at(static_cast<std::size_t>(gap))};
+  const GapPair sides = sides_of(view.problem, gap);
+  ToldJudgement made{.left = sides.left,
+                     .right = sides.right,
+                     .width = none,
+                     .judgement = view.judged.at(static_cast<std::size_t>(gap))};
   for (const LevelFacts& level : facts.levels) {
     made.width = made.width == made.width ? std::min(made.width, level.at.width) : level.at.width;
   }
@@ -257,7 +260,7 @@ ToldJudgement told(const story::GapView& view, Eigen::Index gap, Eigen::Index le
 
 std::vector<ToldJudgement> told(const story::GapView& view) {
   std::vector<ToldJudgement> all;
-  for (Eigen::Index gap = 0; gap < std::ssize(view.judged); ++gap) all.push_back(told(view, gap, gap, gap + 1));
+  for (Eigen::Index gap = 0; gap < std::ssize(view.judged); ++gap) all.push_back(told(view, gap));
   return all;
 }
 
@@ -276,15 +279,8 @@ std::vector<ToldJudgement> told_judgements(const Case& c, const Problem& problem
 }
 
 std::vector<ToldJudgement> told_judgements(const PlanRun& run) {
-  std::vector<ToldJudgement> all;
-  std::vector<JudgedGap> judged = judged_gaps(run);
-  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
-    const RunResults pair = pair_of(run, gap);
-    const PlanGap& between = run.problem.gaps[gap];
-    all.push_back(told(story::judged_view_of(run, gap, pair, std::move(judged[gap])), 0,
-                       static_cast<Eigen::Index>(between.left), static_cast<Eigen::Index>(between.right)));
-  }
-  return all;
+  const auto row = row_of(run);
+  return told(story::judged_view_of(run, *row));
 }
 
 std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index gap) {

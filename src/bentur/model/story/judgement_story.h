@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bentur/model/judgement/judge.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur {

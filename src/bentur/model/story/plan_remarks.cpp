@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/internal/remark_checks.h"
 
 namespace bentur {
@@ -9,7 +9,7 @@ namespace {
 using Eigen::Index;
 using namespace remarking;
 
-void check_buildings(const PlanCase& c, const PlanProblem& problem, List& list) {
+void check_buildings(const Case& c, const PlanProblem& problem, List& list) {
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const PlanBuilding& building = problem.buildings[b];
     if (building.is_rigid()) continue;
@@ -45,20 +45,8 @@ std::vector<double> overlaps(const PlanProblem& problem) {
   return found;
 }
 
-/// The depth of the beams at a floor of a building whose planes have frames, the deepest; nothing where there are none.
-std::optional<double> beam_depth(const PlanCase& c, Index b, Index floor) {
-  const auto* const plan = b < std::ssize(c.buildings) ? std::get_if<Plan>(&c.buildings[b].structure) : nullptr;
-  std::optional<double> depth;
-  for (std::size_t p = 0; plan != nullptr && p < plan->planes.size(); ++p) {
-    const auto& frame = plan->planes[p].frame;
-    if (!frame || floor < 0 || floor >= std::ssize(frame->beams)) continue;
-    depth = std::max(depth.value_or(0), depth_of(frame->beams[static_cast<std::size_t>(floor)]));
-  }
-  return depth;
-}
-
 /// Level after level of a gap, with all contacts of its joint together. @param overlaps of the gap's contacts
-void check_levels(const PlanCase& c, const PlanProblem& problem, std::size_t g, const double* overlaps, List& list) {
+void check_levels(const Case& c, const PlanProblem& problem, std::size_t g, const double* overlaps, List& list) {
   const PlanGap& gap = problem.gaps[g];
   const std::string name = gap_name(problem, gap);
   for (std::size_t i = 0; i < gap.contacts.size();) {
@@ -95,7 +83,7 @@ double merged_corners(const PlanGap& gap) {
                     [&](const StretchCorner& corner) { return gap.stretch.includes(corner) && !is_place(corner); }));
 }
 
-void check_before(const PlanCase& c, const PlanProblem& problem, List& list) {
+void check_before(const Case& c, const PlanProblem& problem, List& list) {
   check_buildings(c, problem, list);
   const std::vector<double> overlap = overlaps(problem);
   const double* of_gap = overlap.data();
@@ -109,8 +97,9 @@ void check_before(const PlanCase& c, const PlanProblem& problem, List& list) {
   constexpr const char* axes[] = {"x", "y"};
   for (const std::size_t i : {0U, 1U}) {
     const char* const subject = both ? axes[i] : "";
-    if (c.excitation[i].record) check_record(*c.excitation[i].record, subject, list);
-    check_motion(problem.motions[i], c.excitation[i], subject, problem.duration, c.units, list);
+    const ExcitationSpec& excitation = *c.excitations()[i];
+    if (excitation.record) check_record(*excitation.record, subject, list);
+    check_motion(problem.motions[i], excitation, subject, problem.duration, c.units, list);
   }
   std::vector<std::string> names;
   std::vector<double> omegas;
@@ -146,13 +135,13 @@ ResponseLook look_of(const PlanBuilding& building, const PlanPeaks& with, const 
 
 }  // namespace
 
-std::vector<Remark> remarks(const PlanCase& c, const PlanProblem& problem) {
+std::vector<Remark> remarks(const Case& c, const PlanProblem& problem) {
   List list(c.units);
   check_before(c, problem, list);
   return list.take();
 }
 
-std::vector<Remark> remarks(const PlanCase& c, const PlanProblem& problem, const PlanResponse& response) {
+std::vector<Remark> remarks(const Case& c, const PlanProblem& problem, const PlanResponse& response) {
   List list(c.units);
   check_before(c, problem, list);
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {

@@ -36,14 +36,6 @@ void check_buildings(const Case& c, const Problem& problem, List& list) {
   }
 }
 
-/// The depth of the beams at a floor [length]; nothing where it is not known.
-std::optional<double> beam_depth(const Case& c, Eigen::Index b, Eigen::Index floor) {
-  const auto place = static_cast<std::size_t>(b);
-  const auto* frame = place < c.buildings.size() ? std::get_if<PlaneFrame>(&c.buildings[place].structure) : nullptr;
-  if (frame == nullptr || floor >= std::ssize(frame->beams)) return std::nullopt;
-  return depth_of(frame->beams[static_cast<std::size_t>(floor)]);
-}
-
 /// Damping of the modes that take a blow at a column that is struck: by the squares of their shapes there. Modes of its
 /// node are fast, so that damping which grows with frequency all but holds it.
 void check_blows(const Problem& problem, List& list) {
@@ -65,7 +57,7 @@ void check_blows(const Problem& problem, List& list) {
 void check_modes(const Case& c, const Problem& problem, List& list) {
   for (const ContactPoint& point : problem.points) {
     for (const auto& [b, floor] :
-         {std::pair(point.left, point.left_floor), std::pair(point.left + 1, point.right_floor)}) {
+         {std::pair(point.left, point.left_floor), std::pair(point.right, point.right_floor)}) {
       const auto place = static_cast<std::size_t>(b);
       if (place >= c.buildings.size()) continue;
       const auto* modal = std::get_if<ModalBuilding>(&c.buildings[place].structure);
@@ -84,22 +76,21 @@ double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t bu
 
 void check_levels(const Case& c, const Problem& problem, List& list) {
   for (const ContactPoint& point : problem.points) {
-    const Eigen::Index left = point.left;
+    const Eigen::Index left = point.left, right = point.right;
     const std::string name = gap_name(problem, left);
-    const StructuralModel &of_left = problem.buildings[left].model, &of_right = problem.buildings[left + 1].model;
+    const StructuralModel &of_left = problem.buildings[left].model, &of_right = problem.buildings[right].model;
     LevelLook look{.gap = name,
                    .width = point.width,
                    .overlap = first_floor_value(problem.initial_displacement, left, point.left_floor) -
-                              first_floor_value(problem.initial_displacement, left + 1, point.right_floor) -
-                              point.width,
+                              first_floor_value(problem.initial_displacement, right, point.right_floor) - point.width,
                    .stiffness = stiffness_of(c.gaps.at(left).contact.law, point.law->parameters())};
     if (point.left_floor < of_left.floors() && point.right_floor < of_right.floors()) {
       const double above = of_left.elevations[point.left_floor] - of_right.elevations[point.right_floor];
       look.apart = std::abs(above);
       look.beam_depth = above > 0 ? beam_depth(c, left, point.left_floor - of_left.first_storey())
-                                  : beam_depth(c, left + 1, point.right_floor - of_right.first_storey());
+                                  : beam_depth(c, right, point.right_floor - of_right.first_storey());
     }
-    for (const auto& [b, at] : {std::pair(left, point.left_floor), std::pair(left + 1, point.right_floor)}) {
+    for (const auto& [b, at] : {std::pair(left, point.left_floor), std::pair(right, point.right_floor)}) {
       const StructuralModel& model = problem.buildings[b].model;
       const Eigen::Index floors = model.floors();
       look.take(at < floors ? model.floor_masses[at] : model.node_masses[at - floors],
@@ -173,7 +164,7 @@ std::vector<Remark> remarks(const Case& c, const Problem& problem, const Respons
          .broken_columns = broken},
         list);
   }
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     double deepest = 0;
     int slow_starts = 0;
     for (const Eigen::Index i : gap_at(problem, gap).points) {

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "bentur/model/gap/codes/height_rules.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
@@ -23,10 +23,10 @@ const char* verdict_word(const HeightFinding& found) {
   return silence_word(found.silence);
 }
 
-void tell_height_rules(const Case& c, Eigen::Index gap, const std::vector<HeightFinding>& findings,
-                       std::vector<Statement>& statements) {
+void tell_height_rules(const Case& c, const Problem& problem, Eigen::Index gap,
+                       const std::vector<HeightFinding>& findings, std::vector<Statement>& statements) {
   const std::string& length = c.units.length;
-  Statement enough{.kind = "rules", .gap = gap, .buildings = {gap, gap + 1}};
+  Statement enough{.kind = "rules", .gap = gap, .buildings = buildings_of(problem, gap)};
   Statement too_small = enough, least = enough, silent = enough;
   too_small.kind = "rules_short";
   too_small.severity = Severity::warning;
@@ -87,7 +87,7 @@ StoryTable height_table(const Case& c, Eigen::Index gap, const std::vector<Heigh
 void tell_heights(const Case& c, const Problem& problem, Eigen::Index gap, Story& told) {
   const std::vector<HeightFinding> findings = height_findings(problem, gap, c.code, c.units);
   if (findings.empty()) return;
-  tell_height_rules(c, gap, findings, told.statements);
+  tell_height_rules(c, problem, gap, findings, told.statements);
   told.tables.push_back(height_table(c, gap, findings));
 }
 
@@ -95,34 +95,12 @@ void tell_heights(const Case& c, const Problem& problem, Eigen::Index gap, Story
 
 Story height_rules_story(const Case& c, const Problem& problem) {
   Story told;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings); ++gap) {
-    story::tell_heights(c, problem, gap, told);
-  }
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) story::tell_heights(c, problem, gap, told);
   sort_by_severity(told.statements);
   story::tell_quotations(c.code, told.statements);
   return told;
 }
 
-Story height_rules_story(const PlanCase& c, const PlanProblem& problem) {
-  Story all;
-  for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
-    const RunResults pair = pair_of(c, problem, g);
-    Story told;
-    story::tell_heights(pair.c, pair.problem, 0, told);
-    const auto [first, second] = std::minmax(problem.gaps[g].left, problem.gaps[g].right);
-    for (Statement& statement : told.statements) {
-      statement.gap = static_cast<Eigen::Index>(g);
-      statement.buildings = {first, second};
-      all.statements.push_back(std::move(statement));
-    }
-    for (StoryTable& table : told.tables) {
-      table.gap = static_cast<Eigen::Index>(g);
-      all.tables.push_back(std::move(table));
-    }
-  }
-  sort_by_severity(all.statements);
-  story::tell_quotations(c.code, all.statements);
-  return all;
-}
+Story height_rules_story(const Case& c, const PlanProblem& problem) { return height_rules_story(c, row_of(problem)); }
 
 }  // namespace bentur

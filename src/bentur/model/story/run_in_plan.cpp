@@ -108,13 +108,16 @@ std::string key_along(const std::string& key, const std::string& axis) {
 
 }  // namespace
 
-GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pair, JudgedGap judged) {
-  GapView view = view_of(pair);
-  view.in_plan = &run.problem.gaps[gap];
+GapView judged_view_of(const PlanRun& run, const RunResults& row) {
+  GapView view = view_of(row);
   view.plan = &run.problem;
-  view.screened = {plan_screening(run.c, run.problem, gap)};
-  view.facts.push_back(std::move(judged.facts));
-  view.judged.push_back(std::move(judged.judgement));
+  for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
+    view.screened.push_back(plan_screening(run.c, run.problem, gap));
+  }
+  for (JudgedGap& one : judged_gaps(run)) {
+    view.facts.push_back(std::move(one.facts));
+    view.judged.push_back(std::move(one.judgement));
+  }
   return view;
 }
 
@@ -162,18 +165,6 @@ Statement model_statement(const PlanRun& run) {
           .severity = Severity::remark,
           .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
           .items = std::move(left_out)};
-}
-
-std::string PlanGaps::name(std::size_t gap) const { return gap_name(run_.problem, run_.problem.gaps[gap]); }
-
-void GapInPlan::rename(Statement& statement) const {
-  const auto [first, second] = std::minmax(run_.problem.gaps[gap_].left, run_.problem.gaps[gap_].right);
-  statement.gap = static_cast<Index>(gap_);
-  statement.buildings = {first, second};
-  for (StoryValue& value : statement.values) {
-    if (value.name == "left") value.value = run_.problem.buildings[first].name;
-    if (value.name == "right") value.value = run_.problem.buildings[second].name;
-  }
 }
 
 Hit hit_of(const PlanRun& run, std::size_t gap) {

@@ -18,7 +18,7 @@ void tell_columns_of(const RunResults& run, const Gap& gap, std::vector<Statemen
     statements.push_back(
         {.kind = shear ? "column_shear" : "column_moment",
          .severity = Severity::danger,
-         .gap = gap.left,
+         .gap = gap.number,
          .buildings = {worst->building},
          .level = level,
          .values = {text_of("building", run.problem.buildings[worst->building].name),
@@ -75,7 +75,7 @@ Statement model_statement(const RunResults& run) {
 
 std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem& problem) {
   std::vector<std::vector<ScreeningFinding>> all;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(problem.buildings) && !c.buildings.empty(); ++gap) {
+  for (Index gap = 0; gap < gap_count(problem) && !c.buildings.empty(); ++gap) {
     all.push_back(screening(problem, gap, c.screening, c.units));
   }
   return all;
@@ -107,8 +107,6 @@ GapView view_of(const RunResults& run) {
           .collapsed = run.response.collapse_no_contact.has_value(),
           .screened = screened(run.c, run.problem)};
 }
-
-std::string RowGaps::name(std::size_t gap) const { return gap_name(run_.problem, static_cast<Index>(gap)); }
 
 Hit hit_of(const RunResults& run, std::size_t gap) {
   const GapOutcome found = gap_outcome(run.problem, run.response, static_cast<Index>(gap));

@@ -109,38 +109,33 @@ void tell_hit(const AnyRun& run, std::size_t gap, Statement statement, std::vect
 }
 
 /// Of many gaps the headline and the table. @return the worst of them; nothing where there is one alone
-template <class AnyRun, class Gaps>
-std::optional<Index> tell_all_gaps(const AnyRun& run, const Gaps& gaps, Story& told) {
+std::optional<Index> tell_all_gaps(const GapView& view, const ShownUnits& shown, Story& told) {
   std::vector<GapLine> lines;
-  for (std::size_t g = 0; g < gaps.count(); ++g) {
-    GapLine line{.name = gaps.name(g), .facts = &gaps.facts(g), .judged = gaps.judged(g)};
-    for (const LevelFacts& level : gaps.facts(g).levels) {
+  for (std::size_t g = 0; g < view.facts.size(); ++g) {
+    GapLine line{
+        .name = gap_name(view.problem, static_cast<Index>(g)), .facts = &view.facts[g], .judged = view.judged[g].value};
+    for (const LevelFacts& level : view.facts[g].levels) {
       line.impacts += level.given.impacts;
       line.peak_force = std::max(line.peak_force, level.given.peak_force);
     }
     lines.push_back(std::move(line));
   }
-  return tell_gaps(lines, shown_units(run), run.c.units.length, told);
+  return tell_gaps(lines, shown, view.c.units.length, told);
 }
 
-/// Contact, the need, the rules. @param one of the run's gaps, `gap` its number
-template <class AnyRun, class OneGap>
-void tell_gap(const AnyRun& run, const OneGap& one, std::size_t gap, std::vector<Statement>& statements) {
-  const std::size_t before = statements.size();
+/// Contact, the need, the rules of one of the run's gaps.
+template <class AnyRun>
+void tell_gap(const AnyRun& run, const GapView& view, std::size_t gap, std::vector<Statement>& statements) {
+  const auto number = static_cast<Index>(gap);
   const auto hit = [&](Statement statement) { tell_hit(run, gap, std::move(statement), statements); };
-  tell_unmodelled(one.view(), one.number(), statements);
-  tell_judgement(one.view(), one.number(), hit, statements);
-  tell_need(one.view(), one.number(), statements);
-  tell_rules(one.view(), one.number(), statements);
-  for (std::size_t i = before; i < statements.size(); ++i) one.rename(statements[i]);
+  tell_unmodelled(view, number, statements);
+  tell_judgement(view, number, hit, statements);
+  tell_need(view, number, statements);
+  tell_rules(view, number, statements);
 }
 
-template <class OneGap>
-void put_tables(const OneGap& one, std::vector<StoryTable>& tables) {
-  for (StoryTable& table : gap_tables(one.view(), one.number())) {
-    one.rename(table);
-    tables.push_back(std::move(table));
-  }
+void put_tables(const GapView& view, std::size_t gap, std::vector<StoryTable>& tables) {
+  for (StoryTable& table : gap_tables(view, static_cast<Index>(gap))) tables.push_back(std::move(table));
 }
 
 /// What contact does to displacements, accelerations and shears.
@@ -215,15 +210,15 @@ void tell_remarks(const AnyRun& run, Story& told) {
 
 template <class AnyRun>
 Story story_of(const AnyRun& run) {
-  const auto gaps = gaps_told(run);
+  const ToldGaps gaps(run);
   Story told;
   tell_collapse(run, told.statements);
   tell_columns(run, told.statements);
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
   tell_failures(run, told);
-  const std::optional<Index> worst = tell_all_gaps(run, gaps, told);
-  for (std::size_t g = 0; g < gaps.count(); ++g) tell_gap(run, gaps.at(g), g, told.statements);
+  const std::optional<Index> worst = tell_all_gaps(gaps.view(), shown_units(run), told);
+  for (std::size_t g = 0; g < gaps.count(); ++g) tell_gap(run, gaps.view(), g, told.statements);
   tell_slips(run, told.statements);
   tell_pairs_without_contact(run, told.statements);
   tell_effects(run, told.statements);
@@ -238,15 +233,14 @@ Story story_of(const AnyRun& run) {
 
 template <class AnyRun>
 Story story_of_gaps(const AnyRun& run) {
-  const auto gaps = gaps_told(run);
+  const ToldGaps gaps(run);
   Story told;
   tell_collapse(run, told.statements);
   tell_drifts(run, told.statements);
-  const std::optional<Index> worst = tell_all_gaps(run, gaps, told);
+  const std::optional<Index> worst = tell_all_gaps(gaps.view(), shown_units(run), told);
   for (std::size_t g = 0; g < gaps.count(); ++g) {
-    const auto one = gaps.at(g);
-    tell_gap(run, one, g, told.statements);
-    put_tables(one, told.tables);
+    tell_gap(run, gaps.view(), g, told.statements);
+    put_tables(gaps.view(), g, told.tables);
   }
   tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
@@ -258,9 +252,9 @@ Story story_of_gaps(const AnyRun& run) {
 
 template <class AnyRun>
 std::vector<StoryTable> tables_of_gaps(const AnyRun& run) {
-  const auto gaps = gaps_told(run);
+  const ToldGaps gaps(run);
   std::vector<StoryTable> tables;
-  for (std::size_t g = 0; g < gaps.count(); ++g) put_tables(gaps.at(g), tables);
+  for (std::size_t g = 0; g < gaps.count(); ++g) put_tables(gaps.view(), g, tables);
   return tables;
 }
 

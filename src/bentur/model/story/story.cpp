@@ -88,7 +88,7 @@ void sort_by_severity(std::vector<Statement>& statements) {
 namespace story {
 
 const std::string& faced_name(const Problem& problem, const WatchedFloor& floor) {
-  return problem.buildings[2 * floor.left + 1 - floor.floor_of].name;
+  return problem.buildings[floor.faced()].name;
 }
 
 void add_faces(const Problem& problem, const WatchedFloor& floor, bool in_plan, std::vector<StoryValue>& values) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bentur/model/gap/spectral_gap.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -121,7 +121,7 @@ struct SaidOfRun {
 
 /// What rules of [code] ask of the gaps from heights alone, before anything is computed.
 [[nodiscard]] Story height_rules_story(const Case& c, const Problem& problem);
-[[nodiscard]] Story height_rules_story(const PlanCase& c, const PlanProblem& problem);
+[[nodiscard]] Story height_rules_story(const Case& c, const PlanProblem& problem);
 
 /// Remarks as statements; those that differ in subject and number alone become one. A doubt is a danger.
 [[nodiscard]] std::vector<Statement> remark_statements(const std::vector<Remark>& remarks);

@@ -203,7 +203,7 @@ void Checks::first_contact() {
     const ContactPoint& point = problem_.points[i];
     const auto moves = [&](Eigen::Index b) { return response_.buildings[b].displacement_no_contact.maxCoeff(); };
     const double needed = response_.points[i].gap_needed;
-    const double scale = needed + point.width + moves(point.left) + moves(point.left + 1);
+    const double scale = needed + point.width + moves(point.left) + moves(point.right);
     const double beyond = scale > 0.0 ? (needed - point.width) / scale : 0.0;
     if (i > 0 && beyond <= most) continue;
     most = beyond;

@@ -13,7 +13,6 @@ namespace bentur {
 
 // What free_response_of.h asks of rows.
 [[nodiscard]] inline std::span<GroundMotion> motions_in(Problem& problem) { return {&problem.motion, 1}; }
-[[nodiscard]] inline std::size_t gap_count(const Problem& problem) { return problem.buildings.size() - 1; }
 /// Of the points of the system: they are those of the problem.
 [[nodiscard]] inline std::vector<Eigen::Index> places_of(const Problem& /*problem*/) { return {}; }
 [[nodiscard]] inline bool keeps_course(const Problem& /*problem*/) { return true; }

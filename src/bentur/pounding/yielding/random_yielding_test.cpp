@@ -148,7 +148,8 @@ Problem mirrored(Problem problem) {
   for (VectorXd& x : problem.initial_displacement) x = -x;
   for (VectorXd& v : problem.initial_velocity) v = -v;
   for (ContactPoint& point : problem.points) {
-    point.left = last - 1 - point.left;
+    point.left = point.gap = last - 1 - point.left;
+    point.right = point.left + 1;
     std::swap(point.left_floor, point.right_floor);
   }
   std::stable_sort(problem.points.begin(), problem.points.end(),

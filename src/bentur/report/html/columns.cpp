@@ -65,7 +65,7 @@ PageSection columns_section(const Report& report) {
   for (const Eigen::Index i : points) {
     const ContactPoint& point = report.problem.points[i];
     const std::optional<double>& hardest = report.response.points[i].peak_force_time;
-    gaps.push_back(gap_name(report.problem, point.left));
+    gaps.push_back(gap_name(report.problem, point.gap));
     struck.push_back(report.problem.buildings[struck_column(report.problem, point)->building].name);
     elevations.push_back(point.elevation);
     times.push_back(hardest ? fmt::format("{:.3f}", *hardest) : "–");

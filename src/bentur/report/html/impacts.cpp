@@ -48,7 +48,7 @@ PageSection impacts_section(const Report& report, const std::vector<Eigen::Index
   for (const Eigen::Index k : listed) {
     const ContactPoint& point = report.problem.points.at(static_cast<std::size_t>(all[k].point));
     numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(short_gap_name(report, point.left));
+    gaps.push_back(short_gap_name(report, point.gap));
     elevations.push_back(point.elevation);
     struck.push_back(struck_text(report, all[k].point));
   }

@@ -117,7 +117,7 @@ Html restitution_table(const Report& report) {
   std::vector<std::string> gaps, asked, smallest, largest;
   std::vector<double> elevations;
   std::vector<Eigen::Index> order;  // gap by gap, each from the top down
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(report.problem.buildings); ++gap) {
+  for (Eigen::Index gap = 0; gap < gap_count(report.problem); ++gap) {
     const std::vector<Eigen::Index> points = points_of(report.problem, gap);
     order.insert(order.end(), points.begin(), points.end());
   }
@@ -155,7 +155,7 @@ Html proportions_text(const Report& report, Eigen::Index b) {
 PageSection peaks_section(const Report& report) {
   const Words& say = report.say;
   Html content;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(report.problem.buildings); ++gap) {
+  for (Eigen::Index gap = 0; gap < gap_count(report.problem); ++gap) {
     if (points_of(report.problem, gap).empty()) continue;
     const std::string name = gap_name(report.problem, gap);
     content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(report, gap);

@@ -75,8 +75,8 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
                  .line = b == point.left ? Line::solid : Line::dashed};
   };
   const std::vector<Building>& buildings = run.problem.buildings;
-  const bool of_two_that_move = !buildings[point.left].is_rigid() && !buildings[point.left + 1].is_rigid();
-  const std::vector<Curve> curves = {curve(point.left, point.left_floor), curve(point.left + 1, point.right_floor)};
+  const bool of_two_that_move = !buildings[point.left].is_rigid() && !buildings[point.right].is_rigid();
+  const std::vector<Curve> curves = {curve(point.left, point.left_floor), curve(point.right, point.right_floor)};
   HistoryPanels with{.label = with_unit(word(options, "Displacement x"), run.c.units.length),
                      .label_of_parts = of_two_that_move ? with_unit("x", run.c.units.length) : "",
                      .mark_contacts = true};

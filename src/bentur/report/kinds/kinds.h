@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bentur/model/gap/spectral_gap.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 #include "bentur/model/suite/suite.h"
 #include "bentur/report/figures/figure.h"

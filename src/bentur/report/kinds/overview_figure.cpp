@@ -24,7 +24,7 @@ std::string first_finding(const RunResults& run, const FigureOptions& options) {
 Panel opening_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options) {
   const ContactPoint& point = run.problem.points[*instant.point];
   FigureOptions there = options;
-  there.gap = static_cast<std::size_t>(point.left);
+  there.gap = static_cast<std::size_t>(point.gap);
   there.elevation = point.elevation;
   Panel panel = opening_figure(run, there).panels.front();
   panel.events = {};

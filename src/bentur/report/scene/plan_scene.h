@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 
 // Buildings seen from above as plain data: one description for stills and for what moves on a page.
 namespace bentur {

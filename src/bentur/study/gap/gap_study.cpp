@@ -11,7 +11,7 @@
 #include "bentur/io/input_file.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/compare.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/study/plan/study_check.h"
 #include "bentur/study/quantiles.h"
@@ -80,22 +80,8 @@ GapNeed mean_of_needs(const RecordNeeds& needs, Eigen::Index gap) {
 
 using Named = std::vector<std::pair<std::string, std::string>>;
 
-/// The gaps of a case as those of rows: all gaps of one row, or in plan each that of a row of two.
-class GapsOfRows {
- public:
-  explicit GapsOfRows(const ChosenCase& chosen) : in_plan_(chosen.plan) {
-    if (!chosen.plan) rows_.push_back(chosen.row.problem());
-    for (std::size_t gap = 0; chosen.plan && gap < chosen.plan->problem.gaps.size(); ++gap) {
-      rows_.push_back(pair_of(chosen.plan->problem, gap));
-    }
-  }
-  [[nodiscard]] const Problem& row(Eigen::Index gap) const { return rows_.at(in_plan_ ? gap : 0); }
-  [[nodiscard]] Eigen::Index place(Eigen::Index gap) const { return in_plan_ ? 0 : gap; }  ///< in its row
-
- private:
-  bool in_plan_;
-  std::vector<Problem> rows_;
-};
+/// A case as a row, of buildings in plan that of its gaps.
+Problem row_of(const ReadCase& read) { return read.plan ? bentur::row_of(*read.plan) : read.problem(); }
 
 class Work {
  public:
@@ -203,14 +189,13 @@ class Work {
     for (std::size_t number = 0; number < widths.combinations(); ++number) {
       widths.choose(number, choices);
       Diagnostics found;
-      const ChosenCase chosen = case_of(choices, found);
+      const ReadCase chosen = case_of(choices, found);
       if (!found.ok()) throw std::runtime_error(first_message(found));
-      const GapsOfRows gaps(chosen);
+      const Problem problem = row_of(chosen);
       for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
         GivenGap given;
         given.others = values_along(widths, choices);
-        const Problem& problem = gaps.row(gap);
-        const Gap between = gap_at(problem, gaps.place(gap));
+        const Gap between = gap_at(problem, gap);
         for (const std::size_t i : between.points) given.widths.push_back(problem.points[i].width);
         if (given.widths.empty()) {
           for (const std::size_t i : between.watched) given.widths.push_back(problem.watched[i].width);
@@ -218,7 +203,7 @@ class Work {
         for (const RecordNeed& record : needs.records) {
           const std::vector<LevelSeparation> needed = of_gap(record.separations, gap);
           const bool falls = record.collapsed && !needed.empty();  // no gap is wide enough
-          given.beyond += falls || needs_more(needed, facing_levels(problem, gaps.place(gap))) ? 1 : 0;
+          given.beyond += falls || needs_more(needed, facing_levels(problem, gap)) ? 1 : 0;
         }
         needs.gaps[gap].given.push_back(std::move(given));
       }
@@ -304,10 +289,10 @@ class Work {
     return false;
   }
 
-  [[nodiscard]] ChosenCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
+  [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
     TomlValue root = chosen_case(study_, choices);
     if (study_.ida) put_intensity(facts_.intensities, choices, *result_.at, root);
-    return read_chosen_case(study_, root, facts_.plan.has_value(), memo_, found);
+    return read_chosen(study_, root, memo_, found);
   }
 
   /// A label without quotes, or the number.
@@ -316,33 +301,33 @@ class Work {
   }
 
   [[nodiscard]] std::string record_name(const std::vector<Choice>& choices, const AxisSubset& records,
-                                        const ChosenCase& read) const {
+                                        const ReadCase& read) const {
     std::string name;
     for (const Vary& vary : study_.varies) {
       if (!records.has(vary.axis) || vary.labels.empty()) continue;
       name += (name.empty() ? "" : ", ") + value_text(vary, choices[vary.axis]);
     }
     if (!name.empty()) return name;
-    for (const ExcitationSpec& one : read.excitations()) {
-      if (one.record) return std::filesystem::path(one.record->file).filename().string();
+    for (const ExcitationSpec* const one : read.c.excitations()) {
+      if (one->record) return std::filesystem::path(one->record->file).filename().string();
     }
     return "ground motion";
   }
 
   [[nodiscard]] RecordNeed need(const std::vector<Choice>& choices, const AxisSubset& records) {
     Diagnostics found;
-    const ChosenCase chosen = case_of(choices, found);
+    const ReadCase chosen = case_of(choices, found);
     const std::string record = record_name(choices, records, chosen);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
-    RecordNeed result = chosen.plan ? need_in_plan(record, *chosen.plan) : need_of_row(record, chosen.row);
+    RecordNeed result = chosen.plan ? need_in_plan(record, chosen) : need_of_row(record, chosen);
     result.motion = record_axes(study_, false).place(choices);
     for (Eigen::Index gap = 0; gap < std::ssize(result_.gaps); ++gap) {
       result.gaps.push_back(need_of(result.separations, gap));
       if (result.collapsed && !of_gap(result.separations, gap).empty()) take_as_fallen(result.gaps.back());
     }
     if (result_.title.empty() && result_.needs.empty()) {
-      result_.title = chosen.title();
-      result_.code = chosen.code();
+      result_.title = chosen.c.title;
+      result_.code = chosen.c.code;
     }
     return result;
   }
@@ -359,20 +344,17 @@ class Work {
     return result;
   }
 
-  [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadPlan& read) {
-    const PlanFreeResponse free(read.problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
-    const PlanRun run = run_results(read.c, read.problem, free.response());
+  [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadCase& read) {
+    const PlanFreeResponse free(*read.plan, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
+    const PlanRun run = run_results(read.c, *read.plan, free.response());
     if (run.response.status != Status::done && run.response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + run.response.message);
-    RecordNeed result{record, 0, run.response.collapse_no_contact.has_value(), {}, {}};
-    for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
-      const RunResults pair = pair_of(run, gap);
-      for (LevelSeparation& one : separations(pair.problem, pair.response, pair.c.code, pair.c.units)) {
-        one.level.gap = static_cast<Eigen::Index>(gap);
-        result.separations.push_back(std::move(one));
-      }
-    }
-    return result;
+    const auto row = bentur::row_of(run);
+    return {record,
+            0,
+            run.response.collapse_no_contact.has_value(),
+            separations(row->problem, row->response, row->c.code, row->c.units),
+            {}};
   }
 
   /// Makes each number of a record the larger one of both ways round.
@@ -425,16 +407,8 @@ std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> a
   result.units = facts->units;
   result.in_plan = facts->plan.has_value();
   result.buildings = building_names(*facts);
-  if (facts->plan) {
-    for (const PlanGap& gap : facts->plan->gaps) {
-      result.gaps.push_back(
-          {gap_name(*facts->plan, gap), static_cast<Eigen::Index>(gap.left), static_cast<Eigen::Index>(gap.right)});
-    }
-  } else {
-    for (const Gap& gap : gaps_of(facts->problem)) {
-      result.gaps.push_back({gap_name(facts->problem, gap.left), gap.left, gap.left + 1});
-    }
-  }
+  const Problem row = facts->plan ? bentur::row_of(*facts->plan) : facts->problem;
+  for (const Gap& gap : gaps_of(row)) result.gaps.push_back({gap_name(row, gap.number), gap.left, gap.right});
   result.suite = study.suite;
   if (study.ida) {
     result.at = at.value_or(study.ida->levels.back());

@@ -26,12 +26,6 @@ std::string place_text(const SourcePosition& position) {
                            : fmt::format(" ({})", file);
 }
 
-bool is_in_plan(const Study& study) {
-  Diagnostics ignored;
-  const std::string name = study.case_file.string();
-  return plan_of(TomlView(study.case_root, "", name, ignored)).has_value();
-}
-
 class Trial {
  public:
   Trial(const Study& study, CaseMemo& memo, Diagnostics& diagnostics)
@@ -41,7 +35,7 @@ class Trial {
   bool first() {
     Diagnostics found;
     const std::vector<Choice> choices(study_.axes.size());
-    const ChosenCase read = tried(choices, found);
+    const ReadCase read = tried(choices, found);
     for (const Diagnostic& one : found.errors()) {
       if (one.position.origin > 0) {
         report(one, choices);
@@ -50,20 +44,20 @@ class Trial {
       }
     }
     if (!found.ok()) return false;
-    if (!read.plan && refuse_without_motion(read.row.c, diagnostics_)) return false;
+    if (refuse_without_motion(read.c, diagnostics_)) return false;
     try {
       if (read.plan) {
-        facts_.plan = read.plan->problem;
+        facts_.plan = read.plan;
       } else {
-        facts_.problem = read.row.problem();
+        facts_.problem = read.problem();
       }
     } catch (const InvalidParameter& error) {
       diagnostics_.error({study_.case_file.string(), 0, 0}, error.what());
       return false;
     }
-    facts_.units = read.units();
-    facts_.title = read.title();
-    facts_.energy_audit = read.analysis().energy_audit;
+    facts_.units = read.c.units;
+    facts_.title = read.c.title;
+    facts_.energy_audit = read.c.analysis.energy_audit;
     for (const Vary& vary : study_.varies) {
       if (!vary.normalisation_file.empty()) note(vary.normalisation_file);
     }
@@ -120,10 +114,10 @@ class Trial {
     hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
   }
 
-  ChosenCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
-    ChosenCase read = read_chosen_case(study_, chosen_case(study_, choices), is_plan_, memo_, found);
-    for (const ExcitationSpec& one : read.excitations()) note(one, found);
-    for (const BuildingSpec& building : read.row.c.buildings) {
+  ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
+    ReadCase read = read_chosen(study_, chosen_case(study_, choices), memo_, found);
+    for (const ExcitationSpec* const one : read.c.excitations()) note(*one, found);
+    for (const BuildingSpec& building : read.c.buildings) {
       if (found.ok() && !building.shapes_path.empty()) note(building.shapes_path);
     }
     return read;
@@ -136,7 +130,7 @@ class Trial {
 
   double measured(const std::vector<Choice>& choices) {
     Diagnostics found;
-    const ChosenCase read = tried(choices, found);
+    const ReadCase read = tried(choices, found);
     if (!found.ok()) return std::numeric_limits<double>::quiet_NaN();  // each alone is right, so its runs are marked
     std::string what = "[ida]";
     for (const std::size_t axis : record_axes(study_).axes) {
@@ -151,7 +145,7 @@ class Trial {
     }
     std::vector<double> intensities;  // of x and, where the ground moves along both, y
     for (std::size_t direction = 0; direction < (both ? 2 : 1); ++direction) {
-      const auto* motion = std::get_if<SampledMotion>(&read.excitations()[direction].motion);
+      const auto* motion = std::get_if<SampledMotion>(&read.c.excitations()[direction]->motion);
       if (motion == nullptr) {
         const std::string table = direction == 0 ? "excitation" : "excitation.y";
         diagnostics_.error(study_.ida->position,
@@ -174,7 +168,7 @@ class Trial {
 
   void one(const std::vector<Choice>& choices, std::size_t axis) {
     Diagnostics found;
-    const ChosenCase read = tried(choices, found);
+    const ReadCase read = tried(choices, found);
     for (const Diagnostic& error : found.errors()) {
       if (error.position.origin > 0) {
         report(error, choices);
@@ -186,9 +180,9 @@ class Trial {
     if (!found.ok()) return;
     try {
       if (read.plan) {
-        compare(read.plan->problem, axis, choices);
+        compare(*read.plan, axis, choices);
       } else {
-        compare(read.row.problem(), axis, choices);
+        compare(read.problem(), axis, choices);
       }
     } catch (const InvalidParameter& error) {
       because_of(axis, choices, error.what());
@@ -246,7 +240,6 @@ class Trial {
   const Study& study_;
   CaseMemo& memo_;
   Diagnostics& diagnostics_;
-  const bool is_plan_ = is_in_plan(study_);
   StudyFacts facts_;
   int errors_ = 0;
 };
@@ -286,26 +279,6 @@ bool has_wave_velocity(const Vary& vary) {
 ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found) {
   const std::string name = study.case_file.string();
   return read_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &memo);
-}
-
-ReadPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found) {
-  const std::string name = study.case_file.string();
-  return read_plan_case_parts(TomlView(root, "", name, found), study.case_file.parent_path(), found, &memo);
-}
-
-std::span<const ExcitationSpec> ChosenCase::excitations() const {
-  return plan ? std::span<const ExcitationSpec>(plan->c.excitation) : std::span(&row.c.excitation, 1);
-}
-
-ChosenCase read_chosen_case(const Study& study, const TomlValue& root, bool in_plan, CaseMemo& memo,
-                            Diagnostics& found) {
-  ChosenCase read;
-  if (in_plan) {
-    read.plan = read_chosen_plan(study, root, memo, found);
-  } else {
-    read.row = read_chosen(study, root, memo, found);
-  }
-  return read;
 }
 
 bool take_places(const PlanProblem& other, StudyFacts& facts) {

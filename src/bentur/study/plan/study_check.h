@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bentur/io/case/case_memo.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_parts.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/study/plan/record_intensity.h"
 #include "bentur/study/plan/study.h"
@@ -35,24 +35,6 @@ struct StudyFacts {
 
 /// Reads a case that a study has made; what is wrong goes to `found`.
 [[nodiscard]] ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found);
-
-/// The same of a case of buildings in plan.
-[[nodiscard]] ReadPlan read_chosen_plan(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found);
-
-/// A case that a study has made: of a row, or in plan.
-struct ChosenCase {
-  ReadCase row;  ///< unless it is in plan
-  std::optional<ReadPlan> plan;
-
-  [[nodiscard]] const AnalysisSpec& analysis() const { return plan ? plan->c.analysis : row.c.analysis; }
-  [[nodiscard]] const Units& units() const { return plan ? plan->c.units : row.c.units; }
-  [[nodiscard]] const std::string& title() const { return plan ? plan->c.title : row.c.title; }
-  [[nodiscard]] const CodeSpec& code() const { return plan ? plan->c.code : row.c.code; }
-  /// Of a row one, in plan that of [excitation] and that of [excitation.y].
-  [[nodiscard]] std::span<const ExcitationSpec> excitations() const;
-};
-[[nodiscard]] ChosenCase read_chosen_case(const Study& study, const TomlValue& root, bool in_plan, CaseMemo& memo,
-                                          Diagnostics& found);
 
 /// Tries the values of a study in its case, one axis after the other with the others at their first choice: values
 /// given one by one, the ends of a range, the ends of a distribution's support (extremes()). So a key that the case

@@ -9,6 +9,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/compare.h"
 #include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/plan/plan_row.h"
 
 namespace bentur {
 namespace {
@@ -105,39 +106,32 @@ double rounded_up(double x) {
   return value();
 }
 
-LeastGaps least_gaps(const RunResults& run) {
-  LeastGaps found = begun(run.c.title, run.c.units);
-  for (const Building& building : run.problem.buildings) found.buildings.push_back(building.name);
-  Eigen::Index gap = 0;
-  for (const JudgedGap& one : judged_gaps(run)) {
-    add_gap(found, {gap_name(run.problem, gap), gap, gap + 1}, one);
-    ++gap;
+namespace {
+
+/// @param problem a row, or row_of() buildings in plan
+LeastGaps least_of(const Problem& problem, const std::vector<JudgedGap>& judged, LeastGaps found) {
+  for (const Building& building : problem.buildings) found.buildings.push_back(building.name);
+  for (std::size_t g = 0; g < judged.size(); ++g) {
+    const auto gap = static_cast<Eigen::Index>(g);
+    const GapPair sides = sides_of(problem, gap);
+    add_gap(found, {gap_name(problem, gap), sides.left, sides.right}, judged[g]);
   }
   return found;
+}
+
+}  // namespace
+
+LeastGaps least_gaps(const RunResults& run) {
+  return least_of(run.problem, judged_gaps(run), begun(run.c.title, run.c.units));
 }
 
 LeastGaps least_gaps(const PlanRun& run) {
-  LeastGaps found = begun(run.c.title, run.c.units);
-  for (const PlanBuilding& building : run.problem.buildings) found.buildings.push_back(building.name);
-  const std::vector<JudgedGap> judged = judged_gaps(run);
-  for (std::size_t g = 0; g < judged.size(); ++g) {
-    const PlanGap& gap = run.problem.gaps[g];
-    add_gap(found,
-            {gap_name(run.problem, gap), static_cast<Eigen::Index>(gap.left), static_cast<Eigen::Index>(gap.right)},
-            judged[g]);
-  }
-  return found;
+  return least_of(row_of(run)->problem, judged_gaps(run), begun(run.c.title, run.c.units));
 }
 
 LeastGaps least_gaps(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  LeastGaps found = begun(c.title, c.units, LeastGaps::Basis::spectrum);
-  for (const Building& building : problem.buildings) found.buildings.push_back(building.name);
-  found.both_ways = false;
-  Eigen::Index gap = 0;
-  for (const JudgedGap& one : judged_gaps(c, problem, spectral)) {
-    add_gap(found, {gap_name(problem, gap), gap, gap + 1}, one);
-    ++gap;
-  }
+  LeastGaps found =
+      least_of(problem, judged_gaps(c, problem, spectral), begun(c.title, c.units, LeastGaps::Basis::spectrum));
   found.both_ways = false;
   return found;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bentur/model/gap/spectral_gap.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 #include "bentur/model/story/story.h"
 #include "bentur/study/gap/gap_study.h"

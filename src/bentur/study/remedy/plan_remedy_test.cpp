@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/study/remedy/least_gap.h"
 #include "bentur/study/remedy/optimiser.h"
@@ -57,8 +57,9 @@ class PlanRemedies : public testing::Test {
  protected:
   [[nodiscard]] PlanRun run(double gap, double north) const {
     Diagnostics diagnostics;
-    PlanProblem problem;
-    const auto c = read_plan_case_text(case_of(gap, north), folder_.path() / "case.toml", diagnostics, &problem);
+    MadeParts made;
+    PlanProblem& problem = made.plan;
+    const auto c = read_case_text(case_of(gap, north), folder_.path() / "case.toml", diagnostics, &made);
     for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
     PlanResponse response = solve(problem, c->analysis.solver, {.levels = true, .both_ways = true});
     return {*c, std::move(problem), std::move(response)};
@@ -106,10 +107,12 @@ TEST_F(PlanRemedies, ASideIsStiffenedUntilTheBuildingTurnsNoMore) {
   double most = 0;
   for (const double period : {0.45, 0.5, 0.6}) {
     PlanRun one = run(0.02, search.best()->values[0]);
+    MadeParts made;
     Diagnostics diagnostics;
     std::string text = case_of(0.02, search.best()->values[0]);
     text.replace(text.find("period = 0.5"), 12, fmt::format("period = {}", period));
-    const auto c = read_plan_case_text(text, folder_.path() / "case.toml", diagnostics, &one.problem);
+    const auto c = read_case_text(text, folder_.path() / "case.toml", diagnostics, &made);
+    one.problem = std::move(made.plan);
     one.response = solve(one.problem, c->analysis.solver, {.levels = true});
     most = std::max(most, hardest(one));
   }

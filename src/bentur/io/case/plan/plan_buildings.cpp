@@ -177,14 +177,14 @@ void check_held(const TableView& building, const Plan& plan) {
   }
 }
 
-void read_wall(const TableView& building, ReadPlanBuilding& read) {
+void read_wall(const TableView& building, ReadBuilding& read) {
   std::vector<std::string> keys = building.keys().names();
   std::erase_if(keys, [](const std::string& key) {
     return key == "name" || key == "rigid" || key == "elevations" || key == "base_elevation" || key == "plan";
   });
   building.refuse(keys, "is not for a rigid building, which moves with the ground");
-  read_rigid(building, read.told);
-  PlanWall wall{.footprint = {}, .elevations = read.told.elevations};
+  read_rigid(building, read);
+  PlanWall wall{.footprint = {}, .elevations = read.elevations};
   const auto table = building.table("plan");
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
   const bool placed = table && read_footprint(*table, wall.footprint);
@@ -215,7 +215,7 @@ void stand(const TomlView& generic, const GenericPlan& little, bool is_known, Pl
   }
 }
 
-void read_floors(const TableView& building, const Units& units, ReadPlanBuilding& read) {
+void read_floors(const TableView& building, const Units& units, ReadBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
   building.refuse({"calibrate_period", "width", "frame", "stick", "matrices", "modal", "displacements"},
                   "does not go with buildings in plan");
@@ -250,11 +250,11 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
     const bool held = read_rigidity(building, storeys, plan) && planes;
     if (known && held) check_held(building, plan);
   }
-  read.told.modes = 3 * storeys;
-  read.told.elevations = floor_elevations(plan.storey_heights);
-  read_gravity(building, read.told);
-  plan.gravity_loads = read.told.spec.gravity_loads;
-  if (read.told.spec.p_delta && plan.gravity_loads.empty()) {
+  read.modes = 3 * storeys;
+  read.elevations = floor_elevations(plan.storey_heights);
+  read_gravity(building, read);
+  plan.gravity_loads = read.spec.gravity_loads;
+  if (read.spec.p_delta && plan.gravity_loads.empty()) {
     for (const double mass : plan.masses) plan.gravity_loads.push_back(mass * units.gravity);
   }
   const auto isolation = building.find("isolation");
@@ -262,11 +262,11 @@ void read_floors(const TableView& building, const Units& units, ReadPlanBuilding
     building.refuse({"soil"}, "and isolation exclude one another: a slab on bearings stands on firm ground");
     if (known) plan.isolation = read_isolation(*isolation, plan, units.gravity);
     known = known && plan.isolation;
-    read.told.elevations.insert(read.told.elevations.begin(), 0.0);
+    read.elevations.insert(read.elevations.begin(), 0.0);
   }
   if (const auto soil = building.find("soil"); soil && !isolation) plan.soil = read_soil_in_plan(*soil, plan.footprint);
   if (const auto damping = building.get("damping")) {
-    read.spec.damping = read_damping(*damping, read.told.modes);
+    read.spec.damping = read_damping(*damping, read.modes);
   } else {
     building.error_missing("damping");
   }
@@ -303,41 +303,39 @@ std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::
   return pairs.size() == given->size() ? pairs : std::vector<PlanPoint>{};
 }
 
-std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, const Units& units) {
-  std::vector<ReadPlanBuilding> buildings;
+std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units) {
+  std::vector<ReadBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");
   if (!list || list->has_more_than(case_keys().at("building").most)) return buildings;
-  std::vector<ReadBuilding> before;
   for (const TomlView& entry : list->items()) {
-    ReadPlanBuilding read{.spec = {}, .told = {}, .view = entry};
-    if (read_name(entry, before, read.told)) {
-      read.view = entry.renamed(read.told.path);
-      read.spec.name = read.told.spec.name;
-      const TableView view = *TableView::of(read.view, building_keys());
+    ReadBuilding read;
+    read.spec.structure = Plan{};
+    if (read_name(entry, buildings, read)) {
+      const TableView view = *TableView::of(entry.renamed(read.path), building_keys());
       read.spec.base_elevation = view.number("base_elevation").value_or(0);
       if (view.flag("rigid")) {
         read_wall(view, read);
       } else {
         read_floors(view, units, read);
       }
-      read.told.spec.base_elevation = read.spec.base_elevation;
-      for (double& elevation : read.told.elevations) elevation += read.spec.base_elevation;
+      for (double& elevation : read.elevations) elevation += read.spec.base_elevation;
     }
-    before.push_back(read.told);
     buildings.push_back(std::move(read));
   }
   if (list->size() < 2) list->error("has " + list->entries() + ", expected two or more");
   return buildings;
 }
 
-std::vector<PlanBuilding> make_buildings(const PlanCase& c, const std::vector<ReadPlanBuilding>& buildings) {
+std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
+                                         const std::vector<ReadBuilding>& buildings) {
   std::vector<PlanBuilding> all;
-  for (const ReadPlanBuilding& building : buildings) {
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const TomlView view = view_of(root, buildings, b);
     try {
-      const PlanBuilding& made = all.emplace_back(make_plan_building(building.spec));
-      check_mode_times(building.view, made.modes, made.modal_damping, c.analysis.duration);
+      const PlanBuilding& made = all.emplace_back(make_plan_building(buildings[b].spec));
+      check_mode_times(view, made.modes, made.modal_damping, c.analysis.duration);
     } catch (const std::exception& error) {
-      building.view.error(std::string("cannot be computed with: ") + error.what());
+      view.error(std::string("cannot be computed with: ") + error.what());
     }
   }
   return all;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bentur/core/errors.h"
-#include "bentur/io/case/plan/plan_toml.h"
+#include "bentur/io/case/case_toml.h"
 #include "bentur/io/results/plan/plan_json.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
 
 namespace bentur {
@@ -58,7 +58,7 @@ duration = 4
 
 PlanRun plan_gap_run(const std::string& text) {
   Diagnostics diagnostics;
-  auto c = read_plan_case_text(text, "a.toml", diagnostics);
+  auto c = read_case_text(text, "a.toml", diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   PlanProblem problem = make_plan_problem(*c);
   PlanResponse response = solve(problem, c->analysis.solver, solve_options(*c));
@@ -68,7 +68,7 @@ PlanRun plan_gap_run(const std::string& text) {
 
 std::vector<std::string> plan_gap_errors(const std::string& text) {
   Diagnostics diagnostics;
-  (void)read_plan_case_text(text, "a.toml", diagnostics);
+  (void)read_case_text(text, "a.toml", diagnostics);
   std::vector<std::string> errors;
   for (const Diagnostic& error : diagnostics.errors()) errors.push_back(error.message());
   return errors;
@@ -110,7 +110,7 @@ TEST(PlanGaps, WatchBothEndsOfWhatFacesAnEdge) {
 
 TEST(PlanGaps, TellWhatIsNeededOfPointsAndOfWhatIsWatched) {
   const PlanRun run = plan_gap_run(three_in_plan);
-  const json summary = json::parse(plan_summary_json(run, "test")), told = json::parse(plan_gap_json(run, "test"));
+  const json summary = json::parse(summary_json(run, "test")), told = json::parse(gap_json(run, "test"));
   for (const std::size_t g : {0U, 1U}) {
     const json &gap = summary["gaps"][g], &of_gap = told["gaps"][g];
     double needed = 0, reversed = 0;
@@ -148,7 +148,7 @@ TEST(PlanGaps, TellWhatIsNeededOfPointsAndOfWhatIsWatched) {
 TEST(PlanGaps, AreScreenedWithTheirEccentricities) {
   const auto screened = [](const std::string& text) {
     std::map<std::string, json> by_rule;
-    const json told = json::parse(plan_gap_json(plan_gap_run(text), "test"));
+    const json told = json::parse(gap_json(plan_gap_run(text), "test"));
     for (const json& gap : told["gaps"]) {
       for (const json& one : gap["screening"]) by_rule.emplace(one["rule"], one);
     }
@@ -180,7 +180,7 @@ TEST(PlanGaps, ABuildingBehindAnotherMakesARow) {
     const std::string third = "[[building]]\nname = \"C\"\ndamping = 0.05\nplan = { corner = " + corner +
                               ", size = [12, 18], storey_heights = [3.5, 3.2], masses = [200, 180] }\n"
                               "rigidity = { centre = [6, 9], x = 9e4, y = 9e4, torsion = 9e6 }\n";
-    const json told = json::parse(plan_gap_json(
+    const json told = json::parse(gap_json(
         plan_gap_run(with_piece(three_in_plan, "[[building]]\nname = \"W\"", third + "[[building]]\nname = \"W\"")),
         "test"));
     for (const json& gap : told["gaps"]) {
@@ -197,7 +197,7 @@ TEST(PlanGaps, RulesOfCodesTakeTheMovementOfEachPlaceAcrossTheGap) {
       "[code]\nen-1998-1 = { behaviour_factor = [2, 3, 1] }\nsame_owner = [true, false]\nfloors_aligned = [false, "
       "true]\n";
   const PlanRun run = plan_gap_run(with_piece(three_in_plan, "[excitation]", code + "[excitation]"));
-  const json summary = json::parse(plan_summary_json(run, "test")), told = json::parse(plan_gap_json(run, "test"));
+  const json summary = json::parse(summary_json(run, "test")), told = json::parse(gap_json(run, "test"));
   for (const char* const list : {"points", "watched_floors"}) {
     for (std::size_t i = 0; i < 2; ++i) {
       const json& level = summary["gaps"][0][list][i];
@@ -225,11 +225,11 @@ TEST(PlanGaps, RulesFromHeightsAlone) {
   const std::string code = "[code]\ngb-50011-2010 = { intensity = 8, system = \"frame\" }\n";
   Diagnostics diagnostics;
   const auto c =
-      read_plan_case_text(with_piece(three_in_plan, "[excitation]", code + "[excitation]"), "a.toml", diagnostics);
+      read_case_text(with_piece(three_in_plan, "[excitation]", code + "[excitation]"), "a.toml", diagnostics);
   for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
   ASSERT_TRUE(c);
   const PlanProblem problem = make_plan_problem(*c);
-  const json told = json::parse(plan_height_rules_json(*c, problem, "test"));
+  const json told = json::parse(height_rules_json(*c, problem, "test"));
   ASSERT_EQ(told["gaps"].size(), 2U);
   const json& rule = told["gaps"][0]["rules"][0];
   EXPECT_DOUBLE_EQ(rule["gap"], 0.1);  // up to 15 m
@@ -245,7 +245,7 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   ASSERT_TRUE(meets);
   const Story story = run_story(run);
   EXPECT_TRUE(story_tells(story, "unmodelled"));
-  const json gap = json::parse(plan_summary_json(run, "test"))["gaps"][0];
+  const json gap = json::parse(summary_json(run, "test"))["gaps"][0];
   EXPECT_EQ(gap["unmodelled_contacts"], gap["unmodelled_contact"].size());
   ASSERT_GT(gap["unmodelled_contact"].size(), 0U);
   EXPECT_NE(gap["unmodelled_contact"][0]["to_model"].get<std::string>().find("strike floors alone"), std::string::npos);
@@ -256,14 +256,14 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   // The other gap closes, so that this is not what would do.
   EXPECT_TRUE(story_tells(gap_story(far), "gap_need_alone"));
   run.response.watched.clear();
-  EXPECT_THROW((void)pair_of(run, 0), InvalidParameter);
+  EXPECT_THROW((void)row_of(run), InvalidParameter);
 }
 
 /// What is unusual of levels that meet, as of rows.
 TEST(PlanGaps, AreRemarkedOnAsThoseOfRows) {
   const auto remarked = [](const std::string& text, const std::string& key) {
     Diagnostics diagnostics;
-    const auto c = read_plan_case_text(text, "a.toml", diagnostics);
+    const auto c = read_case_text(text, "a.toml", diagnostics);
     for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
     for (const Remark& one : remarks(*c, make_plan_problem(*c))) {
       if (one.key == key && one.subject == "A | B") return one.value;
@@ -302,7 +302,7 @@ TEST(PlanGaps, SayWhatSlipsOff) {
   EXPECT_EQ(std::get<long>(value("times")), 2);  // both ends of what they have in common
   EXPECT_NEAR(std::get<double>(value("time")), 0.05013, 5e-6);
   EXPECT_NEAR(std::get<double>(value("energy")), 1.0794, 2e-4);
-  const json impacts = json::parse(plan_summary_json(run, "test"))["impacts"];
+  const json impacts = json::parse(summary_json(run, "test"))["impacts"];
   ASSERT_EQ(impacts.size(), 2U);
   for (const json& one : impacts) EXPECT_EQ(one["slipped"], true);
   EXPECT_FALSE(story_tells(run_story(plan_gap_run(three_in_plan)), "slips"));

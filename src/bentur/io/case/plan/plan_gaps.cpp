@@ -43,12 +43,12 @@ PlanDefaults read_defaults(const TomlView& root) {
   return defaults;
 }
 
-std::string names_of(const std::vector<ReadPlanBuilding>& buildings, std::size_t one, std::size_t other) {
+std::string names_of(const std::vector<ReadBuilding>& buildings, std::size_t one, std::size_t other) {
   return fmt::format("{} and {}", in_quotes(buildings[one].spec.name), in_quotes(buildings[other].spec.name));
 }
 
 /// Footprints that overlap, at the second of the two.
-bool overlaps_are_said(const std::vector<ReadPlanBuilding>& buildings) {
+bool overlaps_are_said(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   bool any = false;
   for (std::size_t b = 1; b < buildings.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
@@ -57,16 +57,16 @@ bool overlaps_are_said(const std::vector<ReadPlanBuilding>& buildings) {
       if (!overlap(one, other)) continue;
       any = true;
       if (!one.polygon.empty() || !other.polygon.empty()) {
-        buildings[b].view.error(fmt::format("overlaps {}: their footprints have {:.6g} of area in common, {:.6g} deep",
-                                            in_quotes(buildings[a].spec.name), common_area(one, other),
-                                            overlap_depth(one, other)));
+        view_of(root, buildings, b)
+            .error(fmt::format("overlaps {}: their footprints have {:.6g} of area in common, {:.6g} deep",
+                               in_quotes(buildings[a].spec.name), common_area(one, other), overlap_depth(one, other)));
         continue;
       }
       const PlanPoint low = one.corner.cwiseMax(other.corner);
       const PlanPoint common = one.far_corner().cwiseMin(other.far_corner()) - low;
-      buildings[b].view.error(
-          fmt::format("overlaps {}: their footprints have {:.6g} by {:.6g} at ({:.6g}, {:.6g}) in common",
-                      in_quotes(buildings[a].spec.name), common.x(), common.y(), low.x(), low.y()));
+      view_of(root, buildings, b)
+          .error(fmt::format("overlaps {}: their footprints have {:.6g} by {:.6g} at ({:.6g}, {:.6g}) in common",
+                             in_quotes(buildings[a].spec.name), common.x(), common.y(), low.x(), low.y()));
     }
   }
   return any;
@@ -78,17 +78,21 @@ std::pair<Index, Index> in_order(Index one, Index other) {
 }
 
 /// The pair of two buildings along their stretch.
-PlanGapSpec pair_of(const Stretch& stretch, std::size_t one, std::size_t other) {
+GapSpec pair_of(const Stretch& stretch, std::size_t one, std::size_t other) {
   const auto [left, right] = stretch.swapped ? std::pair(other, one) : std::pair(one, other);
-  return {.left = static_cast<Eigen::Index>(left), .right = static_cast<Eigen::Index>(right), .stretch = stretch};
+  GapSpec gap;
+  gap.left = static_cast<Eigen::Index>(left);
+  gap.right = static_cast<Eigen::Index>(right);
+  gap.stretch = stretch;
+  return gap;
 }
 
 /// Every law of a pair is made once; errors go to where its contact stands.
-void check_laws(const TomlView& contact, const PlanGapSpec& gap, const std::vector<ReadPlanBuilding>& buildings) {
-  std::vector<PlanBuildingSpec> specs;
-  for (const ReadPlanBuilding& building : buildings) specs.push_back(building.spec);
+void check_laws(const TomlView& contact, const GapSpec& gap, const std::vector<ReadBuilding>& buildings) {
+  std::vector<BuildingSpec> specs;
+  for (const ReadBuilding& building : buildings) specs.push_back(building.spec);
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
-    PlanGapSpec one = gap;  // of this level alone, with its entry of every list
+    GapSpec one = gap;  // of this level alone, with its entry of every list
     one.levels = {gap.levels[level]};
     for (auto& [key, list] : one.contact.numbers) list = {list.size() == 1 ? list.front() : list.at(level)};
     try {
@@ -101,36 +105,33 @@ void check_laws(const TomlView& contact, const PlanGapSpec& gap, const std::vect
 
 class Pairs {
  public:
-  Pairs(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings)
-      : defaults_(read_defaults(root)), buildings_(buildings) {
-    for (const ReadPlanBuilding& building : buildings) told_.push_back(building.told);
-  }
+  Pairs(const TomlView& root, const std::vector<ReadBuilding>& buildings)
+      : defaults_(read_defaults(root)), buildings_(buildings) {}
 
   void read_named(const TomlView& entry);
   void add_near(const TomlView& root);
-  std::vector<PlanGapSpec> take();
+  std::vector<GapSpec> take();
 
  private:
   [[nodiscard]] bool is_named(std::size_t one, std::size_t other) const {
     return std::find(named_.begin(), named_.end(), in_order(one, other)) != named_.end();
   }
-  [[nodiscard]] std::vector<LevelPair> levels_of(const PlanGapSpec& gap, std::optional<double> tolerance) const {
-    return level_floors(floor_levels(told_[gap.left]), floor_levels(told_[gap.right]), tolerance);
+  [[nodiscard]] std::vector<LevelPair> levels_of(const GapSpec& gap, std::optional<double> tolerance) const {
+    return level_floors(floor_levels(buildings_[gap.left]), floor_levels(buildings_[gap.right]), tolerance);
   }
   /// What a pair without a contact of its own has; an error at `at` where there is none.
-  void take_default_contact(const TomlView& at, PlanGapSpec& gap);
-  void read_levels(const TableView& table, PlanGapSpec& gap);
+  void take_default_contact(const TomlView& at, GapSpec& gap);
+  void read_levels(const TableView& table, GapSpec& gap);
   /// One point per end alone where impacts take no time.
-  void check_points(const TomlView& at, const PlanGapSpec& gap);
+  void check_points(const TomlView& at, const GapSpec& gap);
 
   PlanDefaults defaults_;
-  const std::vector<ReadPlanBuilding>& buildings_;
-  std::vector<ReadBuilding> told_;
+  const std::vector<ReadBuilding>& buildings_;
   std::vector<std::pair<std::size_t, std::size_t>> named_;  ///< each the lower index first
-  std::vector<PlanGapSpec> gaps_;
+  std::vector<GapSpec> gaps_;
 };
 
-void Pairs::take_default_contact(const TomlView& at, PlanGapSpec& gap) {
+void Pairs::take_default_contact(const TomlView& at, GapSpec& gap) {
   if (defaults_.contact) {
     gap.contact = *defaults_.contact;
     check_laws(*defaults_.view->find("contact"), gap, buildings_);
@@ -140,18 +141,18 @@ void Pairs::take_default_contact(const TomlView& at, PlanGapSpec& gap) {
   }
 }
 
-void Pairs::check_points(const TomlView& at, const PlanGapSpec& gap) {
+void Pairs::check_points(const TomlView& at, const GapSpec& gap) {
   if (gap.contact.law == "restitution" && gap.points != 2) {
     const auto points = at.find("points");
     (points ? *points : at).error(fmt::format("must be 2 with law = \"restitution\", not {}", gap.points));
   }
 }
 
-void Pairs::read_levels(const TableView& table, PlanGapSpec& gap) {
+void Pairs::read_levels(const TableView& table, GapSpec& gap) {
   const std::optional<double> tolerance = table.number("level_tolerance");
   gap.level_tolerance = tolerance;
   gap.levels = levels_of(gap, tolerance);
-  const ReadBuilding &left = told_[gap.left], &right = told_[gap.right];
+  const ReadBuilding &left = buildings_[gap.left], &right = buildings_[gap.right];
   if (gap.levels.empty()) {
     table.error(
         fmt::format("has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let "
@@ -189,7 +190,7 @@ void Pairs::read_named(const TomlView& entry) {
   const TableView& table = *made;
   table.refuse({"width"}, "is not for buildings in plan: their footprints say how far they are apart");
   table.refuse({"strikes_columns", "column_capacity"}, "does not go with buildings in plan");
-  const auto between = read_between(table, told_, "two buildings");
+  const auto between = read_between(table, buildings_, "two buildings");
   const std::optional<std::int64_t> points = table.whole("points");
   if (!between) return;
   const auto [one, other] = *between;
@@ -210,7 +211,7 @@ void Pairs::read_named(const TomlView& entry) {
   }
   const auto stretch = joint_between(buildings_[one].spec.footprint(), buildings_[other].spec.footprint());
   if (!stretch) return;  // they overlap, which is said
-  PlanGapSpec gap = pair_of(*stretch, one, other);
+  GapSpec gap = pair_of(*stretch, one, other);
   gap.points = static_cast<int>(points.value_or(defaults_.points));
   read_levels(table, gap);
   if (gap.levels.empty()) return;
@@ -219,7 +220,7 @@ void Pairs::read_named(const TomlView& entry) {
   } else {
     std::vector<double> elevations;
     for (const LevelPair& level : gap.levels) elevations.push_back(level.elevation);
-    const auto contact = read_contact(table, {told_[gap.left], told_[gap.right], elevations}, Need::required);
+    const auto contact = read_contact(table, {buildings_[gap.left], buildings_[gap.right], elevations}, Need::required);
     if (contact) {
       gap.contact = *contact;
       check_laws(*table.find("contact"), gap, buildings_);
@@ -243,7 +244,7 @@ void Pairs::add_near(const TomlView& root) {
       if (buildings_[a].spec.is_rigid() && buildings_[b].spec.is_rigid()) continue;
       const auto stretch = joint_between(buildings_[a].spec.footprint(), buildings_[b].spec.footprint());
       if (!stretch || stretch->width > *defaults_.clearance) continue;
-      PlanGapSpec gap = pair_of(*stretch, a, b);
+      GapSpec gap = pair_of(*stretch, a, b);
       gap.points = defaults_.points;
       gap.levels = levels_of(gap, std::nullopt);
       if (gap.levels.empty() && stretch->is_corner()) continue;
@@ -266,18 +267,17 @@ void Pairs::add_near(const TomlView& root) {
   }
 }
 
-std::vector<PlanGapSpec> Pairs::take() {
-  std::sort(gaps_.begin(), gaps_.end(), [](const PlanGapSpec& a, const PlanGapSpec& b) {
-    return in_order(a.left, a.right) < in_order(b.left, b.right);
-  });
+std::vector<GapSpec> Pairs::take() {
+  std::sort(gaps_.begin(), gaps_.end(),
+            [](const GapSpec& a, const GapSpec& b) { return in_order(a.left, a.right) < in_order(b.left, b.right); });
   return std::move(gaps_);
 }
 
 }  // namespace
 
-std::vector<PlanGapSpec> read_plan_gaps(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings) {
+std::vector<GapSpec> read_plan_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   Pairs pairs(root, buildings);
-  const bool overlapping = overlaps_are_said(buildings);
+  const bool overlapping = overlaps_are_said(root, buildings);
   if (root.has("gap")) {
     if (const auto list = root.tables("gap", "")) {
       for (const TomlView& entry : list->items()) pairs.read_named(entry);

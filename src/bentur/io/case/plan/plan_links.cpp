@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "bentur/io/case/plan/plan_parts.h"
-#include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
-/// The place of a link along its joint, and what it acts along.
-void read_place(const TableView& link, PlanLinkSpec& spec) {
+/// Where along its joint.
+void read_along(const TableView& link, LinkSpec& spec) {
   const std::optional<double> at = link.number("at");
   if (!link.has("at")) link.error_missing("at", "the coordinate along the joint");
   const Stretch& joint = spec.stretch;
@@ -27,40 +26,23 @@ void read_place(const TableView& link, PlanLinkSpec& spec) {
 
 }  // namespace
 
-std::vector<PlanLinkSpec> read_plan_links(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings) {
-  std::vector<PlanLinkSpec> links;
-  if (!root.has("link")) return links;
-  const auto list = root.tables("link", "");
-  if (!list) return links;
-  std::vector<ReadBuilding> told;
-  for (const ReadPlanBuilding& building : buildings) told.push_back(building.told);
-  for (const TomlView& entry : list->items()) {
-    const auto link = TableView::of(entry, link_keys());
-    if (!link) continue;
-    PlanLinkSpec spec;
-    auto sides = read_between(*link, told, "two buildings");
-    if (sides && sides->first == sides->second) {
-      link->find("between")->error("must be two buildings");
-      sides.reset();
-    }
-    const bool known = sides && buildings[sides->first].is_whole && buildings[sides->second].is_whole;
-    if (known) {
-      const auto [one, other] = *sides;
-      const auto joint = facing(buildings[one].spec.footprint(), buildings[other].spec.footprint());
-      if (joint) {
-        spec.stretch = *joint;
-        if (joint->swapped) sides = {other, one};
-        read_place(*link, spec);
-      } else if (!overlap(buildings[one].spec.footprint(), buildings[other].spec.footprint())) {
-        link->find("between")->error(fmt::format("is between buildings of which no edge faces the other, {} and {}",
-                                                 in_quotes(buildings[one].spec.name),
-                                                 in_quotes(buildings[other].spec.name)));
-      }
-    }
-    spec.link = read_link(*link, told, sides);
-    links.push_back(std::move(spec));
+void read_place(const TableView& link, const std::vector<ReadBuilding>& buildings,
+                std::optional<std::pair<std::size_t, std::size_t>>& sides, LinkSpec& spec) {
+  if (sides && sides->first == sides->second) {
+    link.find("between")->error("must be two buildings");
+    sides.reset();
   }
-  return links;
+  if (!sides || !buildings[sides->first].is_whole || !buildings[sides->second].is_whole) return;
+  const auto [one, other] = *sides;
+  const BuildingSpec &first = buildings[one].spec, &second = buildings[other].spec;
+  if (const auto joint = facing(first.footprint(), second.footprint())) {
+    spec.stretch = *joint;
+    if (joint->swapped) sides = {other, one};
+    read_along(link, spec);
+  } else if (!overlap(first.footprint(), second.footprint())) {
+    link.find("between")->error(fmt::format("is between buildings of which no edge faces the other, {} and {}",
+                                            in_quotes(first.name), in_quotes(second.name)));
+  }
 }
 
 }  // namespace bentur

@@ -9,24 +9,16 @@
 
 #include "bentur/elements/bearing_laws.h"
 #include "bentur/io/case/case_parts.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 
-// The parts that a case of buildings in plan is read in, as case_parts.h has those of a row.
+// The parts of a case that buildings in plan alone have, beside those of case_parts.h.
 namespace bentur {
 
-/// A building as read; `told` is what readers that it shares with buildings of a row take: name, path and levels.
-struct ReadPlanBuilding {
-  PlanBuildingSpec spec;
-  ReadBuilding told;
-  TomlView view;
-  bool is_whole = false;  ///< its footprint and floors are known
-};
-
 /// plan_buildings.cpp
-[[nodiscard]] std::vector<ReadPlanBuilding> read_plan_buildings(const TomlView& root, const Units& units);
+[[nodiscard]] std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units);
 /// The buildings with modes and damping, of what is right otherwise; an error at each that cannot be made.
-[[nodiscard]] std::vector<PlanBuilding> make_buildings(const PlanCase& c,
-                                                       const std::vector<ReadPlanBuilding>& buildings);
+[[nodiscard]] std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
+                                                       const std::vector<ReadBuilding>& buildings);
 
 /// plan_buildings.cpp: one pair for all, or a list of one each; empty (and an error) unless all are right.
 /// @param count how many of a list; 0: any number from one
@@ -50,19 +42,11 @@ struct ReadBearings {
 [[nodiscard]] std::optional<PlanIsolation> read_isolation(const TomlView& given, const Plan& plan, double gravity);
 
 /// plan_gaps.cpp: the pairs that may touch, in the order of their buildings.
-[[nodiscard]] std::vector<PlanGapSpec> read_plan_gaps(const TomlView& root,
-                                                      const std::vector<ReadPlanBuilding>& buildings);
+[[nodiscard]] std::vector<GapSpec> read_plan_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 
-/// plan_links.cpp
-[[nodiscard]] std::vector<PlanLinkSpec> read_plan_links(const TomlView& root,
-                                                        const std::vector<ReadPlanBuilding>& buildings);
-
-/// plan_excitation.cpp: both components, and the angle of their axes, into the case.
-void read_plan_excitation(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings, const CaseFiles& files,
-                          PlanCase& c);
-
-/// plan_excitation.cpp @param moves set when something is given an initial displacement or velocity.
-[[nodiscard]] InitialSpec read_plan_initial(const TomlView& root, const std::vector<ReadPlanBuilding>& buildings,
-                                            bool& moves);
+/// plan_links.cpp: the place of a link between two buildings, its joint and what it acts along, into `spec`, and
+/// `sides` in the order of that; an error where they do not face one another.
+void read_place(const TableView& link, const std::vector<ReadBuilding>& buildings,
+                std::optional<std::pair<std::size_t, std::size_t>>& sides, LinkSpec& spec);
 
 }  // namespace bentur

@@ -6,26 +6,26 @@
 
 #include "bentur/io/results/internal/asked_json.h"
 #include "bentur/model/gap/minimum_gap.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/judgement_story.h"
 
-// What results tell of a gap, of a row's or of the pair (plan_pair.h) of one in plan, `in_plan`; null: a row's.
+// What results tell of a gap, of a row or of row_of() buildings in plan, `plan`; null: of a row.
 namespace bentur {
 
 [[nodiscard]] Json between_json(const Problem& problem, Eigen::Index gap);
 
 /// Every watched floor of a gap, and what it does in the run.
 [[nodiscard]] Json watched_list(const Problem& problem, const Response& response, const Gap& gap,
-                                const PlanGap* in_plan = nullptr);
+                                const PlanProblem* plan = nullptr);
 
 /// Those that met what they face, the deepest first.
 [[nodiscard]] Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap,
-                                   const std::string& length, const PlanGap* in_plan = nullptr);
+                                   const std::string& length, const PlanProblem* plan = nullptr);
 
 /// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings stand.
 [[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels, double scale,
                                bool collapsed, Eigen::Index gap, const std::vector<ScreeningFinding>& screened,
-                               const PlanGap* in_plan = nullptr);
+                               const PlanProblem* plan = nullptr);
 
 /// Puts what is judged of each gap into its object of a list: "judgement".
 void put_judgements(const std::vector<ToldJudgement>& told, Json& gaps);

@@ -35,7 +35,7 @@ class PlaceList : protected VariablePass<File> {
     this->named({"point_left", {points}, "", "building to the left of the contact points"}, problem_.points,
                 &ContactPoint::left, buildings);
     this->named({"point_right", {points}, "", "building to the right of the contact points"}, problem_.points,
-                &ContactPoint::left, buildings, 1);
+                &ContactPoint::right, buildings);
     if (!point_length.empty()) {
       this->each({"point_elevation", {points}, point_length, "elevation of the contact points"}, problem_.points,
                  &ContactPoint::elevation);

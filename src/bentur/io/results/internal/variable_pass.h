@@ -119,22 +119,20 @@ class VariablePass {
       for (std::size_t i = 0; i < values.size(); ++i) items[i].*member = values[i];
     }
   }
-  /// A member of each that is the number of a building, told by its name; or of the building so many further right.
+  /// A member of each that is the number of a building, told by its name.
   template <class Items, class Member>
-  void named(ResultVariable variable, Items& items, Member member, const std::vector<Building>& buildings,
-             Eigen::Index further = 0) const {
+  void named(ResultVariable variable, Items& items, Member member, const std::vector<Building>& buildings) const {
     std::vector<std::string> names;
     if constexpr (!File::reads) {
-      for (const auto& item : items) names.push_back(buildings.at(item.*member + further).name);
+      for (const auto& item : items) names.push_back(buildings.at(item.*member).name);
     }
     made(variable, names);
     if constexpr (File::reads) {
       for (std::size_t i = 0; i < names.size(); ++i) {
         const auto found = std::find_if(buildings.begin(), buildings.end(),
                                         [&](const Building& building) { return building.name == names[i]; });
-        items[i].*member = found - buildings.begin() - further;
-        const bool is_there = found != buildings.end() && items[i].*member >= 0;
-        if (!is_there) file_.source.fail(variable.name + " names no building of it");
+        items[i].*member = found - buildings.begin();
+        if (found == buildings.end()) file_.source.fail(variable.name + " names no building of it");
       }
     }
   }

@@ -6,19 +6,12 @@
 #include <utility>
 
 #include "bentur/contact/laws/rubbing.h"
-#include "bentur/io/results/internal/asked_json.h"
-#include "bentur/io/results/internal/code_json.h"
-#include "bentur/io/results/internal/gap_json.h"
 #include "bentur/io/results/internal/hinges_json.h"
-#include "bentur/io/results/judged_by_json.h"
-#include "bentur/io/results/story_json.h"
-#include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/io/results/internal/run_json.h"
+#include "bentur/io/results/rules_json.h"
 #include "bentur/model/plan/plan_frames.h"
-#include "bentur/model/plan/plan_pair.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_screening.h"
-#include "bentur/model/story/story.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -31,23 +24,6 @@ Json numbers_or_null(const VectorXd& values) {
   Json json = Json::array();
   for (const double value : values) json.push_back(or_null_if_unknown(value));
   return json;
-}
-
-/// Every quantity of one owner at these places, by its pointer; of floors and planes a list.
-void put_quantities(Json& json, Owner owner, const PlanRun& run, const std::vector<QuantityPlace>& places) {
-  const bool is_list = owner == Owner::floor || owner == Owner::plane;
-  for (const Quantity* const one : quantities_of(owner, true)) {
-    Json list = Json::array();
-    for (const double value : values_at(*one, run, places)) {
-      const bool is_flag = one->source.number == QuantitySource::Number::yes_or_no;
-      list.push_back(is_flag          ? Json(value != 0)
-                     : is_whole(*one) ? Json(static_cast<long>(value))
-                                      : or_null_if_unknown(value));
-    }
-    if (list.empty()) continue;
-    const std::string pointer(one->pointer.empty() ? "/" + std::string(one->key) : one->pointer);
-    json[Json::json_pointer(pointer)] = is_list ? std::move(list) : std::move(list.front());
-  }
 }
 
 Json impedance_json(const Impedance& under) { return {{"stiffness", under.stiffness}, {"damping", under.damping}}; }
@@ -146,20 +122,20 @@ Json normal_json(const Stretch& stretch) {
   return stretch.across == 0 ? "x" : "y";
 }
 
-Json plan_gap_json(const PlanRun& run, std::size_t g) {
+Json plan_gap_json(const PlanRun& run, const RunResults& row, std::size_t g) {
   const PlanGap& gap = run.problem.gaps[g];
-  const RunResults pair = pair_of(run, g);
+  const auto number = static_cast<Index>(g);
   const Index first = first_contact(run.problem, g);
   Json points = Json::array();
   for (Index i = first; i < first + std::ssize(gap.contacts); ++i) points.push_back(plan_point_json(run, i));
-  Json json = {{"between", between_json(pair.problem, 0)},
+  Json json = {{"between", between_json(row.problem, number)},
                {"normal", normal_json(gap.stretch)},
                {"width", gap.stretch.width},
                {"stretch", {gap.stretch.from, gap.stretch.to}}};
-  put_quantities(json, Owner::gap, run, {{static_cast<Index>(g)}});
-  json["unmodelled_contact"] = unmodelled_list(pair.problem, pair.response, 0, run.c.units.length, &gap);
+  put_quantities(json, Owner::gap, run, {{number}});
+  json["unmodelled_contact"] = unmodelled_list(row.problem, row.response, number, run.c.units.length, &run.problem);
   json["points"] = std::move(points);
-  json["watched_floors"] = watched_list(pair.problem, pair.response, gap_at(pair.problem, 0), &gap);
+  json["watched_floors"] = watched_list(row.problem, row.response, gap_at(row.problem, number), &run.problem);
   return json;
 }
 
@@ -190,112 +166,35 @@ Json plan_link_json(const PlanRun& run, std::size_t index) {
   return json;
 }
 
-Json plan_statements_json(const PlanProblem& problem, const std::vector<Statement>& statements) {
-  std::vector<std::string> names;
-  for (const PlanBuilding& building : problem.buildings) names.push_back(building.name);
-  return Json::parse(statements_json(names, statements));
-}
-
-Json plan_collapse_json(const PlanRun& run, const Collapse& collapse) {
-  return {{"building", run.problem.buildings.at(static_cast<std::size_t>(collapse.building)).name},
-          {"storey", run.problem.buildings[collapse.building].model.storey_number(collapse.storey)},
-          {"time", collapse.time}};
-}
-
-Json excitations_json(const PlanCase& c) {
-  Json json = excitation_json(c.excitation[0]);
-  Json y = excitation_json(c.excitation[1]);
-  y.erase("delays");
-  y.erase("kinematics");
-  json["angle"] = c.angle;
-  json["y"] = std::move(y);
-  return json;
-}
-
-Json plan_solver_json(const PlanRun& run) {
-  const std::optional<EnergyAudit>& energy = run.response.energy;
-  Json json = {{"name", name(run.c.analysis.solver)}};
-  if (const auto* adaptive = std::get_if<AdaptiveSolver>(&run.c.analysis.solver))
-    json["tolerance"] = adaptive->tolerance;
-  json["steps"] = run.response.steps;
-  json["wall_time"] = run.response.wall_time;
-  json["peak_input_energy"] = energy ? Json(energy->peak_input) : Json(nullptr);
-  json["events"] = run.response.events;
-  json["energy_residual"] = energy ? Json(energy->relative_residual()) : Json(nullptr);
-  return json;
-}
-
-Json discrepancies_json(const std::vector<Discrepancy>& discrepancies) {
-  Json json = Json::array();
-  for (const Discrepancy& one : discrepancies) json.push_back({{"key", one.key}, {"size", one.size}});
-  return json;
-}
-
 }  // namespace
 
-std::string plan_summary_json(const PlanRun& run, std::string_view version) {
+std::string summary_json(const PlanRun& run, std::string_view version) {
+  const auto row = row_of(run);
   Json buildings = Json::array(), gaps = Json::array(), impacts = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) buildings.push_back(plan_building_json(run, b));
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) gaps.push_back(plan_gap_json(run, g));
-  put_judgements(told_judgements(run), gaps);
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) gaps.push_back(plan_gap_json(run, *row, g));
   for (Index i = 0; i < std::ssize(run.response.impacts); ++i) impacts.push_back(plan_impact_json(run, i));
-  Json json = {{"title", run.c.title},
-               {"units", units_json(run.c.units)},
-               {"version", version},
-               {"case", source_json(run.c.source)},
-               {"status", run.response.collapse ? "collapsed" : "completed"},
-               {"solver", plan_solver_json(run)},
-               {"excitation", excitations_json(run.c)},
-               {"statements", plan_statements_json(run.problem, run_story(run).statements)},
-               {"remarks", remarks_json(run.remarks)},
-               {"discrepancies", discrepancies_json(run.response.discrepancies)},
-               {"buildings", std::move(buildings)},
-               {"gaps", std::move(gaps)},
-               {"impacts", std::move(impacts)}};
-  put_quantities(json, Owner::run, run, {QuantityPlace{}});
-  json["judged_by"] = judged_by_json(run.response, drifts_no_contact(run));
-  for (std::size_t i = 0; i < run.problem.links.size(); ++i) json["links"].push_back(plan_link_json(run, i));
-  if (run.response.collapse) json["collapse"] = plan_collapse_json(run, *run.response.collapse);
-  if (run.response.collapse_no_contact) {
-    json["collapse_no_contact"] = plan_collapse_json(run, *run.response.collapse_no_contact);
+  Json json = summary_of(run, run, version, std::move(buildings), std::move(gaps));
+  json["discrepancies"] = Json::array();
+  for (const Discrepancy& one : run.response.discrepancies) {
+    json["discrepancies"].push_back({{"key", one.key}, {"size", one.size}});
   }
+  json["impacts"] = std::move(impacts);
+  for (std::size_t i = 0; i < run.problem.links.size(); ++i) json["links"].push_back(plan_link_json(run, i));
   return text_of(json);
 }
 
-std::string plan_gap_json(const PlanRun& run, std::string_view version) {
-  Json gaps = Json::array();
-  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
-    const RunResults pair = pair_of(run, g);
-    gaps.push_back(
-        gap_json_of(pair.c, pair.problem, separations(pair.problem, pair.response, pair.c.code, pair.c.units),
-                    displacement_scale(pair.problem, pair.response, 0), pair.response.collapse_no_contact.has_value(),
-                    0, plan_screening(run.c, run.problem, g), &run.problem.gaps[g]));
-  }
-  put_judgements(told_judgements(run), gaps);
-  return text_of({{"title", run.c.title},
-                  {"units", units_json(run.c.units)},
-                  {"version", version},
-                  {"excitation", excitations_json(run.c)},
-                  {"statements", plan_statements_json(run.problem, gap_story(run).statements)},
-                  {"code_rules", code_rules_json(run.c.code)},
-                  {"gaps", std::move(gaps)}});
+std::string gap_json(const PlanRun& run, std::string_view version) {
+  std::vector<std::vector<ScreeningFinding>> screened;
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) screened.push_back(plan_screening(run.c, run.problem, g));
+  return gaps_json(run, *row_of(run), version, screened, &run.problem);
 }
 
-std::string plan_height_rules_json(const PlanCase& c, const PlanProblem& problem, std::string_view version) {
-  Json gaps = Json::array();
-  for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
-    const RunResults pair = pair_of(c, problem, g);
-    gaps.push_back(height_gap_json(pair.c, pair.problem, 0));
-  }
-  return text_of({{"title", c.title},
-                  {"units", {{"length", c.units.length}, {"force", c.units.force}}},
-                  {"version", version},
-                  {"statements", plan_statements_json(problem, height_rules_story(c, problem).statements)},
-                  {"code_rules", code_rules_json(c.code)},
-                  {"gaps", std::move(gaps)}});
+std::string height_rules_json(const Case& c, const PlanProblem& problem, std::string_view version) {
+  return height_rules_json(c, row_of(problem), version);
 }
 
-std::string plan_modes_json(const PlanProblem& problem) {
+std::string modes_json(const PlanProblem& problem) {
   Json all = Json::array();
   for (const PlanBuilding& building : problem.buildings) {
     Json shapes = Json::array();

@@ -6,7 +6,7 @@
 
 #include "bentur/io/results/result_variable.h"
 #include "bentur/io/results/run_variables.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 
 namespace bentur {
 

@@ -29,14 +29,14 @@ CodeSeparation is1893(const CodePair& pair, const CodeRuleSpec& spec) {  // (3)
     return {spec.rule, (is_set(spec, "halved") ? 0.5 : 1) * amplified(pair, spec, "response_reduction").sum(), {}, {}};
   }
   const double larger = std::max(factor(spec, "response_reduction", pair.left_building),
-                                 factor(spec, "response_reduction", pair.left_building + 1));
+                                 factor(spec, "response_reduction", pair.right_building));
   return {spec.rule, larger * (pair.left.displacement + pair.right.displacement), {}, {}};
 }
 
 CodeSeparation nbcc(const CodePair& pair, const CodeRuleSpec& spec) {  // (4)
   Amplified d = amplified(pair, spec, "ductility_factor", "importance_factor");
   d.left *= factor(spec, "overstrength_factor", pair.left_building);
-  d.right *= factor(spec, "overstrength_factor", pair.left_building + 1);
+  d.right *= factor(spec, "overstrength_factor", pair.right_building);
   return {spec.rule, d.srss(), {}, {}};
 }
 
@@ -68,7 +68,7 @@ CodeSeparation ubc97(const CodePair& pair, const CodeRuleSpec& spec) {  // (13)
   const auto moved = [&](const CodeSide& side, std::size_t building) {
     return std::max(1.0, 0.7 * factor(spec, "response_reduction", building)) * side.displacement;
   };
-  const Amplified d{moved(pair.left, pair.left_building), moved(pair.right, pair.left_building + 1)};
+  const Amplified d{moved(pair.left, pair.left_building), moved(pair.right, pair.right_building)};
   return {spec.rule, pair.is_of_one_owner() ? d.srss() : d.sum(), d.left, d.right};
 }
 
@@ -80,7 +80,7 @@ CodeSeparation ntc2020(const CodePair& pair, const CodeRuleSpec& spec) {  // (14
     return std::max(0.050 * pair.metre, expected);
   };
   const double left = to_line(d.left, pair.left, pair.left_building);
-  const double right = to_line(d.right, pair.right, pair.left_building + 1);
+  const double right = to_line(d.right, pair.right, pair.right_building);
   return {spec.rule, left + right, left, right};
 }
 
@@ -89,7 +89,7 @@ CodeSeparation nch433(const CodePair& pair, const CodeRuleSpec& spec) {  // (15)
     const double moved = std::max(1.0, 2.0 / 3 * factor(spec, "response_reduction", building)) * side.displacement;
     return std::max({moved, 0.002 * side.level, 0.015 * pair.metre});
   };
-  const double left = to_line(pair.left, pair.left_building), right = to_line(pair.right, pair.left_building + 1);
+  const double left = to_line(pair.left, pair.left_building), right = to_line(pair.right, pair.right_building);
   return {spec.rule, left + right, left, right};
 }
 
@@ -100,7 +100,7 @@ CodeSeparation inpres(const CodePair& pair, const CodeRuleSpec& spec) {  // (17)
     return std::max(is_known ? 1.05 * moved : 0.025 * side.level, 0.025 * pair.metre);
   };
   const double left = to_line(d.left, pair.left, pair.left_building);
-  const double right = to_line(d.right, pair.right, pair.left_building + 1);
+  const double right = to_line(d.right, pair.right, pair.right_building);
   return {spec.rule, left + right, left, right};
 }
 
@@ -112,7 +112,7 @@ bool is_low_in_iran(const CodeSide& side, const CodeRuleSpec& spec, std::size_t 
 CodeSeparation iran2800(const CodePair& pair, const CodeRuleSpec& spec) {  // (18)
   const Amplified d = amplified(pair, spec, "deflection_amplification");
   const bool left_low = is_low_in_iran(pair.left, spec, pair.left_building);
-  const bool right_low = is_low_in_iran(pair.right, spec, pair.left_building + 1);
+  const bool right_low = is_low_in_iran(pair.right, spec, pair.right_building);
   const double left = left_low ? 0.005 * std::max(0.0, pair.left.level) : d.left;
   const double right = right_low ? 0.005 * std::max(0.0, pair.right.level) : d.right;
   const bool combines = pair.is_of_one_owner() && !left_low && !right_low;
@@ -121,7 +121,7 @@ CodeSeparation iran2800(const CodePair& pair, const CodeRuleSpec& spec) {  // (1
 
 std::optional<HeightSeparation> iran2800_by_height(const CodePair& pair, const CodeRuleSpec& spec) {
   const bool alone =
-      is_low_in_iran(pair.left, spec, pair.left_building) && is_low_in_iran(pair.right, spec, pair.left_building + 1);
+      is_low_in_iran(pair.left, spec, pair.left_building) && is_low_in_iran(pair.right, spec, pair.right_building);
   return alone ? HeightSeparation{iran2800(pair, spec)} : at_rest<iran2800>(pair, spec);
 }
 

@@ -18,7 +18,7 @@ CodeSeparation gb50011(const CodePair& pair, const CodeRuleSpec& spec) {  // (6)
   const double each = 11 - intensity;  // [m]: 5, 4, 3, 2
   const double frame = 0.100 + 0.020 * std::max(0.0, lower_height(pair) - 15) / each;
   double width = 0.100;
-  for (const std::size_t building : {pair.left_building, pair.left_building + 1}) {
+  for (const std::size_t building : {pair.left_building, pair.right_building}) {
     const std::string& system = word(spec, "system", building);
     const bool steel = word_or(spec, "material", "concrete", building) == "steel";
     const double part = steel ? 1.5 : (system == "wall" ? 0.5 : (system == "frame-wall" ? 0.7 : 1.0));

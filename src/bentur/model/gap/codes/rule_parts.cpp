@@ -78,7 +78,7 @@ Amplified amplified(const CodePair& pair, const CodeRuleSpec& spec, std::string_
   const auto own = [&](const CodeSide& side, std::size_t building) {
     return side.displacement * factor(spec, times, building) / (over.empty() ? 1 : factor(spec, over, building));
   };
-  return {own(pair.left, pair.left_building), own(pair.right, pair.left_building + 1)};
+  return {own(pair.left, pair.left_building), own(pair.right, pair.right_building)};
 }
 
 double begun_steps(double height, double from, double each) {

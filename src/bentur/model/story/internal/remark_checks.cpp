@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 namespace bentur::remarking {
 namespace {
@@ -59,6 +60,21 @@ void check_weights(const BuildingLook& look, const Units& units, List& list) {
 }
 
 }  // namespace
+
+std::optional<double> beam_depth(const Case& c, Eigen::Index building, Eigen::Index floor) {
+  std::optional<double> depth;
+  if (building >= std::ssize(c.buildings)) return depth;
+  const auto take = [&](const PlaneFrame* frame) {
+    if (frame == nullptr || floor < 0 || floor >= std::ssize(frame->beams)) return;
+    depth = std::max(depth.value_or(0), depth_of(frame->beams[static_cast<std::size_t>(floor)]));
+  };
+  const auto& structure = c.buildings[static_cast<std::size_t>(building)].structure;
+  take(std::get_if<PlaneFrame>(&structure));
+  if (const auto* const plan = std::get_if<Plan>(&structure)) {
+    for (const PlanPlane& plane : plan->planes) take(plane.frame.get());
+  }
+  return depth;
+}
 
 double depth_of(const Section& section) { return std::sqrt(12 * section.inertia / section.area); }
 

@@ -47,6 +47,9 @@ void check_codes(const CodeSpec& code, List& list);
 /// Of a rectangle with the area and inertia of a section [length].
 [[nodiscard]] double depth_of(const Section& section);
 
+/// The depth of the beams at a floor [length], in plan of the deepest of its frames; nothing where it is not known.
+[[nodiscard]] std::optional<double> beam_depth(const Case& c, Eigen::Index building, Eigen::Index floor);
+
 /// Two floors that meet, or a floor and what it strikes.
 struct LevelLook {
   const std::string& gap;

@@ -2,84 +2,31 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 // What run_story.cpp asks of a run: of a row in run_of_row.cpp, of buildings in plan in run_in_plan.cpp.
 namespace bentur::story {
 
-/// A gap of a row: how the whole is seen, and which of its gaps this is. What is said of it names it as it is.
-class GapOfRow {
+/// The gaps of a run, which must outlive it, all judged.
+class ToldGaps {
  public:
-  GapOfRow(const GapView& view, std::size_t gap) : view_(view), number_(static_cast<Eigen::Index>(gap)) {}
-
-  [[nodiscard]] const GapView& view() const { return view_; }
-  [[nodiscard]] Eigen::Index number() const { return number_; }
-  void rename(Statement& /*statement*/) const {}
-  void rename(StoryTable& /*table*/) const {}
-
- private:
-  const GapView& view_;
-  Eigen::Index number_;
-};
-
-/// A gap in plan, seen as the only one of a row of two. What is said of it gets its own number and names.
-class GapInPlan {
- public:
-  GapInPlan(const PlanRun& run, std::size_t gap, JudgedGap judged)
-      : run_(run), gap_(gap), pair_(pair_of(run, gap)), view_(judged_view_of(run, gap, pair_, std::move(judged))) {}
-  GapInPlan(const GapInPlan&) = delete;  // the view is of its own pair
-
-  [[nodiscard]] const GapView& view() const { return view_; }
-  [[nodiscard]] Eigen::Index number() const { return 0; }
-  void rename(Statement& statement) const;
-  void rename(StoryTable& table) const { table.gap = static_cast<Eigen::Index>(gap_); }
-
- private:
-  const PlanRun& run_;
-  std::size_t gap_;
-  RunResults pair_;
-  GapView view_;
-};
-
-/// The gaps of a row, all judged.
-class RowGaps {
- public:
-  explicit RowGaps(const RunResults& run) : run_(run), view_(judged_view_of(run)) {}
+  explicit ToldGaps(const RunResults& run) : view_(judged_view_of(run)) {}
+  explicit ToldGaps(const PlanRun& run) : row_(row_of(run)), view_(judged_view_of(run, *row_)) {}
 
   [[nodiscard]] std::size_t count() const { return view_.facts.size(); }
-  [[nodiscard]] std::string name(std::size_t gap) const;
-  [[nodiscard]] const GapFacts& facts(std::size_t gap) const { return view_.facts.at(gap); }
-  [[nodiscard]] Sufficiency judged(std::size_t gap) const { return view_.judged.at(gap).value; }
-  [[nodiscard]] GapOfRow at(std::size_t gap) const { return {view_, gap}; }
+  [[nodiscard]] const GapView& view() const { return view_; }
 
  private:
-  const RunResults& run_;
+  std::shared_ptr<const RunResults> row_;
   GapView view_;
 };
-[[nodiscard]] inline RowGaps gaps_told(const RunResults& run) { return RowGaps(run); }
-
-/// Those of buildings in plan.
-class PlanGaps {
- public:
-  explicit PlanGaps(const PlanRun& run) : run_(run), judged_(judged_gaps(run)) {}
-
-  [[nodiscard]] std::size_t count() const { return judged_.size(); }
-  [[nodiscard]] std::string name(std::size_t gap) const;
-  [[nodiscard]] const GapFacts& facts(std::size_t gap) const { return judged_[gap].facts; }
-  [[nodiscard]] Sufficiency judged(std::size_t gap) const { return judged_[gap].judgement.value; }
-  [[nodiscard]] GapInPlan at(std::size_t gap) const { return {run_, gap, judged_[gap]}; }
-
- private:
-  const PlanRun& run_;
-  std::vector<JudgedGap> judged_;
-};
-[[nodiscard]] inline PlanGaps gaps_told(const PlanRun& run) { return PlanGaps(run); }
 
 /// Contact in a gap.
 struct Hit {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/story.h"
 
 // What small displacements leave out of a run of buildings in plan.

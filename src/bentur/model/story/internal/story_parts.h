@@ -10,7 +10,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
 
@@ -27,8 +27,7 @@ struct GapView {
   std::vector<LevelSeparation> levels;                       ///< of all gaps
   bool collapsed = false;                                    ///< the free response
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
-  const PlanGap* in_plan = nullptr;                          ///< of the pair of a gap in plan: where its levels are
-  const PlanProblem* plan = nullptr;                         ///< likewise: whose gap it is
+  const PlanProblem* plan = nullptr;                         ///< of row_of() buildings in plan: where its levels are
   std::vector<GapFacts> facts = {};                          ///< per gap; empty: nothing is judged
   std::vector<Judgement> judged = {};                        ///< likewise
   [[nodiscard]] double scale(Eigen::Index gap) const;        ///< displacement_scale() [length]; 0 by a spectrum
@@ -62,7 +61,7 @@ void tell_judgement(const GapView& view, Eigen::Index gap, const std::function<v
 /// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.
 void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// Whether those rules of [code] that depend on it are taken across a property line and for floors that are aligned,
-/// and what of it is not given. @param gap of a row, or of the row of two that a gap in plan is
+/// and what of it is not given. @param gap its number
 void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vector<Statement>& statements);
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
 [[nodiscard]] std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap);
@@ -107,8 +106,8 @@ void tell_breaking(const RunResults& run, Story& told);
 [[nodiscard]] GapView judged_view_of(const RunResults& run);
 /// Of gaps by a spectrum.
 [[nodiscard]] GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral);
-/// The same of a gap in plan. @param pair pair_of() the run, which must outlive it as the run must
-[[nodiscard]] GapView judged_view_of(const PlanRun& run, std::size_t gap, const RunResults& pair, JudgedGap judged);
+/// The same of buildings in plan. @param row row_of() the run, which must outlive it as the run must
+[[nodiscard]] GapView judged_view_of(const PlanRun& run, const RunResults& row);
 /// The storey of a building that drifts the most.
 struct WorstDrift {
   std::string name;         ///< of the building, or of the plane of it
@@ -163,17 +162,20 @@ void tell_links(const AnyProblem& problem, const std::vector<LinkSummary>& found
     pair->force = most;
     pair->hardest = i;
   }
+  const auto is_between = [](const auto& gap, Eigen::Index left, Eigen::Index right) {
+    return (gap.left == left && gap.right == right) || (gap.left == right && gap.right == left);
+  };
   const auto gap_of = [&](Eigen::Index left, Eigen::Index right) -> std::optional<Eigen::Index> {
     if constexpr (requires { problem.gaps; }) {
       for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
-        const auto& gap = problem.gaps[g];
-        const bool is_it = (gap.left == left && gap.right == right) || (gap.left == right && gap.right == left);
-        if (is_it) return static_cast<Eigen::Index>(g);
+        if (is_between(problem.gaps[g], left, right)) return static_cast<Eigen::Index>(g);
       }
-      return std::nullopt;
     } else {
-      return left + 1 == right ? std::optional(left) : std::nullopt;
+      for (Eigen::Index g = 0; g < gap_count(problem); ++g) {
+        if (is_between(sides_of(problem, g), left, right)) return g;
+      }
     }
+    return std::nullopt;
   };
   for (const Pair& pair : pairs) {
     const double level = link_at(pair.hardest).elevation;

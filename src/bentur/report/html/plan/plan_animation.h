@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/report/words.h"
 
 namespace bentur::html {

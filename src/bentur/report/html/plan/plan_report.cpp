@@ -10,7 +10,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
 #include "bentur/excitation/motion_measures.h"
-#include "bentur/io/results/plan/plan_csv.h"
+#include "bentur/io/results/result_csv.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/hand_in.h"
@@ -333,14 +333,14 @@ class PlanPage {
       const double pga = applied_pga(run_, i);
       if (!(pga > 0)) continue;
       const std::string of = i == 0 ? "x" : "y";
-      if (const auto& record = run_.c.excitation[i].record) {
+      if (const auto& record = run_.c.excitations()[i]->record) {
         for (auto& [name, text] : html::rows_of_record(*record, say_))
           rows.emplace_back(fmt::format("{}: {}", of, name), text);
       }
       rows.emplace_back(of + ": " + say_("motion.pga"), html::quantity(pga, html::acceleration_unit(run_.c.units)) +
                                                             " = " + html::quantity(pga / run_.c.units.gravity, "g"));
     }
-    const std::vector<double>& delays = run_.c.excitation[0].delays;
+    const std::vector<double>& delays = run_.c.excitation.delays;
     for (std::size_t b = 0; b < delays.size(); ++b) {
       if (delays[b] == 0) continue;
       rows.emplace_back(say_("motion.delay", {{"building", run_.problem.buildings.at(b).name}}),
@@ -406,8 +406,8 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
                              say(caption_key("overview", true)), options.language);
   }
   std::vector<const RecordEcho*> records;
-  for (const ExcitationSpec& one : run.c.excitation) {
-    if (one.record) records.push_back(&*one.record);
+  for (const ExcitationSpec* const one : run.c.excitations()) {
+    if (one->record) records.push_back(&*one->record);
   }
   html::PageSection motion;
   Html data;
@@ -426,7 +426,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
                                 html::csv_script(csv_of(run, listed))};
   if (run.c.project || !options.head.empty()) {
     std::vector<html::AppliedRecord> applied;
-    for (const std::size_t i : {0U, 1U}) applied.push_back({run.c.excitation[i], applied_pga(run, i)});
+    for (const std::size_t i : {0U, 1U}) applied.push_back({*run.c.excitations()[i], applied_pga(run, i)});
     body.sections = html::in_order_of_codes(std::move(body.sections), html::records_section(applied, run.c.units, say),
                                             run.c.project, say, hand_in(run));
     body.running_head = html::running_head(run.c.project, title);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/report/html/report.h"
 
 namespace bentur {

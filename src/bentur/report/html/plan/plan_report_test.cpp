@@ -13,11 +13,11 @@
 #include "bentur/files/result_netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/plan/plan_csv.h"
 #include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_csv.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/plan/plan_pair.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/hand_in.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/kinds/kinds.h"
@@ -229,7 +229,7 @@ TEST(PlanReport, BarsAreOfOnePlace) {
   for (const double value : {level->width, level->gap_needed, *level->gap_needed_reversed}) {
     EXPECT_TRUE(has(bars, number(value))) << value << bars;
   }
-  EXPECT_EQ(*gap_needed_reversed(pair_of(run, 0).problem, pair_of(run, 0).response, 0), *level->gap_needed_reversed);
+  EXPECT_EQ(*gap_needed_reversed(row_of(run)->problem, row_of(run)->response, 0), *level->gap_needed_reversed);
 }
 
 TEST(PlanReport, ShowsTextsOfTheCaseAsTheyAre) {
@@ -269,7 +269,7 @@ TEST(PlanReport, OfResultsIsThatOfTheRun) {
   PlanRun run = test::plan_run(test::twisting_pair());
   const TemporaryFolder folder;
   AtomicFiles files(folder.path());
-  files.add("summary.json", plan_summary_json(run, "0"), ResultKind::summary);
+  files.add("summary.json", summary_json(run, "0"), ResultKind::summary);
   files.add("histories.nc", histories_netcdf(run, "0"), ResultKind::histories);
   files.add("case.toml", run.c.source->text, ResultKind::case_copy);
   files.commit();

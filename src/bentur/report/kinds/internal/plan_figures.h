@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/report/kinds/internal/history_panels.h"
 #include "bentur/report/scene/plan_scene.h"
 

@@ -31,7 +31,7 @@ Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& opt
     const ContactPoint& point = run.problem.points[i];
     const std::optional<ColumnPeaks>& column = run.response.points[i].column;
     if (!column || !is_at(options, point.elevation) ||
-        (options.gap && point.left != static_cast<Eigen::Index>(*options.gap))) {
+        (options.gap && point.gap != static_cast<Eigen::Index>(*options.gap))) {
       continue;
     }
     if (!best || column->shear > run.response.points[*best].column->shear) best = i;

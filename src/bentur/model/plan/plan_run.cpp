@@ -1,4 +1,4 @@
-#include "bentur/model/plan/plan_case.h"
+#include "bentur/model/plan/plan_run.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/core/errors.h"
+#include "bentur/model/plan/plan_row.h"
 
 namespace bentur {
 namespace {
@@ -27,7 +28,7 @@ Eigen::Matrix2d axes_at(double degrees) {
   return axes;
 }
 
-double floor_mass(const PlanBuildingSpec& spec, int floor) {
+double floor_mass(const BuildingSpec& spec, int floor) {
   const Plan* const plan = std::get_if<Plan>(&spec.structure);
   if (plan == nullptr) return std::numeric_limits<double>::infinity();
   const int slabs = plan->isolation ? 1 : 0;
@@ -62,12 +63,7 @@ std::vector<Eigen::VectorXd> initial_vectors(const std::vector<std::vector<doubl
 
 }  // namespace
 
-const Footprint& PlanBuildingSpec::footprint() const {
-  const Plan* const plan = std::get_if<Plan>(&structure);
-  return plan != nullptr ? plan->footprint : std::get<PlanWall>(structure).footprint;
-}
-
-PlanBuilding make_plan_building(const PlanBuildingSpec& spec) {
+PlanBuilding make_plan_building(const BuildingSpec& spec) {
   if (const Plan* const plan = std::get_if<Plan>(&spec.structure)) {
     return make_plan_building(spec.name, plan_model(*plan, spec.base_elevation), spec.damping, spec.tangent_damping,
                               plan->soil, plan->isolation);
@@ -77,9 +73,9 @@ PlanBuilding make_plan_building(const PlanBuildingSpec& spec) {
   return rigid_plan_building(spec.name, spec.footprint(), elevations);
 }
 
-std::vector<PlanContact> contacts_of(const PlanGapSpec& gap, const std::vector<PlanBuildingSpec>& buildings) {
+std::vector<PlanContact> contacts_of(const GapSpec& gap, const std::vector<BuildingSpec>& buildings) {
   std::vector<PlanContact> contacts, others;
-  const PlanBuildingSpec &left = buildings.at(gap.left), &right = buildings.at(gap.right);
+  const BuildingSpec &left = buildings.at(gap.left), &right = buildings.at(gap.right);
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
     const LevelPair& floors = gap.levels[level];
     const double m_e = effective_mass(floor_mass(left, floors.left_floor), floor_mass(right, floors.right_floor));
@@ -106,7 +102,7 @@ FloorLevels levels_of(const PlanModel& model) {
   return {model.elevations, model.elevations.front() - model.storey_heights.front()};
 }
 
-std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap, const std::vector<PlanBuilding>& buildings) {
+std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<PlanBuilding>& buildings) {
   const auto touches = [&](int side, int floor) {
     return std::any_of(gap.levels.begin(), gap.levels.end(), [&](const LevelPair& level) {
       return (side == 0 ? level.left_floor : level.right_floor) == floor;
@@ -129,21 +125,15 @@ std::vector<PlanWatched> watched_floors(const PlanGapSpec& gap, const std::vecto
   return watched;
 }
 
-std::vector<PlanLink> links_of(const std::vector<PlanLinkSpec>& specs, const std::vector<PlanBuilding>& buildings) {
+std::vector<PlanLink> links_of(const std::vector<LinkSpec>& specs, const std::vector<PlanBuilding>& buildings) {
   std::vector<PlanLink> links;
-  for (const PlanLinkSpec& spec : specs) {
-    const PlanBuilding &left = buildings.at(spec.link.left), &right = buildings.at(spec.link.right);
-    for (Link& link : links_of(spec.link, levels_of(left.model), levels_of(right.model), {left.name, right.name})) {
+  for (const LinkSpec& spec : specs) {
+    const PlanBuilding &left = buildings.at(spec.left), &right = buildings.at(spec.right);
+    for (Link& link : links_of(spec, levels_of(left.model), levels_of(right.model), {left.name, right.name})) {
       links.push_back({std::move(link), spec.stretch, spec.at, spec.direction});
     }
   }
   return links;
-}
-
-std::vector<std::vector<Eigen::Index>> links_by_spec(const std::vector<PlanLinkSpec>& specs) {
-  std::vector<LinkSpec> links;
-  for (const PlanLinkSpec& spec : specs) links.push_back(spec.link);
-  return links_by_spec(links);
 }
 
 std::string link_name(const PlanProblem& problem, const PlanLink& link) {
@@ -157,24 +147,24 @@ std::string link_along(const PlanLink& link) {
   return fmt::format("({:.4g}, {:.4g})", along.x(), along.y());
 }
 
-PlanProblem make_plan_problem(const PlanCase& c) {
+PlanProblem make_plan_problem(const Case& c) {
   std::vector<PlanBuilding> buildings;
-  for (const PlanBuildingSpec& spec : c.buildings) buildings.push_back(make_plan_building(spec));
+  for (const BuildingSpec& spec : c.buildings) buildings.push_back(make_plan_building(spec));
   return make_plan_problem(c, std::move(buildings));
 }
 
-PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> buildings) {
+PlanProblem make_plan_problem(const Case& c, std::vector<PlanBuilding> buildings) {
   PlanProblem problem;
   problem.buildings = std::move(buildings);
-  for (const PlanGapSpec& gap : c.gaps) {
+  for (const GapSpec& gap : c.gaps) {
     problem.gaps.push_back(
         {gap.left, gap.right, gap.stretch, contacts_of(gap, c.buildings), watched_floors(gap, problem.buildings)});
   }
   problem.links = links_of(c.links, problem.buildings);
-  problem.motions = {c.excitation[0].motion, c.excitation[1].motion};
+  problem.motions = {c.excitation.motion, c.excitation_y.motion};
   problem.axes = axes_at(c.angle);
-  problem.delays = c.excitation[0].delays;
-  problem.kinematics = c.excitation[0].kinematics;
+  problem.delays = c.excitation.delays;
+  problem.kinematics = c.excitation.kinematics;
   problem.initial_displacement = initial_vectors(c.initial.displacements, problem.buildings);
   problem.initial_velocity = initial_vectors(c.initial.velocities, problem.buildings);
   problem.duration = c.analysis.duration;
@@ -184,17 +174,17 @@ PlanProblem make_plan_problem(const PlanCase& c, std::vector<PlanBuilding> build
   return problem;
 }
 
-SolveOptions solve_options(const PlanCase& c) { return solve_options(c.analysis); }
-
-PlanRun run_results(PlanCase c, PlanProblem problem, PlanResponse response) {
+PlanRun run_results(Case c, PlanProblem problem, PlanResponse response) {
   if (response.duration > 0) problem.duration = response.duration;
   problem.goes_on = false;
   std::vector<Remark> found = remarks(c, problem, response);
-  return {std::move(c), std::move(problem), std::move(response), std::move(found)};
+  PlanRun run{std::move(c), std::move(problem), std::move(response), std::move(found)};
+  run.row = row_of(run);
+  return run;
 }
 
 double applied_pga(const PlanRun& run, std::size_t component) {
-  const std::optional<RecordEcho>& record = run.c.excitation.at(component).record;
+  const std::optional<RecordEcho>& record = run.c.excitations().at(component)->record;
   return record ? record->pga : peak_acceleration(run.problem.motions.at(component));
 }
 

@@ -1,0 +1,206 @@
+#include "bentur/model/plan/plan_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bentur/core/errors.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// The first component of the ground's motion that there is, which is told of.
+std::size_t told_motion(const PlanProblem& problem) {
+  return std::holds_alternative<NoMotion>(problem.motions[0]) ? 1 : 0;
+}
+
+Building building_of(const PlanBuilding& building) {
+  Building row;
+  row.name = building.name;
+  row.model.elevations = building.model.elevations;
+  row.model.storey_heights = building.model.storey_heights;
+  row.model.floor_masses = building.model.floor_masses;
+  row.modes.omega = building.modes.omega;
+  return row;
+}
+
+void add_gap(const PlanGap& gap, Index number, Problem& row) {
+  row.sides.push_back({gap.left, gap.right});
+  for (const PlanContact& contact : gap.contacts) {
+    if (!contact.is_of_joint()) break;
+    row.points.push_back({.left = gap.left,
+                          .left_floor = contact.left_floor,
+                          .right_floor = contact.right_floor,
+                          .elevation = contact.elevation,
+                          .width = gap.width_at(contact),
+                          .beyond = gap.at(contact).beyond,
+                          .law = contact.law,
+                          .right = gap.right,
+                          .gap = number});
+  }
+  for (const PlanWatched& watched : gap.watched) {
+    WatchedFloor& floor = row.watched.emplace_back();
+    floor.left = gap.left;
+    floor.right = gap.right;
+    floor.gap = number;
+    floor.floor_of = watched.floor_of;
+    floor.floor = watched.floor;
+    floor.facing_floor = watched.facing_floor;
+    floor.elevation = watched.elevation;
+    floor.width = gap.stretch.width_at(watched.along);
+    floor.beyond = gap.stretch.at(watched.along).beyond;
+  }
+}
+
+/// What contacts beside the joint did, as done by the first of the joint's at their level.
+/// @param points those of the joint, one after the other
+void add_beside(const PlanGap& gap, const PlanContact& contact, const PointSummary& did, PointSummary* points) {
+  for (std::size_t i = 0; gap.contacts[i].is_of_joint(); ++i) {
+    if (gap.contacts[i].elevation != contact.elevation) continue;
+    points[i].impacts += did.impacts;
+    points[i].settling += did.settling;
+    points[i].peak_force = std::max(points[i].peak_force, did.peak_force);
+    return;
+  }
+}
+
+/// The points of the joints out of those of all contacts, with what those beside them did.
+std::vector<PointSummary> points_of_joints(const PlanProblem& problem, const std::vector<PointSummary>& all) {
+  std::vector<PointSummary> points;
+  std::size_t first = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    const std::size_t begin = points.size();
+    for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
+      if (gap.contacts[i].is_of_joint()) points.push_back(all[first + i]);
+    }
+    for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
+      if (!gap.contacts[i].is_of_joint()) add_beside(gap, gap.contacts[i], all[first + i], points.data() + begin);
+    }
+    first += gap.contacts.size();
+  }
+  return points;
+}
+
+/// How far the edges of the floors of a building move across a gap [length]; of an oblique one not less than that.
+Eigen::VectorXd moves_across(const PlanPeaks& peaks, const Stretch& stretch) {
+  const PlanPoint across = stretch.n.cwiseAbs();
+  return across.x() * peaks.south.cwiseMax(peaks.north) + across.y() * peaks.west.cwiseMax(peaks.east);
+}
+
+/// Peaks of faces that are floors, where those were not asked for.
+template <class Summary, class Place>
+void know_peaks(const PlanRun& run, const std::vector<Place>& places, std::vector<Summary>& summaries) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Place& at = places[i];
+    const Stretch& stretch = run.problem.gaps[at.gap].stretch;
+    const auto peak = [&](Index building, std::optional<Index> floor, double& of) {
+      if (!std::isnan(of) || !floor) return;
+      const Eigen::VectorXd floors = moves_across(run.response.buildings_no_contact[building], stretch);
+      if (*floor < floors.size()) of = floors(*floor);
+    };
+    if constexpr (std::is_same_v<Place, ContactPoint>) {
+      peak(at.left, at.left_floor, summaries[i].peak_left);
+      peak(at.right, at.right_floor, summaries[i].peak_right);
+    } else {
+      peak(at.left, face_floor(at, 0), summaries[i].peak_left);
+      peak(at.right, face_floor(at, 1), summaries[i].peak_right);
+    }
+  }
+}
+
+void check_response(const PlanRun& run) {
+  std::size_t points = 0, watched = 0;
+  for (const PlanGap& gap : run.problem.gaps) {
+    points += gap.contacts.size();
+    watched += gap.watched.size();
+  }
+  if (run.response.points.size() == points && run.response.watched.size() == watched &&
+      run.response.buildings_no_contact.size() == run.problem.buildings.size()) {
+    return;
+  }
+  throw InvalidParameter("response", std::to_string(run.response.points.size()) + " points",
+                         "must be the response of this problem");
+}
+
+}  // namespace
+
+Problem row_of(const PlanProblem& problem) {
+  Problem row;
+  for (const PlanBuilding& building : problem.buildings) row.buildings.push_back(building_of(building));
+  for (std::size_t g = 0; g < problem.gaps.size(); ++g) add_gap(problem.gaps[g], static_cast<Index>(g), row);
+  row.motion = problem.motions[told_motion(problem)];
+  row.kinematics = problem.kinematics;
+  row.duration = problem.duration;
+  return row;
+}
+
+RunResults row_of(const Case& c, const PlanProblem& problem) {
+  RunResults row;
+  row.c.title = c.title;
+  row.c.units = c.units;
+  row.c.analysis = c.analysis;
+  row.c.code = c.code;
+  row.c.excitation = *c.excitations()[told_motion(problem)];
+  row.problem = row_of(problem);
+  return row;
+}
+
+std::shared_ptr<const RunResults> row_of(const PlanRun& run) {
+  if (run.row) return run.row;
+  check_response(run);
+  auto made = std::make_shared<RunResults>(row_of(run.c, run.problem));
+  RunResults& row = *made;
+  const std::size_t mover = applied_pga(run, 0) > 0 ? 0 : 1;  // of results read back no motion is known
+  row.problem.motion = run.problem.motions[mover];
+  row.c.excitation = *run.c.excitations()[mover];
+  row.response.status = run.response.status;
+  row.response.collapse_no_contact = run.response.collapse_no_contact;
+  row.response.duration = run.response.duration;
+  row.response.points = points_of_joints(run.problem, run.response.points);
+  row.response.watched = run.response.watched;
+  know_peaks(run, row.problem.points, row.response.points);
+  know_peaks(run, row.problem.watched, row.response.watched);
+  if (const auto& other = run.response.reversed) {
+    ReversedRun& reversed = row.response.reversed.emplace();
+    reversed.collapse = other->collapse;
+    reversed.collapse_no_contact = other->collapse_no_contact;
+    reversed.has_contact = other->has_contact;
+    if (other->has_contact) {
+      reversed.points = points_of_joints(run.problem, other->points);
+      reversed.watched = other->watched;
+    }
+  }
+  for (const PlanPeaks& free : run.response.buildings_no_contact) {
+    row.response.buildings.emplace_back().displacement_no_contact =
+        free.south.cwiseMax(free.north).cwiseMax(free.west.cwiseMax(free.east));
+  }
+  return made;
+}
+
+PlaceInGap place_in_gap(const Problem& row, bool is_point, Index index) {
+  const auto place = [&](const auto& all) {
+    const Index gap = all.at(static_cast<std::size_t>(index)).gap;
+    Index first = index;
+    while (first > 0 && all[first - 1].gap == gap) --first;
+    return PlaceInGap{static_cast<std::size_t>(gap), index - first};
+  };
+  return is_point ? place(row.points) : place(row.watched);
+}
+
+PlanPoint place_of(const PlanProblem& problem, const Problem& row, bool is_point, Index index) {
+  const PlaceInGap at = place_in_gap(row, is_point, index);
+  const PlanGap& gap = problem.gaps.at(at.gap);
+  return is_point ? gap.middle(gap.contacts.at(at.index)) : gap.stretch.middle(gap.watched.at(at.index).along);
+}
+
+std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap) {
+  const auto row = row_of(run);
+  if (facing_levels(row->problem, static_cast<Index>(gap)).empty()) return std::nullopt;
+  GoverningLevel level = governing_level(row->problem, row->response, static_cast<Index>(gap));
+  if (!run.c.analysis.both_ways) level.gap_needed_reversed.reset();
+  return level;
+}
+
+}  // namespace bentur

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bentur/model/case.h"
+#include "bentur/model/story/remarks.h"
+#include "bentur/pounding/plan/plan_pounding.h"
+
+// What a case of buildings in plan (docs/theory/plan.md) is solved as, and a run of it.
+namespace bentur {
+
+struct RunResults;
+
+/// @throws InvalidParameter when a value is out of its range.
+[[nodiscard]] PlanBuilding make_plan_building(const BuildingSpec& spec);
+
+/// The contacts of a gap, level after level and along the stretch, with the law of each point's share (P-7), (P-9).
+/// @throws InvalidParameter, naming the key at fault, when the values of the law do not go together.
+[[nodiscard]] std::vector<PlanContact> contacts_of(const GapSpec& gap, const std::vector<BuildingSpec>& buildings);
+
+/// What the gap watches: both ends of the stretch at every floor that faces the other building between that one's base
+/// and top and has no contact there; two that are at one level as one. Nothing where they stand corner to corner.
+[[nodiscard]] std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<PlanBuilding>& buildings);
+
+/// Floor levels of a model.
+[[nodiscard]] FloorLevels levels_of(const PlanModel& model);
+
+/// One link per elevation of each spec, in their order. @throws InvalidParameter as links_of() of a row.
+[[nodiscard]] std::vector<PlanLink> links_of(const std::vector<LinkSpec>& specs,
+                                             const std::vector<PlanBuilding>& buildings);
+
+/// "A – B".
+[[nodiscard]] std::string link_name(const PlanProblem& problem, const PlanLink& link);
+/// What it acts along: "x", "y" or a direction such as "(0.6, 0.8)".
+[[nodiscard]] std::string link_along(const PlanLink& link);
+
+/// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
+[[nodiscard]] PlanProblem make_plan_problem(const Case& c);
+/// The same of buildings that make_plan_building() has made of the case's.
+[[nodiscard]] PlanProblem make_plan_problem(const Case& c, std::vector<PlanBuilding> buildings);
+
+/// A run of buildings in plan, just solved or read again from its results, whose records are known by their echo alone.
+struct PlanRun {
+  Case c;
+  PlanProblem problem;
+  PlanResponse response;
+  std::vector<Remark> remarks = {};
+  std::shared_ptr<const RunResults> row = {};  ///< row_of() it, where that has been made
+};
+
+/// As those of a row (remarks.h): of the case alone, and of what came out.
+[[nodiscard]] std::vector<Remark> remarks(const Case& c, const PlanProblem& problem);
+[[nodiscard]] std::vector<Remark> remarks(const Case& c, const PlanProblem& problem, const PlanResponse& response);
+
+/// The same as those of a row (run_results.h).
+[[nodiscard]] PlanRun run_results(Case c, PlanProblem problem, PlanResponse response);
+
+/// Largest acceleration of a component of the ground's motion as applied [length/s²]; 0: there is none.
+[[nodiscard]] double applied_pga(const PlanRun& run, std::size_t component);
+
+}  // namespace bentur
