@@ -18,7 +18,7 @@ def test_example(file, tmp_path, monkeypatch):
     assert text.startswith("# %% [markdown]\n# # ")
     if "openseespy" in text and not any(importlib.util.find_spec(n) for n in ("openseespy", "openseespylinux")):
         pytest.skip("openseespy is not installed")
-    for name in ("scipy", "matplotlib"):
+    for name in ("scipy", "matplotlib", "SALib", "UQpy"):
         if name in text or (name == "matplotlib" and "bentur.plot" in text):
             pytest.importorskip(name)
     monkeypatch.chdir(tmp_path)
@@ -34,5 +34,5 @@ def test_all_brings_what_documents_and_examples_import():
         texts += re.findall(r"^```python\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
     found = {name for text in texts for name in re.findall(r"^ *(?:import|from) (\w+)", text, re.MULTILINE)}
     assert "numpy" in found
-    # the model of opensees_model.py is for who has OpenSees
-    assert found - sys.stdlib_module_names - {"openseespy", "openseespylinux"} <= brought
+    # opensees_model.py, sensitivity_by_salib.py and reliability_by_uqpy.py are for who has these
+    assert found - sys.stdlib_module_names - {"openseespy", "openseespylinux", "SALib", "UQpy"} <= brought

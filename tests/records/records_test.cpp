@@ -108,5 +108,20 @@ TEST(Records, NormalisedByPairsAsFemaP695Does) {
   }
 }
 
+TEST(Records, DocumentsHaveEveryFormatAndWhatWasTried) {
+  std::ifstream file(std::filesystem::path(BENTUR_SOURCE_DIR) / "docs/record-files.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  const std::size_t tried = page.find("## What was tried");
+  ASSERT_NE(tried, std::string::npos);
+  for (const std::string& format : record_formats()) {
+    EXPECT_NE(page.find(format == "auto" ? "`format = \"auto\"`" : "| `" + format + "` |"), std::string::npos)
+        << format;
+  }
+  for (const char* const network : {"GeoNet", "AFAD", "UNAM", "RENADIC", "BHRC", "CSMIP", "CDMG", "USC", "K-NET",
+                                    "KiK-net", "ESM", "SMC", "COSMOS", "PEER", "CWA", "JMA", "SimCenter", "L'Aquila"}) {
+    EXPECT_NE(page.find(network, tried), std::string::npos) << network;
+  }
+}
+
 }  // namespace
 }  // namespace bentur

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/file_identity.h"
@@ -42,18 +43,15 @@ std::optional<double> read_acceleration(const TomlView& value, const Units& unit
     const auto number = value.as_number(Range::positive);
     return number ? std::optional(*number * of_number) : std::nullopt;
   }
-  const std::string& text = value.value().text;
-  const auto not_blank = [&](std::size_t from) { return std::min(text.find_first_not_of(" \t", from), text.size()); };
-  const std::size_t begin = not_blank(0);
+  const std::string_view text = trimmed(value.value().text);
   double number = 0;
   const char* const end = text.data() + text.size();
-  const auto read = from_chars(text.data() + begin, end, number);
+  const auto read = from_chars(text.data(), end, number);
   const std::string known = fmt::format("{}, gal", fmt::join(acceleration_units(), ", "));
   if (read.ec != std::errc()) {
     return value.error_value(fmt::format("must be a number, or one with its unit as \"0.35 g\"; units are {}", known));
   }
-  std::string unit = text.substr(not_blank(static_cast<std::size_t>(read.ptr - text.data())));
-  unit.erase(unit.find_last_not_of(" \t") + 1);
+  const std::string unit(trimmed(std::string_view(read.ptr, end)));
   if (unit.empty()) return value.error_value("has no unit; one of " + known + ", or without quotes length/s²");
   const bool gal = unit == "gal" || unit == "Gal";
   const std::vector<std::string>& all = acceleration_units();

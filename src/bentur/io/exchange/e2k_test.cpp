@@ -127,16 +127,29 @@ duration = 1
   EXPECT_NE(made->taken[1].find("columns of storey \"FIRST\" are of sections C 40, C50"), std::string::npos);
 }
 
-TEST(E2k, WhatIsNotReadIsListedWithItsLines) {
+std::string unread_of(const std::string& text) {
   Diagnostics diagnostics;
-  const auto made = read_e2k(small_model, "small.e2k", {.at = 0}, diagnostics);
-  ASSERT_TRUE(made);
+  const auto made = read_e2k(text, "small.e2k", {.at = 0}, diagnostics);
+  if (!made) return "an error";
   std::string all;
   for (const UnreadLines& one : made->unread)
     all += std::to_string(one.first) + "-" + std::to_string(one.last) + " " + one.what + "\n";
-  EXPECT_EQ(all,
+  return all;
+}
+
+TEST(E2k, WhatIsNotReadIsListedWithItsLines) {
+  EXPECT_EQ(unread_of(small_model),
             "12-12 DIAPHRAGM NAMES\n16-16 MATERIAL PROPERTIES\n22-22 section \"PIPE\" of shape \"Pipe\", none of "
             "this frame\n37-38 AREA CONNECTIVITIES\n51-51 LOAD PATTERNS\n");
+}
+
+TEST(E2k, BracesAreNamedAndAnEndSaysNothing) {
+  const std::string column = "  LINE  \"C4\"  COLUMN  \"4\"  \"4\"  1\n";
+  std::string text = changed(column, column + "  LINE  \"D1\"  BRACE  \"1\"  \"2\"  1\n");
+  text.insert(text.find("$ END OF"), "  END\n");
+  EXPECT_EQ(unread_of(text),
+            "12-12 DIAPHRAGM NAMES\n16-16 MATERIAL PROPERTIES\n22-22 section \"PIPE\" of shape \"Pipe\", none of "
+            "this frame\n33-33 BRACE of LINE CONNECTIVITIES\n38-39 AREA CONNECTIVITIES\n52-52 LOAD PATTERNS\n");
 }
 
 TEST(E2k, SectionsAreThoseOfTheirSidesOrAsGiven) {

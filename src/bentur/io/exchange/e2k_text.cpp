@@ -107,7 +107,10 @@ class E2kTextReader {
     }
     if (word == "LINE" && line.words.size() > 4) {
       const std::string& kind = line.words[2];
-      if (kind != "COLUMN" && kind != "BEAM") return false;
+      if (kind != "COLUMN" && kind != "BEAM") {
+        unread(line, fmt::format("{} of LINE CONNECTIVITIES", kind));
+        return true;
+      }
       (kind == "COLUMN" ? model_.columns : model_.beams)[line.words[1]] = {line.words[3], line.words[4]};
       return true;
     }
@@ -118,7 +121,7 @@ class E2kTextReader {
       model_.joints.push_back({line.words[1], line.words[2], line});
       return true;
     }
-    return word == "PROGRAM" || word.rfind("TITLE", 0) == 0 || word == "GRID" || word == "GRIDSYSTEM";
+    return word == "PROGRAM" || word == "END" || word.rfind("TITLE", 0) == 0 || word == "GRID" || word == "GRIDSYSTEM";
   }
 
   bool take_units(const E2kLine& line) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/io/exchange/internal/geo_choice.h"
 #include "bentur/io/exchange/internal/outline_distance.h"
 #include "bentur/io/exchange/local_plan.h"
@@ -153,8 +154,8 @@ class GeoChooser {
   [[nodiscard]] std::optional<PlanPoint> place_of(const std::string& text) const {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos) return std::nullopt;
-    const auto x = parse_number(text.substr(0, comma));
-    const auto y = parse_number(text.substr(std::min(text.find_first_not_of(' ', comma + 1), text.size())));
+    const auto x = parse_number(trimmed(std::string_view(text).substr(0, comma)));
+    const auto y = parse_number(trimmed(std::string_view(text).substr(comma + 1)));
     if (!x || !y || !is_geo_place({*x, *y}, options_.metres)) return std::nullopt;
     return PlanPoint(*x, *y);
   }

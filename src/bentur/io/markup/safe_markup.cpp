@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "bentur/core/text.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/internal/text_cursor.h"
 #include "bentur/io/markup/internal/markup_lists.h"
@@ -17,7 +18,9 @@ namespace {
 
 using markup::Family;
 
-bool is_blank(char32_t c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+constexpr std::string_view markup_blanks = " \t\n\r";
+
+bool is_blank(char32_t c) { return c < 0x80 && markup_blanks.find(static_cast<char>(c)) != std::string_view::npos; }
 
 bool is_of_name(char32_t c) {
   return c < 0x80 && (std::isalnum(static_cast<int>(c)) != 0 || c == '_' || c == '-' || c == '.' || c == ':');
@@ -56,12 +59,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string trimmed(std::string text) {
-  const auto blank = [](char c) { return is_blank(static_cast<unsigned char>(c)); };
-  text.erase(std::find_if_not(text.rbegin(), text.rend(), blank).base(), text.end());
-  text.erase(text.begin(), std::find_if_not(text.begin(), text.end(), blank));
-  return text;
-}
+std::string without_markup_blanks(std::string_view text) { return std::string(trimmed(text, markup_blanks)); }
 
 struct Attribute {
   std::string name, value;
@@ -119,7 +117,7 @@ class Reader {
     return pass(found + end.size());
   }
   bool pass_blanks() {
-    const std::size_t found = cursor_.rest().find_first_not_of(" \t\r\n");
+    const std::size_t found = cursor_.rest().find_first_not_of(markup_blanks);
     return pass(found == std::string_view::npos ? cursor_.rest().size() : found);
   }
   std::string take_name() {
@@ -160,7 +158,7 @@ class Reader {
     if (drops()) return true;
     const auto text = decoded(raw, at);
     if (!text) return true;  // which has been said
-    if (trimmed(*text).empty()) {
+    if (trimmed(*text, markup_blanks).empty()) {
       if (!open_.empty() || kind_ == MarkupKind::head) written_ += *text;
       return true;
     }
@@ -357,12 +355,12 @@ class Reader {
     std::string_view rest = style.value;
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find(';'), rest.size());
-      const std::string one = trimmed(std::string(rest.substr(0, end)));
+      const std::string one = without_markup_blanks(rest.substr(0, end));
       rest.remove_prefix(std::min(end + 1, rest.size()));
       if (one.empty()) continue;
       const std::size_t colon = std::min(one.find(':'), one.size());
-      const std::string key = trimmed(one.substr(0, colon));
-      const std::string value = colon < one.size() ? trimmed(one.substr(colon + 1)) : "";
+      const std::string key = without_markup_blanks(one.substr(0, colon));
+      const std::string value = colon < one.size() ? without_markup_blanks(one.substr(colon + 1)) : "";
       if (markup::asks_for_nothing(key, value)) continue;
       if (!markup::is_style(key)) {
         complain(style.at, fmt::format("style of <{}> takes no {} here", element, key));
@@ -375,7 +373,7 @@ class Reader {
 
   std::optional<std::string> safe_value(const std::string& element, Family family, const Attribute& one) {
     const std::string prefix = kind_ == MarkupKind::logo ? "logo-" : "head-";
-    const auto found = markup::safe_value(element, family, one.name, trimmed(one.value), prefix);
+    const auto found = markup::safe_value(element, family, one.name, without_markup_blanks(one.value), prefix);
     if (found.value) return found.value;
     if (found.rule.empty()) {
       complain(one.at, fmt::format("<{}> takes no {} here", element, one.name));

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/records/internal/components.h"
 #include "bentur/io/records/internal/record_text.h"
@@ -108,23 +109,19 @@ std::optional<std::pair<std::size_t, std::size_t>> date_in(const std::string& te
 /// The earthquake: of a PEER file the name before the date of its second line, and the date; of one of ./dev records
 /// name and year in its first. Two that say the same in the same words are one.
 std::string event_of(const std::vector<Line>& lines, const std::string& format) {
-  const auto trimmed = [](std::string text) {
-    text.erase(0, std::min(text.find_first_not_of(" \t#,"), text.size()));
-    text.erase(text.find_last_not_of(" \t,") + 1);
-    return text;
-  };
+  const auto name_in = [](std::string_view part) { return std::string(trimmed(part, " \t#,")); };
   if (format == "peer-at2" && lines.size() > 1) {
     const std::string text = upper(lines[1].text);
     const auto date = date_in(text);
     if (!date) return "";
-    std::string name = trimmed(text.substr(0, date->first));
-    if (name.ends_with(" EQ")) name = trimmed(name.substr(0, name.size() - 3));
+    std::string name = name_in(std::string_view(text).substr(0, date->first));
+    if (name.ends_with(" EQ")) name = name_in(std::string_view(name).substr(0, name.size() - 3));
     return name.empty() ? "" : name + " " + text.substr(date->first, date->second);
   }
   if (format == "peer-at2" || !lines.front().text.starts_with('#')) return "";
   const std::string text = upper(lines.front().text);
   const std::size_t end = text.find(", M ");
-  return end == std::string::npos ? "" : trimmed(text.substr(0, end));
+  return end == std::string::npos ? "" : name_in(std::string_view(text).substr(0, end));
 }
 
 }  // namespace

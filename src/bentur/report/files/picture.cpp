@@ -17,6 +17,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bentur/core/text.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/temporary_folder.h"
 
@@ -106,12 +107,6 @@ std::string with_resolution(std::string png, double pixels_per_inch) {
   return png.insert(behind_header, big_endian(9) + chunk + big_endian(check.checksum()));
 }
 
-std::string trimmed(std::string text) {
-  const std::size_t end = text.find_last_not_of(" \n");
-  text.erase(end == std::string::npos ? 0 : end + 1);
-  return text;
-}
-
 }  // namespace
 
 NoConverter::NoConverter()
@@ -147,8 +142,8 @@ std::string draw(const Figure& figure, const std::string& format) {
   const bool ended = WIFEXITED(outcome->status) && WEXITSTATUS(outcome->status) == 0;
   std::string bytes(std::istreambuf_iterator<char>(file), {});
   if (!ended || bytes.empty()) {
-    throw std::runtime_error("rsvg-convert cannot draw: " +
-                             (outcome->output.empty() ? "no reason given" : trimmed(outcome->output)));
+    const std::string_view reason = trimmed(outcome->output, " \t\r\n");
+    throw std::runtime_error("rsvg-convert cannot draw: " + std::string(reason.empty() ? "no reason given" : reason));
   }
   return format == "png" && bytes.size() > 64 ? with_resolution(std::move(bytes), png_density) : bytes;
 }

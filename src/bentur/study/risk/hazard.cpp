@@ -4,12 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/core/text.h"
 #include "bentur/core/units.h"
 #include "bentur/io/input_file.h"
+#include "bentur/io/records/file_unit.h"
 #include "bentur/io/toml/toml_view.h"
 
 namespace bentur {
@@ -43,6 +47,85 @@ std::string_view comment_value(std::string_view comment, std::string_view key) {
     return value.substr(0, value.find('\''));
   }
   return value.substr(0, value.find_first_of(",\" "));
+}
+
+/// What a heading says of its column: "Sa(0.5 s) [g]", "pga_gal".
+struct HazardLabel {
+  std::string measure;                              ///< as OpenQuake calls it; "SA" where no period is said
+  std::optional<records::FileUnit> unit = {};       ///< of accelerations
+  std::optional<std::string_view> other_unit = {};  ///< in brackets where the unit should stand, and none
+};
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+/// The words that a text begins with, in any case, between blanks or underlines as it likes. @return 0: it does not
+std::size_t end_of_words(std::string_view text, std::string_view words) {
+  std::size_t at = 0;
+  for (const char c : words) {
+    if (c == ' ') {
+      while (at < text.size() && (text[at] == ' ' || text[at] == '_')) ++at;
+    } else if (at >= text.size() || std::tolower(static_cast<unsigned char>(text[at++])) != c) {
+      return 0;
+    }
+  }
+  return at < text.size() && is_letter(text[at]) ? 0 : at;
+}
+
+/// The period of a spectral acceleration, "0.5", "(T = 0.5 s)", which `text` loses.
+std::optional<double> take_period(std::string_view& text) {
+  std::string_view rest = trimmed(text, " _");
+  const bool is_bracketed = rest.starts_with('(');
+  if (is_bracketed) rest = trimmed(rest.substr(1));
+  if (const std::size_t sign = rest.find('='); sign != std::string_view::npos && end_of_words(rest, "t") > 0) {
+    rest = trimmed(rest.substr(sign + 1));
+  }
+  const auto period = parse_number(rest.substr(0, rest.find_first_not_of("0123456789.")));
+  if (!period) return std::nullopt;
+  rest = trimmed(rest.substr(std::min(rest.find_first_not_of("0123456789."), rest.size())));
+  for (const char* const second : {"s", "sec"}) {
+    if (const std::size_t end = end_of_words(rest, second); end > 0) rest = trimmed(rest.substr(end));
+  }
+  if (is_bracketed && !rest.starts_with(')')) return std::nullopt;
+  text = rest.substr(is_bracketed ? 1 : 0);
+  return period;
+}
+
+/// Nothing where the text does not begin with a measure of ground motions.
+std::optional<HazardLabel> label_of(std::string_view text) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 11> measures = {
+      {{"peak ground acceleration", "PGA"},
+       {"pga", "PGA"},
+       {"pgv", "PGV"},
+       {"pgd", "PGD"},
+       {"mmi", "MMI"},
+       {"avgsa", "AvgSA"},
+       {"spectral acceleration", "SA"},
+       {"s a", "SA"},
+       {"ps a", "SA"},
+       {"p sa", "SA"},
+       {"sae", "SA"}}};
+  text = trimmed(text, " \t#\"");
+  for (const auto& [words, measure] : measures) {
+    const std::size_t end = end_of_words(text, words);
+    if (end == 0) continue;
+    text.remove_prefix(end);
+    HazardLabel label{std::string(measure)};
+    if (measure == "SA") {
+      if (const auto period = take_period(text)) label.measure = fmt::format("SA({})", *period);
+    }
+    text = trimmed(text, " \t_");
+    if (label.measure == "SA" && text.starts_with('(') && !records::file_unit(text.substr(1, text.find(')') - 1))) {
+      text = trimmed(text.substr(std::min(text.find(')'), text.size() - 1) + 1));  // "(T1)"
+    }
+    if (text.empty()) return label;
+    const bool is_bracketed = text.front() == '(' || text.front() == '[';
+    std::string_view unit = text.substr(is_bracketed ? 1 : 0);
+    unit = trimmed(unit.substr(0, unit.find_first_of(is_bracketed ? ")]" : " \t,;")));
+    label.unit = records::file_unit(unit);
+    if (is_bracketed && !label.unit) label.other_unit = unit;
+    return label;
+  }
+  return std::nullopt;
 }
 
 class HazardReader {
@@ -79,7 +162,7 @@ class HazardReader {
     if (text.starts_with('#')) return take_comment(text);
     const std::vector<std::string_view> cells = cells_of(line);
     const bool is_heading = !parse_number(cells.front());
-    if (is_heading && sites_.empty() && curve_.intensity.empty()) return take_heading(cells);
+    if (is_heading && sites_.empty() && curve_.intensity.empty()) return take_heading(text, cells);
     if (is_openquake_) return take_site(cells);
     if (cells.size() != 2) {
       return fail(line_, fmt::format("has {}, must have 2: an intensity and the frequency a year that it is exceeded",
@@ -100,17 +183,45 @@ class HazardReader {
       if (!number || !(*number > 0)) return fail(line_, "investigation_time must be > 0");
       years_ = *number;
     }
-    if (const std::string_view measure = comment_value(text, "imt="); !measure.empty()) curve_.measure = measure;
+    if (const std::string_view measure = comment_value(text, "imt="); !measure.empty()) {
+      curve_.measure = measure;
+    } else if (const auto label = label_of(text)) {
+      take_label(*label);
+    }
   }
 
-  void take_heading(const std::vector<std::string_view>& cells) {
+  void take_label(const HazardLabel& label) {
+    const bool is_more = label.measure.starts_with(curve_.measure);  // a period, too
+    if (!is_more && !curve_.measure.starts_with(label.measure)) {
+      return fail(line_, fmt::format("is of {}, but said before to be of {}", label.measure, curve_.measure));
+    }
+    if (is_more) curve_.measure = label.measure;
+    if (label.other_unit) {
+      return fail(line_, fmt::format("{} is no unit of accelerations that is known; one of {}",
+                                     in_quotes(std::string(*label.other_unit)), fmt::join(acceleration_units(), ", ")));
+    }
+    if (!label.unit) return;
+    curve_.unit = label.unit->unit;
+    factor_ = label.unit->factor;
+  }
+
+  void take_heading(std::string_view line, const std::vector<std::string_view>& cells) {
+    if (const auto label = label_of(line)) {
+      take_label(*label);
+    } else if (cells.size() == 2 && label_of(cells[1])) {
+      return fail(line_, fmt::format("{} must be the first column", in_quotes(std::string(cells[1]))));
+    }
     for (const std::string_view cell : cells) {
       const bool is_poe = cell.starts_with("poe-");
       poe_columns_.push_back(is_poe ? parse_number(cell.substr(4)) : std::nullopt);
       if (is_poe && !poe_columns_.back()) fail(line_, fmt::format("{} has no intensity", in_quotes(std::string(cell))));
       is_openquake_ = is_openquake_ || is_poe;
-      for (const std::string& unit : acceleration_units()) {
-        if (cell.ends_with("[" + unit + "]") || cell.ends_with("(" + unit + ")")) curve_.unit = unit;
+      const std::size_t open = cell.find_last_of("([");
+      const bool is_closed = cell.ends_with(')') || cell.ends_with(']');
+      if (open == std::string_view::npos || !is_closed || !curve_.measure.empty()) continue;
+      if (const auto unit = records::file_unit(cell.substr(open + 1, cell.size() - open - 2))) {
+        curve_.unit = unit->unit;
+        factor_ = unit->factor;
       }
     }
     if (is_openquake_ && years_ == 0) fail(line_, "does not say investigation_time, as OpenQuake does in its comment");
@@ -148,8 +259,9 @@ class HazardReader {
     }
   }
 
-  void add(double x, double rate) {
-    if (!(x > 0)) return fail(line_, fmt::format("intensity = {}, must be > 0", x));
+  void add(double intensity, double rate) {
+    const double x = intensity * factor_;
+    if (!(x > 0)) return fail(line_, fmt::format("intensity = {}, must be > 0", intensity));
     if (!(rate >= 0)) return fail(line_, fmt::format("frequency = {}, must be >= 0", rate));
     if (rate == 0) {  // beyond what the hazard has; what follows can be nothing else
       ended_ = true;
@@ -175,7 +287,7 @@ class HazardReader {
   HazardCurve curve_;
   bool good_ = true, is_openquake_ = false, ended_ = false;
   int line_ = 0;
-  double years_ = 0;
+  double years_ = 0, factor_ = 1;                   // factor: what brings intensities to the unit of the curve
   std::vector<std::optional<double>> poe_columns_;  // of each column its intensity, where it has probabilities
   std::vector<Site> sites_;
 };

@@ -18,7 +18,7 @@ namespace bentur {
 struct HazardCurve {
   std::vector<double> intensity;  ///< x [unit] > 0, ascending; two or more
   std::vector<double> rate;       ///< λ [1/year] > 0, not rising
-  std::string measure = {};       ///< "PGA", "SA(0.5)" where the file says it
+  std::string measure = {};       ///< "PGA", "SA(0.5)" where the file says it, "SA" where it says no period
   std::string unit = {};          ///< of x, as acceleration_units(); empty: the file does not say it
 
   [[nodiscard]] std::size_t segments() const { return intensity.size() - 1; }
@@ -35,8 +35,9 @@ struct HazardOptions {
   std::string unit = {};          ///< of x, where the file does not say it
 };
 
-/// Reads a hazard curve (docs/risk.md): a table of x and λ, or a curve of OpenQuake (hazard_curve-mean-PGA.csv), whose
-/// probabilities of exceedance P in t years are λ = −ln(1 − P)/t. What is wrong goes to `diagnostics` with its line.
+/// Reads a hazard curve (docs/risk.md): a table of x and λ, whose heading or first comment may say measure and unit of
+/// x, or a curve of OpenQuake (hazard_curve-mean-PGA.csv), whose probabilities of exceedance P in t years are
+/// λ = −ln(1 − P)/t. What is wrong goes to `diagnostics` with its line.
 /// Source: OpenQuake engine manual, "Outputs from classical PSHA".
 [[nodiscard]] std::optional<HazardCurve> read_hazard(const std::filesystem::path& file, const HazardOptions& options,
                                                      Diagnostics& diagnostics);

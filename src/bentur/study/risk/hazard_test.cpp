@@ -85,5 +85,53 @@ TEST(Hazard, WhatIsNoneIsRefusedWithItsLine) {
   EXPECT_NE(errors.find("are in cm/s2, not in g"), std::string::npos) << errors;
 }
 
+TEST(Hazard, AHeadingSaysMeasureAndUnit) {
+  struct Said {
+    const char *heading, *measure, *unit;
+    double factor = 1;
+  };
+  const Said all[] = {{"pga,rate", "PGA", ""},
+                      {"pga;lambda", "PGA", ""},
+                      {"# pga lambda", "PGA", ""},  // as numpy.savetxt writes it
+                      {"PGA [g],rate [1/yr]", "PGA", "g"},
+                      {"PGA (gal)\tlambda", "PGA", "cm/s2"},
+                      {"Peak ground acceleration (cm/s/s), rate", "PGA", "cm/s2"},
+                      {"pga_g,rate", "PGA", "g"},
+                      {"PGA (mg), rate", "PGA", "g", 1e-3},
+                      {"Sa [g];lambda", "SA", "g"},
+                      {"S_a (g),lambda", "SA", "g"},
+                      {"PSA lambda", "SA", ""},
+                      {"Sa(T1) [g] lambda", "SA", "g"},
+                      {"SA(0.5),afe", "SA(0.5)", ""},
+                      {"Sa(T = 0.50 s) [m/s2], afe", "SA(0.5)", "m/s2"},
+                      {"Sa_0.5s afe", "SA(0.5)", ""},
+                      {"spectral acceleration 1.0 s [g] afe", "SA(1)", "g"},
+                      {"pgv,rate", "PGV", ""},
+                      {"x [cm/s2] rate", "", "cm/s2"},
+                      {"pgas,rate", "", ""},
+                      {"site,rate", "", ""}};
+  for (const Said& one : all) {
+    SCOPED_TRACE(one.heading);
+    std::string errors;
+    const auto curve = read(std::string(one.heading) + "\n0.1 0.02\n0.2 0.01\n", errors);
+    ASSERT_TRUE(curve) << errors;
+    EXPECT_EQ(curve->measure, one.measure);
+    EXPECT_EQ(curve->unit, one.unit);
+    EXPECT_DOUBLE_EQ(curve->intensity[0], 0.1 * one.factor);
+  }
+  std::string errors;
+  const auto both = read("# SA at a site\nSa(0.5) [g],rate\n0.1,0.02\n0.2,0.01\n", errors);
+  ASSERT_TRUE(both) << errors;
+  EXPECT_EQ(both->measure, "SA(0.5)");
+  const std::pair<const char*, const char*> bad[] = {
+      {"# pga rate\nsa rate\n", "hazard.csv:2: error: is of SA, but said before to be of PGA"},
+      {"pga [cm/s],rate\n", "hazard.csv:1: error: \"cm/s\" is no unit of accelerations that is known; one of g, "},
+      {"rate,pga\n", "hazard.csv:1: error: \"pga\" must be the first column"}};
+  for (const auto& [text, told] : bad) {
+    EXPECT_FALSE(read(std::string(text) + "0.1,0.02\n0.2,0.01\n", errors)) << text;
+    EXPECT_TRUE(errors.starts_with(told)) << errors;
+  }
+}
+
 }  // namespace
 }  // namespace bentur

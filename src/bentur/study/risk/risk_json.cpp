@@ -11,10 +11,12 @@ using Json = nlohmann::ordered_json;
 /// Null where it is no number that JSON has.
 Json finite_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
-Json risk_case_json(const IdaResults& results, std::size_t c) {
+/// @param along of each axis, whether it is there; empty: all are
+Json risk_case_json(const IdaResults& results, std::size_t c, const std::vector<bool>& along = {}) {
   Json json = Json::object();
   const std::vector<std::size_t> places = results.places(c);
   for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    if (!along.empty() && !along[axis]) continue;
     for (const ResultCoordinate& one : results.axes[axis].coordinates) {
       json[one.name] = one.texts.empty() ? Json(one.numbers[places[axis]]) : Json(one.texts[places[axis]]);
     }
@@ -57,7 +59,7 @@ std::string risk_json(const RiskReport& report, const RiskRequest& request, std:
   Json cases = Json::array(), gaps = Json::array();
   for (const CaseRisk& risk : report.cases) cases.push_back(risk_of_case(report, risk, request));
   for (const TargetGap& gap : report.gaps) {
-    gaps.push_back({{"case", risk_case_json(report.results, gap.c)},
+    gaps.push_back({{"case", risk_case_json(report.results, gap.c, report.gaps_vary_along)},
                     {"gap", gap.width ? Json(*gap.width) : Json(nullptr)},
                     {"units", report.gap_units},
                     {"rate", gap.rate}});

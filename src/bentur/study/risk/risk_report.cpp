@@ -14,8 +14,9 @@ namespace {
 
 double in_metres(const std::string& unit) { return acceleration_factor(unit, {.length = "m"}); }
 
-/// "SA(0.5)" and "SA(0.50)" are one.
+/// "SA(0.5)" and "SA(0.50)" are one, and "SA" may be either.
 bool is_same_measure(const std::string& a, const std::string& b) {
+  if (a == "SA") return b.starts_with("SA(");
   const auto period = [](const std::string& text) -> std::optional<double> {
     if (!text.starts_with("SA(") || !text.ends_with(")")) return std::nullopt;
     return parse_number(std::string_view(text).substr(3, text.size() - 4));
@@ -148,6 +149,39 @@ TargetGap target_gap(const OutcomeTable& needed, std::size_t c, const HazardCurv
   return result;
 }
 
+/// Whether what is needed without contact changes along each axis: not along gap widths, whatever they are called, and
+/// not along stiffnesses of contact.
+std::vector<bool> axes_of_needs(const IdaResults& needed) {
+  const OutcomeTable& table = needed.table;
+  const std::size_t runs = table.records * table.levels.size();
+  const auto is_alike = [&](std::size_t a, std::size_t b) {
+    for (std::size_t run = 0; run < runs; ++run) {
+      const std::size_t of_a = a * runs + run, of_b = b * runs + run;
+      const bool has_failed = table.outcomes[of_a] == Outcome::failed;
+      if (has_failed != (table.outcomes[of_b] == Outcome::failed)) return false;
+      if (!has_failed && !(table.demands[of_a] == table.demands[of_b])) return false;
+      if (table.collapsed[of_a] != table.collapsed[of_b]) return false;
+    }
+    return true;
+  };
+  std::vector<bool> matters;
+  std::size_t stride = table.cases;
+  for (const ResultAxis& axis : needed.axes) {
+    stride /= axis.size;
+    const auto& of = axis.coordinates;
+    bool differs = of.empty() || !std::all_of(of.begin(), of.end(), [](const auto& one) { return one.is_gap_width(); });
+    if (differs) {
+      differs = false;
+      for (std::size_t c = 0; c < table.cases && !differs; ++c) {
+        const std::size_t place = c / stride % axis.size;
+        differs = place > 0 && !is_alike(c, c - place * stride);
+      }
+    }
+    matters.push_back(differs);
+  }
+  return matters;
+}
+
 }  // namespace
 
 std::optional<RiskReport> risk_report(IdaResults results, const std::optional<IdaResults>& needed, HazardCurve hazard,
@@ -177,14 +211,12 @@ std::optional<RiskReport> risk_report(IdaResults results, const std::optional<Id
   if (!request.target || !needed) return report;
   report.gap_units = needed->quantity_units;
   const double target = rate_of_probability(request.years, *request.target);
+  report.gaps_vary_along = axes_of_needs(*needed);
   for (std::size_t c = 0; c < needed->table.cases; ++c) {
     const std::vector<std::size_t> places = needed->places(c);
-    bool is_first = true;  // of those that differ in gap widths alone
-    for (std::size_t axis = 0; axis < needed->axes.size(); ++axis) {
-      const auto& of = needed->axes[axis].coordinates;
-      const bool widths =
-          !of.empty() && std::all_of(of.begin(), of.end(), [](const auto& one) { return one.is_gap_width(); });
-      is_first = is_first && (!widths || places[axis] == 0);
+    bool is_first = true;  // of those that need the same
+    for (std::size_t axis = 0; axis < places.size(); ++axis) {
+      is_first = is_first && (report.gaps_vary_along[axis] || places[axis] == 0);
     }
     if (is_first) report.gaps.push_back(target_gap(needed->table, c, report.hazard, target, request.method));
   }

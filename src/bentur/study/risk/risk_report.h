@@ -38,7 +38,7 @@ struct CaseRisk {
 
 /// The gap for which buildings collide no more often than the target.
 struct TargetGap {
-  std::size_t c = 0;            ///< the first case that it is of: what varies but for gap widths
+  std::size_t c = 0;            ///< the first of the cases that need the same: they differ in gap widths and contact
   std::optional<double> width;  ///< [length]; nothing: no gap does, by what was run and what the hazard says
   double rate = 0;              ///< at that gap, else beyond what is known [1/year]
 };
@@ -48,7 +48,8 @@ struct RiskReport {
   HazardCurve hazard;   ///< in the unit of the levels
   std::string measure;  ///< of the levels, as OpenQuake calls them: "PGA", "SA(0.5)"
   std::vector<CaseRisk> cases;
-  std::vector<TargetGap> gaps;  ///< where a target was asked for
+  std::vector<TargetGap> gaps;             ///< where a target was asked for
+  std::vector<bool> gaps_vary_along = {};  ///< of each axis of the results, whether what is needed changes along it
   std::string gap_units;
 };
 

@@ -94,6 +94,8 @@ TEST(RiskReport, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_EQ(error, "is of PGA, but the runs are by levels of SA(0.5)");
   other.measure = "SA(0.50)";
   EXPECT_TRUE(risk_report(results(3), {}, other, request(), error));
+  other.measure = "SA";  // of a table whose heading says no period
+  EXPECT_TRUE(risk_report(results(3), {}, other, request(), error));
   RiskRequest cloud = request();
   cloud.method = FragilityMethod::cloud;
   EXPECT_FALSE(risk_report(results(3), {}, hazard("g", 1), cloud, error));
@@ -123,6 +125,23 @@ TEST(RiskReport, TheGapForATargetIsTheSmallestThatKeepsIt) {
   }
   const RiskReport none = reported(of, request(1e-4));
   EXPECT_FALSE(none.gaps[0].width);  // what is beyond the highest level alone is more often
+}
+
+TEST(RiskReport, AGapForATargetIsToldOnceForThoseWhoNeedTheSame) {
+  IdaResults of = results(10, 6);
+  of.axes = {{"law", 2, {{"law", "", "", {}, {"linear", "hertz"}}}},
+             {"factor", 3, {{"factor", "", "", {1, 2, 3}, {}}}}};  // of a width, say
+  const RiskReport once = reported(of, request(0.1));
+  ASSERT_EQ(once.gaps.size(), 1U);
+  EXPECT_EQ(risk_story(once, request(0.1)).statements.back().subject, "");
+  const std::size_t runs = of.table.records * of.table.levels.size();
+  for (std::size_t run = 3 * runs; run < 6 * runs; ++run) of.table.demands[run] *= 2;
+  const RiskReport each = reported(of, request(0.1));
+  ASSERT_EQ(each.gaps.size(), 2U);
+  EXPECT_NEAR(*each.gaps[1].width, 2 * *each.gaps[0].width, 1e-12);
+  EXPECT_EQ(risk_story(each, request(0.1)).statements.back().subject, "law = hertz");
+  of.table.collapsed[4 * runs] = 1;
+  EXPECT_EQ(reported(of, request(0.1)).gaps.size(), 6U);
 }
 
 TEST(RiskReport, WithoutEventsNothingIsBelowWhatIsBeyondTheLevels) {

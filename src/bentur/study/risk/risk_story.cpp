@@ -15,11 +15,12 @@ std::string level_unit(const std::string& unit) {
   return unit.ends_with(squared) ? unit.substr(0, unit.size() - squared.size()) + "/s²" : unit;
 }
 
-/// "width = 0.1 m": what varies, of one case.
-std::string risk_case_name(const IdaResults& results, std::size_t c) {
+/// "width = 0.1 m": what varies, of one case. @param along of each axis, whether it is named; empty: all are
+std::string risk_case_name(const IdaResults& results, std::size_t c, const std::vector<bool>& along = {}) {
   std::string text;
   const std::vector<std::size_t> places = results.places(c);
   for (std::size_t axis = 0; axis < results.axes.size(); ++axis) {
+    if (!along.empty() && !along[axis]) continue;
     for (const ResultCoordinate& coordinate : results.axes[axis].coordinates) {
       const std::size_t place = places[axis];
       text += (text.empty() ? "" : ", ") + coordinate.name + " = ";
@@ -149,7 +150,8 @@ Story risk_story(const RiskReport& report, const RiskRequest& request) {
     tell_shares(report, risk, story.statements, subject);
   }
   for (const TargetGap& gap : report.gaps) {
-    const std::string subject = report.gaps.size() > 1 ? risk_case_name(report.results, gap.c) : "";
+    const std::string subject =
+        report.gaps.size() > 1 ? risk_case_name(report.results, gap.c, report.gaps_vary_along) : "";
     story.statements.push_back({.kind = gap.width ? "risk_gap" : "risk_no_gap",
                                 .severity = gap.width ? Severity::finding : Severity::warning,
                                 .values = {{"gap", gap.width.value_or(0), report.gap_units},

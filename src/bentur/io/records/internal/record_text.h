@@ -9,6 +9,7 @@
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/core/text.h"
+#include "bentur/io/records/file_unit.h"
 #include "bentur/io/records/record_files.h"
 
 // What the readers of the single formats share.
@@ -91,14 +92,6 @@ inline constexpr std::size_t most_lines = 5000000, longest_line = std::size_t{4}
 [[nodiscard]] std::string upper(std::string_view text);
 /// The words of a text with one blank between them, but for one, here in capitals.
 [[nodiscard]] std::string single_spaced(std::string_view text, std::string_view without = {});
-
-/// The unit of accelerations by one of the spellings files have, with the factor that brings numbers to it (mg to g is
-/// 0.001); nothing for others, those of velocity among them.
-struct FileUnit {
-  std::string unit;   ///< as acceleration_units()
-  double factor = 1;  ///< [-]
-};
-[[nodiscard]] std::optional<FileUnit> file_unit(std::string_view spelling);
 
 /// NPTS and DT of a header line, in any of the spellings of PEER files; nothing where the line does not say both.
 struct CountAndStep {
