@@ -476,10 +476,7 @@ RunResults read_run(const ResultSource& source) {
     if (item.left_floor == 0) item.left_floor = nearest_floor(problem.buildings[left], item.elevation);
     if (item.right_floor == 0) item.right_floor = nearest_floor(problem.buildings[right], item.elevation);
   };
-  for (ContactPoint& point : problem.points) {
-    point.gap = point.left;
-    take_floors(point, point.left, point.right);
-  }
+  for (ContactPoint& point : problem.points) take_floors(point, point.left, point.right);
   for (Link& link : problem.links) take_floors(link, link.left, link.right);
   problem.duration = results.response.histories.time.back();  // less than a step before the end of the analysis
   for (const Impact& impact : results.response.impacts) problem.duration = std::max(problem.duration, impact.end);

@@ -36,6 +36,9 @@ class PlaceList : protected VariablePass<File> {
                 &ContactPoint::left, buildings);
     this->named({"point_right", {points}, "", "building to the right of the contact points"}, problem_.points,
                 &ContactPoint::right, buildings);
+    if constexpr (File::reads) {
+      for (ContactPoint& point : problem_.points) point.gap = point.left;
+    }
     if (!point_length.empty()) {
       this->each({"point_elevation", {points}, point_length, "elevation of the contact points"}, problem_.points,
                  &ContactPoint::elevation);
