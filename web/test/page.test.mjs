@@ -391,8 +391,8 @@ test("a figure tells the values that are pointed at, shows a part of the time, a
     const isOfTheRun = async () => {
       await page.mouse.move(...at(0.5));
       told = await figure.locator("output").textContent();
-      assert.match(told, /^Time [\d.]+ · .*: -?[\d.]+/);
-      const [, instant, opening] = /^Time ([\d.]+) · .*?: (-?[\d.]+)/.exec(told).map(Number);
+      assert.match(told, /^Time [\d.]+\u00a0s.*: −?[\d.]+\u00a0cm/);
+      const [instant, opening] = /^Time ([\d.]+)\u00a0s.*?: (−?[\d.]+)/.exec(told).slice(1).map((one) => Number(one.replace("−", "-")));
       time = instant;
       const next = rows.findIndex((row, k) => k > 0 && Number(row[0]) >= time);
       // The time is told in four digits, so that it may be of the interval after.
@@ -404,6 +404,12 @@ test("a figure tells the values that are pointed at, shows a part of the time, a
       await page.mouse.move(...at(0.45));
       await page.waitForTimeout(100);
     }
+    // It stands at the pointer and moves nothing; a line goes through all histories at that time.
+    const tip = await figure.locator("output").boundingBox();
+    assert.ok(Math.abs(tip.x + tip.width - at(0.5)[0]) < 40 || Math.abs(tip.x - at(0.5)[0]) < 40, JSON.stringify(tip));
+    assert.deepEqual(await sheet.boundingBox(), box);
+    const hairs = await page.locator(".hair:not([hidden])").evaluateAll((all) => new Set(all.map((one) => one.closest("figure").dataset.figure)).size);
+    assert.ok(hairs >= 2, String(hairs));
     const before = await numbers();
     await page.mouse.down();
     await page.mouse.up();

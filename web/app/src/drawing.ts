@@ -10,6 +10,9 @@ export const span = signal<[number, number] | null>(null);
 /** The contact point that histories are of, by its number; the one that is hit hardest where there is none. */
 export const point = signal<number | null>(null);
 
+/** The time that is pointed at in one of the histories [s], for a line through all of them. */
+export const pointed = signal<number | null>(null);
+
 /** Width on the page of each kind that is in sight [px]. */
 const inSight = new Map<string, number>();
 /** Of the run that is shown; others are of one before it until they are in sight. */

@@ -1,7 +1,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { curve } from "./case";
-import { drawn, point, see, span } from "./drawing";
+import { drawn, point, pointed, see, span } from "./drawing";
 import { main } from "./animation";
 import { png, save } from "./save";
 import type { AxisPlace, Drawn, FigureOverview, PanelPlace, Result } from "./solver";
@@ -39,19 +39,27 @@ function placeOf(event: PointerEvent | MouseEvent, shown: Drawn): Place | null {
   return { panel, scale, x: onAxis(panel.x, (px - panel.left) / panel.width), y: onAxis(panel.y, 1 - (py - panel.top) / panel.height) };
 }
 
-/** The values under a place: of each history at its time, else of the nearest point. */
-function told({ panel, x, y }: Place, overTime: boolean, times: string): string {
+/** A value with the unit that an axis says, "m" of "Opening g [m]"; of a panel without a label that of its neighbour. */
+function withUnit(value: number, { label }: AxisPlace, others: AxisPlace[]): string {
+  const unit = /\[([^\]–]+)\]\s*$/.exec(label || others.find((one) => one.label)?.label || "")?.[1];
+  return unit ? `${number(value)}\u00a0${unit}` : number(value);
+}
+
+/** The values under a place, a line each: of each history at its time, else of the nearest point. */
+function told({ panel, x, y }: Place, shown: Drawn, overTime: boolean, times: string): string[] {
   const name = (label: string) => (label ? `${label}: ` : "");
+  const beside = shown.panels.filter((one) => one.top === panel.top).map((one) => one.y);
+  const below = shown.panels.filter((one) => one.left === panel.left).map((one) => one.x).reverse();
   if (overTime) {
-    const values = panel.curves.flatMap((one) => { const value = valueAt(one.x, one.y, x); return value === null ? [] : [`${name(one.label)}${number(value)}`]; });
-    return [`${times} ${number(x)}`, ...values].join(" · ");
+    const values = panel.curves.flatMap((one) => { const value = valueAt(one.x, one.y, x); return value === null ? [] : [`${name(one.label)}${withUnit(value, panel.y, beside)}`]; });
+    return [`${times} ${number(x)}\u00a0s`, ...values];
   }
-  let best = "", least = (12 / panel.width) ** 2; // nothing that is further than some pixels
+  let best: string[] = [], least = (12 / panel.width) ** 2; // nothing that is further than some pixels
   for (const one of panel.curves) {
     for (let i = 0; i < one.x.length; ++i) {
       const [dx, dy] = [ofAxis(panel.x, one.x[i]) - ofAxis(panel.x, x), (ofAxis(panel.y, one.y[i]) - ofAxis(panel.y, y)) * (panel.height / panel.width)];
       const size = dx * dx + dy * dy;
-      if (size < least) [least, best] = [size, `${name(one.label)}${number(one.x[i])}, ${number(one.y[i])}`];
+      if (size < least) [least, best] = [size, [`${name(one.label)}${withUnit(one.x[i], panel.x, below)}, ${withUnit(one.y[i], panel.y, beside)}`]];
     }
   }
   return best;
@@ -68,8 +76,8 @@ function Files({ kind, caption }: Pick<FigureOverview, "kind" | "caption">) {
 
 /** One figure by the solver: values where one points, the time of the motion, and what is dragged over for a closer look. */
 function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) {
-  const root = useRef<HTMLDivElement>(null), heads = useRef<(HTMLElement | null)[]>([]);
-  const [values, tell] = useState("");
+  const root = useRef<HTMLDivElement>(null), heads = useRef<(HTMLElement | null)[]>([]), hairs = useRef<(HTMLElement | null)[]>([]);
+  const [tip, tell] = useState<{ lines: string[]; left: number; top: number } | null>(null);
   const [drag, pull] = useState<{ from: Place; to: Place } | null>(null);
   const made = drawn.value[kind], shown = made?.error === undefined ? made : undefined;
   useEffect(() => {
@@ -82,21 +90,26 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
     size.observe(figure);
     return () => { sight.disconnect(); size.disconnect(); see(kind, null); };
   }, [kind]);
-  const placeHeads = () => heads.current.forEach((head, i) => {
+  const placeLines = (lines: (HTMLElement | null)[], at: number | null) => lines.forEach((line, i) => {
     const panel = shown?.panels[i];
-    if (!head || !panel) return;
-    const part = ofAxis(panel.x, time.value);
-    head.hidden = !(part >= 0 && part <= 1);
-    head.style.left = `${(100 * (panel.left + part * panel.width)) / ((shown.width / 2.54) * 96)}%`;
+    if (!line || !panel) return;
+    const part = at === null ? NaN : ofAxis(panel.x, at);
+    line.hidden = !(part >= 0 && part <= 1);
+    if (!line.hidden) line.style.left = `${(100 * (panel.left + part * panel.width)) / ((shown.width / 2.54) * 96)}%`;
   });
+  const placeHeads = () => placeLines(heads.current, time.value), placeHairs = () => placeLines(hairs.current, pointed.value);
   useSignalEffect(() => { void time.value; placeHeads(); });
-  useEffect(placeHeads, [shown]);
+  useSignalEffect(() => { void pointed.value; placeHairs(); });
+  useEffect(() => { placeHeads(); placeHairs(); }, [shown]);
   const high = /viewBox="0 0 \S+ (\S+)"/.exec(shown?.svg ?? "")?.[1];
   const percent = (value: number) => `${(100 * value) / Number(high)}%`;
   const times = say("time");
   const move = (event: PointerEvent) => {
     const at = shown && placeOf(event, shown);
-    tell(at ? told(at, overTime, times) : "");
+    const lines = at ? told(at, shown!, overTime, times) : [];
+    const sheet = root.current!.getBoundingClientRect();
+    tell(lines.length > 0 ? { lines, left: event.clientX - sheet.left, top: event.clientY - sheet.top } : null);
+    if (overTime) pointed.value = at ? at.x : null;
     if (drag && at && at.panel === drag.from.panel) pull({ ...drag, to: at });
   };
   const lift = () => {
@@ -111,14 +124,16 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
   const isBroad = (shown?.width ?? 0) > 15; // on a telephone it is moved sideways
   return (
     <figure class={`drawn${isBroad ? " broad" : ""}`} data-figure={kind} tabIndex={isBroad ? 0 : undefined}>
-      <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(""); pull(null); }}
+      <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(null); pull(null); pointed.value = null; }}
         onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
         onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>
         {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : <p class="blank note" lang="en">{made?.error}</p>}
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
+        {overTime && shown?.panels.map((panel, i) => <i key={`hair${i}`} class="hair" hidden ref={(node) => { hairs.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
+        <output class={`tip${tip && tip.left > root.current!.clientWidth / 2 ? " before" : ""}`} hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>
         {drag && <i class="pulled" style={{ top: percent(drag.from.panel.top), height: percent(drag.from.panel.height), left: drag.from.x < drag.to.x ? left(drag.from) : left(drag.to), width: `calc(${drag.from.x < drag.to.x ? left(drag.to) : left(drag.from)} - ${drag.from.x < drag.to.x ? left(drag.from) : left(drag.to)})` }} />}
       </div>
-      <figcaption>{caption} <output aria-live="off">{values}</output><Files kind={kind} caption={caption} /></figcaption>
+      <figcaption>{caption} <Files kind={kind} caption={caption} /></figcaption>
     </figure>
   );
 }

@@ -69,11 +69,16 @@ export function say(word: Word, values: Record<string, string | number> = {}): s
   const text: string = (language.value === "id" ? id : en)[word];
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => (name in values ? String(values[name]) : whole));
 }
-/** Four significant digits, as everywhere in bentur. */
+const RAISED = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" } as Record<string, string>;
+/** Four significant digits, as everywhere in bentur: "−0.01995", "1.234 × 10⁻⁸". */
 export function number(value: number | null | undefined): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   if (size === 0) return "0";
-  if (size < 1e-4 || size >= 1e7) return value.toExponential(3);
-  return String(Number(value.toFixed(Math.min(7, Math.max(0, 3 - Math.floor(Math.log10(size)))))));
+  const sign = value < 0 ? "−" : "";
+  if (size < 1e-4 || size >= 1e7) {
+    const [digits, power] = size.toExponential(3).split("e");
+    return `${sign}${digits} × 10${[...String(Number(power))].map((one) => RAISED[one]).join("")}`;
+  }
+  return sign + String(Number(size.toFixed(Math.min(7, Math.max(0, 3 - Math.floor(Math.log10(size)))))));
 }
