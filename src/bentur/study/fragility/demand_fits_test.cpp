@@ -101,6 +101,42 @@ TEST(Stripes, LognormalProbabilitiesGiveTheirThetaAndBetaBack) {
   EXPECT_NEAR(fit.dispersion / beta, 1, 1e-5);
 }
 
+/// Two cases alike of 12 records at four levels, ln d = 0.9 ln x + a number of the record + one of the run.
+OutcomeTable by_chance(std::size_t together) {
+  OutcomeTable table{.levels = {0.1, 0.2, 0.4, 0.8}, .cases = 1, .records = 12, .outcomes = {}, .together = together};
+  table.threshold = 0.3;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (std::size_t record = 0; record < table.records; ++record) {
+    const double own = 0.3 * normal(random);
+    for (const double level : table.levels) {
+      table.demands.push_back(std::exp(0.9 * std::log(level) + own + 0.1 * normal(random)));
+      table.collapsed.push_back(0);
+      table.outcomes.push_back(table.demands.back() > 0.3 ? Outcome::event : Outcome::no_event);
+    }
+  }
+  return table;
+}
+
+TEST(Bounds, OfCloudsAndStripesComeFromWholeRecords) {
+  for (const FragilityMethod method : {FragilityMethod::cloud, FragilityMethod::stripes}) {
+    const CaseFragility found = fit_case(by_chance(1), 0, {.resamples = 400}, method);
+    ASSERT_TRUE(found.bounds);
+    EXPECT_EQ(found.bounds->usable, 400);
+    EXPECT_LT(found.bounds->median.lower, found.fit.median);
+    EXPECT_GT(found.bounds->median.upper, found.fit.median);
+    // The record's own part dominates: with √(0.3²/12) = 0.087 the bounds of ln θ are about ±1.96 · 0.087/0.9.
+    const double width = std::log(found.bounds->median.upper / found.bounds->median.lower);
+    EXPECT_NEAR(width, 2 * 1.96 * 0.087 / 0.9, 0.15);
+    const CaseFragility pairs = fit_case(by_chance(2), 0, {.resamples = 400}, method);
+    EXPECT_EQ(pairs.fit.median, found.fit.median);
+    EXPECT_NE(pairs.bounds->median.lower, found.bounds->median.lower);  // six records are drawn, each both ways round
+    const CaseFragility again = fit_case(by_chance(1), 0, {.resamples = 400}, method);
+    EXPECT_EQ(again.bounds->median.lower, found.bounds->median.lower);
+  }
+  EXPECT_FALSE(fit_case(by_chance(12), 0, {}, FragilityMethod::cloud).bounds);
+}
+
 TEST(Distance, IsTheLargestOfTheLevels) {
   Fragility fit;
   fit.kind = Fragility::Kind::fitted;

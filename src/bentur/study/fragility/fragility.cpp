@@ -254,9 +254,9 @@ Interval percentile_interval(std::vector<double> values, double confidence) {
   return {values[rank], values[values.size() - 1 - rank]};
 }
 
-FragilityBounds bootstrap_fragility(const std::vector<std::vector<IntensityCount>>& units,
-                                    const BootstrapOptions& options) {
-  if (units.empty()) throw InvalidParameter("units", "0", "needs one at least");
+FragilityBounds bootstrap_fragility(std::size_t units, const BootstrapOptions& options,
+                                    const std::function<Fragility(std::span<const std::size_t>)>& fit_of) {
+  if (units == 0) throw InvalidParameter("units", "0", "needs one at least");
   if (options.resamples < 1) {
     throw InvalidParameter("resamples", std::to_string(options.resamples), "must be >= 1");
   }
@@ -264,19 +264,15 @@ FragilityBounds bootstrap_fragility(const std::vector<std::vector<IntensityCount
     throw InvalidParameter("confidence", std::to_string(options.confidence), "must be in (0, 1)");
   }
   std::mt19937_64 generator(options.seed);
-  const std::uint64_t count = units.size();
+  const std::uint64_t count = units;
   // The standard fixes the generator but not how its distributions use it: so take the remainder, whose bias is
   // count/2⁶⁴.
   FragilityBounds bounds;
   std::vector<double> medians, dispersions;
-  std::vector<IntensityCount> sample;
+  std::vector<std::size_t> sample(units);
   for (int i = 0; i < options.resamples; ++i) {
-    sample.clear();
-    for (std::uint64_t drawn = 0; drawn < count; ++drawn) {
-      const std::vector<IntensityCount>& unit = units[static_cast<std::size_t>(generator() % count)];
-      sample.insert(sample.end(), unit.begin(), unit.end());
-    }
-    const Fragility fit = fit_fragility(sample);
+    for (std::size_t& drawn : sample) drawn = static_cast<std::size_t>(generator() % count);
+    const Fragility fit = fit_of(sample);
     bounds.fits.push_back(fit);
     if (std::isnan(fit.median)) continue;
     medians.push_back(fit.median);
@@ -286,6 +282,16 @@ FragilityBounds bootstrap_fragility(const std::vector<std::vector<IntensityCount
   bounds.median = percentile_interval(std::move(medians), options.confidence);
   bounds.dispersion = percentile_interval(std::move(dispersions), options.confidence);
   return bounds;
+}
+
+FragilityBounds bootstrap_fragility(const std::vector<std::vector<IntensityCount>>& units,
+                                    const BootstrapOptions& options) {
+  std::vector<IntensityCount> sample;
+  return bootstrap_fragility(units.size(), options, [&](std::span<const std::size_t> drawn) {
+    sample.clear();
+    for (const std::size_t unit : drawn) sample.insert(sample.end(), units[unit].begin(), units[unit].end());
+    return fit_fragility(sample);
+  });
 }
 
 GapForProbability gap_for_probability(const std::vector<double>& widths, const std::vector<double>& probabilities,

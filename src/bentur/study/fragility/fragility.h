@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace bentur {
@@ -104,6 +107,9 @@ struct BootstrapOptions {
 /// machine. @throws InvalidParameter when there is no unit, or an option is out of range.
 [[nodiscard]] FragilityBounds bootstrap_fragility(const std::vector<std::vector<IntensityCount>>& units,
                                                   const BootstrapOptions& options = {});
+/// The same of any fit to what units hold. @param fit of the units whose numbers are drawn, some more than once
+[[nodiscard]] FragilityBounds bootstrap_fragility(std::size_t units, const BootstrapOptions& options,
+                                                  const std::function<Fragility(std::span<const std::size_t>)>& fit);
 
 /// The gap for which P(pounding | intensity) ≤ p.
 struct GapForProbability {

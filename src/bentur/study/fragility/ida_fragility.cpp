@@ -56,13 +56,13 @@ std::optional<Interval> gap_bounds(const std::vector<double>& widths, const std:
   return percentile_interval(std::move(gaps), confidence);
 }
 
-/// Calls back with level and run number of every run of a case that makes a case.
+/// Calls back with level, run number and record of every run of a case that makes a case.
 template <class Tell>
 void for_each_run(const OutcomeTable& table, std::size_t c, const Tell& tell) {
   for (std::size_t record = 0; record < table.records; ++record) {
     for (std::size_t level = 0; level < table.levels.size(); ++level) {
       const std::size_t run = (c * table.records + record) * table.levels.size() + level;
-      if (table.outcomes[run] != Outcome::failed) tell(level, run);
+      if (table.outcomes[run] != Outcome::failed) tell(level, run, record);
     }
   }
 }
@@ -76,7 +76,7 @@ std::optional<CaseFragility::Split> split_off(const OutcomeTable& table, std::si
     split.standing_counts.push_back({level, 0, 0});
   }
   long collapses = 0, standing_events = 0;
-  for_each_run(table, c, [&](std::size_t level, std::size_t run) {
+  for_each_run(table, c, [&](std::size_t level, std::size_t run, std::size_t) {
     const bool collapsed = table.collapsed[run] != 0;
     ++split.collapse_counts[level].runs;
     split.collapse_counts[level].events += collapsed ? 1 : 0;
@@ -93,25 +93,37 @@ std::optional<CaseFragility::Split> split_off(const OutcomeTable& table, std::si
   return split;
 }
 
-void fit_demands(const OutcomeTable& table, std::size_t c, FragilityMethod method, CaseFragility& result) {
+Fragility fit_of_demands(const std::vector<RunDemand>& demands, double threshold, FragilityMethod method) {
+  if (method == FragilityMethod::stripes) return stripe_fragility(stripes_of(demands), threshold);
+  if (const auto cloud = fit_cloud(demands)) return cloud_fragility(*cloud, threshold);
+  Fragility none;
+  none.median = none.dispersion = std::numeric_limits<double>::quiet_NaN();
+  return none;
+}
+
+/// Bounds too, from two records on: whole records are resampled, each with all its demands.
+void fit_demands(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options, FragilityMethod method,
+                 CaseFragility& result) {
   require_size("demands", table.demands.size(), table.outcomes.size());
   require_positive("threshold", table.threshold.value_or(0));
-  std::vector<RunDemand> demands;
-  for_each_run(table, c, [&](std::size_t level, std::size_t run) {
-    demands.push_back({table.levels[level], table.demands[run], table.collapsed.at(run) != 0});
+  std::vector<std::vector<RunDemand>> units(table.records / table.together);
+  for_each_run(table, c, [&](std::size_t level, std::size_t run, std::size_t record) {
+    units[record / table.together].push_back({table.levels[level], table.demands[run], table.collapsed.at(run) != 0});
   });
-  if (method == FragilityMethod::stripes) {
-    result.stripes = stripes_of(demands);
-    result.fit = stripe_fragility(result.stripes, *table.threshold);
-    return;
-  }
-  result.cloud = fit_cloud(demands);
-  if (result.cloud) {
-    result.fit = cloud_fragility(*result.cloud, *table.threshold);
-  } else {
-    result.fit = {};
-    result.fit.median = result.fit.dispersion = std::numeric_limits<double>::quiet_NaN();
-  }
+  std::vector<RunDemand> all;
+  for (const std::vector<RunDemand>& unit : units) all.insert(all.end(), unit.begin(), unit.end());
+  result.fit = fit_of_demands(all, *table.threshold, method);
+  if (method == FragilityMethod::stripes) result.stripes = stripes_of(all);
+  if (method == FragilityMethod::cloud) result.cloud = fit_cloud(all);
+  const bool is_known = result.fit.kind == FragilityKind::fitted || result.fit.kind == FragilityKind::separated ||
+                        result.fit.kind == FragilityKind::falling;
+  if (units.size() < 2 || !is_known) return;
+  std::vector<RunDemand> sample;
+  result.bounds = bootstrap_fragility(units.size(), options, [&](std::span<const std::size_t> drawn) {
+    sample.clear();
+    for (const std::size_t unit : drawn) sample.insert(sample.end(), units[unit].begin(), units[unit].end());
+    return fit_of_demands(sample, *table.threshold, method);
+  });
 }
 
 }  // namespace
@@ -154,7 +166,7 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
   result.fit = fit_fragility(result.counts);
   if (!table.collapsed.empty()) result.split = split_off(table, c);
   if (method != FragilityMethod::likelihood) {
-    fit_demands(table, c, method, result);
+    fit_demands(table, c, options, method, result);
     return result;
   }
   const FragilityKind kind = result.fit.kind;

@@ -44,8 +44,7 @@ struct CaseFragility {
   long runs = 0, events = 0;           ///< sums of them
   long failed = 0;                     ///< runs left out, whose values make no case
   Fragility fit;
-  std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on; by
-                                          ///< likelihood alone
+  std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on
   /// Where some run collapses and the event is another: collapse by itself, and the event of the runs that stand.
   struct Split {
     std::vector<IntensityCount> collapse_counts, standing_counts;  ///< per level
