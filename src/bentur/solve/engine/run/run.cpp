@@ -85,7 +85,11 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
       ++segment_;
     } else if (!elements_.may_fly() || !cruise()) {
       grid_.input(segment_, inputs_);
-      halve(plan_.flights[kind], 0, start, length);
+      if (islands_) {
+        pass_by_islands(plan_.flights[kind], start, length);
+      } else {
+        halve(plan_.flights[kind], 0, start, length);
+      }
       ++segment_;
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);
@@ -201,6 +205,32 @@ void Run::pass_flights(Eigen::Index first) {
     std::copy_n(buffer_.v(n), system_.size, state_.v.data());
     inputs_.assign(buffer_.inputs(n), buffer_.inputs(n + 1));
     pass(grid_.start(buffer_.step(n).segment), *buffer_.step(n).flights, 0);
+  }
+}
+
+void Run::go_by_islands(const Elements::Laws& laws) {
+  islands_ = std::make_unique<Islands>(
+      system_, laws,
+      Islands::Parts{elements_, search_, watches_[0], instant * given_.duration,
+                     [this](double time) { before_change(time, *islands_); }, [this] { return go_on(); }});
+}
+
+/// A segment in which something may happen.
+void Run::pass_by_islands(const Flights& flights, double start, double length) {
+  buffer_.break_off();
+  const long before = islands_->steps();
+  const double reached = islands_->pass(start, length, inputs_, state_);
+  steps_ += islands_->steps() - before;
+  if (reached < 0.0 && trouble_.empty() && !stopped_) {
+    fail("the response is no longer a finite number, or its events have no end", start);
+  }
+  if (reached < 0.0) return;
+  note_ground(state_.q.data());
+  if (reached == 0.0) {
+    halve(flights, 0, start, length);
+  } else if (reached < length) {
+    system_.advance(inputs_, reached);
+    take_steps(start + reached, length - reached);
   }
 }
 
