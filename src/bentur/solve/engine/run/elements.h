@@ -131,7 +131,6 @@ class Elements {
 
   [[nodiscard]] long events() const { return events_; }
   [[nodiscard]] std::vector<Impact>& impacts() { return log_.impacts(); }
-  // Of an element at the end:
   [[nodiscard]] double energy_lost(Eigen::Index element, const State& state) const;
   [[nodiscard]] double residual(Eigen::Index element, const State& state) const;
   [[nodiscard]] std::optional<StrengthLoss> loss(Eigen::Index element, const State& state) const;

@@ -10,7 +10,7 @@
 #include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/motion/stepper.h"
 #include "bentur/solve/engine/run/elements.h"
-#include "bentur/solve/engine/run/islands.h"
+#include "bentur/solve/engine/run/islands/islands.h"
 #include "bentur/solve/engine/run/watch/peak_search.h"
 #include "bentur/solve/engine/run/watch/span_watch.h"
 #include "bentur/solve/solver.h"

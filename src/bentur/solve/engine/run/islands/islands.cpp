@@ -1,4 +1,4 @@
-#include "bentur/solve/engine/run/islands.h"
+#include "bentur/solve/engine/run/islands/islands.h"
 
 #include <algorithm>
 #include <cmath>
