@@ -11,7 +11,7 @@ namespace bentur {
 namespace {
 
 /// How far the largest displacements are apart, as a part of the largest of all.
-double apart(const PlanResponse& one, const PlanResponse& other) {
+double how_far_apart(const PlanResponse& one, const PlanResponse& other) {
   double largest = 0, by = 0;
   for (std::size_t b = 0; b < one.buildings.size(); ++b) {
     for (const auto list : {&PlanPeaks::south, &PlanPeaks::east, &PlanPeaks::north, &PlanPeaks::west}) {
@@ -36,13 +36,13 @@ TEST(PlanSolvers, RungeKuttaComesNearTheExactSolution) {
     draw.wider = 1;
     const PlanProblem apart_by_far = draw.problem();
     const PlanResponse free = solve(apart_by_far);
-    coarse = std::max(coarse, apart(solve(apart_by_far, RungeKuttaSolver{0.004}), free));
-    fine = std::max(fine, apart(solve(apart_by_far, RungeKuttaSolver{0.002}), free));
+    coarse = std::max(coarse, how_far_apart(solve(apart_by_far, RungeKuttaSolver{0.004}), free));
+    fine = std::max(fine, how_far_apart(solve(apart_by_far, RungeKuttaSolver{0.002}), free));
     draw.wider = 0;
     const PlanProblem problem = draw.problem();
     const PlanResponse exact = solve(problem), fixed = solve(problem, RungeKuttaSolver{0.0005});
     ASSERT_EQ(fixed.status, Status::done) << fixed.message;
-    EXPECT_LE(apart(fixed, exact), 1e-3);
+    EXPECT_LE(how_far_apart(fixed, exact), 1e-3);
     impacts += exact.impacts.size();
   }
   EXPECT_LE(fine, 1e-4);

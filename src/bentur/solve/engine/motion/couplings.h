@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,17 @@ class Couplings {
   void set_row(Eigen::Index row, const std::vector<std::pair<Eigen::Index, double>>& entries);
   [[nodiscard]] double operator()(Eigen::Index row, Eigen::Index column) const {
     return whole_.size() > 0 ? whole_(row, column) : entry(row, column);
+  }
+  /// Hands on what is not zero of a row, of some columns in ascending order.
+  template <class Take>
+  void in_row(Eigen::Index row, const std::vector<Eigen::Index>& columns, const Take& take) const {
+    if (rows_.empty() || rows_[static_cast<std::size_t>(row)].size() > columns.size()) {
+      for (const Eigen::Index column : columns) take(column, (*this)(row, column));
+      return;
+    }
+    for (const auto& [column, value] : rows_[static_cast<std::size_t>(row)]) {
+      if (std::binary_search(columns.begin(), columns.end(), column)) take(column, value);
+    }
   }
   /// Rows and columns of these elements alone.
   [[nodiscard]] Eigen::MatrixXd among(const std::vector<Eigen::Index>& elements) const;

@@ -265,28 +265,43 @@ ModalSystem::ModalSystem(const System& of) {
   coupling = couplings(*this);
 }
 
+namespace {
+
+/// Bounds of what is added to squares of frequencies or to damping, and of what is taken away.
+struct Sides {
+  double above = 0, below = 0;
+};
+
+/// The largest row sum of the pressing elements' coupling bounds its largest eigenvalue.
+Sides largest_of(const Couplings& coupling, const std::vector<Index>& pressing,
+                 const std::vector<ElementForces::Linear>& linear, double ElementForces::Linear::*of) {
+  Sides sides;
+  for (const Index i : pressing) {
+    const double own = linear[i].*of;
+    double row = 0.0;
+    coupling.in_row(i, pressing, [&](Index j, double value) {
+      const double product = own * linear[j].*of;
+      const bool same_side = product > 0.0 && (own > 0.0) == (linear[j].*of > 0.0);
+      if (same_side) row += std::abs(value) * std::sqrt(product);
+    });
+    double& side = own > 0.0 ? sides.above : sides.below;
+    side = std::max(side, row);
+  }
+  return sides;
+}
+
+/// Of blocks as fast, and so damped.
+double growth(double omega, double half_damping, const Sides& stiffness, const Sides& damping) {
+  half_damping = std::max(half_damping + 0.5 * damping.above, 0.5 * damping.below);
+  const double stiffest = std::max(omega * omega + stiffness.above, stiffness.below);
+  return half_damping + std::sqrt(half_damping * half_damping + stiffest);
+}
+
+}  // namespace
+
 double ModalSystem::rate(const ElementForces& forces) const {
-  // The largest row sum of the pressing elements' coupling bounds its largest eigenvalue.
-  struct Sides {
-    double above = 0, below = 0;  // of what is added and of what is taken away
-  };
-  const auto largest = [&](double ElementForces::Linear::*of) {
-    Sides sides;
-    for (const Index i : forces.pressing) {
-      const double own = forces.linear[i].*of;
-      double row = 0.0;
-      for (const Index j : forces.pressing) {
-        const double product = own * forces.linear[j].*of;
-        const bool same_side = product > 0.0 && (own > 0.0) == (forces.linear[j].*of > 0.0);
-        if (same_side) row += std::abs(coupling(i, j)) * std::sqrt(product);
-      }
-      double& side = own > 0.0 ? sides.above : sides.below;
-      side = std::max(side, row);
-    }
-    return sides;
-  };
-  Sides stiffness = largest(&ElementForces::Linear::stiffness);
-  Sides damping = largest(&ElementForces::Linear::damping);
+  Sides stiffness = largest_of(coupling, forces.pressing, forces.linear, &ElementForces::Linear::stiffness);
+  Sides damping = largest_of(coupling, forces.pressing, forces.linear, &ElementForces::Linear::damping);
   for (const ElementForces::Coupled& of : forces.coupled) {
     stiffness.above += of.modal->stiffer;
     stiffness.below += of.modal->softer;
@@ -299,9 +314,19 @@ double ModalSystem::rate(const ElementForces& forces) const {
     half_damping = std::max(half_damping, block.half_damping);
     omega = std::max(omega, block.omega_max);
   }
-  half_damping = std::max(half_damping + 0.5 * damping.above, 0.5 * damping.below);
-  const double stiffest = std::max(omega * omega + stiffness.above, stiffness.below);
-  return std::max(half_damping + std::sqrt(half_damping * half_damping + stiffest), forces.fading);
+  return std::max(growth(omega, half_damping, stiffness, damping), forces.fading);
+}
+
+double ModalSystem::rate(const std::vector<Index>& bodies, const std::vector<Index>& pressing,
+                         const std::vector<ElementForces::Linear>& linear) const {
+  double half_damping = 0.0;
+  double omega = fastest_input();
+  for (const Index b : bodies) {
+    half_damping = std::max(half_damping, blocks[b].half_damping);
+    omega = std::max(omega, blocks[b].omega_max);
+  }
+  return growth(omega, half_damping, largest_of(coupling, pressing, linear, &ElementForces::Linear::stiffness),
+                largest_of(coupling, pressing, linear, &ElementForces::Linear::damping));
 }
 
 ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at, const MatrixXd& stiffness,

@@ -179,6 +179,9 @@ struct ModalSystem {
   /// more is assumed: no matrix has to be symmetric or positive. What makes softer makes none larger than it was: with
   /// X ≥ 0 and Y ≤ 0, symmetric, and any Z added, the norm is max(‖Ω²‖ + ‖X‖, ‖Y‖) + ‖Z‖ at most.              (T-7)
   [[nodiscard]] double rate(const ElementForces& forces) const;
+  /// The same of some bodies under the linear forces of some elements between them, in ascending order.
+  [[nodiscard]] double rate(const std::vector<Eigen::Index>& bodies, const std::vector<Eigen::Index>& pressing,
+                            const std::vector<ElementForces::Linear>& linear) const;
 
   /// What some coupled elements of the same bodies do to them, by their stiffness and damping (empty: none).
   [[nodiscard]] ElementForces::Coupled::Modal modal_of(const std::vector<Eigen::Index>& at,

@@ -28,23 +28,26 @@ int needed_degree(double rate_times_h) {
   return degree;
 }
 
+/// Of one body more, whose first input is given.
+void Series::note_ground(std::size_t b, const GroundInput* input, double h) {
+  const auto& block = system_->blocks[b];
+  for (Index c = 0; c < system_->components(); ++c, ++input) {
+    const double phase = system_->nu[c] * h;
+    kernels::GroundSeries& ground = c == 0 ? grounds_.emplace_back() : further_.emplace_back();
+    ground.begin = block.begin;
+    ground.size = block.moving_size;
+    ground.even = input->value * h * h;
+    ground.odd = input->slope * h * h * h;
+    ground.nu_squared = phase * phase;
+    ground.gamma = system_->gamma.col(c).data();
+  }
+}
+
 /// Of some bodies, whose first input is given.
 void Series::note_grounds(std::size_t first, std::size_t end, const GroundInput* input, double h) {
-  grounds_.resize(end - first);
+  grounds_.clear();
   further_.clear();
-  for (std::size_t b = first; b < end; ++b) {
-    const auto& block = system_->blocks[b];
-    for (Index c = 0; c < system_->components(); ++c, ++input) {
-      const double phase = system_->nu[c] * h;
-      kernels::GroundSeries& ground = c == 0 ? grounds_[b - first] : further_.emplace_back();
-      ground.begin = block.begin;
-      ground.size = block.moving_size;
-      ground.even = input->value * h * h;
-      ground.odd = input->slope * h * h * h;
-      ground.nu_squared = phase * phase;
-      ground.gamma = system_->gamma.col(c).data();
-    }
-  }
+  for (std::size_t b = first; b < end; ++b, input += system_->components()) note_ground(b, input, h);
 }
 
 void Series::begin(Index first, Index count, const State& state, double h, double rate, Expansion& motion) {
@@ -135,15 +138,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
   if (!system_->classical || !forces.resting.empty() || damped) {
     expand_term_by_term(0, system_->size, load, forces, motion);
   } else {
-    pressing_.clear();
-    for (const Index i : forces.pressing) {
-      const ModalSystem::Relation& of = system_->elements[i].relation;
-      const ElementForces::Linear& linear = forces.linear[i];
-      pressing_.push_back({of.left_begin, of.left_size, of.right_begin, of.right_size, of.left_row.data(),
-                           of.right_row.data(), of.left_push.data(), of.right_push.data(), offsets_[i],
-                           linear.base * h * h, linear.stiffness * h * h, linear.damping * h,
-                           motion.fill_deformation(i).coefficients.data()});
-    }
+    note_pressing(forces.pressing, forces.linear, h, motion);
     tied_.clear();
     for (const ElementForces::Coupled& of : forces.coupled) {
       const ElementForces::Coupled::Modal& modal = *of.modal;
@@ -157,6 +152,32 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
                     motion.degree(), system_->size, c_->data());
   }
   motion.fill_forces(forces);
+}
+
+void Series::note_pressing(const std::vector<Index>& pressing, const std::vector<ElementForces::Linear>& linear,
+                           double h, Expansion& motion) {
+  pressing_.clear();
+  for (const Index i : pressing) {
+    const ModalSystem::Relation& of = system_->elements[i].relation;
+    pressing_.push_back({of.left_begin, of.left_size, of.right_begin, of.right_size, of.left_row.data(),
+                         of.right_row.data(), of.left_push.data(), of.right_push.data(), offsets_[i],
+                         linear[i].base * h * h, linear[i].stiffness * h * h, linear[i].damping * h,
+                         motion.fill_deformation(i).coefficients.data()});
+  }
+}
+
+void Series::expand_some(const std::vector<Index>& bodies, const State& state, const std::vector<GroundInput>& inputs,
+                         double h, double rate, const std::vector<Index>& pressing,
+                         const std::vector<ElementForces::Linear>& linear, Expansion& motion) {
+  grounds_.clear();
+  further_.clear();
+  for (const Index b : bodies) {
+    begin(system_->blocks[b].begin, system_->blocks[b].padded_size, state, h, rate, motion);
+    note_ground(static_cast<std::size_t>(b), inputs.data() + b * system_->components(), h);
+  }
+  note_pressing(pressing, linear, h, motion);
+  kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), nullptr, further_}, grounds_, pressing_, {},
+                  motion.degree(), system_->size, c_->data());
 }
 
 /// The same with full damping matrices and resting points.

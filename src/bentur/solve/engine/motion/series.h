@@ -29,6 +29,12 @@ class Series {
   void expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
               Expansion& motion);
 
+  /// Expands some bodies alone under linear forces of elements between them: no damping of
+  /// theirs is full, none has force coordinates. @param rate growth bound of all of it [1/s]
+  void expand_some(const std::vector<Eigen::Index>& bodies, const State& state, const std::vector<GroundInput>& inputs,
+                   double h, double rate, const std::vector<Eigen::Index>& pressing,
+                   const std::vector<ElementForces::Linear>& linear, Expansion& motion);
+
   /// Expands one body alone, under its constant forces, to the degree that a growth bound `rate` [1/s] of its own or a
   /// larger one needs; the coefficients of the others are left as they were.
   void expand_block(std::size_t block, const State& state, const GroundInput* input, double h, double rate,
@@ -36,6 +42,9 @@ class Series {
 
  private:
   void note_grounds(std::size_t first, std::size_t end, const GroundInput* input, double h);
+  void note_ground(std::size_t body, const GroundInput* input, double h);
+  void note_pressing(const std::vector<Eigen::Index>& pressing, const std::vector<ElementForces::Linear>& linear,
+                     double h, Expansion& motion);
   void begin(Eigen::Index first, Eigen::Index count, const State& state, double h, double rate, Expansion& motion);
   [[nodiscard]] const double* scaled(const double* load, Eigen::Index first, Eigen::Index count);
   void expand_term_by_term(Eigen::Index first, Eigen::Index count, const double* load, const ElementForces& forces,

@@ -20,12 +20,6 @@ constexpr int most_branches = 1000;    // that loading in one direction goes thr
 /// A guard that says no more than δ ≥ 0 or −δ ≥ 0.
 bool of_sign_alone(const Guard& guard) { return guard.constant == 0.0 && guard.speed == 0.0 && guard.decaying == 0.0; }
 
-/// δ at which bodies that are apart touch, where that is a place: not 0 once their surface is crushed.
-double surface(const Branch& branch) {
-  const Guard& guard = branch.guards[0];
-  return guard.deformation == -1.0 && guard.speed == 0.0 && guard.decaying == 0.0 ? guard.constant : 0.0;
-}
-
 /// Of a spring that ends where it has no force, throughout; 0: of others.
 double sign_of_force(const Branch& branch) {
   for (std::size_t g = 0; g < branch.guard_count && branch.damping == 0.0; ++g) {
@@ -171,49 +165,57 @@ Polynomial Elements::guarded(Index i, const Guard& guard, const Polynomial& defo
   return p;
 }
 
+void Elements::gauge(Index i, const State& to) {
+  tolerances_[i] = std::max(tolerances_[i], round_off_band * (std::abs(offsets_[i]) + relation(i).along_abs(to.q)));
+}
+
 void Elements::gauge(const State& to) {
   for (Index i = idle_; i < count(); ++i) {
-    if (monitor_.stays(i) && !resting(i)) continue;
-    tolerances_[i] = std::max(tolerances_[i], round_off_band * (std::abs(offsets_[i]) + relation(i).along_abs(to.q)));
+    if (!monitor_.stays(i) || resting(i)) gauge(i, to);
   }
   coupled_.gauge(to, round_off_band, tolerances_);
+}
+
+/// The first change of an element of one deformation that does not rest.
+std::optional<Elements::Event> Elements::next_event(Index i, const Course& course, const State& from) {
+  std::optional<Event> first;
+  for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
+    const Guard& guard = branches_[i].guards[g];
+    const double slack = tolerance(i, guard, from);
+    const double known = start_slack_ * std::max(slack, std::abs(guard.deformation) * tolerances_[i]);
+    const auto search = [&](const Polynomial& p, double factor, double offset) {
+      const double start = factor * p[0];
+      const bool at_zero = start + offset < 0.0 && start + offset >= -known;
+      return first_negative(p, factor, at_zero ? -start : offset);
+    };
+    const bool of_deformation = guard.speed == 0.0 && guard.decaying == 0.0;
+    const auto s = of_deformation ? search(course.deformation, guard.deformation, guard.constant + slack)
+                                  : search(guarded(i, guard, course.deformation, course.h, course.time), 1.0, slack);
+    if (awaits(i)) leaves_band_[i] = s ? 1 : 0;
+    if (s && (!first || *s < first->s)) first = Event{i, g, *s};
+  }
+  return first;
 }
 
 std::optional<Elements::Event> Elements::next_event(const Expansion& motion, const State& from, const State& to,
                                                     double time) {
   std::optional<Event> first;
-  const auto take = [&first](Index element, std::size_t guard, const std::optional<double>& s) {
-    if (s && (!first || *s < first->s)) first = Event{element, guard, *s};
+  const auto take = [&first](const std::optional<Event>& found) {
+    if (found && (!first || found->s < first->s)) first = found;
   };
   for (Index i = idle_; i < count(); ++i) {
     if (resting(i)) {
       const Polynomial& force = motion.resting_force(i);
       double size = 0.0;
       for (int k = 0; k <= force.degree; ++k) size += std::abs(force[k]);
-      take(i, 0, first_negative(force, 1.0, size * round_off_band));
-      continue;
-    }
-    if (monitor_.stays(i) || branches_[i].guard_count == 0) continue;
-    const Polynomial& deformation = motion.deformation(i);
-    for (std::size_t g = 0; g < branches_[i].guard_count; ++g) {
-      const Guard& guard = branches_[i].guards[g];
-      const double slack = tolerance(i, guard, from);
-      const double known = start_slack_ * std::max(slack, std::abs(guard.deformation) * tolerances_[i]);
-      const auto search = [&](const Polynomial& p, double factor, double offset) {
-        const double start = factor * p[0];
-        const bool at_zero = start + offset < 0.0 && start + offset >= -known;
-        return first_negative(p, factor, at_zero ? -start : offset);
-      };
-      const bool of_deformation = guard.speed == 0.0 && guard.decaying == 0.0;
-      const auto s = of_deformation ? search(deformation, guard.deformation, guard.constant + slack)
-                                    : search(guarded(i, guard, deformation, motion.h(), time), 1.0, slack);
-      if (awaits(i)) leaves_band_[i] = s ? 1 : 0;
-      take(i, g, s);
+      if (const auto s = first_negative(force, 1.0, size * round_off_band)) take(Event{i, 0, *s});
+    } else if (!monitor_.stays(i) && branches_[i].guard_count > 0) {
+      take(next_event(i, {motion.deformation(i), motion.h(), time}, from));
     }
   }
   if (coupled_.none()) return first;
   if (const auto found = coupled_.next_event(motion, from, to, bands())) {
-    take(count() + static_cast<Index>(found->element), found->guard, found->s);
+    take(Event{count() + static_cast<Index>(found->element), found->guard, found->s});
   }
   return first;
 }
@@ -281,14 +283,10 @@ double Elements::energy_lost(Index i, const State& state) const {
   return work + account.damped - law(i).stored_energy(states_[i], delta);
 }
 
-double Elements::residual(Index i, const State& state) const {
-  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i].get());
-  return law == nullptr ? 0.0 : law->residual(states_[i], deformation(i, state));
-}
-
-std::optional<StrengthLoss> Elements::loss(Index i, const State& state) const {
-  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i].get());
-  return law == nullptr ? std::nullopt : law->loss(states_[i], deformation(i, state));
+/// A contact that presses, where the speeds whose difference δ̇ is are so large [length/s].
+void Elements::accumulate(Index i, const Course& course, double end, double speeds) {
+  const double band = 2.0 * (branches_[i].stiffness * tolerances_[i] + branches_[i].damping * round_off_band * speeds);
+  log_.accumulate(i, {law(i), states_[i], course.deformation, course.h, course.time, end, band});
 }
 
 void Elements::accumulate(const Expansion& motion, double time, double end) {
@@ -298,12 +296,9 @@ void Elements::accumulate(const Expansion& motion, double time, double end) {
         log_.rest(i, motion.resting_force(i), motion.h(), time, end);
         continue;
       }
-      double band = 2.0 * branches_[i].stiffness * tolerances_[i];
-      if (branches_[i].damping != 0.0) {
-        const double speeds = relation(i).along_abs(motion.coefficients().col(1).data());
-        band += 2.0 * branches_[i].damping * round_off_band * speeds / motion.h();
-      }
-      log_.accumulate(i, {law(i), states_[i], motion.deformation(i), motion.h(), time, end, band});
+      double speeds = 0.0;
+      if (branches_[i].damping != 0.0) speeds = relation(i).along_abs(motion.coefficients().col(1).data()) / motion.h();
+      accumulate(i, {motion.deformation(i), motion.h(), time}, end, speeds);
     } else if (!two_bodies(i)) {
       const LinkStretch link = link_stretch(forces_.linear[i], motion.deformation(i), motion.h(), end);
       Account& account = accounts_[i];
@@ -355,7 +350,26 @@ void Elements::enter(Index i, const LawState& law_state) {
 
 void Elements::set(Index i, const LawState& law_state, State& state) {
   enter(i, law_state);
-  gather(state);
+  if (by_islands_) {
+    (void)take_force(i);
+  } else {
+    gather(state);
+  }
+}
+
+/// What an element does now, as a part of forces_.
+Elements::Force Elements::take_force(Index i) {
+  const Branch& branch = branches_[i];
+  const ModalSystem::Element& element = system_->elements[i];
+  ElementForces::Linear& linear = forces_.linear[i];
+  linear = {};
+  if (resting(i)) return Force::resting;
+  if (!branch.linear) return Force::nonlinear;
+  // A dashpot that follows the stiffness is none where that is negative.
+  const double of_dashpot = std::max(branch.stiffness, 0.0) - element.stiffness;
+  linear = {branch.base, branch.stiffness - element.stiffness, branch.damping + element.tangent_damping * of_dashpot};
+  const bool changes = linear.stiffness != 0.0 || linear.damping != 0.0 || (branch.base != 0.0 && element.force < 0);
+  return changes ? Force::pressing : Force::constant;
 }
 
 /// Works out what all elements do, and the force coordinates of `state`.
@@ -375,25 +389,13 @@ void Elements::gather(State& state) {
     for (std::size_t g = 0; g < branch.guard_count; ++g) {
       forces_.fading = std::max(forces_.fading, branch.guards[g].decaying != 0.0 ? branch.guards[g].rate : 0.0);
     }
-    ElementForces::Linear& linear = forces_.linear[i];
-    linear = {};
-    bool constant = false;
-    if (resting(i)) {
-      forces_.resting.push_back(i);
-    } else if (!branch.linear) {
-      forces_.nonlinear.push_back(i);
-    } else {
-      const double stiffness = branch.stiffness - element.stiffness;
-      // A dashpot that follows the stiffness is none where that is negative.
-      const double of_dashpot = std::max(branch.stiffness, 0.0) - element.stiffness;
-      linear = {branch.base, stiffness, branch.damping + element.tangent_damping * of_dashpot};
-      constant = linear.stiffness == 0.0 && linear.damping == 0.0 && (branch.base == 0.0 || element.force >= 0);
-      if (!constant) {
-        forces_.pressing.push_back(i);
-      } else if (branch.base != 0.0) {
-        forces_.constant.push_back(i);
-      }
-    }
+    const Force force = take_force(i);
+    const ElementForces::Linear& linear = forces_.linear[i];
+    const bool constant = force == Force::constant;
+    if (force == Force::resting) forces_.resting.push_back(i);
+    if (force == Force::nonlinear) forces_.nonlinear.push_back(i);
+    if (force == Force::pressing) forces_.pressing.push_back(i);
+    if (constant && branch.base != 0.0) forces_.constant.push_back(i);
     may_fly_ = may_fly_ && constant && watched_[i] != 0;
     if (element.force < 0) continue;
     state.q(element.force) = linear.base + (constant ? 0.0 : linear.stiffness * deformation(i, state));

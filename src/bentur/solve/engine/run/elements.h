@@ -30,6 +30,11 @@ class Elements {
     std::size_t guard = 0;
     double s = 0;  ///< place in the expanded step
   };
+  /// δ over a step of `h` [s] that began at `time` [s].
+  struct Course {
+    const Polynomial& deformation;
+    double h = 0, time = 0;
+  };
   /// Velocities that changed at one instant.
   struct Jump {
     Eigen::Index element = 0;
@@ -37,20 +42,8 @@ class Elements {
     double energy_lost = 0;  ///< [force·length]
   };
 
-  /// How large the numbers are whose difference δ is, and how fast they change, per point of contact.
-  struct Scales {
-    std::vector<double> displacement;  ///< [length]; grows with what the run does
-    std::vector<double> speed;         ///< [length/s]
-  };
-  /// What an element that is no pair of bodies has done up to the last change of its branch.
-  struct Account {
-    double entered = 0;       ///< δ at that change [length]
-    double work = 0;          ///< that its springs took in [force·length]
-    double damped = 0;        ///< that its dashpot took in, up to now [force·length]
-    double peak_force = 0;    ///< max F of links, up to now [force]
-    double peak_tension = 0;  ///< max −F of links, up to now [force]
-  };
-
+  using Scales = ElementScales;
+  using Account = ElementAccount;
   using Laws = ElementLaws;
   /// The first `idle` elements do nothing. `accuracy`: how well states at events are known, relative to displacements
   /// and speeds; a guard that starts its branch below zero by no more starts at zero. `state` is that at the start,
@@ -99,7 +92,7 @@ class Elements {
     return event.element < count() && two_bodies(event.element);
   }
 
-  /// Adds [0, end] of the expanded step, which began at `time`, to the impacts under way and to what links do.
+  /// Adds [0, end] of the expanded step that began at `time` to the impacts under way and to what links do.
   void accumulate(const Expansion& motion, double time, double end);
 
   /// Notes when the openings of bodies that are apart last were zero, up to `end` of the expanded step, which began at
@@ -126,7 +119,7 @@ class Elements {
   /// Ends the run at `time`: contacts still closed count as impacts.
   void finish(double time);
 
-  /// What is remembered of elements that are not idle, to go on from some state without contact.
+  /// Of elements that are not idle, to go on from some state without contact.
   struct Memory {
     std::vector<LawState> states;
     std::vector<Account> accounts;
@@ -138,7 +131,6 @@ class Elements {
 
   [[nodiscard]] long events() const { return events_; }
   [[nodiscard]] std::vector<Impact>& impacts() { return log_.impacts(); }
-  // Of an element at the end:
   [[nodiscard]] double energy_lost(Eigen::Index element, const State& state) const;
   [[nodiscard]] double residual(Eigen::Index element, const State& state) const;
   [[nodiscard]] std::optional<StrengthLoss> loss(Eigen::Index element, const State& state) const;
@@ -150,6 +142,8 @@ class Elements {
   [[nodiscard]] double worst_opening(Eigen::Index element) const { return worst_openings_[element]; }
 
  private:
+  friend class Islands;
+  enum class Force { resting, nonlinear, pressing, constant };
   [[nodiscard]] Eigen::Index count() const { return std::ssize(laws_); }
   [[nodiscard]] const Law& law(Eigen::Index element) const { return *laws_[element]; }
   [[nodiscard]] const ModalSystem::Relation& relation(Eigen::Index element) const {
@@ -172,10 +166,14 @@ class Elements {
   [[nodiscard]] double tolerance(Eigen::Index element, const Guard& guard, const State& state) const;
   [[nodiscard]] Polynomial guarded(Eigen::Index element, const Guard& guard, const Polynomial& deformation, double h,
                                    double time) const;
+  void gauge(Eigen::Index element, const State& to);
+  [[nodiscard]] std::optional<Event> next_event(Eigen::Index element, const Course& course, const State& from);
+  void accumulate(Eigen::Index contact, const Course& course, double end, double speeds);
   void load(Eigen::Index element, const State& state);
   void enter(Eigen::Index element, const LawState& law_state);
   void set(Eigen::Index element, const LawState& law_state, State& state);
   void gather(State& state);
+  [[nodiscard]] Force take_force(Eigen::Index element);
   void take_work(Eigen::Index element, double deformation);
   void let_go(Eigen::Index element, State& state);
   void note_opening(Eigen::Index element, double time, const State& state);
@@ -211,6 +209,7 @@ class Elements {
     bool leaves_band = false;  ///< in the step last looked at
   };
   void note_touch(const Opening& of, const Expansion& motion, double time, double end, const State& state);
+  void note_touch(const Opening& of, const Course& course, double end);
   [[nodiscard]] CoupledElements::Bands bands() const;
   [[nodiscard]] Eigen::VectorXd acceleration(const State& state, const std::vector<GroundInput>& inputs) const;
 
@@ -231,6 +230,7 @@ class Elements {
   CoupledElements coupled_;
   GuardMonitor monitor_;
   ElementForces forces_;
+  bool by_islands_ = false;  ///< what all elements do together is gathered later
   bool may_fly_ = true;
   bool any_touching_ = false;
   std::vector<Touch> touches_;     ///< per element, then of what rubs

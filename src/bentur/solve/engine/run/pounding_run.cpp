@@ -15,6 +15,10 @@ PoundingRun::PoundingRun(const Setup& setup, const Elements::Scales& scales, lon
       first_contact_(first_contact),
       sampler_(system_, given_, setup.laws.offsets, options.output_step),
       momentum_(system_) {
+  const bool flies = std::holds_alternative<ExactSolver>(setup.solver) && !setup.plan.flights.front().empty();
+  if (flies && !options.course && !options.energy_audit && Islands::serve(system_, setup.laws)) {
+    go_by_islands(setup.laws);
+  }
   if (!options.energy_audit) return;
   const double step =
       options.output_step > 0.0 && options.energy_step > 0.0 ? options.energy_step : options.output_step;
@@ -50,6 +54,16 @@ void PoundingRun::changed() {
   if (tracer_) tracer_->changed();
   if (energy_) energy_->take_jumps(elements_, state_);
   momentum_.changed(state_, elements_);
+}
+
+void PoundingRun::before_change(double time, Islands& islands) {
+  while (sampler_.due(time)) {
+    sampled_ = state_;
+    islands.evaluate(sampler_.next_time(), sampled_);
+    std::vector<GroundInput> now = inputs_;
+    system_.advance(now, sampler_.next_time() - segment_start());
+    sampler_.take(sampled_, now, elements_);
+  }
 }
 
 bool PoundingRun::notes_flights() const { return sampler_.due(given_.duration) || tracer_ || energy_; }

@@ -29,6 +29,7 @@ class PoundingRun final : public Run {
   [[nodiscard]] Eigen::Index quiet(Eigen::Index count) override;
   void take_step(double time, double cut) override;
   void changed() override;
+  void before_change(double time, Islands& islands) override;
   [[nodiscard]] bool settle_before(long segment) override { return segment <= first_contact_; }
   [[nodiscard]] bool notes_flights() const override;
   void pass(double start, const Flights& flights, std::size_t halvings) override;
@@ -38,6 +39,7 @@ class PoundingRun final : public Run {
   Sampler sampler_;
   std::optional<Tracer> tracer_;
   long followed_ = 0;  ///< steps of the course
+  State sampled_;      ///< scratch
   std::optional<EnergyAccount> energy_;
   MomentumBalance momentum_;
 };

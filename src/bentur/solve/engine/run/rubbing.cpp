@@ -41,12 +41,17 @@ void Elements::accumulate_rubbing(const Expansion& motion, double time, double e
 
 /// Of the opening of bodies that are apart, over a step up to a state.
 void Elements::note_touch(const Opening& of, const Expansion& motion, double time, double end, const State& state) {
-  Touch& touch = touches_[of.log];
   if (monitor_.stays(of.at) || deformation(of.at, state) < of.surface) {
-    touch = {};
-    return;
+    touches_[of.log] = {};
+  } else {
+    note_touch(of, {motion.deformation(of.at), motion.h(), time}, end);
   }
-  Polynomial beyond = motion.deformation(of.at);
+}
+
+/// Where its surface has been reached at `end`.
+void Elements::note_touch(const Opening& of, const Course& course, double end) {
+  Touch& touch = touches_[of.log];
+  Polynomial beyond = course.deformation;
   beyond[0] -= of.surface;
   const auto zero = last_zero(beyond, end);
   // One that stays in the band for the whole step is zero to within round-off, however long it does; one that leaves
@@ -54,7 +59,7 @@ void Elements::note_touch(const Opening& of, const Expansion& motion, double tim
   const bool leaves = of.leaves_band || value(beyond, end) > of.band;
   if (!zero && leaves && touch.time >= 0.0) return;
   const double s = zero.value_or(leaves ? 0.0 : end);
-  touch = {time + s * motion.h(), first_derivative(beyond, s) / motion.h()};
+  touch = {course.time + s * course.h, first_derivative(beyond, s) / course.h};
 }
 
 /// What follows from a guard of an element of several deformations.

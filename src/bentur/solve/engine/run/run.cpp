@@ -85,7 +85,11 @@ Status Run::to_end(const std::function<bool(double)>& progress) {
       ++segment_;
     } else if (!elements_.may_fly() || !cruise()) {
       grid_.input(segment_, inputs_);
-      halve(plan_.flights[kind], 0, start, length);
+      if (islands_) {
+        pass_by_islands(plan_.flights[kind], start, length);
+      } else {
+        halve(plan_.flights[kind], 0, start, length);
+      }
       ++segment_;
     }
     if (trouble_.empty() && !(state_.q.allFinite() && state_.v.allFinite())) fail(not_finite, start);

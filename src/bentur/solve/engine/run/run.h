@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "bentur/solve/engine/motion/step_buffer.h"
 #include "bentur/solve/engine/motion/stepper.h"
 #include "bentur/solve/engine/run/elements.h"
+#include "bentur/solve/engine/run/islands/islands.h"
 #include "bentur/solve/engine/run/watch/peak_search.h"
 #include "bentur/solve/engine/run/watch/span_watch.h"
 #include "bentur/solve/solver.h"
@@ -95,10 +97,16 @@ class Run {
   /// A flight from state_ over which nothing happened, by flights[halvings], for those who want samples of it.
   virtual void pass(double /*start*/, const Flights& /*flights*/, std::size_t /*halvings*/) {}
 
+  /// Goes over segments that cannot be flown island by island from now on.
+  void go_by_islands(const Elements::Laws& laws);
+  /// Before elements change at a time [s] of a segment that is gone over by islands, or it ends.
+  virtual void before_change(double /*time*/, Islands& /*islands*/) {}
+
   /// The event that ends the step under way.
   [[nodiscard]] const std::optional<Elements::Event>& event() const { return event_; }
-  /// The segment under way.
+  /// The segment under way, and when it began [s].
   [[nodiscard]] long segment() const { return segment_; }
+  [[nodiscard]] double segment_start() const { return grid_.start(segment_); }
   [[nodiscard]] Checkpoint checkpoint() const {
     return {segment_,         steps_, state_, elements_.memory(), search_.watch().peaks(), watched().nearest(),
             spans().nearest()};
@@ -138,6 +146,7 @@ class Run {
   void ensure_space();
   void flush_buffer();
   [[nodiscard]] bool cruise();
+  void pass_by_islands(const Flights& flights, double start, double length);
   void advance(const Flights& flights, std::size_t halvings, double start, double length);
   void halve(const Flights& flights, std::size_t halvings, double start, double length);
   [[nodiscard]] bool fly(const Flights& flights, std::size_t halvings, double start, double length);
@@ -176,6 +185,7 @@ class Run {
   std::optional<Elements::Event> event_;
   PeakSearch search_;
   std::vector<SpanWatch> watches_;
+  std::unique_ptr<Islands> islands_;  ///< none where all bodies are stepped together
   const TimeGrid& grid_;
   const FlightPlan& plan_;
   Eigen::VectorXd start_acceleration_, end_acceleration_, forces_;  ///< scratch

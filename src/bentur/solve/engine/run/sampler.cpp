@@ -34,40 +34,45 @@ bool Sampler::due(double time) const { return taken_ < count_ && next_time() <= 
 
 void Sampler::take(const Expansion& motion, double time, double until, const std::vector<GroundInput>& inputs,
                    const Elements& elements) {
-  for (; due(until); ++taken_) {
+  while (due(until)) {
     const double s = std::clamp((next_time() - time) / motion.h(), 0.0, 1.0);
     motion.evaluate(s, state_);
     std::vector<GroundInput> now = inputs;
     system_->advance(now, s * motion.h());
-    elements.forces_at(state_, now, forces_);
-    system_->acceleration(state_, now, forces_, acceleration_);
-    samples_.time.push_back(next_time());
-    for (Index c = 0; c < system_->components(); ++c) {
-      samples_.ground_acceleration(c, taken_) = acceleration_at(given_->motions[c], next_time());
-    }
-    for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
-      const auto& block = system_->blocks[b];
-      const auto of = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.size); };
-      const auto squared = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.modes).squaredNorm(); };
-      largest_q_[b] = std::max(largest_q_[b], squared(state_.q));
-      largest_acceleration_[b] = std::max(largest_acceleration_[b], squared(acceleration_));
-      for (std::size_t k = 0; k < block.outputs.size(); ++k) {
-        block.outputs[k].evaluate(of(state_.q), of(state_.v), of(acceleration_), outputs_[b][k].col(taken_));
-      }
-    }
-    for (Index point = 0; point < system_->points(); ++point) {
-      const Index i = system_->opening(point);
-      samples_.opening(point, taken_) = -offsets_[i] - system_->elements[i].relation.along(state_.q);
-      samples_.force(point, taken_) = forces_(i);
-      if (point < system_->switched) continue;
-      samples_.slip(point - system_->switched, taken_) = system_->elements[i + 1].relation.along(state_.q);
-      samples_.force_along(point - system_->switched, taken_) = forces_(i + 1);
-    }
-    for (Index i = 0; i < system_->joints; ++i) {
-      samples_.joint_deformation(i, taken_) = system_->elements[system_->joint(i)].relation.along(state_.q);
-      samples_.joint_force(i, taken_) = forces_(system_->joint(i));
+    take(state_, now, elements);
+  }
+}
+
+void Sampler::take(const State& state, const std::vector<GroundInput>& inputs, const Elements& elements) {
+  elements.forces_at(state, inputs, forces_);
+  system_->acceleration(state, inputs, forces_, acceleration_);
+  samples_.time.push_back(next_time());
+  for (Index c = 0; c < system_->components(); ++c) {
+    samples_.ground_acceleration(c, taken_) = acceleration_at(given_->motions[c], next_time());
+  }
+  for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
+    const auto& block = system_->blocks[b];
+    const auto of = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.size); };
+    const auto squared = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.modes).squaredNorm(); };
+    largest_q_[b] = std::max(largest_q_[b], squared(state.q));
+    largest_acceleration_[b] = std::max(largest_acceleration_[b], squared(acceleration_));
+    for (std::size_t k = 0; k < block.outputs.size(); ++k) {
+      block.outputs[k].evaluate(of(state.q), of(state.v), of(acceleration_), outputs_[b][k].col(taken_));
     }
   }
+  for (Index point = 0; point < system_->points(); ++point) {
+    const Index i = system_->opening(point);
+    samples_.opening(point, taken_) = -offsets_[i] - system_->elements[i].relation.along(state.q);
+    samples_.force(point, taken_) = forces_(i);
+    if (point < system_->switched) continue;
+    samples_.slip(point - system_->switched, taken_) = system_->elements[i + 1].relation.along(state.q);
+    samples_.force_along(point - system_->switched, taken_) = forces_(i + 1);
+  }
+  for (Index i = 0; i < system_->joints; ++i) {
+    samples_.joint_deformation(i, taken_) = system_->elements[system_->joint(i)].relation.along(state.q);
+    samples_.joint_force(i, taken_) = forces_(system_->joint(i));
+  }
+  ++taken_;
 }
 
 void Sampler::finish(Solution& solution) {

@@ -24,12 +24,14 @@ class Sampler {
   void take(const Expansion& motion, double time, double until, const std::vector<GroundInput>& inputs,
             const Elements& elements);
 
+  /// Takes the next sample, of which this is the state.
+  void take(const State& state, const std::vector<GroundInput>& inputs, const Elements& elements);
+  [[nodiscard]] double next_time() const { return static_cast<double>(taken_) * step_; }  ///< [s]
+
   /// Puts the samples that were taken into a solution, whose outputs have an entry for each.
   void finish(Solution& solution);
 
  private:
-  [[nodiscard]] double next_time() const { return static_cast<double>(taken_) * step_; }
-
   const ModalSystem* system_;
   const System* given_;
   std::vector<double> offsets_;

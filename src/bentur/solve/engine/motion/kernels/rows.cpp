@@ -16,9 +16,9 @@ struct Ends {
 };
 BENTUR_INLINE Ends ends_of_rows(const PackedRows& rows, Index r, Four offset, const double* start, const double* end,
                                 const double* rise) {
-  const double* weights = rows.from(r);
   Ends at{offset, offset, all(0.0)};
   for (const Run& run : rows.runs(r)) {
+    const double* weights = rows.from(r, run);
     for (Index j = run.begin; j < run.end; ++j) {
       const Four weight = load(weights + four * j);
       at.start += weight * all(start[j]);
@@ -79,11 +79,11 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* offset, const Cub
     const Four so_far = load(reach_before + r);
     store(reach + r, so_far);
     if (every(so_far <= before)) continue;
-    const double* weights = rows.from(r);
     Ends at{load(offset + r), load(offset + r), all(0.0)};
     Four slope = all(0.0);
     Four slope_end = all(0.0);
     for (const Run& run : rows.runs(r)) {
+      const double* weights = rows.from(r, run);
       for (Index j = run.begin; j < run.end; ++j) {
         const Four weight = load(weights + four * j);
         at.start += weight * all(curves.start[j]);
@@ -108,11 +108,9 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
                                 Index stride, double* peak, double* values) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): registers
   const std::span<const Run> runs = rows.runs(r);
-  const double* weights[groups];
   Four high[groups];
   Four rest[groups];
   for (int g = 0; g < groups; ++g) {
-    weights[g] = rows.from(r + four * g);
     rest[g] = load(offset + r + four * g);
     high[g] = load(peak + r + four * g);
   }
@@ -130,6 +128,8 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
       for (Index k = 0; k < four; ++k) value[g][k] = rest[g];
     }
     for (const Run& run : runs) {
+      const double* weights[groups];
+      for (int g = 0; g < groups; ++g) weights[g] = rows.from(r + four * g, run);
       for (Index j = run.begin; j < run.end; ++j) {
         Four weight[groups];
         for (int g = 0; g < groups; ++g) weight[g] = load(weights[g] + four * j);
@@ -147,7 +147,8 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
     for (int g = 0; g < groups; ++g) {
       Four value = rest[g];
       for (const Run& run : runs) {
-        for (Index j = run.begin; j < run.end; ++j) value += load(weights[g] + four * j) * all(x[i * stride + j]);
+        const double* weights = rows.from(r + four * g, run);
+        for (Index j = run.begin; j < run.end; ++j) value += load(weights + four * j) * all(x[i * stride + j]);
       }
       take(g, i, value);
     }
@@ -212,16 +213,37 @@ std::vector<Run> in_fours(const std::vector<Run>& runs, Index columns) {
 PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
     : rows_((matrix.rows() + four - 1) / four * four),
       columns_(columns),
-      weights_(rows_ * columns, 0.0),
       all_runs_(in_fours(runs_of(matrix), columns)) {
-  for (Index r = 0; r < matrix.rows(); ++r) {
-    for (Index j = 0; j < matrix.cols(); ++j) {
-      weights_[r / four * four * columns + four * j + r % four] = matrix(r, j);
+  Index end = 0, left_out = 0;
+  for (Run& run : all_runs_) {
+    left_out += run.begin - end;
+    run.left_out = left_out;
+    held_ += run.end - run.begin;
+    end = run.end;
+  }
+  weights_.assign(static_cast<std::size_t>(rows_ * held_), 0.0);
+  for (const Run& run : all_runs_) {
+    for (Index r = 0; r < matrix.rows(); ++r) {
+      double* row = weights_.data() + r / four * four * held_ + r % four;
+      for (Index j = run.begin; j < std::min(run.end, matrix.cols()); ++j)
+        row[four * (j - run.left_out)] = matrix(r, j);
     }
   }
   for (Index r = 0; r < matrix.rows(); r += 8) {
     runs_.push_back(runs_of(matrix.middleRows(r, std::min<Index>(8, matrix.rows() - r))));
+    for (Run& run : runs_.back()) {
+      const auto around = std::find_if(all_runs_.begin(), all_runs_.end(),
+                                       [&](const Run& one) { return run.begin >= one.begin && run.end <= one.end; });
+      run.left_out = around->left_out;
+    }
   }
+}
+
+double PackedRows::operator()(Index row, Index column) const {
+  for (const Run& run : all_runs_) {
+    if (column >= run.begin && column < run.end) return from(row / four * four, run)[four * column + row % four];
+  }
+  return 0.0;
 }
 
 BENTUR_FOR_ALL_PROCESSORS
@@ -258,26 +280,34 @@ bool reach_of_samples(const PackedRows& rows, const double* offset, int count, c
     const Four so_far = load(reach_before + r);
     store(reach + r, so_far);
     if (every(so_far <= before)) continue;
-    const double* weights = rows.from(r);
     Four most = all(0.0);
     Four beyond = all(0.0);
-    for (Index j = 0; j < columns; ++j) beyond += abs(load(weights + four * j)) * all(rise[j]);
+    for (const Run& run : rows.runs()) {
+      const double* weights = rows.from(r, run);
+      for (Index j = run.begin; j < run.end; ++j) beyond += abs(load(weights + four * j)) * all(rise[j]);
+    }
     int i = 0;
     for (; i + 3 <= count; i += 3) {
       const double* at = x + i * columns;
       const Four start = load(offset + r);
       Four value[3] = {start, start, start};  // NOLINT(modernize-avoid-c-arrays): registers
-      for (Index j = 0; j < columns; ++j) {
-        const Four weight = load(weights + four * j);
-        value[0] += weight * all(at[j]);
-        value[1] += weight * all(at[columns + j]);
-        value[2] += weight * all(at[2 * columns + j]);
+      for (const Run& run : rows.runs()) {
+        const double* weights = rows.from(r, run);
+        for (Index j = run.begin; j < run.end; ++j) {
+          const Four weight = load(weights + four * j);
+          value[0] += weight * all(at[j]);
+          value[1] += weight * all(at[columns + j]);
+          value[2] += weight * all(at[2 * columns + j]);
+        }
       }
       most = max(most, max(abs(value[0]), max(abs(value[1]), abs(value[2]))));
     }
     for (; i < count; ++i) {
       Four value = load(offset + r);
-      for (Index j = 0; j < columns; ++j) value += load(weights + four * j) * all(x[i * columns + j]);
+      for (const Run& run : rows.runs()) {
+        const double* weights = rows.from(r, run);
+        for (Index j = run.begin; j < run.end; ++j) value += load(weights + four * j) * all(x[i * columns + j]);
+      }
       most = max(most, abs(value));
     }
     const Four high = max(before, most);
@@ -365,7 +395,7 @@ void lump(const PackedRows& rows, const double* limits, double* largest) {
     for (Index j = run.begin; j < run.end; ++j) {
       Four most = all(0.0);
       for (Index r = 0; r < rows.rows(); r += four) {
-        const Four share = abs(load(rows.from(r) + four * j)) / load(limits + r);
+        const Four share = abs(load(rows.from(r, run) + four * j)) / load(limits + r);
         most = share > most ? share : most;  // 0/0 is no share
       }
       largest[j] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
@@ -376,9 +406,11 @@ void lump(const PackedRows& rows, const double* limits, double* largest) {
 BENTUR_FOR_ALL_PROCESSORS
 void combine(const PackedRows& rows, Index r, const double* c, Index stride, int degree, double* scratch,
              double* polynomial) {
-  for (Index j = 0; j < rows.columns(); ++j) scratch[j] = rows(r, j);
-  const Run all_columns{0, rows.columns()};
-  sum_products(degree + 1, c, stride, {&all_columns, 1}, scratch, polynomial);
+  for (const Run& run : rows.runs()) {
+    const double* weights = rows.from(r / four * four, run) + r % four;
+    for (Index j = run.begin; j < run.end; ++j) scratch[j] = weights[four * j];
+  }
+  sum_products(degree + 1, c, stride, rows.runs(), scratch, polynomial);
 }
 
 }  // namespace bentur::engine::kernels

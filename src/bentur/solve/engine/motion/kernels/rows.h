@@ -33,7 +33,7 @@ using Eigen::Index;
 }
 
 /// A matrix for the functions below that go over its rows: four rows at a time, one column of these after the other, so
-/// that memory is read as it lies. Rows of zeros fill the last four up.
+/// that memory is read as it lies; columns of zeros alone are not held. Rows of zeros fill the last four up.
 class PackedRows {
  public:
   PackedRows() = default;
@@ -41,22 +41,22 @@ class PackedRows {
   PackedRows(const Eigen::MatrixXd& matrix, Index columns);
   [[nodiscard]] Index rows() const { return rows_; }  ///< a multiple of four
   [[nodiscard]] Index columns() const { return columns_; }
-  [[nodiscard]] double operator()(Index row, Index column) const {
-    return weights_[row / 4 * 4 * columns_ + 4 * column + row % 4];
-  }
-  /// Four rows from row r on.
-  [[nodiscard]] const double* from(Index r) const { return weights_.data() + r * columns_; }
+  [[nodiscard]] double operator()(Index row, Index column) const;
 
-  /// Columns from `begin` up to `end`.
+  /// Columns from `begin` up to `end`, of which so many before them are not held.
   struct Run {
-    Index begin = 0, end = 0;
+    Index begin = 0, end = 0, left_out = 0;
   };
+  /// Four rows from row r on: column j of a run stands at entry 4 j.
+  [[nodiscard]] const double* from(Index r, const Run& run) const {
+    return weights_.data() + r * held_ - 4 * run.left_out;
+  }
   /// Those that the eight rows around row r depend on, or any row (multiples of four).
   [[nodiscard]] std::span<const Run> runs(Index r) const { return runs_[r / 8]; }
   [[nodiscard]] std::span<const Run> runs() const { return all_runs_; }
 
  private:
-  Index rows_ = 0, columns_ = 0;
+  Index rows_ = 0, columns_ = 0, held_ = 0;
   std::vector<double> weights_;
   std::vector<std::vector<Run>> runs_;  ///< of eight rows each
   std::vector<Run> all_runs_;

@@ -44,4 +44,14 @@ double Elements::damping_power(const State& state) const {
   return sum;
 }
 
+double Elements::residual(Index i, const State& state) const {
+  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i].get());
+  return law == nullptr ? 0.0 : law->residual(states_[i], deformation(i, state));
+}
+
+std::optional<StrengthLoss> Elements::loss(Index i, const State& state) const {
+  const auto* law = dynamic_cast<const HystereticLaw*>(laws_[i].get());
+  return law == nullptr ? std::nullopt : law->loss(states_[i], deformation(i, state));
+}
+
 }  // namespace bentur::engine

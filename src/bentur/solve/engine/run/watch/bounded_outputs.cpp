@@ -18,7 +18,6 @@ BoundedOutputs::BoundedOutputs(const Eigen::MatrixXd& weights, Index columns, ke
   peak.setZero(weights_.rows());
   offset.setZero(weights_.rows());
   inverse_.setZero(weights_.rows());
-  values_.resize(weights_.rows() * (StepBuffer::most + 1));
 }
 
 void BoundedOutputs::limit(const VectorXd& limits) {
@@ -39,6 +38,7 @@ void BoundedOutputs::compare(Index steps, const double* x, const double* rise, I
 
 void BoundedOutputs::take_ends(Index steps, const double* x, Index stride) {
   ends_ = steps + 1;
+  if (const Index needed = weights_.rows() * ends_; values_.size() < needed) values_.resize(needed);
   kernels::raise_peaks(of_, weights_, offset.data(), ends_, x, stride, peak.data(), values_.data());
 }
 
@@ -49,7 +49,10 @@ void BoundedOutputs::measure(Index steps, const double* rise, Index stride) {
 
 double BoundedOutputs::rise(Index quantity, const double* rise) const {
   double sum = 0.0;
-  for (Index j = 0; j < weights_.columns(); ++j) sum += std::abs(weights_(quantity, j)) * rise[j];
+  for (const kernels::PackedRows::Run& run : weights_.runs()) {
+    const double* weights = weights_.from(quantity / 4 * 4, run) + quantity % 4;
+    for (Index j = run.begin; j < run.end; ++j) sum += std::abs(weights[4 * j]) * rise[j];
+  }
   return sum;
 }
 

@@ -60,7 +60,7 @@ void PeakSearch::take(const StepBuffer& buffer) {
         std::copy_n(buffer.inputs(n) + static_cast<Index>(b) * components, components, flight.inputs.begin());
         keep_flight(flight, buffer.q(n), buffer.v(n), buffer.acceleration(n), flights_);
       } else {
-        keep_step(b, buffer, n, at);
+        keep_step(b, buffer.curves(system_->blocks[b], n), at);
       }
     }
   }
@@ -74,9 +74,8 @@ void PeakSearch::keep_flight(const UnsettledFlight& flight, const double* q, con
   flights.push_back(flight);
 }
 
-void PeakSearch::keep_step(std::size_t b, const StepBuffer& buffer, Index n, Index at) {
+void PeakSearch::keep_step(std::size_t b, const Curves& curves, Index at) {
   const auto& block = system_->blocks[b];
-  const Curves curves = buffer.curves(block, n);
   const Index kept = claim((curves.degree + 1) * block.padded_size);
   double* to = kept_.data() + kept;
   for (int k = 0; k <= curves.degree; ++k, to += block.padded_size) {
@@ -84,6 +83,15 @@ void PeakSearch::keep_step(std::size_t b, const StepBuffer& buffer, Index n, Ind
     for (Index j = 0; j < block.padded_size; ++j) to[j] = from[j];
   }
   steps_.push_back({b, curves.h, curves.end, curves.degree, at});
+}
+
+void PeakSearch::take(std::size_t b, const PeakWatch::Interval& ends, const Curves& step) {
+  const Index at = claim(watch_.quantities(b));
+  if (watch_.settled_by_bound(b, ends, watch_.unknown(), kept_.data() + at)) {
+    kept_count_ = at;
+  } else {
+    keep_step(b, step, at);
+  }
 }
 
 void PeakSearch::take(const Approximate& step) {

@@ -20,6 +20,9 @@ class PeakSearch {
   /// Takes in where a run has been.
   void take(const StepBuffer& buffer);
 
+  /// Takes in a power series of one body, up to where it was cut, between whose ends it went so far.
+  void take(std::size_t block, const PeakWatch::Interval& ends, const Curves& step);
+
   /// A step whose expansion is an approximation.
   struct Approximate {
     const Expansion& motion;
@@ -71,7 +74,7 @@ class PeakSearch {
   void keep(const double* x, Eigen::Index count);
   void keep_flight(const UnsettledFlight& flight, const double* q, const double* v, const double* acceleration,
                    std::vector<UnsettledFlight>& flights);
-  void keep_step(std::size_t block, const StepBuffer& buffer, Eigen::Index step, Eigen::Index at);
+  void keep_step(std::size_t block, const Curves& curves, Eigen::Index at);
   /// What a search works with.
   struct Tools {
     Series& series;

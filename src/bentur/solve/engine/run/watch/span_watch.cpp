@@ -173,6 +173,15 @@ void SpanWatch::take(RelationGroup& group, const Expansion& motion, double end, 
   search(group, curves(first.left_begin), curves(first.right_begin), time);
 }
 
+void SpanWatch::take(Index relation, const Polynomial& delta, double h, double time) {
+  const auto after = std::upper_bound(groups_.begin(), groups_.end(), relation,
+                                      [](Index n, const RelationGroup& group) { return n < group.first; });
+  RelationGroup& group = *std::prev(after);
+  const Index n = relation - group.first;
+  double where = 0.0;
+  if (raise_to_maximum(delta, 1.0, group.rows.peak(n), where)) note(group, n, time + where * h);
+}
+
 /// The interval last looked at, which began at `time`, for the relations whose reach it leaves unsettled.
 void SpanWatch::search(RelationGroup& group, const Curves& left, const Curves& right, double time) {
   for (Index n = 0; n < group.count; ++n) {

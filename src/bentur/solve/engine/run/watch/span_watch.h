@@ -34,6 +34,9 @@ class SpanWatch {
   /// Takes in [0, end] of an expanded step from one state to another, which began at `time` [s].
   void take(const Expansion& motion, double end, const State& from, const State& to, double time);
 
+  /// Takes in the δ of one relation over a step of `h` [s] that began at `time` [s].
+  void take(Eigen::Index relation, const Polynomial& delta, double h, double time);
+
   /// Whether it is time for settle(): it bounds the memory of a long run.
   [[nodiscard]] bool much_is_unsettled() const;
   /// Is told how many steps the search takes next; false: it ends there.
