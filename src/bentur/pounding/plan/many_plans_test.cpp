@@ -115,7 +115,7 @@ class Blocks {
         (contact.is_of_joint() ? gap.contacts : beside).push_back(std::move(contact));
       }
     }
-    for (PlanContact& one : beside) gap.contacts.push_back(std::move(one));
+    for (PlanContact& contact : beside) gap.contacts.push_back(std::move(contact));
     problem.gaps.push_back(std::move(gap));
   }
 
