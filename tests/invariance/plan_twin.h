@@ -65,11 +65,12 @@ inline std::vector<PlanPlane> planes_of(PlaneFrame frame) {
 
 inline std::optional<BuildingSpec> twin_of(const BuildingSpec& spec, double corner) {
   const Footprint footprint{.corner = {corner, -3}, .size = twin_size};
-  BuildingSpec twin{.name = spec.name,
-                    .structure = PlanWall{footprint, {}},
-                    .damping = spec.damping,
-                    .tangent_damping = spec.tangent_damping,
-                    .base_elevation = spec.base_elevation};
+  BuildingSpec twin;
+  twin.name = spec.name;
+  twin.structure = PlanWall{footprint, {}};
+  twin.damping = spec.damping;
+  twin.tangent_damping = spec.tangent_damping;
+  twin.base_elevation = spec.base_elevation;
   if (const auto* wall = std::get_if<RigidSpec>(&spec.structure)) {
     twin.structure = PlanWall{footprint, wall->elevations};
     return twin;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -54,6 +55,9 @@ struct InUnits {
     scale(given.elevations, units.length);
     scale(given.displacements, units.length);
   }
+  // Random plans have units of their own (plan/random_plans_test.cpp).
+  void operator()(Plan& /*plan*/) const { throw std::logic_error("rows alone"); }
+  void operator()(PlanWall& /*wall*/) const { throw std::logic_error("rows alone"); }
   void operator()(GenericBuilding& generic) const {
     scale(generic.storey_heights, units.length);
     scale(generic.floor_masses, mass);

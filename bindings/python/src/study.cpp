@@ -190,18 +190,18 @@ std::shared_ptr<PyStudy> of_cases(const std::vector<std::shared_ptr<PyCase>>& ca
   StudyFacts facts;
   facts.problem = first.problem;
   if (first.plan) facts.plan = first.plan;
-  facts.units = first.units();
-  facts.title = first.title();
-  facts.energy_audit = first.analysis().energy_audit;
+  facts.units = first.c.units;
+  facts.title = first.c.title;
+  facts.energy_audit = first.c.analysis.energy_audit;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const PyCase& one = *cases[i];
     const auto refuse = [&](const char* why) { throw py::value_error(fmt::format("cases[{}] {}", i, why)); };
     Diagnostics found;
     if (!one.plan && refuse_without_motion(one.c, found)) raise_case_error(found);
-    const Units &a = one.units(), &b = facts.units;
+    const Units &a = one.c.units, &b = facts.units;
     if (a.length != b.length || a.force != b.force || a.gravity != b.gravity) refuse("has other units than cases[0]");
     if (one.plan.has_value() != first.plan.has_value()) refuse("is not in plan or in a row as cases[0] is");
-    if (one.analysis().energy_audit != facts.energy_audit) refuse("has another analysis.energy_audit than cases[0]");
+    if (one.c.analysis.energy_audit != facts.energy_audit) refuse("has another analysis.energy_audit than cases[0]");
     if (!(one.plan ? take_places(*one.plan, facts) : take_places(one.problem, facts))) {
       refuse("has other numbers of floors, contact points or links than cases[0], or other buildings that can yield");
     }
