@@ -176,7 +176,7 @@ std::deque<Quantity>& list() {
       {"dissipated_energy", hinge, "F L", "E_h", "energy that the hinge has dissipated", {"Energy by yielding", "Energi leleh"}, of_hinges(&BuildingPeaks::Hinge::dissipated_energy)},
       {"first_yield", hinge, "s", "t_y", "when the hinge first yielded", {"First yield", "Leleh pertama"}, of_hinges(&BuildingPeaks::Hinge::first_yield)},
       {"half_cycles", hinge, "1", "n", "stretches of flow in one direction", {"Half cycles", "Setengah siklus"}, of_hinges(&BuildingPeaks::Hinge::half_cycles)},
-      {"strength_left", hinge, "1", "σ", "moment that the hinge can still bear at the end over that at its cap", {"Strength left", "Kekuatan tersisa"}, of_weakening(&BuildingPeaks::Hinge::strength_left), {}, "%", 100},
+      {"strength_left", hinge, "1", "σ", "moment that the hinge can still carry at the end over that at its cap", {"Strength left", "Kekuatan tersisa"}, of_weakening(&BuildingPeaks::Hinge::strength_left), {}, "%", 100},
       {"cap_time", hinge, "s", "t_c", "when the hinge came to its cap", {"Cap at", "Puncak saat"}, of_weakening(&BuildingPeaks::Hinge::cap_time)},
       {"failed_time", hinge, "s", "t_u", "when the hinge had no strength left", {"Fails at", "Gagal saat"}, of_weakening(&BuildingPeaks::Hinge::failed_time)},
       {"snap_energy", hinge, "F L", "E_b", "energy that was lost as the hinge snapped or failed", {"Energy set free", "Energi terlepas"}, of_weakening(&BuildingPeaks::Hinge::released_energy)},

@@ -261,7 +261,7 @@ const KeyTable& ida_keys() {
          number_of("levels", Range::positive, {"Levels", "Tingkat"}, "ascending; or").list().one_of("levels"), both[0],
          both[1], count_of_range(), spacing_key(),
          Key::choice("polarity", {"as-recorded", "reversed", "both"}, {"Polarity", "Polaritas"},
-                     "every record as it is, the other way round, or both")
+                     "every record as it is, reversed, or both")
              .optional("as the case says")}};
     return made;
   }();
