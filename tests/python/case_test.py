@@ -7,7 +7,6 @@ import pickle
 import signal
 import threading
 import time
-from pathlib import Path
 
 import doors
 import numpy as np
@@ -15,8 +14,7 @@ import pytest
 
 import bentur
 from cases import pair
-
-ROOT = Path(__file__).resolve().parents[2]
+from refused import refused
 
 
 def same(a, b):
@@ -65,7 +63,7 @@ def test_errors_of_a_case_made_in_python_have_its_keys():
 
 
 def test_errors_have_the_keys_that_the_program_tells():
-    folder = ROOT / "tests/bad_input"
+    folder = refused()
     keys = []
     for file in sorted(folder.glob("*.toml")):
         with pytest.raises(bentur.CaseError) as caught:

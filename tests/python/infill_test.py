@@ -5,6 +5,7 @@ import subprocess
 
 import bentur
 import pytest
+from refused import refused
 
 
 def filled(infill):
@@ -52,7 +53,7 @@ def test_check_says_what_infill_comes_to(root, tmp_path):
     program = os.environ.get("BENTUR_PROGRAM", "")
     if not program:
         pytest.skip("BENTUR_PROGRAM does not name the command line")
-    text = (root / "tests" / "bad_input" / "infill-count.toml").read_text()
+    text = (refused() / "infill-count.toml").read_text()
     file = tmp_path / "case.toml"
     for infill, said in (("[{}, { stiffness = 2e4, yield = 50.0 }]",
                           "A: infill in 1 of 2 storeys, a panel has 20000 kN/m and yields at 50 kN\n"), ("[{}]", "")):

@@ -16,6 +16,8 @@ case $part in
     ;;
   core)
     built "$BENTUR_WASM"
+    export BENTUR_REFUSED=$root/build/web/bad_input
+    python3 "$root/tests/bad_input/expand.py" "$root/tests/bad_input" "$BENTUR_REFUSED"
     node --test "$here/core.test.mjs"
     ;;
   units)

@@ -42,7 +42,7 @@ TEST(Errors, EachOfBadInputIsToldInIndonesian) {
       R"((^|[ (])(an|and|are|as|be|by|expected|has|is|must|not|of|or|the|there|to|with)(?=[ ,;:.)]|$))");
   const std::regex quoted(R"("(?:[^"\\]|\\.)*")");
   int errors = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(BENTUR_SOURCE_DIR) / "tests" / "bad_input")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(BENTUR_BINARY_DIR) / "tests" / "bad_input")) {
     if (entry.path().extension() != ".toml") continue;
     Diagnostics diagnostics;
     EXPECT_FALSE(read_case(entry.path(), diagnostics)) << entry.path();

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path bad_input = fs::path(BENTUR_SOURCE_DIR) / "tests" / "bad_input";
+const fs::path bad_input = fs::path(BENTUR_BINARY_DIR) / "tests" / "bad_input";  // by tests/bad_input/expand.py
 
 std::string content(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
