@@ -51,7 +51,7 @@ std::optional<double> read_acceleration(const TomlView& value, const Units& unit
   if (read.ec != std::errc()) {
     return value.error_value(fmt::format("must be a number, or one with its unit as \"0.35 g\"; units are {}", known));
   }
-  const std::string unit(trimmed(std::string_view(read.ptr, end)));
+  const std::string unit(trimmed(text.substr(static_cast<std::size_t>(read.ptr - text.data()))));
   if (unit.empty()) return value.error_value("has no unit; one of " + known + ", or without quotes length/s²");
   const bool gal = unit == "gal" || unit == "Gal";
   const std::vector<std::string>& all = acceleration_units();
