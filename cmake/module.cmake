@@ -145,7 +145,8 @@ function(bentur_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
     $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-array-bounds>
-    $<$<NOT:$<PLATFORM_ID:Emscripten>>:-fPIC> -ffp-contract=off)
+    $<$<NOT:$<PLATFORM_ID:Emscripten>>:-fPIC> -ffp-contract=off
+    $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)  # as Clang: a function may be made part of its caller
 endfunction()
 
 # What reads, writes and tests spends its time in files and in other modules: the compiler's last efforts, a third of the
