@@ -299,7 +299,7 @@ double growth(double omega, double half_damping, const Sides& stiffness, const S
 
 }  // namespace
 
-double ModalSystem::rate(const ElementForces& forces) const {
+[[gnu::flatten]] double ModalSystem::rate(const ElementForces& forces) const {
   Sides stiffness = largest_of(coupling, forces.pressing, forces.linear, &ElementForces::Linear::stiffness);
   Sides damping = largest_of(coupling, forces.pressing, forces.linear, &ElementForces::Linear::damping);
   for (const ElementForces::Coupled& of : forces.coupled) {

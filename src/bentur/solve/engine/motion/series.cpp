@@ -44,7 +44,7 @@ void Series::note_ground(std::size_t b, const GroundInput* input, double h) {
 }
 
 /// Of some bodies, whose first input is given.
-void Series::note_grounds(std::size_t first, std::size_t end, const GroundInput* input, double h) {
+[[gnu::flatten]] void Series::note_grounds(std::size_t first, std::size_t end, const GroundInput* input, double h) {
   grounds_.clear();
   further_.clear();
   for (std::size_t b = first; b < end; ++b, input += system_->components()) note_ground(b, input, h);

@@ -169,7 +169,8 @@ void Elements::gauge(Index i, const State& to) {
   tolerances_[i] = std::max(tolerances_[i], round_off_band * (std::abs(offsets_[i]) + relation(i).along_abs(to.q)));
 }
 
-void Elements::gauge(const State& to) {
+// What goes over all elements has their parts within it: as calls they cost a small case a per cent.
+[[gnu::flatten]] void Elements::gauge(const State& to) {
   for (Index i = idle_; i < count(); ++i) {
     if (!monitor_.stays(i) || resting(i)) gauge(i, to);
   }
@@ -373,7 +374,7 @@ Elements::Force Elements::take_force(Index i) {
 }
 
 /// Works out what all elements do, and the force coordinates of `state`.
-void Elements::gather(State& state) {
+[[gnu::flatten]] void Elements::gather(State& state) {
   forces_.pressing.clear();
   forces_.constant.clear();
   forces_.resting.clear();

@@ -108,9 +108,11 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
                                 Index stride, double* peak, double* values) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): registers
   const std::span<const Run> runs = rows.runs(r);
+  const double* weights[groups];
   Four high[groups];
   Four rest[groups];
   for (int g = 0; g < groups; ++g) {
+    weights[g] = rows.held(r + four * g);
     rest[g] = load(offset + r + four * g);
     high[g] = load(peak + r + four * g);
   }
@@ -127,10 +129,11 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
     for (int g = 0; g < groups; ++g) {
       for (Index k = 0; k < four; ++k) value[g][k] = rest[g];
     }
+    Index passed = 0;
     for (const Run& run : runs) {
-      const double* weights[groups];
-      for (int g = 0; g < groups; ++g) weights[g] = rows.from(r + four * g, run);
-      for (Index j = run.begin; j < run.end; ++j) {
+      for (Index k = 0; k < four; ++k) at[k] += run.left_out - passed;
+      passed = run.left_out;
+      for (Index j = run.begin - passed; j < run.end - passed; ++j) {
         Four weight[groups];
         for (int g = 0; g < groups; ++g) weight[g] = load(weights[g] + four * j);
         for (Index k = 0; k < four; ++k) {
@@ -147,8 +150,10 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
     for (int g = 0; g < groups; ++g) {
       Four value = rest[g];
       for (const Run& run : runs) {
-        const double* weights = rows.from(r + four * g, run);
-        for (Index j = run.begin; j < run.end; ++j) value += load(weights + four * j) * all(x[i * stride + j]);
+        const double* from = x + i * stride + run.left_out;
+        for (Index j = run.begin - run.left_out; j < run.end - run.left_out; ++j) {
+          value += load(weights[g] + four * j) * all(from[j]);
+        }
       }
       take(g, i, value);
     }
@@ -410,7 +415,13 @@ void combine(const PackedRows& rows, Index r, const double* c, Index stride, int
     const double* weights = rows.from(r / four * four, run) + r % four;
     for (Index j = run.begin; j < run.end; ++j) scratch[j] = weights[four * j];
   }
-  sum_products(degree + 1, c, stride, rows.runs(), scratch, polynomial);
+  const std::span<const Run> runs = rows.runs();
+  if (runs.size() == 1) {  // of few bodies, which the compiler then knows
+    const Run run = runs.front();
+    sum_products(degree + 1, c, stride, {&run, 1}, scratch, polynomial);
+  } else {
+    sum_products(degree + 1, c, stride, runs, scratch, polynomial);
+  }
 }
 
 }  // namespace bentur::engine::kernels

@@ -47,10 +47,10 @@ class PackedRows {
   struct Run {
     Index begin = 0, end = 0, left_out = 0;
   };
-  /// Four rows from row r on: column j of a run stands at entry 4 j.
-  [[nodiscard]] const double* from(Index r, const Run& run) const {
-    return weights_.data() + r * held_ - 4 * run.left_out;
-  }
+  /// Four rows from row r on, of the columns that are held.
+  [[nodiscard]] const double* held(Index r) const { return weights_.data() + r * held_; }
+  /// The same so that column j of a run stands at entry 4 j.
+  [[nodiscard]] const double* from(Index r, const Run& run) const { return held(r) - 4 * run.left_out; }
   /// Those that the eight rows around row r depend on, or any row (multiples of four).
   [[nodiscard]] std::span<const Run> runs(Index r) const { return runs_[r / 8]; }
   [[nodiscard]] std::span<const Run> runs() const { return all_runs_; }
