@@ -178,7 +178,8 @@ int of_folder(const fs::path& folder) {
     if (entry.path().extension() != ".toml") continue;
     Diagnostics diagnostics;
     const auto c = read_case(entry.path(), diagnostics);
-    if (!c || c->is_in_plan() || c->excitation.spectrum || c->excitation.suite) continue;  // a study, no motion, or many
+    if (!c || c->is_in_plan() || c->excitation.spectrum || c->excitation.suite)
+      continue;  // a study, no motion, or many
     const Problem problem = make_problem(*c);
     if (solve(problem).status != Status::done) continue;  // collapses
     buildings += in_equilibrium(problem, entry.path().string());

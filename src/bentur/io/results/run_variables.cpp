@@ -312,7 +312,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     made({"point_struck", {points}, "", "building whose column is struck at the contact points, or nothing"}, names);
     made({"point_node", {points}, "", "number of its node, counted from 0; -1 where floors meet"}, nodes);
     made({"column_shear_capacity", {points}, force_, "shear that the struck column can carry; 0: not given"}, shears);
-    made({"column_moment_capacity", {points}, moment_, "moment that the struck column can carry; 0: not given"}, moments);
+    made({"column_moment_capacity", {points}, moment_, "moment that the struck column can carry; 0: not given"},
+         moments);
     if constexpr (File::reads) {
       for (std::size_t i = 0; i < all.size(); ++i) {
         if (names[i].empty()) continue;
