@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/report/html/internal/sections.h"
 
 namespace bentur {
@@ -49,16 +50,11 @@ std::string joined(const std::vector<std::string>& parts, const Words& say) {
   return text;
 }
 
-std::string trimmed_cell(std::string_view text) {
-  const std::size_t from = text.find_first_not_of(' ');
-  return from == text.npos ? "" : std::string(text.substr(from, text.find_last_not_of(' ') - from + 1));
-}
-
 std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells;
   for (std::size_t from = 0; from <= row.size();) {
     const std::size_t to = std::min(row.find('|', from), row.size());
-    cells.push_back(trimmed_cell(std::string_view(row).substr(from, to - from)));
+    cells.emplace_back(trimmed(std::string_view(row).substr(from, to - from)));
     from = to + 1;
   }
   return cells;
