@@ -48,7 +48,7 @@ test("a case in plan that is opened gives the command line's words and numbers",
     for (const language of ["en", "id"]) {
       await page.selectOption("#language", language);
       await solved(page);
-      const lines = await page.evaluate(() => [...document.querySelectorAll(".verdict [data-kind]")].map((one) => ({ badge: one.querySelector(".badge")?.textContent ?? "", text: one.querySelector("p:not(.badge)").textContent })));
+      const lines = await page.evaluate(() => [...document.querySelectorAll('.verdict [data-shown="sentence"]')].map((one) => ({ badge: one.querySelector(".badge")?.textContent ?? "", text: one.querySelector("p:not(.badge)").textContent })));
       const said = terminal(file, language);
       assert.deepEqual(lines.map((one) => lineOf({ gap: null, severity: "", kind: "", ...one })), said.verdict);
       assert.deepEqual(spaced(await page.textContent("[data-remarks]")), said.remarks.join(" ").replaceAll("remark: ", ""));
