@@ -10,7 +10,6 @@ namespace bentur::engine {
 namespace {
 
 constexpr double end_slack = 1e-9;                 // of a segment: a remainder shorter than this is not run
-constexpr double instant = 0x1p-46;                // of the duration: what is over so soon has not been
 constexpr long events_per_step_limit = 100000;     // more than this in one record step cannot be a pounding problem
 constexpr long events_by_bisection_limit = 10000;  // where each takes fifty steps
 constexpr long stalled_steps_limit = 1000;         // that are too short to tell one time from the next

@@ -158,6 +158,7 @@ class Run {
   void find_event_by_bisection(double time);
   void retake(double length);
   void arrived(double time);
+  static constexpr double instant = 0x1p-46;  ///< of the duration: what is over so soon has not been
   /// Whether a state that lasts so long [s] is one of the motion's.
   [[nodiscard]] bool lasts(double length) const;
   void watch_step(double time, double cut);

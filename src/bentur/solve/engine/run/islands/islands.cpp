@@ -362,27 +362,30 @@ bool Islands::go_on_from(const std::vector<Index>& bodies, double time) {
   return true;
 }
 
+/// Ends the series of some islands, and all that is looked at of them, and goes on from there.
+bool Islands::renew(const std::vector<Index>& bodies, double time) {
+  for (const Index b : bodies) place(b, time, now_);
+  for (Pair* pair : pairs_of(bodies)) {
+    place(pair->left, time, now_);
+    place(pair->right, time, now_);
+    close(*pair, time);
+  }
+  close(bodies, time);
+  return go_on_from(bodies, time);
+}
+
 /// What follows from the next event; false where a number is not finite.
 bool Islands::change(const Next& next) {
   Elements& elements = parts_.elements;
   const double time = next.time;
-  if (next.element < 0) {
-    const std::vector<Index> bodies = islands_of({-1 - next.element});
-    for (const Index b : bodies) place(b, time, now_);
-    for (Pair* pair : pairs_of(bodies)) {
-      place(pair->left, time, now_);
-      place(pair->right, time, now_);
-      close(*pair, time);
-    }
-    close(bodies, time);
-    return go_on_from(bodies, time);
-  }
+  if (next.element < 0) return renew(islands_of({-1 - next.element}), time);
   Pair& pair = pairs_[pair_of_[next.element]];
   place(pair.left, time, now_);
   place(pair.right, time, now_);
   close(pair, time);
   std::vector<ElementForces::Linear> before;
   for (const Index i : pair.contacts) before.push_back(elements.forces_.linear[i]);
+  // Inputs count for elements of more deformations alone, of which there are none.
   elements.change({next.element, next.guard, 1.0}, start_ + time, inputs_, now_);
   served_ = served_ && is_served(pair);
   bool changed = false;
@@ -395,16 +398,8 @@ bool Islands::change(const Next& next) {
     open(pair, time);
     return true;
   }
-  const std::vector<Index> bodies = islands_of({pair.left, pair.right});
   pair.length = 0.0;  // it is closed
-  for (const Index b : bodies) place(b, time, now_);
-  for (Pair* other : pairs_of(bodies)) {
-    place(other->left, time, now_);
-    place(other->right, time, now_);
-    close(*other, time);
-  }
-  close(bodies, time);
-  return go_on_from(bodies, time);
+  return renew(islands_of({pair.left, pair.right}), time);
 }
 
 /// Takes in all that is under way.

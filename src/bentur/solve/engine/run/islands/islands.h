@@ -90,6 +90,7 @@ class Islands {
   void close(const std::vector<Index>& bodies, double time);
   void gather_islands(const std::vector<Index>& bodies);
   [[nodiscard]] bool expand(const std::vector<Index>& bodies, double time);
+  [[nodiscard]] bool renew(const std::vector<Index>& bodies, double time);
   [[nodiscard]] bool go_on_from(const std::vector<Index>& bodies, double time);
   [[nodiscard]] std::vector<Pair*> pairs_of(const std::vector<Index>& bodies);
   [[nodiscard]] std::vector<Index> islands_of(std::initializer_list<Index> bodies) const;

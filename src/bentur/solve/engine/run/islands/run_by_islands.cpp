@@ -3,16 +3,11 @@
 #include "bentur/solve/engine/run/run.h"
 
 namespace bentur::engine {
-namespace {
-
-constexpr double shortest = 0x1p-46;  // of the duration: what is over so soon has not been
-
-}  // namespace
 
 void Run::go_by_islands(const Elements::Laws& laws) {
   islands_ = std::make_unique<Islands>(
       system_, laws,
-      Islands::Parts{elements_, search_, watches_[0], shortest * given_.duration,
+      Islands::Parts{elements_, search_, watches_[0], instant * given_.duration,
                      [this](double time) { before_change(time, *islands_); }, [this] { return go_on(); }});
 }
 
