@@ -1,5 +1,7 @@
 #include "text/table.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -7,7 +9,7 @@
 #include <array>
 #include <cstdlib>
 #include <optional>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "text/display_width.h"
@@ -37,25 +39,36 @@ std::optional<std::size_t> asked_width() {
 
 std::size_t line_width() { return asked_width().value_or(usual_width); }
 
-std::string wrapped(const std::string& text) {
-  const std::size_t widest = std::min(usual_width, line_width());
-  std::string result;
+namespace {
+
+/// Words in lines, the first of at most `first` characters, those after it of `others`.
+std::vector<std::string> in_lines(const std::string& text, std::size_t first, std::size_t others) {
+  std::vector<std::string> lines(1);
   std::size_t taken = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
-    if (taken > 0 && taken + 1 + display_width(word) > widest) {
-      result += "\n  ";
-      taken = 2;
+    const std::size_t width = display_width(word);
+    if (taken > 0 && taken + 1 + width > (lines.size() == 1 ? first : others)) {
+      lines.emplace_back();
+      taken = 0;
     } else if (at > 0) {
-      result += ' ';
+      lines.back() += ' ';
       ++taken;
     }
-    result += word;
-    taken += display_width(word);
+    lines.back() += word;
+    taken += width;
     at = end + 1;
   }
-  return result;
+  return lines;
+}
+
+}  // namespace
+
+std::string wrapped(const std::string& text) {
+  constexpr std::string_view indent = "\n  ";
+  const std::size_t widest = std::min(usual_width, line_width());
+  return fmt::format("{}", fmt::join(in_lines(text, widest, widest - (indent.size() - 1)), indent));
 }
 
 std::string fitted(const std::string& given) {
@@ -201,21 +214,6 @@ std::string Table::in_one(std::size_t widest_line) const {
 
 namespace {
 
-/// Words in lines of at most `widest` characters.
-std::vector<std::string> in_lines(const std::string& text, std::size_t widest) {
-  std::vector<std::string> lines(1);
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    std::string& line = lines.back();
-    if (!line.empty() && display_width(line) + 1 + display_width(word) > widest) {
-      lines.push_back(word);
-    } else {
-      line += (line.empty() ? "" : " ") + word;
-    }
-  }
-  return lines;
-}
-
 /// The table of a list, the words of whose last column go on below one another where lines would be too long.
 std::string list_text(const SaidTable& table) {
   constexpr std::size_t least_room = 16;
@@ -234,7 +232,7 @@ std::string list_text(const SaidTable& table) {
     return text;
   }
   for (std::size_t row = 0; row < table.columns[last].cells.size(); ++row) {
-    const std::vector<std::string> lines = in_lines(table.columns[last].cells[row], width - taken);
+    const std::vector<std::string> lines = in_lines(table.columns[last].cells[row], width - taken, width - taken);
     for (std::size_t line = 0; line < lines.size(); ++line) {
       for (std::size_t i = 0; i < last; ++i) cells[i].push_back(line == 0 ? table.columns[i].cells.at(row) : "");
       cells[last].push_back(lines[line]);
