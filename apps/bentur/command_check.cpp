@@ -117,7 +117,7 @@ void run(const std::string& file, const Words& say) {
                         count(spec.elevations.size(), "link", "links"), spec.law);
   }
   const std::string unusual =
-      story_text(loaded.problem, {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
+      story_text(gap_names(loaded.problem), {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
   if (loaded.c.excitation.spectrum) {
     const bool is_given = loaded.c.excitation.spectrum->of_displacements;
     print(fitted(text + (is_given ? "Displacements" : "A spectrum") + ": for bentur gap, which makes no run\n" +

@@ -288,7 +288,8 @@ void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
     print(suite_run_json(run, gaps, version()));
   } else if (!arguments.quiet) {
     const Words say(arguments.language);
-    std::string text = heading(loaded.c, say) + "\n" + story_text(run.problem, suite_story(run, gaps), say, Told::all);
+    std::string text =
+        heading(loaded.c, say) + "\n" + story_text(gap_names(run.problem), suite_story(run, gaps), say, Told::all);
     print(fitted(text + "\n" + wrapped(say("suite.note")) + "\n"));
   }
   if (!run.is_whole()) throw Failure(exit_other, "");

@@ -265,10 +265,11 @@ std::string heading(const Case& c, const Words& say) {
 }
 
 std::string story_text(const std::vector<std::string>& gaps, const Story& story, const Words& say, Told told) {
+  const std::vector<SaidStatement> all = said(story.statements, say);
   std::string text;
-  for (const std::string& line : story_lines(gaps, story, say, told)) text += with_spaces(wrapped(line)) + "\n";
+  for (const std::string& line : story_lines(gaps, all, say, told)) text += with_spaces(wrapped(line)) + "\n";
   if (told == Told::remarks) return text;
-  const auto known = known_table(gaps, said(story.statements, say), say);
+  const auto known = known_table(gaps, all, say);
   for (const bool of_gaps : {true, false}) {
     for (const StoryTable& table : story.tables) {
       if (table.kind.starts_with("row") == of_gaps) text += "\n" + table_text(said(table, say));
@@ -276,10 +277,6 @@ std::string story_text(const std::vector<std::string>& gaps, const Story& story,
     if (of_gaps && known) text += "\n" + table_text(*known);
   }
   return text;
-}
-
-std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told) {
-  return story_text(gap_names(problem), story, say, told);
 }
 
 std::string proportions_text(const Building& building, const Proportions& found, const ShownUnits& shown,

@@ -149,7 +149,6 @@ auto solve_shown(Options options, bool progress, const std::string& language, co
 [[nodiscard]] std::string record_line(const RecordEcho& record, const Words& say);
 
 /// story_lines(), wrapped, and of an outcome the tables of the story.
-[[nodiscard]] std::string story_text(const Problem& problem, const Story& story, const Words& say, Told told);
 [[nodiscard]] std::string story_text(const std::vector<std::string>& gaps, const Story& story, const Words& say,
                                      Told told);
 

@@ -121,8 +121,9 @@ py::tuple risk(const py::object& dataset, const std::string& hazard, bool is_tex
     report = risk_report(std::move(results), needed, *std::move(curve), request, error);
   }
   if (!report) throw py::value_error("hazard " + error);
+  const Words say(language);
   std::vector<std::string> lines =
-      story_lines(std::vector<std::string>(), risk_story(*report, request), Words(language), Told::all);
+      story_lines(std::vector<std::string>(), said(risk_story(*report, request).statements, say), say, Told::all);
   for (std::string& line : lines) line = with_spaces(std::move(line));
   return py::make_tuple(risk_json(*report, request, version()), lines);
 }

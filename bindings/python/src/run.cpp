@@ -287,8 +287,11 @@ void bind_run(py::module_& module) {
              const std::vector<std::string> gaps =
                  run.plan ? gap_names(run.plan->problem) : gap_names(run.results.problem);
              const Story story = run.plan ? run_story(*run.plan) : run_story(run.results);
-             std::vector<std::string> lines = story_lines(gaps, story, say, Told::outcome);
-             for (std::string& line : known_lines(gaps, story, say)) lines.push_back(std::move(line));
+             const std::vector<SaidStatement> all = said(story.statements, say);
+             std::vector<std::string> lines = story_lines(gaps, all, say, Told::outcome);
+             if (const auto known = known_table(gaps, all, say)) {
+               for (std::string& line : rows_in_words(*known)) lines.push_back(std::move(line));
+             }
              for (std::string& line : lines) line = with_spaces(std::move(line));
              return lines;
            })

@@ -60,6 +60,13 @@ std::vector<std::string> cells_of(const std::string& row) {
   return cells;
 }
 
+/// What fills a text about how many runs say something.
+Filled filled(const Statement::OfMany& many, const Words& say) {
+  return {{"count", std::to_string(many.count)},
+          {"runs", say.count("story.count.records", many.runs)},
+          {"worst", many.worst}};
+}
+
 /// The rows of a statement: one for each of its items, or one.
 std::vector<std::vector<std::string>> rows_of(const Statement& statement, const std::string& key, const Filled& values,
                                               const Words& say) {
@@ -71,11 +78,7 @@ std::vector<std::vector<std::string>> rows_of(const Statement& statement, const 
   }
   if (rows.empty()) rows.push_back(cells_of(say(key + ".row", values)));
   if (statement.many) {
-    for (auto& row : rows) {
-      row.push_back(say("story.row_of_many", {{"count", std::to_string(statement.many->count)},
-                                              {"runs", say.count("story.count.records", statement.many->runs)},
-                                              {"worst", statement.many->worst}}));
-    }
+    for (auto& row : rows) row.push_back(say("story.row_of_many", filled(*statement.many, say)));
   }
   return rows;
 }
@@ -116,11 +119,9 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
     }
     if (statement.many) {
       const bool of_all = statement.many->count == statement.many->runs;
-      one.text = say(of_all ? "story.under_all" : "story.under_some",
-                     {{"count", std::to_string(statement.many->count)},
-                      {"runs", say.count("story.count.records", statement.many->runs)},
-                      {"worst", statement.many->worst},
-                      {"text", one.text}});
+      Filled of_many = filled(*statement.many, say);
+      of_many.emplace_back("text", one.text);
+      one.text = say(of_all ? "story.under_all" : "story.under_some", of_many);
     }
     all.push_back(std::move(one));
   }
@@ -176,11 +177,6 @@ std::optional<SaidTable> known_table(const std::vector<std::string>& gaps, const
   return table;
 }
 
-std::vector<std::string> known_lines(const std::vector<std::string>& gaps, const Story& story, const Words& say) {
-  const std::optional<SaidTable> table = known_table(gaps, said(story.statements, say), say);
-  return table ? rows_in_words(*table) : std::vector<std::string>();
-}
-
 std::vector<std::string> rows_in_words(const SaidTable& table) {
   std::vector<std::string> lines(table.columns.front().cells.size());
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -205,14 +201,10 @@ std::string upper_case(std::string text) {
   return text;
 }
 
-std::vector<std::string> story_lines(const Problem& problem, const Story& story, const Words& say, Told told) {
-  return story_lines(gap_names(problem), story, say, told);
-}
-
-std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const Story& story, const Words& say,
-                                     Told told) {
+std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const std::vector<SaidStatement>& all,
+                                     const Words& say, Told told) {
   std::vector<std::string> lines;
-  for (const SaidStatement& one : said(story.statements, say)) {
+  for (const SaidStatement& one : all) {
     if (told != Told::all && (one.severity == Severity::remark) != (told == Told::remarks)) continue;
     if (told != Told::remarks && one.shown != Shown::sentence) continue;
     std::string line = one.badge.empty() ? one.text : upper_case(one.badge) + ": " + one.text;

@@ -40,9 +40,6 @@ struct SaidTable {
 
 /// Rows as lines: "what: how much, where, more".
 [[nodiscard]] std::vector<std::string> rows_in_words(const SaidTable& table);
-/// Those of what else is known.
-[[nodiscard]] std::vector<std::string> known_lines(const std::vector<std::string>& gaps, const Story& story,
-                                                   const Words& say);
 
 /// With ordinary spaces, as a terminal is searched.
 [[nodiscard]] std::string with_spaces(std::string text);
@@ -55,9 +52,7 @@ enum class Told { outcome, remarks, all };
 /// A line a statement, the gravest first: "BADGE: text", behind the gap's name in a row of several gaps; remarks as
 /// "remark: text".
 /// @param gaps the names of all gaps, in the order in which statements count them
-[[nodiscard]] std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const Story& story,
-                                                   const Words& say, Told told);
-[[nodiscard]] std::vector<std::string> story_lines(const Problem& problem, const Story& story, const Words& say,
-                                                   Told told);
+[[nodiscard]] std::vector<std::string> story_lines(const std::vector<std::string>& gaps,
+                                                   const std::vector<SaidStatement>& all, const Words& say, Told told);
 
 }  // namespace bentur
