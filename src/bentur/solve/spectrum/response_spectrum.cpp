@@ -16,6 +16,7 @@ namespace bentur {
 namespace {
 
 constexpr double reach = 2.0;  // largest ω h of one power series [-]; the first term left out is 2²⁷/27! = 1e-20
+constexpr double turn_of_a_look = 0.05;  // largest ω h of one look at a path [rad]: what is missed is (ω h)²/8 of it
 constexpr double shortest_period = 1e-3;  // of the record's step [-]; shorter ones follow the ground to the last digit
 
 struct State {
@@ -161,6 +162,39 @@ std::vector<OscillatorPeaks> response_spectrum(const SampledMotion& motion, cons
   spectrum.reserve(periods.size());
   for (const double period : periods) spectrum.push_back(oscillator_peaks(motion, period, damping_ratio));
   return spectrum;
+}
+
+double maximum_direction(const SampledMotion& x, const SampledMotion& y, double period, double damping_ratio) {
+  check(x, period, damping_ratio);
+  check(y, period, damping_ratio);
+  if (x.time_step != y.time_step) {
+    throw InvalidParameter("time_step", fmt::format("{}", y.time_step), "must be that of the other component");
+  }
+  const Oscillator o{2 * std::numbers::pi / period, damping_ratio};
+  const double parts = std::max(1.0, std::ceil(o.omega * x.time_step / turn_of_a_look));
+  const Step step(o, x.time_step / parts);
+  // Free vibration is largest within one period after the last sample.
+  const auto after = static_cast<std::size_t>(std::ceil(period / x.time_step));
+  const std::size_t steps = std::max(x.acceleration.size(), y.acceleration.size()) + after;
+  State q, r;
+  double largest = 0;
+  for (std::size_t i = 0; i < steps; ++i) {
+    // A record ends with its last sample, without a slope to zero.
+    const auto change = [&](const SampledMotion& motion) {
+      return i + 1 < motion.acceleration.size() ? (motion.acceleration[i + 1] - motion.acceleration[i]) / parts : 0.0;
+    };
+    const auto value = [&](const SampledMotion& motion) {
+      return i + 1 < motion.acceleration.size() ? motion.acceleration[i] : 0.0;
+    };
+    const double change_x = change(x), change_y = change(y), value_x = value(x), value_y = value(y);
+    for (double part = 0; part < parts; ++part) {
+      q = step.advance(q, {value_x + part * change_x, change_x});
+      r = step.advance(r, {value_y + part * change_y, change_y});
+      largest = std::max(largest, q.x * q.x + r.x * r.x);
+    }
+  }
+  require_finite("acceleration", largest);
+  return o.omega * o.omega * std::sqrt(largest);
 }
 
 std::vector<double> logarithmic_periods(double first, double last, int count) {

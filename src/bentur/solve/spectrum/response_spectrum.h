@@ -31,6 +31,13 @@ struct OscillatorPeaks {
 [[nodiscard]] std::vector<OscillatorPeaks> response_spectrum(const SampledMotion& motion,
                                                              const std::vector<double>& periods, double damping_ratio);
 
+/// S_a of two components together: ω² max |(x, y)| [length/s²], over all t ≥ 0 and so over all directions, x and y each
+/// as (1) has it. The shorter record is zero after its end. Below the largest by less than 3·10⁻⁴ of it, as the path is
+/// looked at every 0.05 rad of the oscillator.
+/// @throws InvalidParameter as oscillator_peaks(), and unless both have the same step.
+[[nodiscard]] double maximum_direction(const SampledMotion& x, const SampledMotion& y, double period,
+                                       double damping_ratio);
+
 /// `count` periods from `first` to `last` [s], evenly spaced on a logarithmic scale, both ends exact.
 /// @throws InvalidParameter unless 0 < first < last and count ≥ 2, or first = last and count = 1.
 [[nodiscard]] std::vector<double> logarithmic_periods(double first, double last, int count);

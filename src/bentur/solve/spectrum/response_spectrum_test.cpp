@@ -206,5 +206,35 @@ TEST(ResponseSpectrum, RefusesWhatCannotBe) {
   EXPECT_THROW((void)oscillator_peaks({0.02, {1, nan, 2}}, 1, 0.05), InvalidParameter);
 }
 
+// Against the exact spectrum of every direction, a degree apart.
+TEST(MaximumDirection, IsTheLargestOfAllDirections) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> white;
+  SampledMotion x{0.02, {}}, y{0.02, {}};
+  for (int i = 0; i < 300; ++i) {
+    x.acceleration.push_back(white(random));
+    if (i < 220) y.acceleration.push_back(i < 219 ? 0.7 * white(random) : 0);
+  }
+  for (const double period : {0.03, 0.1, 0.5, 2.0, 9.0}) {
+    double largest = 0;
+    for (int degree = 0; degree < 180; ++degree) {
+      const double angle = degree * pi / 180;
+      SampledMotion along = x;
+      for (std::size_t i = 0; i < along.acceleration.size(); ++i) {
+        const double other = i < y.acceleration.size() ? y.acceleration[i] : 0;
+        along.acceleration[i] = std::cos(angle) * x.acceleration[i] + std::sin(angle) * other;
+      }
+      largest = std::max(largest, oscillator_peaks(along, period, 0.05).pseudo_acceleration);
+    }
+    const double found = maximum_direction(x, y, period, 0.05);
+    EXPECT_LT(found, largest / std::cos(pi / 360) * (1 + round_off)) << period;
+    EXPECT_GT(found, largest * (1 - 3.2e-4)) << period;
+  }
+  SampledMotion still{0.02, std::vector<double>(5, 0.0)};
+  EXPECT_NEAR(maximum_direction(x, still, 0.5, 0.05) / oscillator_peaks(x, 0.5, 0.05).pseudo_acceleration, 1, 3.2e-4);
+  still.time_step = 0.01;
+  EXPECT_THROW((void)maximum_direction(x, still, 0.5, 0.05), InvalidParameter);
+}
+
 }  // namespace
 }  // namespace bentur
