@@ -22,7 +22,9 @@ Building building_of(const PlanBuilding& building) {
   row.model.elevations = building.model.elevations;
   row.model.storey_heights = building.model.storey_heights;
   row.model.floor_masses = building.model.floor_masses;
+  row.model.slab = building.model.slab;
   row.modes.omega = building.modes.omega;
+  row.has_gravity_loads = building.has_gravity_loads();
   return row;
 }
 
@@ -133,6 +135,7 @@ Problem row_of(const PlanProblem& problem) {
   row.motion = problem.motions[told_motion(problem)];
   row.kinematics = problem.kinematics;
   row.duration = problem.duration;
+  row.collapse_drift = problem.collapse_drift;
   return row;
 }
 

@@ -3,35 +3,43 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
+#include "bentur/model/plan/plan_places.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/remark_checks.h"
 #include "bentur/model/suite/suite.h"
 
+// What is unusual of a case and a run of it, of a row as in plan: what only one of both has stands in a function of its
+// own for each.
 namespace bentur {
 namespace {
 
+using Eigen::Index;
 using namespace remarking;
 
-void check_buildings(const Case& c, const Problem& problem, List& list) {
+double first_omega(const Building& building) { return building.first_omega(); }
+double first_omega(const PlanBuilding& building) { return building.is_rigid() ? 0 : building.modes.omega(0); }
+
+template <class AnyProblem>
+void check_buildings(const Case& c, const AnyProblem& problem, List& list) {
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    const Building& building = problem.buildings[b];
+    const auto& building = problem.buildings[b];
     if (building.is_rigid()) continue;
-    const bool given = b < c.buildings.size();  // not of results read back
-    const StructuralModel& model = building.model;
+    const auto& model = building.model;
     static const std::vector<double> unknown;
+    const bool is_given = b < c.buildings.size();  // not of results read back
     BuildingLook look{.name = building.name,
-                      .omega = building.first_omega(),
+                      .omega = first_omega(building),
                       .damping_rate = building.modal_damping(0, 0),
                       .on_bearings = model.slab.has_value(),
                       .storeys = static_cast<std::size_t>(model.floors() - model.first_storey()),
-                      .heights = given ? model.storey_heights : unknown,
+                      .heights = is_given ? model.storey_heights : unknown,
                       .masses = model.floor_masses,
-                      .width = given ? c.buildings[b].width.value_or(0) : 0,
-                      .stiffness_factor = model.stiffness_factor};
-    if (const auto* frame = given ? std::get_if<PlaneFrame>(&c.buildings[b].structure) : nullptr) {
-      look.frames = {frame};
-    }
+                      .width = is_given ? width_of(c.buildings[b]) : 0};
+    if constexpr (requires { model.stiffness_factor; }) look.stiffness_factor = model.stiffness_factor;
+    if (is_given) look.frames = frames_in(c.buildings[b]);
     check_building(look, c.units, list);
   }
 }
@@ -70,66 +78,214 @@ void check_modes(const Case& c, const Problem& problem, List& list) {
   }
 }
 
-double first_floor_value(const std::vector<Eigen::VectorXd>& all, std::size_t building, Eigen::Index floor) {
-  return all.empty() ? 0.0 : all[building](floor);
+/// How far each contact point of a joint overlaps at the start [length].
+std::vector<double> overlaps(const Problem& problem) {
+  std::vector<double> found(problem.points.size(), 0.0);
+  if (problem.initial_displacement.empty()) return found;
+  const auto& start = problem.initial_displacement;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const ContactPoint& point = problem.points[i];
+    found[i] = start[point.left](point.left_floor) - start[point.right](point.right_floor) - point.width;
+  }
+  return found;
 }
 
-void check_levels(const Case& c, const Problem& problem, List& list) {
-  for (const ContactPoint& point : problem.points) {
-    const Eigen::Index left = point.left, right = point.right;
-    const std::string name = gap_name(problem, left);
-    const StructuralModel &of_left = problem.buildings[left].model, &of_right = problem.buildings[right].model;
-    LevelLook look{.gap = name,
-                   .width = point.width,
-                   .overlap = first_floor_value(problem.initial_displacement, left, point.left_floor) -
-                              first_floor_value(problem.initial_displacement, right, point.right_floor) - point.width,
-                   .stiffness = stiffness_of(c.gaps.at(left).contact.law, point.law->parameters())};
-    if (point.left_floor < of_left.floors() && point.right_floor < of_right.floors()) {
-      const double above = of_left.elevations[point.left_floor] - of_right.elevations[point.right_floor];
+std::vector<double> overlaps(const PlanProblem& problem) {
+  std::vector<double> found, all(static_cast<std::size_t>(contact_count(problem)), 0.0);
+  if (!problem.initial_displacement.empty()) {
+    const System system = system_of(problem);
+    const std::vector<Index> places = places_of(problem);
+    const auto of = [&](const BodyRow& row) { return row.row.dot(problem.initial_displacement[row.body]); };
+    std::size_t n = 0;
+    for (const Contact& one : system.contacts) all[places[n++]] = of(one.at.left) + of(one.at.right) - one.width;
+    for (const RubbingContact& one : system.rubbing) all[places[n++]] = of(one.at.left) + of(one.at.right) - one.width;
+  }
+  for (Index i = 0; i < contact_count(problem); ++i) {
+    if (contact_at(problem, i).contact->is_of_joint()) found.push_back(all[i]);
+  }
+  return found;
+}
+
+/// Level after level of every gap, with all contacts of its joint together. @param row the problem, of buildings in
+/// plan row_of() it @param overlaps of its points
+void check_levels(const Case& c, const Problem& row, const std::vector<double>& overlaps, List& list) {
+  for (std::size_t i = 0; i < row.points.size();) {
+    const ContactPoint& first = row.points[i];
+    const std::string name = gap_name(row, first.gap);
+    const StructuralModel &left = row.buildings[first.left].model, &right = row.buildings[first.right].model;
+    LevelLook look{.gap = name, .width = first.width - first.beyond};
+    if (first.left_floor < left.floors() && first.right_floor < right.floors()) {
+      const double above = left.elevations[first.left_floor] - right.elevations[first.right_floor];
       look.apart = std::abs(above);
-      look.beam_depth = above > 0 ? beam_depth(c, left, point.left_floor - of_left.first_storey())
-                                  : beam_depth(c, right, point.right_floor - of_right.first_storey());
+      look.beam_depth = above > 0 ? beam_depth(c, first.left, first.left_floor - left.first_storey())
+                                  : beam_depth(c, first.right, first.right_floor - right.first_storey());
     }
-    for (const auto& [b, at] : {std::pair(left, point.left_floor), std::pair(right, point.right_floor)}) {
-      const StructuralModel& model = problem.buildings[b].model;
-      const Eigen::Index floors = model.floors();
-      look.take(at < floors ? model.floor_masses[at] : model.node_masses[at - floors],
-                problem.buildings[b].first_omega());
+    for (; i < row.points.size() && row.points[i].gap == first.gap && row.points[i].elevation == first.elevation; ++i) {
+      const auto gap = static_cast<std::size_t>(first.gap);
+      const std::string law = gap < c.gaps.size() ? c.gaps[gap].contact.law : "";
+      const auto stiffness = stiffness_of(law, row.points[i].law->parameters());
+      if (stiffness) look.stiffness = look.stiffness.value_or(0) + *stiffness;
+      look.overlap = std::max(look.overlap, overlaps[i]);
+    }
+    for (const auto& [b, at] : {std::pair(first.left, first.left_floor), std::pair(first.right, first.right_floor)}) {
+      const StructuralModel& model = row.buildings[b].model;
+      const Index floors = model.floors();
+      look.take(at < floors ? model.floor_masses[at] : model.node_masses[at - floors], row.buildings[b].first_omega());
     }
     check_level(look, c.units, list);
   }
 }
 
-void check_records(const Case& c, List& list) {
-  if (c.excitation.record) check_record(*c.excitation.record, "", list);
-  if (!c.excitation.suite) return;
-  for (const SuiteRecord& record : c.excitation.suite->records) check_record(record.echo, record.echo.file, list);
+/// Corners of a joint that carry no share, being too near to others.
+double merged_corners(const PlanGap& gap) {
+  if (gap.contacts.empty()) return 0;
+  const auto is_place = [&](const StretchCorner& corner) {
+    return std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& one) {
+      return one.is_of_joint() && one.elevation == gap.contacts.front().elevation && one.along == corner.along;
+    });
+  };
+  return static_cast<double>(
+      std::count_if(gap.stretch.corners.begin(), gap.stretch.corners.end(),
+                    [&](const StretchCorner& corner) { return gap.stretch.includes(corner) && !is_place(corner); }));
 }
 
-void check_before(const Case& c, const Problem& problem, List& list) {
-  check_buildings(c, problem, list);
+void check_gaps(const Case& c, const Problem& problem, List& list) {
   check_modes(c, problem, list);
   check_blows(problem, list);
-  check_levels(c, problem, list);
-  check_records(c, list);
-  check_motion(problem.motion, c.excitation, "", problem.duration, c.units, list);
+  check_levels(c, problem, overlaps(problem), list);
+}
+
+void check_gaps(const Case& c, const PlanProblem& problem, List& list) {
+  check_levels(c, row_of(problem), overlaps(problem), list);
+  for (const PlanGap& gap : problem.gaps)
+    list.most("merged_corners", gap_name(problem, gap), merged_corners(gap), "", 0, 0);
+}
+
+std::vector<const GroundMotion*> motions_of(const Problem& problem) { return {&problem.motion}; }
+std::vector<const GroundMotion*> motions_of(const PlanProblem& problem) {
+  return {&problem.motions[0], &problem.motions[1]};
+}
+
+template <class AnyProblem>
+void check_motions(const Case& c, const AnyProblem& problem, List& list) {
+  const std::vector<const GroundMotion*> motions = motions_of(problem);
+  const auto moving = std::count_if(motions.begin(), motions.end(), [](const GroundMotion* motion) {
+    return !std::holds_alternative<NoMotion>(*motion);
+  });
+  constexpr const char* axes[] = {"x", "y"};
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const char* const subject = moving > 1 ? axes[i] : "";
+    const ExcitationSpec& excitation = *c.excitations()[i];
+    if (excitation.record) check_record(*excitation.record, subject, list);
+    check_motion(*motions[i], excitation, subject, problem.duration, c.units, list);
+  }
+  if (!c.excitation.suite) return;
+  for (const SuiteRecord& record : c.excitation.suite->records) {
+    check_record(record.echo, record.echo.file, list);
+    if (record.along_y) check_record(record.along_y->echo, record.along_y->echo.file, list);
+  }
+}
+
+template <class AnyProblem>
+void check_before(const Case& c, const AnyProblem& problem, List& list) {
+  check_buildings(c, problem, list);
+  check_gaps(c, problem, list);
+  check_motions(c, problem, list);
   std::vector<std::string> names;
   std::vector<double> omegas;
-  for (const Building& building : problem.buildings) {
+  for (const auto& building : problem.buildings) {
     names.push_back(building.name);
-    omegas.push_back(building.first_omega());
+    omegas.push_back(first_omega(building));
   }
   check_delays(names, problem.delays, problem.duration, list);
   if (!c.excitation.spectrum) check_codes(c.code, list);
   check_output(c.analysis.output_step, omegas, problem.duration, list);
 }
 
-}  // namespace
+double over_weight(double shear, const std::vector<double>& masses, double gravity) {
+  const double weight = gravity * std::accumulate(masses.begin(), masses.end(), 0.0);
+  return weight > 0 ? shear / weight : 0;
+}
 
-std::vector<Remark> remarks(const Case& c, const Problem& problem) {
+long broken_of(const BuildingPeaks& peaks) {
+  return std::count_if(peaks.columns.begin(), peaks.columns.end(),
+                       [](const BuildingPeaks::Breaking& column) { return column.break_time; });
+}
+
+/// The largest shear of the lowest storey, with contact and without, and the largest drift; what yields and what broke.
+ResponseLook look_of(const Building& building, const Response& response, std::size_t b, double gravity) {
+  const BuildingPeaks& peaks = response.buildings.at(b);
+  const Eigen::VectorXd& alone = peaks.storey_shear_no_contact;
+  const double shear = std::max(peaks.storey_shear(0), alone.size() > 0 ? alone(0) : 0.0);
+  return {.name = building.name,
+          .drift = std::max(largest_drift(peaks.drift_ratio).ratio, largest_drift(peaks.drift_ratio_no_contact).ratio),
+          .base_shear = over_weight(shear, building.model.floor_masses, gravity),
+          .yields = building.storeys_yield() || !building.model.hinges.places.empty(),
+          .broken_columns = broken_of(peaks)};
+}
+
+ResponseLook look_of(const PlanBuilding& building, const PlanResponse& response, std::size_t b, double gravity) {
+  const PlanPeaks &with = response.buildings.at(b), &alone = response.buildings_no_contact.at(b);
+  ResponseLook look{.name = building.name, .drift = std::max(with.largest_drift().ratio, alone.largest_drift().ratio)};
+  const Index storey = building.model.first_storey();
+  double shear = 0;
+  for (const PlanPeaks* const peaks : {&with, &alone}) {
+    for (const Eigen::VectorXd* const list : {&peaks->shear_x, &peaks->shear_y}) {
+      if (storey < list->size()) shear = std::max(shear, (*list)(storey));
+    }
+    for (const PlanPeaks::Plane& plane : peaks->planes) {
+      look.yields = look.yields || plane.yielding.ductility.size() > 0 || !plane.frame.hinges.empty();
+    }
+  }
+  for (const PlanPeaks::Plane& plane : with.planes) look.broken_columns += broken_of(plane.frame);
+  look.base_shear = over_weight(shear, building.model.floor_masses, gravity);
+  return look;
+}
+
+Index gap_of(const Problem& problem, std::size_t point) { return problem.points[point].gap; }
+Index gap_of(const PlanProblem& problem, std::size_t point) {
+  return static_cast<Index>(contact_at(problem, static_cast<Index>(point)).gap);
+}
+
+template <class AnyProblem, class AnyResponse>
+std::vector<Remark> remarks_of(const Case& c, const AnyProblem& problem, const AnyResponse& response) {
+  List list(c.units);
+  check_before(c, problem, list);
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    if (!(first_omega(problem.buildings[b]) > 0)) continue;  // it moves with the ground, or freely
+    check_response(look_of(problem.buildings[b], response, b, c.units.gravity), list);
+  }
+  const std::vector<std::string> names = gap_names(problem);
+  std::vector<std::pair<double, int>> found(names.size(), {0, 0});
+  for (std::size_t point = 0; point < response.points.size(); ++point) {
+    auto& [deepest, slow_starts] = found[gap_of(problem, point)];
+    deepest = std::max(deepest, response.points[point].peak_penetration);
+    slow_starts += response.points[point].slow_starts;
+  }
+  for (std::size_t gap = 0; gap < names.size(); ++gap) {
+    check_impacts(names[gap], found[gap].first, found[gap].second, list);
+  }
+  check_discrepancies(response.discrepancies, list);
+  return list.take();
+}
+
+template <class AnyProblem>
+std::vector<Remark> remarks_before(const Case& c, const AnyProblem& problem) {
   List list(c.units);
   check_before(c, problem, list);
   return list.take();
+}
+
+}  // namespace
+
+std::vector<Remark> remarks(const Case& c, const Problem& problem) { return remarks_before(c, problem); }
+std::vector<Remark> remarks(const Case& c, const PlanProblem& problem) { return remarks_before(c, problem); }
+
+std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response) {
+  return remarks_of(c, problem, response);
+}
+std::vector<Remark> remarks(const Case& c, const PlanProblem& problem, const PlanResponse& response) {
+  return remarks_of(c, problem, response);
 }
 
 std::vector<Remark> remarks(const RecordEcho& record, const Units& units) {
@@ -140,40 +296,6 @@ std::vector<Remark> remarks(const RecordEcho& record, const Units& units) {
   } else {
     list.check("pga", "", record.pga / units.gravity, "g", pga_range);
   }
-  return list.take();
-}
-
-std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response) {
-  List list(c.units);
-  check_before(c, problem, list);
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    const Building& building = problem.buildings[b];
-    if (!(building.first_omega() > 0)) continue;  // a free body
-    const BuildingPeaks& peaks = response.buildings.at(b);
-    Proportions found = proportions(building, c.units, &peaks);
-    if (const Eigen::VectorXd& free = peaks.storey_shear_no_contact; found.base_shear_coefficient && free.size() > 0) {
-      found.base_shear_coefficient = std::max(*found.base_shear_coefficient, free(0) / found.weight);
-    }
-    const auto broken = std::count_if(peaks.columns.begin(), peaks.columns.end(),
-                                      [](const BuildingPeaks::Breaking& column) { return column.break_time; });
-    check_response(
-        {.name = building.name,
-         .drift = std::max(largest_drift(peaks.drift_ratio).ratio, largest_drift(peaks.drift_ratio_no_contact).ratio),
-         .base_shear = found.base_shear_coefficient,
-         .yields = building.storeys_yield() || !building.model.hinges.places.empty(),
-         .broken_columns = broken},
-        list);
-  }
-  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
-    double deepest = 0;
-    int slow_starts = 0;
-    for (const Eigen::Index i : gap_at(problem, gap).points) {
-      deepest = std::max(deepest, response.points.at(i).peak_penetration);
-      slow_starts += response.points.at(i).slow_starts;
-    }
-    check_impacts(gap_name(problem, gap), deepest, slow_starts, list);
-  }
-  check_discrepancies(response.discrepancies, list);
   return list.take();
 }
 

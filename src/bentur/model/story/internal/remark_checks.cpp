@@ -61,17 +61,27 @@ void check_weights(const BuildingLook& look, const Units& units, List& list) {
 
 }  // namespace
 
+std::vector<const PlaneFrame*> frames_in(const BuildingSpec& spec) {
+  std::vector<const PlaneFrame*> frames;
+  if (const auto* const frame = std::get_if<PlaneFrame>(&spec.structure)) frames.push_back(frame);
+  if (const auto* const plan = std::get_if<Plan>(&spec.structure)) {
+    for (const PlanPlane& plane : plan->planes) {
+      if (plane.frame) frames.push_back(plane.frame.get());
+    }
+  }
+  return frames;
+}
+
+double width_of(const BuildingSpec& spec) {
+  return spec.is_in_plan() ? spec.footprint().size.minCoeff() : spec.width.value_or(0);
+}
+
 std::optional<double> beam_depth(const Case& c, Eigen::Index building, Eigen::Index floor) {
   std::optional<double> depth;
-  if (building >= std::ssize(c.buildings)) return depth;
-  const auto take = [&](const PlaneFrame* frame) {
-    if (frame == nullptr || floor < 0 || floor >= std::ssize(frame->beams)) return;
+  if (building >= std::ssize(c.buildings) || floor < 0) return depth;
+  for (const PlaneFrame* const frame : frames_in(c.buildings[static_cast<std::size_t>(building)])) {
+    if (floor >= std::ssize(frame->beams)) continue;
     depth = std::max(depth.value_or(0), depth_of(frame->beams[static_cast<std::size_t>(floor)]));
-  };
-  const auto& structure = c.buildings[static_cast<std::size_t>(building)].structure;
-  take(std::get_if<PlaneFrame>(&structure));
-  if (const auto* const plan = std::get_if<Plan>(&structure)) {
-    for (const PlanPlane& plane : plan->planes) take(plane.frame.get());
   }
   return depth;
 }
@@ -100,7 +110,7 @@ void check_response(const ResponseLook& look, List& list) {
   list.most("broken_columns", look.name, static_cast<double>(look.broken_columns), "", 0, 0);
   if (look.yields) return;  // both say what the linear elastic model overlooks
   list.most("drift", look.name, 100 * look.drift, "%", most_drift, most_drift);
-  list.most("base_shear", look.name, look.base_shear.value_or(0), "", most_base_shear, most_base_shear);
+  list.most("base_shear", look.name, look.base_shear, "", most_base_shear, most_base_shear);
 }
 
 void check_motion(const GroundMotion& motion, const ExcitationSpec& excitation, const std::string& subject,

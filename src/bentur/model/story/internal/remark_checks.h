@@ -28,8 +28,8 @@ void check_building(const BuildingLook& look, const Units& units, List& list);
 /// What came out of a building, over both responses.
 struct ResponseLook {
   const std::string& name;
-  double drift = 0;                       ///< largest over the height [-]
-  std::optional<double> base_shear = {};  ///< largest over the weight [-]
+  double drift = 0;       ///< largest over the height [-]
+  double base_shear = 0;  ///< largest over the weight [-]
   bool yields = false;
   long broken_columns = 0;
 };
@@ -47,6 +47,10 @@ void check_codes(const CodeSpec& code, List& list);
 /// Of a rectangle with the area and inertia of a section [length].
 [[nodiscard]] double depth_of(const Section& section);
 
+/// The frames that a building is, or has in plan.
+[[nodiscard]] std::vector<const PlaneFrame*> frames_in(const BuildingSpec& spec);
+/// The width of a building, in plan the shorter side [length]; 0: not known.
+[[nodiscard]] double width_of(const BuildingSpec& spec);
 /// The depth of the beams at a floor [length], in plan of the deepest of its frames; nothing where it is not known.
 [[nodiscard]] std::optional<double> beam_depth(const Case& c, Eigen::Index building, Eigen::Index floor);
 
