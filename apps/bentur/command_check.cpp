@@ -85,11 +85,13 @@ void run(const std::string& file, const Words& say) {
     if (why.empty()) return;
     throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = why}, say.language()));
   };
+  const std::string all_records = loaded.c.excitation.suite ? say("suite.takes_all") + "\n" : "";
   if (loaded.c.is_in_plan()) {
-    refuse(beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
+    if (all_records.empty())
+      refuse(beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
     const Story unusual = {remark_statements(remarks(loaded.c, loaded.plan))};
-    return print(
-        fitted(text + plan_lines(loaded) + solver() + story_text(gap_names(loaded.plan), unusual, say, Told::all)));
+    return print(fitted(text + plan_lines(loaded) + (all_records.empty() ? solver() : all_records + "\n") +
+                        story_text(gap_names(loaded.plan), unusual, say, Told::all)));
   }
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     const Building& building = loaded.problem.buildings[b];
@@ -124,8 +126,8 @@ void run(const std::string& file, const Words& say) {
                  unusual));
     return;
   }
-  if (loaded.c.excitation.suite) {
-    print(fitted(text + say("suite.takes_all") + "\n" + unusual));
+  if (!all_records.empty()) {
+    print(fitted(text + all_records + unusual));
     return;
   }
   text += solver();

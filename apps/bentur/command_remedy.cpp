@@ -62,7 +62,6 @@ std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::fi
 LeastGaps gaps_of(const RemedyArguments& arguments) {
   const Loaded loaded = load(arguments.study, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   const Case& c = loaded.c;
-  if (c.is_in_plan()) return least_gaps(simulate_plan(loaded, 0, true, arguments.language));
   if (c.excitation.suite) {
     const SuiteRun run = run_records(loaded, true, arguments.language);
     const GapStudy study = run.is_whole() ? gaps_over_records(loaded, arguments.study, arguments.language) : GapStudy();
@@ -70,6 +69,7 @@ LeastGaps gaps_of(const RemedyArguments& arguments) {
       throw Failure(exit_other, error_words("Stopped: not all records are run", arguments.language));
     return least_gaps(run, study);
   }
+  if (c.is_in_plan()) return least_gaps(simulate_plan(loaded, 0, true, arguments.language));
   if (c.excitation.spectrum) {
     return least_gaps(c, loaded.problem, spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units));
   }

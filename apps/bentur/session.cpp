@@ -120,8 +120,8 @@ Loaded load(const std::filesystem::path& file, Purpose purpose, const std::strin
   if (takes == Takes::rows && refuse_plan(*c, file, diagnostics)) throw Failure(diagnostics, language);
   std::vector<std::filesystem::path> files = files_read(*c);
   files.push_back(file);
-  if (c->is_in_plan()) return {std::move(*c), {}, std::move(made.plan), std::move(files)};
   if (purpose == Purpose::run && refuse_without_motion(*c, diagnostics)) throw Failure(diagnostics, language);
+  if (c->is_in_plan()) return {std::move(*c), {}, std::move(made.plan), std::move(files)};
   try {
     Problem problem = make_still_problem(*c, std::move(made.buildings));
     return {std::move(*c), std::move(problem), {}, std::move(files)};

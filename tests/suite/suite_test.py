@@ -49,6 +49,29 @@ between = ["West", "East"]
 width = 0.05
 contact = { law = "linear", stiffness = 3e5 }
 """
+# The same in plan: stiff across, so that the suite along x moves them as it moves the row.
+STIFF = "stiffnesses = [16e5, 15e5, 14e5, 12e5]"
+PLAN = """
+title = "Two frames in plan"
+[units]
+length = "m"
+force = "kN"
+[plan]
+clearance = 0.5
+contact = { law = "linear", stiffness = 3e5 }
+[[building]]
+name = "West"
+damping = 0.05
+plan = { corner = [0, 0], size = [12, 10], storey_heights = [3.5, 3.0, 3.0, 3.0], masses = [60, 55, 55, 50] }
+plane = [{ name = "x", along = "x", at = 5.0, stiffnesses = [16e3, 15e3, 14e3, 12e3] },
+         { name = "w", along = "y", at = 0.0, STIFF }, { name = "e", along = "y", at = 12.0, STIFF }]
+[[building]]
+name = "East"
+damping = 0.05
+plan = { corner = [12.05, 0], size = [12, 10], storey_heights = [3.5, 3.0, 3.0, 3.0], masses = [80, 75, 75, 60] }
+plane = [{ name = "x", along = "x", at = 5.0, stiffnesses = [40e3, 38e3, 35e3, 30e3] },
+         { name = "w", along = "y", at = 0.0, STIFF }, { name = "e", along = "y", at = 12.0, STIFF }]
+""".replace("STIFF", STIFF)
 TARGET = 'target = { shape = "en-1998-1", ground_acceleration = "0.35 g", ground_type = "D", spectrum_type = 1 }\n'
 
 
@@ -295,6 +318,122 @@ class Suites(unittest.TestCase):
         self.assertIn("NOT met" if code["too_narrow"] else ">met<", row)
         self.told("plot", file, "suite", "-o", self.folder / "suite.svg")
         self.assertIn("target", (self.folder / "suite.svg").read_text())
+
+    def pairs(self, count):
+        """Records along x, and others of another period along y."""
+        along_x = self.synthetic(count)
+        for n in range(count):
+            lines = [f"{0.01 * i:.2f} {0.8 * math.sin(math.pi * i / 600) ** 2 * math.sin(2 * math.pi * 0.01 * i * (1.7 + 0.2 * n)):.6f}"
+                     for i in range(580)]
+            (self.folder / f"y{n:02}.txt").write_text("\n".join(lines) + "\n")
+        return along_x, '{ file = "y*.txt", unit = "m/s2" }'
+
+    def plan(self, excitation, along_y="", more=""):
+        file = self.folder / "plan.toml"
+        y = f'[excitation.y]\nkind = "suite"\n{along_y}\n' if along_y else ""
+        file.write_text(PLAN + f'[excitation]\nkind = "suite"\n{excitation}{TARGET}{y}{more}')
+        return file
+
+    def test_in_plan_along_x_alone_it_is_the_row(self):
+        # EN's band depends on periods along y too: factors are given.
+        files = f'files = [{self.synthetic(3)}]\nscale = {{ factors = [1.0, 1.5, 0.7] }}\n'
+        row, plan = self.case(files), self.plan(files)
+        of_row, of_plan = (json.loads(self.told("run", one, "--json")) for one in (row, plan))
+        for a, b in zip(of_row["records"], of_plan["records"], strict=True):
+            for name in ("gap_needed", "impacts", "base_shear_coefficient_1"):
+                same = name.replace("coefficient", "coefficient_x")
+                other = b["values"][same if same in b["values"] else name]
+                # Two contact points share each level.
+                self.assertAlmostEqual(other / (2 if name == "impacts" else 1) / a["values"][name], 1, places=9, msg=name)
+        self.assertEqual([one["value"] for one in of_row["judgements"]], [one["value"] for one in of_plan["judgements"]])
+        gaps = [self.gap(one)["studied"][0]["gaps"][0] for one in (row, plan)]
+        for a, b in zip(*(one["records"] for one in gaps), strict=True):
+            self.assertAlmostEqual(a["gap_needed"], b["gap_needed"], places=12)
+
+    def test_pairs_of_components_in_plan(self):
+        along_x, along_y = self.pairs(7)
+        file = self.plan(f'files = [{along_x}]\nscale = "en-1998-1"\n', f"files = [{along_y}]")
+        runs = json.loads(self.told("run", file, "--json"))
+        kinds = [one["kind"] for one in runs["statements"]]
+        self.assertIn("suite_pairs", kinds)
+        suite = runs["suite"]
+        self.assertEqual([one["building"] for one in suite["buildings"]], ["West, x", "West, y", "East, x", "East, y"])
+        self.assertEqual(suite["records"][2]["along_y"]["file"], "y02.txt")
+        if numpy is not None:
+            periods, means = numpy.array(suite["periods"])[::8], []
+            for record in suite["records"]:
+                both = [spectra(columns(self.folder / name, 1)[1], 0.01, periods)
+                        for name in (record["file"], record["along_y"]["file"])]
+                means.append(record["factor"] * numpy.sqrt(both[0] * both[1]))
+            numpy.testing.assert_allclose(numpy.array(suite["mean"])[::8], numpy.mean(means, axis=0), rtol=1.05 * MISSED)
+        # One of them in full is both components times the factor.
+        record = suite["records"][2]
+        one = json.loads(self.told("run", file, "--record", 3, "--json"))
+        alone = file.with_name("alone.toml")
+        motion = 'kind = "record"\nunit = "m/s2"\nfile = "{}"\nscale = {!r}\n'
+        alone.write_text(PLAN + "[excitation]\n" + motion.format(record["file"], record["factor"]) +
+                         "[excitation.y]\n" + motion.format(record["along_y"]["file"], record["factor"]))
+        same = json.loads(self.told("run", alone, "--json"))
+        self.assertEqual(one["gaps"], same["gaps"])
+        self.assertEqual(one["statements"], same["statements"])
+        self.assertEqual(one["impacts"], same["impacts"])
+        values = runs["records"][2]["values"]
+        self.assertEqual(values["impacts"], sum(point["impacts"] for gap in same["gaps"] for point in gap["points"]))
+        # The gap is what each record needs by itself, both ways; remedy, check and the report take such a case.
+        told = self.gap(file)
+        for n, need in enumerate(told["studied"][0]["gaps"][0]["records"], 1):
+            levels = json.loads(self.told("gap", file, "--record", n, "--json"))["gaps"][0]["points"]
+            self.assertAlmostEqual(need["gap_needed"], max(max(level["gap_needed"], level["gap_needed_reversed"]) for level in levels),
+                                   places=12)
+            self.assertAlmostEqual(runs["records"][n - 1]["values"]["gap_needed"], need["gap_needed"], places=12)
+        self.assertIn("0.05", self.told("remedy", file))
+        self.assertIn("suite", self.told("check", file))
+        file.write_text(file.read_text() + '\n[project]\nname = "Hotel"\n')
+        for language, words in (("en", "counts"), ("id", "dipakai")):
+            report = self.folder / f"{language}.html"
+            self.told("report", file, "-o", report, "--lang", language)
+            self.assertIn("y02.txt", report.read_text())
+            self.assertIn(words, report.read_text())
+
+    def test_the_largest_direction_is_that_of_asce(self):
+        along_x, along_y = self.pairs(1)
+        file = self.plan(f'files = [{along_x}]\nscale = "asce-7-16"\n', f"files = [{along_y}]")
+        record, = json.loads(self.told("run", file, "--json"))["suite"]["records"]
+        if numpy is None:
+            self.skipTest("no numpy")
+        x, y = (columns(self.folder / name, 1)[1] for name in ("r00.txt", "y00.txt"))
+        y = numpy.concatenate([y, numpy.zeros(len(x) - len(y))])
+        suite = self.gap(file)["suite"]
+        periods = numpy.array(suite["periods"])[::8]
+        largest = numpy.max([spectra(x * math.cos(a) + y * math.sin(a), 0.01, periods)
+                             for a in numpy.arange(0, math.pi, math.pi / 90)], axis=0)
+        # A degree beside the largest, and what both miss between their steps.
+        numpy.testing.assert_allclose(numpy.array(record["spectrum"])[::8], record["factor"] * largest, rtol=MISSED + 6e-4)
+
+    def test_a_study_varies_pairs(self):
+        along_x, along_y = self.pairs(3)
+        case = self.plan(f'files = [{along_x}]\nscale = {{ factors = [1.0, 2.0, 0.5] }}\n', f"files = [{along_y}]")
+        study = self.folder / "study.toml"
+        study.write_text('case = "plan.toml"\n[[vary]]\nparameter = "building[0].damping"\nvalues = [0.02, 0.05]\n')
+        self.told("sweep", study, "-o", self.folder / "out.nc")
+        told, alone = self.gap(study), self.gap(case)
+        self.assertEqual([one["gap_needed"] for one in told["studied"][1]["gaps"][0]["records"]],
+                         [one["gap_needed"] for one in alone["studied"][0]["gaps"][0]["records"]])
+
+    def test_pairs_that_are_none(self):
+        along_x, along_y = self.pairs(2)
+        (self.folder / "y05.txt").write_text("".join(f"{0.02 * i:.2f} {math.sin(i)}\n" for i in range(300)))
+        wrong = (('files = [{ file = "y00.txt", unit = "m/s2" }]', "must be one per file along x: there are 2"),
+                 (f"files = [{along_x}]", "along x too"),
+                 ('files = [{ file = "y00.txt", unit = "m/s2" }, { file = "y05.txt", unit = "m/s2" }]', "with a step of 0.02 s"))
+        for files, why in wrong:
+            file = self.plan(f'files = [{along_x}]\nscale = "en-1998-1"\n', files)
+            found = subprocess.run([BENTUR, "check", str(file)], capture_output=True, text=True, encoding="utf-8")
+            self.assertEqual(found.returncode, 2)
+            self.assertIn(why, found.stderr)
+        file.write_text(file.read_text().replace('[excitation.y]\nkind = "suite"', '[excitation.y]\nkind = "record"'))
+        found = subprocess.run([BENTUR, "check", str(file)], capture_output=True, text=True, encoding="utf-8")
+        self.assertIn('must be "suite", as along x', found.stderr)
 
     @unittest.skipIf(SANITIZED, "how long it takes is another matter there")
     def test_stopped(self):

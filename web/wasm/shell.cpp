@@ -242,6 +242,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     const auto solved = [](double seconds) -> Json {
       return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
     };
+    if (case_ && case_->excitation.suite) return solve_suite(progress);
     if (plan_) {
       const Case& c = *case_;
       const PlanProblem& problem = *plan_;
@@ -263,7 +264,6 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       spectral_ = spectral_gaps(*problem_, *c.excitation.spectrum, c.code, c.units);
       return solved(0);
     }
-    if (c.excitation.suite) return solve_suite(progress);
     const bool fine = output_step.isNull();
     SolveOptions options = options_of(c, *problem_, output_step);
     options.course = fine;

@@ -220,7 +220,11 @@ Json plan_overview(const PlanRun& run, const Words& say) {
 std::string Studio::overview(const std::string& language) const {
   return guarded([&]() -> Json {
     const Words say(language);
-    if (plan_run_) return plan_overview(*plan_run_, say);
+    if (plan_run_) {
+      Json all = plan_overview(*plan_run_, say);
+      if (suite_) all["suite"] = suite_choice(*suite_, record_);
+      return all;
+    }
     if (suite_run_) return suite_overview(say);
     Json gaps = Json::array();
     if (spectral_) {

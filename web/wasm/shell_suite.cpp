@@ -22,10 +22,12 @@ namespace bentur::web {
 namespace {
 
 /// Where one of the records alone is more than a page takes, what is. Their sum is the user's to wait for.
-std::optional<Json> too_large_record(const Case& c, const Problem& still) {
+/// @param with_motion the problem of a case of one record
+template <class WithMotion>
+std::optional<Json> too_large_record(const Case& c, const WithMotion& with_motion) {
   for (std::size_t i = 0; i < c.excitation.suite->records.size(); ++i) {
     const Case one = case_of_record(c, i);
-    const Problem problem = make_problem(one, still.buildings);
+    const auto problem = with_motion(one);
     SolveOptions options = solve_options(one);
     options.levels = options.both_ways = options.energy_audit = false;  // as run_suite()
     if (std::optional<Json> answer = beyond_page(effort(problem, one.analysis.solver, options))) return answer;
@@ -37,7 +39,7 @@ std::optional<Json> too_large_record(const Case& c, const Problem& still) {
 
 Json suite_choice(const SuiteSpec& suite, std::size_t record) {
   Json names = Json::array();
-  for (const SuiteRecord& one : suite.records) names.push_back(one.echo.file);
+  for (const SuiteRecord& one : suite.records) names.push_back(one.name());
   return {{"records", std::move(names)}, {"record", record}};
 }
 
@@ -46,7 +48,11 @@ std::string Studio::choose_record(int number) {
     const std::size_t count = suite_ ? suite_->records.size() : 0;
     if (case_ && case_->excitation.suite && number > 0 && static_cast<std::size_t>(number) <= count) {
       Case one = case_of_record(*case_, static_cast<std::size_t>(number - 1));
-      problem_ = make_problem(one, std::move(problem_->buildings));
+      if (plan_) {
+        plan_ = make_plan_problem(one, std::move(plan_->buildings));
+      } else {
+        problem_ = make_problem(one, std::move(problem_->buildings));
+      }
       case_ = std::move(one);
       record_ = static_cast<std::size_t>(number);
     }
@@ -55,7 +61,10 @@ std::string Studio::choose_record(int number) {
 }
 
 Json Studio::solve_suite(const emscripten::val& progress) {
-  if (std::optional<Json> answer = too_large_record(*case_, *problem_)) return *answer;
+  const std::optional<Json> too_large =
+      plan_ ? too_large_record(*case_, [&](const Case& one) { return make_plan_problem(one, plan_->buildings); })
+            : too_large_record(*case_, [&](const Case& one) { return make_problem(one, problem_->buildings); });
+  if (too_large) return *too_large;
   const auto told = [&](double done) { return progress.isNull() || progress(done).template as<bool>(); };
   SuiteRun run = run_suite(*case_, [&](double done) { return told(done / 2); });
   if (!run.is_whole()) return failure("stopped");

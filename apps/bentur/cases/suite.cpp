@@ -17,7 +17,11 @@ Loaded record_of(Loaded loaded, int number, const std::string& language) {
   const auto count = static_cast<int>(suite->records.size());
   if (number > count) refuse(fmt::format("--record {}: the suite has {} records", number, count));
   loaded.c = case_of_record(loaded.c, static_cast<std::size_t>(number - 1));
-  loaded.problem = make_problem(loaded.c, std::move(loaded.problem.buildings));
+  if (loaded.c.is_in_plan()) {
+    loaded.plan = make_plan_problem(loaded.c, std::move(loaded.plan.buildings));
+  } else {
+    loaded.problem = make_problem(loaded.c, std::move(loaded.problem.buildings));
+  }
   return loaded;
 }
 

@@ -102,7 +102,11 @@ std::shared_ptr<PyCase> with_record(const PyCase& given, std::size_t record) {
   }
   auto made = std::make_shared<PyCase>(given);
   made->c = case_of_record(given.c, record - 1);
-  made->problem = make_problem(made->c, given.problem.buildings);
+  if (given.plan) {
+    made->plan = make_plan_problem(made->c, given.plan->buildings);
+  } else {
+    made->problem = make_problem(made->c, given.problem.buildings);
+  }
   return made;
 }
 

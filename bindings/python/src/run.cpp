@@ -108,8 +108,8 @@ std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double>
 
 /// With histories at so many seconds, or, with nothing, as a report needs them.
 std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_step, const py::object& progress) {
-  if (given.plan) return solved_in_plan(given, output_step, progress);
   if (Diagnostics found; refuse_without_motion(given.c, found)) raise_case_error(found);
+  if (given.plan) return solved_in_plan(given, output_step, progress);
   Problem problem = given.problem;
   SolveOptions options = solve_options(given.c);
   options.output_step = output_step.value_or(report_output_step(problem));

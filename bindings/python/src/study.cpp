@@ -197,7 +197,7 @@ std::shared_ptr<PyStudy> of_cases(const std::vector<std::shared_ptr<PyCase>>& ca
     const PyCase& one = *cases[i];
     const auto refuse = [&](const char* why) { throw py::value_error(fmt::format("cases[{}] {}", i, why)); };
     Diagnostics found;
-    if (!one.plan && refuse_without_motion(one.c, found)) raise_case_error(found);
+    if (refuse_without_motion(one.c, found)) raise_case_error(found);
     const Units &a = one.c.units, &b = facts.units;
     if (a.length != b.length || a.force != b.force || a.gravity != b.gravity) refuse("has other units than cases[0]");
     if (one.plan.has_value() != first.plan.has_value()) refuse("is not in plan or in a row as cases[0] is");

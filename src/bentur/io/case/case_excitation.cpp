@@ -267,7 +267,7 @@ void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buil
   const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
   if (!view) return;
   const std::string kind = view->has("kind") ? view->find("kind")->value().text : "";
-  if (in_plan && (kind == "spectrum" || kind == "suite")) {
+  if (in_plan && kind == "spectrum") {
     view->find("kind")->error_value("does not go with buildings in plan");
     return;
   }
@@ -300,8 +300,14 @@ void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buil
                     building.path));
     break;
   }
+  const std::optional<TableView> along_y = in_plan && view->has("y") ? view->table("y") : std::nullopt;
+  const bool of_pairs = along_y && along_y->has("kind") && along_y->find("kind")->value().text == "suite";
+  if (along_y && of_pairs != (kind == "suite")) {
+    along_y->find("kind")->error_value(kind == "suite" ? "must be \"suite\", as along x"
+                                                       : "is for a suite of records along x too");
+  }
   if (kind == "suite") {
-    spec.suite = read_suite(*view, c.units, files.folder, files.diagnostics);
+    spec.suite = read_suite(*view, of_pairs ? along_y : std::nullopt, c.units, files.folder, files.diagnostics);
   } else {
     read_motion(*view, c.units, files.folder, files.diagnostics, spec, files.memo);
   }
@@ -309,8 +315,7 @@ void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buil
   if (view->word("kinematics") == "absolute") spec.kinematics = Kinematics::absolute;
   if (!in_plan) return;
   c.angle = view->number("angle").value_or(0);
-  if (!view->has("y")) return;
-  if (const auto along_y = view->table("y")) {
+  if (along_y && !of_pairs) {
     read_motion(*along_y, c.units, files.folder, files.diagnostics, c.excitation_y, files.memo);
   }
 }

@@ -193,8 +193,9 @@ bool read_by_building(const TomlView& table, const std::string& each, const std:
 [[nodiscard]] std::optional<double> read_acceleration(const TomlView& value, const Units& units, double of_number = 1);
 
 /// case_suite.cpp: excitation.kind = "suite": what is asked for and every record that its files name, none of them
-/// chosen yet.
-[[nodiscard]] std::shared_ptr<const SuiteSpec> read_suite(const TableView& view, const Units& units,
+/// chosen yet. @param along_y of buildings in plan what names the other components, where there are any
+[[nodiscard]] std::shared_ptr<const SuiteSpec> read_suite(const TableView& view,
+                                                          const std::optional<TableView>& along_y, const Units& units,
                                                           const std::filesystem::path& folder,
                                                           Diagnostics& diagnostics);
 /// Chooses and scales them, once the periods of the buildings are known; what cannot be done is an error at its key.

@@ -55,27 +55,26 @@ std::optional<SuiteFile> read_suite_file(const TomlView& given) {
   return entry;
 }
 
-/// One record as its file has it, in the case's units.
-void read_suite_record(const SuiteFile& entry, const fs::path& path, const fs::path& folder, const Units& units,
-                       Diagnostics& diagnostics, SuiteSpec& suite) {
+/// One record as its file has it, in the case's units; nothing (and an error) where it cannot be had.
+std::optional<SuiteRecord> read_suite_record(const SuiteFile& entry, const fs::path& path, const fs::path& folder,
+                                             const Units& units, Diagnostics& diagnostics) {
   const std::string name = way_from(folder, path);
   auto record = read_record(path, entry.options, diagnostics);
-  if (!record) return;
+  if (!record) return std::nullopt;
   const std::string unit = record->unit.empty() ? entry.options.unit : record->unit;
   if (unit.empty()) {
     entry.file.error(fmt::format("does not say the unit of {}: give it as {{ file = .., unit = \"..\" }}; one of {}",
                                  in_quotes(name), fmt::join(acceleration_units(), ", ")));
-    return;
+    return std::nullopt;
   }
   const std::vector<RecordContradiction> otherwise = contradictions(*record, entry.options);
   for (const RecordContradiction& one : otherwise) {
     entry.file.error(fmt::format("has {} = {}, but {} says {}", one.key, one.given, in_quotes(name), one.said));
   }
-  if (!otherwise.empty()) return;
+  if (!otherwise.empty()) return std::nullopt;
   SuiteRecord read{.echo = echo_of(*record, name, unit),
                    .motion = {record->time_step, std::move(record->values)},
                    .event = entry.event.value_or(record->event),
-                   .file = suite.records.size(),
                    .entry = entry.entry};
   FileIdentity identity = identify(path);
   read.echo.path = path.string();
@@ -83,13 +82,15 @@ void read_suite_record(const SuiteFile& entry, const fs::path& path, const fs::p
   read.echo.sha256 = std::move(identity.sha256);
   const double factor = acceleration_factor(unit, units);
   for (double& value : read.motion.acceleration) value *= factor;
-  suite.records.push_back(std::move(read));
+  return read;
 }
 
-void read_suite_files(const TableView& view, const Units& units, const fs::path& folder, Diagnostics& diagnostics,
-                      SuiteSpec& suite) {
+/// The records that `files` of a table name, in their order. @param count how many, those that cannot be read too
+std::vector<SuiteRecord> read_suite_files(const TableView& view, const Units& units, const fs::path& folder,
+                                          Diagnostics& diagnostics, std::size_t& count) {
+  std::vector<SuiteRecord> records;
   const auto files = view.get("files");
-  if (!files || !files->is_list_of("files")) return;
+  if (!files || !files->is_list_of("files")) return records;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < files->size(); ++i) {
     auto entry = read_suite_file(files->item(i));
@@ -101,9 +102,38 @@ void read_suite_files(const TableView& view, const Units& units, const fs::path&
         entry->file.error(fmt::format("name {} twice", in_quotes(way_from(folder, path))));
         continue;
       }
-      ++suite.files;
-      read_suite_record(*entry, path, folder, units, diagnostics, suite);
+      if (auto record = read_suite_record(*entry, path, folder, units, diagnostics)) {
+        record->file = count;
+        records.push_back(std::move(*record));
+      }
+      ++count;
     }
+  }
+  return records;
+}
+
+/// The components along y to those along x, one each in their order.
+void read_pairs(const TableView& along_y, const Units& units, const fs::path& folder, Diagnostics& diagnostics,
+                SuiteSpec& suite) {
+  std::size_t count = 0;
+  std::vector<SuiteRecord> others = read_suite_files(along_y, units, folder, diagnostics, count);
+  const auto files = along_y.find("files");
+  if (files && count != suite.files && suite.files > 0) {
+    files->error_shown(fmt::format("{} files", count),
+                       fmt::format("must be one per file along x: there are {}", suite.files));
+  }
+  if (!diagnostics.ok()) return;  // some were not read
+  for (std::size_t i = 0; i < suite.records.size(); ++i) {
+    SuiteRecord& record = suite.records[i];
+    SuiteRecord& other = others.at(i);
+    if (other.echo.file == record.echo.file) {
+      files->error(fmt::format("name {} along x too", in_quotes(record.echo.file)));
+    }
+    if (other.motion.time_step != record.motion.time_step) {
+      files->error(fmt::format("name {} with a step of {} s, but {} along x has {} s", in_quotes(other.echo.file),
+                               other.motion.time_step, in_quotes(record.echo.file), record.motion.time_step));
+    }
+    record.along_y = SuiteComponent{std::move(other.echo), std::move(other.motion), other.entry};
   }
 }
 
@@ -208,12 +238,13 @@ void tell_fault(const SuiteFault& fault, const SuiteSpec& suite, const std::vect
 
 }  // namespace
 
-std::shared_ptr<const SuiteSpec> read_suite(const TableView& view, const Units& units, const fs::path& folder,
-                                            Diagnostics& diagnostics) {
+std::shared_ptr<const SuiteSpec> read_suite(const TableView& view, const std::optional<TableView>& along_y,
+                                            const Units& units, const fs::path& folder, Diagnostics& diagnostics) {
   auto suite = std::make_shared<SuiteSpec>();
   suite->position = view.find("kind")->position();
   suite->request = read_suite_request(view);
-  read_suite_files(view, units, folder, diagnostics, *suite);
+  suite->records = read_suite_files(view, units, folder, diagnostics, suite->files);
+  if (along_y) read_pairs(*along_y, units, folder, diagnostics, *suite);
   if (const auto target = view.table("target")) {
     ShapeRead shape = read_shape(*target, units, folder, diagnostics);
     suite->target.spectrum.shape = std::move(shape.shape);
@@ -235,11 +266,12 @@ void settle_suite(const TomlView& root, ReadCase& read, const std::function<void
   if (const auto analysis = root.find("analysis"); analysis && analysis->has("duration")) {
     suite.duration = read.c.analysis.duration;
   }
-  std::vector<const Building*> buildings;
-  for (const ReadBuilding& building : read.buildings) buildings.push_back(building.made.get());
+  std::vector<const Building*> made;
+  for (const ReadBuilding& building : read.buildings) made.push_back(building.made.get());
   std::vector<std::string> names;
   for (const SuiteRecord& record : suite.records) names.push_back(record.echo.file);
-  const std::vector<SuiteFault> faults = settle(suite, buildings, progress);
+  const std::vector<SuiteFault> faults =
+      settle(suite, read.plan ? suite_periods(read.plan->buildings) : suite_periods(made), progress);
   for (const SuiteFault& fault : faults) tell_fault(fault, suite, names, view);
   if (!faults.empty()) return;
   for (const SuiteRecord& record : suite.records) {

@@ -340,6 +340,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   }
   if (in_plan) {
     make_in_plan(root, read, diagnostics);
+    if (c.excitation.suite && diagnostics.ok()) settle_suite(root, read, progress);
     return read;
   }
   std::vector<TomlView> views;
@@ -489,8 +490,7 @@ std::vector<std::filesystem::path> files_read(const Case& c) {
   }
   if (c.excitation.spectrum) add(c.excitation.spectrum->path);
   if (c.excitation.suite) {
-    add(c.excitation.suite->target.path);
-    for (const SuiteRecord& record : c.excitation.suite->records) add(record.echo.path);
+    for (const std::string& path : c.excitation.suite->paths()) add(path);
   }
   for (const BuildingSpec& building : c.buildings) add(building.shapes_path);
   if (c.project) add(c.project->logo_path);

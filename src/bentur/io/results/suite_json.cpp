@@ -16,6 +16,10 @@ std::string suite_json(const SuiteSpec& suite) {
                        {"pga", record.echo.pga},
                        {"sha256", record.echo.sha256},
                        {"spectrum", record.spectrum}});
+    if (record.along_y) {
+      const RecordEcho& echo = record.along_y->echo;
+      records.back()["along_y"] = {{"file", echo.file}, {"pga", echo.pga}, {"sha256", echo.sha256}};
+    }
   }
   for (const SuitePeriods& one : suite.buildings) {
     buildings.push_back({{"building", one.name},

@@ -162,15 +162,16 @@ std::vector<Key> spectrum_keys() {
   return keys;
 }
 
+Key suite_files_key(const char* what) {
+  return Key::of("files", Key::Kind::file, {"Records", "Rekaman"}, what).list().or_table(suite_file_keys());
+}
+
 std::vector<Key> suite_keys() {
   return of_kind(
       {"suite"},
-      {Key::of("files", Key::Kind::file, {"Records", "Rekaman"},
-               "patterns such as `\"records/*.AT2\"` (files sorted by name) and names, relative to the case file. An "
-               "entry may be a table with `file` and keys of its own: `{ file = \"sct.txt\", unit = \"g\", column = 3 "
-               "}`; `event` says which earthquake it is of")
-           .list()
-           .or_table(suite_file_keys()),
+      {suite_files_key("patterns such as `\"records/*.AT2\"` (files sorted by name) and names, relative to the case "
+                       "file. An entry may be a table with `file` and keys of its own: `{ file = \"sct.txt\", unit = "
+                       "\"g\", column = 3 }`; `event` says which earthquake it is of"),
        Key::sub_table(
            "target", target_keys(), {"Target spectrum", "Spektrum target"},
            "what the records are chosen and scaled for, at 5 % damping: a design spectrum by its `shape` and "
@@ -220,13 +221,18 @@ std::vector<Key> plan_motion_keys() {
 
 const KeyTable& motion_along_y_keys() {
   static const KeyTable table = [] {
-    KeyTable made = {"excitation.y",
-                     "what shakes buildings in plan along y",
-                     {Key::choice("kind", {"record", "harmonic", "none"}, {"Kind", "Jenis"}, "as of `[excitation]`")
-                          .called({{"record", "rekaman"},
-                                   {"harmonic", "harmonik"},
-                                   {"none: no motion along y", "tidak ada gerakan searah y"}})}};
-    for (const std::vector<Key>& keys : {record_keys(), harmonic_keys()}) {
+    KeyTable made = {
+        "excitation.y",
+        "what shakes buildings in plan along y",
+        {Key::choice("kind", {"record", "harmonic", "suite", "none"}, {"Kind", "Jenis"}, "as of `[excitation]`")
+             .called({{"record", "rekaman"},
+                      {"harmonic", "harmonik"},
+                      {"suite of records", "kumpulan rekaman"},
+                      {"none: no motion along y", "tidak ada gerakan searah y"}})}};
+    const std::vector<Key> files =
+        of_kind({"suite"}, {suite_files_key("as of `[excitation]`: the components along y, one for each file along x "
+                                            "in the same order; both are scaled by one factor")});
+    for (const std::vector<Key>& keys : {record_keys(), harmonic_keys(), files}) {
       made.keys.insert(made.keys.end(), keys.begin(), keys.end());
     }
     return made;

@@ -427,6 +427,12 @@ void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vec
        code.is_aligned(gap.value_or(0)) ? "_yes" : "_no");
 }
 
+void put_screening(const GapView& facts, Eigen::Index gap, std::vector<StoryTable>& tables) {
+  if (facts.screened.empty()) return;
+  StoryTable standing = screening_table(facts, gap);
+  if (!standing.columns.front().texts.empty()) tables.push_back(std::move(standing));
+}
+
 std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   std::vector<StoryTable> tables;
@@ -434,13 +440,19 @@ std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap) {
     tables.push_back(level_table(facts, gap, levels));
     tables.push_back(rule_table(facts, gap, levels));
   }
-  if (facts.screened.empty()) return tables;
-  StoryTable standing = screening_table(facts, gap);
-  if (!standing.columns.front().texts.empty()) tables.push_back(std::move(standing));
+  put_screening(facts, gap, tables);
   return tables;
 }
 
 }  // namespace story
+
+std::vector<StoryTable> screening_tables(const Case& c, const Problem& row, const PlanProblem* plan) {
+  story::GapView facts{.c = c, .problem = row, .levels = {}};
+  facts.screened = plan != nullptr ? story::screened(c, *plan) : story::screened(c, row);
+  std::vector<StoryTable> tables;
+  for (Eigen::Index gap = 0; gap < gap_count(row); ++gap) story::put_screening(facts, gap, tables);
+  return tables;
+}
 
 Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   const story::GapView facts = story::judged_view_of(c, problem, spectral);

@@ -6,21 +6,20 @@
 
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_row.h"
-#include "bentur/model/story/internal/story_parts.h"
-#include "bentur/model/suite/suite.h"
+#include "bentur/model/story/internal/hand_in_open.h"
 
 namespace bentur {
 namespace {
 
 using Eigen::Index;
+using story::assumptions_of;
 using story::GapView;
+using story::level_text;
 using story::text_of;
+using story::unchecked_of;
+using story::with_unit;
 
 constexpr double of_hundred = 100;
-
-std::string with_unit(double value, const std::string& unit) {
-  return unit.empty() ? number(value) : number(value) + "\u00A0" + unit;
-}
 
 /// The table of checks, row by row.
 class Checks {
@@ -52,10 +51,6 @@ class Checks {
   StoryColumn where_{.label = "check.where"}, demand_{.label = "check.demand"}, limit_{.label = "check.limit"};
   StoryColumn result_{.label = "check.result", .are_words = true};
 };
-
-std::string level_text(const GapView& facts, Index gap, double level) {
-  return gap_name(facts.problem, gap) + ", " + with_unit(level, facts.c.units.length);
-}
 
 /// The worst demand over capacity of the columns that are struck in each gap.
 void check_columns(const RunResults& run, Checks& checks) {
@@ -250,113 +245,6 @@ void check_solution(const std::vector<Discrepancy>& discrepancies, Checks& check
              discrepancies.empty());
 }
 
-/// One statement of the buildings that move and of which something holds; none where it holds of none.
-/// @param holds of a building by its place
-template <class Buildings, class Holds>
-void tell_of(const char* kind, const Buildings& buildings, const Holds& holds, std::vector<Statement>& statements) {
-  Statement statement{.kind = kind, .severity = Severity::remark};
-  std::string names;
-  for (Index b = 0; b < std::ssize(buildings); ++b) {
-    if (buildings[b].is_rigid() || !holds(b)) continue;
-    names += (names.empty() ? "" : ", ") + buildings[b].name;
-    statement.buildings.push_back(b);
-  }
-  if (names.empty()) return;
-  statement.values = {text_of("names", names)};
-  statements.push_back(std::move(statement));
-}
-
-void tell(const char* kind, std::vector<Statement>& statements, std::vector<StoryValue> values = {}) {
-  statements.push_back({.kind = kind, .severity = Severity::remark, .values = std::move(values)});
-}
-
-template <class Structure>
-bool is_given_as(const Case& c, Index b) {
-  const auto place = static_cast<std::size_t>(b);
-  return place < c.buildings.size() && std::holds_alternative<Structure>(c.buildings[place].structure);
-}
-
-/// @param delays of the motion at each building [s]
-void tell_motion(const std::vector<double>& delays, std::vector<Statement>& statements) {
-  const bool is_late = std::any_of(delays.begin(), delays.end(), [](double s) { return s != 0; });
-  tell(is_late ? "assumption.late_motion" : "assumption.one_motion", statements);
-}
-
-/// Links, rules and defaults. @param c of a row or of buildings in plan
-template <class AnyCase>
-void tell_given(const AnyCase& c, std::vector<Statement>& statements) {
-  if (!c.links.empty()) tell("assumption.links", statements);
-  if (!c.code.rules.empty()) tell("assumption.codes", statements);
-  tell("assumption.defaults", statements);
-}
-
-std::vector<Statement> assumptions_of(const Case& c, const Problem& problem) {
-  std::vector<Statement> statements;
-  const std::vector<Building>& buildings = problem.buildings;
-  const auto is_calibrated = [&](Index b) { return buildings[b].model.stiffness_factor.has_value(); };
-  tell_of(
-      "assumption.generic", buildings, [&](Index b) { return is_given_as<GenericBuilding>(c, b); }, statements);
-  tell_of(
-      "assumption.modal", buildings, [&](Index b) { return is_given_as<ModalBuilding>(c, b); }, statements);
-  tell_of("assumption.calibrated", buildings, is_calibrated, statements);
-  if (!c.excitation.spectrum) tell_motion(problem.delays, statements);
-  if (c.excitation.suite) tell("assumption.suite", statements);
-  tell_given(c, statements);
-  return statements;
-}
-
-/// That no rule of a code is asked for, and of which code the project is. @param c of a row or of buildings in plan
-template <class AnyCase>
-void tell_codes(const AnyCase& c, std::vector<Statement>& statements) {
-  if (!c.code.rules.empty()) return;
-  const std::string basis = c.project ? c.project->code_basis : "";
-  tell(basis.empty() ? "unchecked.codes" : "unchecked.codes_of_basis", statements, {text_of("basis", basis)});
-}
-
-/// What is open in every report of a row.
-void tell_always(const Case& c, const Problem& problem, std::vector<Statement>& statements) {
-  const std::vector<Building>& buildings = problem.buildings;
-  const auto no_gravity = [&](Index b) { return !buildings[b].has_gravity_loads; };
-  const auto no_soil = [&](Index b) { return !buildings[b].model.foundation && !buildings[b].model.slab; };
-  tell("unchecked.members", statements);
-  tell("unchecked.drift", statements);
-  tell_of("unchecked.gravity", buildings, no_gravity, statements);
-  tell_of("unchecked.soil", buildings, no_soil, statements);
-  tell("unchecked.other_directions", statements);
-  tell("unchecked.local", statements);
-  if (const auto& suite = c.excitation.suite) {
-    tell("unchecked.records", statements, {story::count_of("records", std::ssize(suite->records))});
-    tell("unchecked.each_record", statements);
-  } else if (!c.excitation.spectrum) {
-    tell("unchecked.motions", statements);
-  }
-}
-
-/// What the case leaves open: rules, columns, ways round.
-std::vector<Statement> unchecked_of(const GapView& facts, bool needs_seismicity) {
-  const Case& c = facts.c;
-  std::vector<Statement> statements;
-  tell_codes(c, statements);
-  std::string bare;  // levels at which a column is struck of which is not said what it bears
-  for (const Gap& gap : gaps_of(facts.problem)) {
-    const auto place = static_cast<std::size_t>(gap.number);
-    if (place < c.gaps.size() && c.gaps[place].column_capacity) continue;
-    for (const Index i : gap.points) {
-      const ContactPoint& point = facts.problem.points[i];
-      if (struck_column(facts.problem, point) && point.column_shear_capacity == 0) {
-        bare += (bare.empty() ? "" : "; ") + level_text(facts, gap.number, point.elevation);
-      }
-    }
-  }
-  if (!bare.empty()) tell("unchecked.columns", statements, {text_of("levels", bare)});
-  if (needs_seismicity) tell("unchecked.screening", statements);
-  const bool is_moved = facts.response != nullptr || c.excitation.suite;
-  if (is_moved && !c.analysis.both_ways) tell("unchecked.reversed", statements);
-  if (facts.response != nullptr && !facts.response->energy) tell("unchecked.energy", statements);
-  tell_always(c, facts.problem, statements);
-  return statements;
-}
-
 /// Rules of thumb for every gap. @return whether one of them needs to know the seismicity
 bool check_screenings(const GapView& facts, Checks& checks) {
   bool needs_seismicity = false;
@@ -377,7 +265,9 @@ void check_gaps(const GapView& facts, Checks& checks) {
 HandIn hand_in_with(const GapView& facts, Checks checks, const RunResults* run) {
   const bool needs_seismicity = check_screenings(facts, checks);
   if (run != nullptr) check_solution(run->response.discrepancies, checks);
-  return {assumptions_of(facts.c, facts.problem), checks.take(), unchecked_of(facts, needs_seismicity)};
+  return {
+      assumptions_of(facts.c, facts.problem), checks.take(),
+      unchecked_of(facts.c, facts, needs_seismicity, nullptr, facts.response != nullptr && !facts.response->energy)};
 }
 
 HandIn hand_in(const GapView& facts, Checks checks, const RunResults* run) {
@@ -412,23 +302,6 @@ void check_planes(const PlanRun& run, Checks& checks) {
   }
 }
 
-std::vector<Statement> unchecked_of(const PlanRun& run, bool needs_seismicity) {
-  const std::vector<PlanBuilding>& buildings = run.problem.buildings;
-  const auto no_gravity = [&](Index b) { return !buildings[b].has_gravity_loads(); };
-  const auto no_soil = [&](Index b) { return !buildings[b].model.soil && !buildings[b].model.slab; };
-  std::vector<Statement> statements;
-  tell_codes(run.c, statements);
-  if (needs_seismicity) tell("unchecked.screening", statements);
-  if (!run.c.analysis.both_ways) tell("unchecked.reversed", statements);
-  if (!run.response.energy) tell("unchecked.energy", statements);
-  tell("unchecked.members", statements);
-  tell("unchecked.drift", statements);
-  tell_of("unchecked.gravity", buildings, no_gravity, statements);
-  tell_of("unchecked.soil", buildings, no_soil, statements);
-  for (const char* const kind : {"unchecked.vertical", "unchecked.local", "unchecked.motions"}) tell(kind, statements);
-  return statements;
-}
-
 }  // namespace
 
 HandIn hand_in(const PlanRun& run) {
@@ -442,10 +315,8 @@ HandIn hand_in(const PlanRun& run) {
   check_gaps(facts, checks);
   const bool needs_seismicity = check_screenings(facts, checks);
   check_solution(run.response.discrepancies, checks);
-  std::vector<Statement> assumptions = {story::model_statement(run)};
-  tell_motion(run.problem.delays, assumptions);
-  tell_given(run.c, assumptions);
-  return {std::move(assumptions), checks.take(), unchecked_of(run, needs_seismicity)};
+  return {assumptions_of(run), checks.take(),
+          unchecked_of(run.c, facts, needs_seismicity, &run.problem, !run.response.energy)};
 }
 
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
@@ -462,8 +333,9 @@ HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectr
   return made;
 }
 
-HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow>& of_records) {
-  Checks checks;
+namespace {
+
+void check_records(const std::vector<CheckRow>& of_records, Checks& checks) {
   const auto text = [](const std::optional<double>& value, const std::string& unit) {
     return value ? with_unit(*value, unit) : "–";
   };
@@ -475,6 +347,24 @@ HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow
       checks.add(row.check, row.by, row.where, demand, limit, row.result, row.result != "gap.asks_less");
     }
   }
+}
+
+}  // namespace
+
+HandIn hand_in(const Case& c, const PlanProblem& problem, const std::vector<CheckRow>& of_records) {
+  Checks checks;
+  check_records(of_records, checks);
+  const Problem row = row_of(problem);
+  GapView facts{.c = c, .problem = row, .levels = {}};
+  facts.screened = story::screened(c, problem);
+  const bool needs_seismicity = check_screenings(facts, checks);
+  const PlanRun still{.c = c, .problem = problem, .response = {}};
+  return {assumptions_of(still), checks.take(), unchecked_of(c, facts, needs_seismicity, &problem, false)};
+}
+
+HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow>& of_records) {
+  Checks checks;
+  check_records(of_records, checks);
   HandIn made = hand_in_with(GapView{.c = c, .problem = problem, .levels = {}, .screened = story::screened(c, problem)},
                              std::move(checks), nullptr);
   const RunResults still{.c = c, .problem = problem, .response = {}, .remarks = {}};

@@ -37,5 +37,6 @@ struct CheckRow {
 [[nodiscard]] HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral);
 /// Of a case with a suite of records. @param of_records the checks over them, in the order above
 [[nodiscard]] HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow>& of_records);
+[[nodiscard]] HandIn hand_in(const Case& c, const PlanProblem& problem, const std::vector<CheckRow>& of_records);
 
 }  // namespace bentur

@@ -108,12 +108,16 @@ std::string key_along(const std::string& key, const std::string& axis) {
 
 }  // namespace
 
+std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const PlanProblem& problem) {
+  std::vector<std::vector<ScreeningFinding>> all;
+  for (std::size_t gap = 0; gap < problem.gaps.size(); ++gap) all.push_back(plan_screening(c, problem, gap));
+  return all;
+}
+
 GapView judged_view_of(const PlanRun& run, const RunResults& row) {
   GapView view = view_of(row);
   view.plan = &run.problem;
-  for (std::size_t gap = 0; gap < run.problem.gaps.size(); ++gap) {
-    view.screened.push_back(plan_screening(run.c, run.problem, gap));
-  }
+  view.screened = screened(run.c, run.problem);
   for (JudgedGap& one : judged_gaps(run)) {
     view.facts.push_back(std::move(one.facts));
     view.judged.push_back(std::move(one.judgement));
@@ -159,6 +163,12 @@ Statement model_statement(const PlanRun& run) {
   if (moved < counted) left_out.push_back({word_of("what", moved == 0 ? "remarks.no_soil" : "remarks.soil_of")});
   for (const PlanPeaks& peaks : run.response.buildings) {
     for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
+  }
+  for (const PlanBuilding& building : run.problem.buildings) {
+    for (const PlanModel::Plane& plane : building.model.planes) {
+      yields =
+          yields || std::any_of(plane.laws.begin(), plane.laws.end(), [](const auto& law) { return law != nullptr; });
+    }
   }
   yields = yields || !frames_that_yield(run.problem).empty();
   return {.kind = "model_plan",

@@ -116,6 +116,9 @@ struct SaidOfRun {
 [[nodiscard]] std::vector<StoryTable> gap_tables_of(const RunResults& run);
 [[nodiscard]] std::vector<StoryTable> gap_tables_of(const PlanRun& run);
 
+/// The screening of every gap, where there is any. @param row of the case, in plan row_of() `plan`, else null
+[[nodiscard]] std::vector<StoryTable> screening_tables(const Case& c, const Problem& row, const PlanProblem* plan);
+
 /// The same by a spectrum.
 [[nodiscard]] Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral);
 

@@ -9,6 +9,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
+#include "bentur/structure/modes.h"
 
 namespace bentur {
 namespace {
@@ -27,14 +28,9 @@ double target_at(const DesignSpectrum& spectrum, double period) {
 }
 
 /// The periods of the band and the target there. @return the fault that keeps it from being known.
-std::optional<SuiteFault> settle_target(SuiteSpec& suite, const std::vector<const Building*>& buildings) {
+std::optional<SuiteFault> settle_target(SuiteSpec& suite) {
   double least = INFINITY, most = 0;
-  for (const Building* building : buildings) {
-    if (!(building->first_omega() > 0)) continue;
-    const auto period = [&](Eigen::Index mode) { return 2 * std::numbers::pi / building->modes.omega(mode); };
-    SuitePeriods periods{.name = building->name, .first = period(0)};
-    if (building->modes.omega.size() > 1) periods.second = period(1);
-    suite.buildings.push_back(periods);
+  for (const SuitePeriods& periods : suite.buildings) {
     least = std::min(least, periods.first);
     most = std::max(most, periods.first);
   }
@@ -54,6 +50,22 @@ std::optional<SuiteFault> settle_target(SuiteSpec& suite, const std::vector<cons
   return std::nullopt;
 }
 
+/// S_a of a record as read, of a pair as it is measured [length/s²].
+double acceleration_of(const SuiteRecord& record, PairMeasure measure, double period) {
+  const auto along = [&](const SampledMotion& motion) {
+    return oscillator_peaks(motion, period, suite_damping).pseudo_acceleration;
+  };
+  if (!record.along_y) return along(record.motion);
+  if (measure == PairMeasure::geometric_mean) return std::sqrt(along(record.motion) * along(record.along_y->motion));
+  return maximum_direction(record.motion, record.along_y->motion, period, suite_damping);
+}
+
+/// Its peak ground acceleration, of a pair the geometric mean [length/s²].
+double peak_of(const SuiteRecord& record) {
+  const double along_x = peak_acceleration(record.motion);
+  return record.along_y ? std::sqrt(along_x * peak_acceleration(record.along_y->motion)) : along_x;
+}
+
 /// Spectra as read, factors before the common one, and misfits by (1) and (2).
 std::optional<SuiteFault> fit_record(SuiteSpec& suite, std::size_t number) {
   SuiteRecord& record = suite.records[number];
@@ -62,8 +74,9 @@ std::optional<SuiteFault> fit_record(SuiteSpec& suite, std::size_t number) {
   const auto is_short = [&](double period) { return period < shortest_of_a_step * record.motion.time_step; };
   const double shortest = std::min(periods.front(), request.period.value_or(periods.front()));
   if (is_short(shortest)) return SuiteFault{.kind = Kind::too_short, .record = number, .value = shortest};
-  for (const OscillatorPeaks& peaks : response_spectrum(record.motion, periods, suite_damping)) {
-    record.spectrum.push_back(peaks.pseudo_acceleration);
+  const PairMeasure measure = pair_measure(request);
+  for (const double period : periods) {
+    record.spectrum.push_back(acceleration_of(record, measure, period));
     if (!(record.spectrum.back() > 0)) return SuiteFault{.kind = Kind::no_amplitude, .record = number};
   }
   const auto count = static_cast<double>(periods.size());
@@ -78,7 +91,7 @@ std::optional<SuiteFault> fit_record(SuiteSpec& suite, std::size_t number) {
   if (request.scale == "factors") {
     record.factor = request.factors[record.file];
   } else if (request.scale == "period") {
-    const double own = oscillator_peaks(record.motion, *request.period, suite_damping).pseudo_acceleration;
+    const double own = acceleration_of(record, measure, *request.period);
     if (!(own > 0)) return SuiteFault{.kind = Kind::no_amplitude, .record = number};
     record.factor = target_at(suite.target.spectrum, *request.period) / own;
   } else {
@@ -167,7 +180,7 @@ class SuiteChoice {
       common = std::max(common, mean_over_target * target.ordinates[i] / mean);
     }
     for (const std::size_t n : taken) {
-      zero += suite_.records[n].factor * peak_acceleration(suite_.records[n].motion) / count;
+      zero += suite_.records[n].factor * peak_of(suite_.records[n]) / count;
     }
     return request_.scale == "en-1998-1" ? std::max(common, target.at_zero / zero) : common;
   }
@@ -186,7 +199,8 @@ class SuiteChoice {
         suite_.mean[i] += record.spectrum[i] / count;
       }
       record.echo.pga = record.factor * peak_acceleration(record.motion);
-      suite_.mean_at_zero += record.echo.pga / count;
+      if (record.along_y) record.along_y->echo.pga = record.factor * peak_acceleration(record.along_y->motion);
+      suite_.mean_at_zero += record.factor * peak_of(record) / count;
       kept.push_back(std::move(record));
     }
     suite_.records = std::move(kept);
@@ -198,13 +212,52 @@ class SuiteChoice {
 
 }  // namespace
 
-std::vector<SuiteFault> settle(SuiteSpec& suite, const std::vector<const Building*>& buildings,
+std::vector<std::string> SuiteSpec::paths() const {
+  std::vector<std::string> all = {target.path};
+  for (const SuiteRecord& record : records) {
+    all.push_back(record.echo.path);
+    if (record.along_y) all.push_back(record.along_y->echo.path);
+  }
+  return all;
+}
+
+PairMeasure pair_measure(const SuiteRequest& request) {
+  return request.scale == "asce-7-16" ? PairMeasure::maximum_direction : PairMeasure::geometric_mean;
+}
+
+std::vector<SuitePeriods> suite_periods(const std::vector<const Building*>& buildings) {
+  std::vector<SuitePeriods> all;
+  for (const Building* building : buildings) {
+    if (!(building->first_omega() > 0)) continue;
+    const auto period = [&](Eigen::Index mode) { return 2 * std::numbers::pi / building->modes.omega(mode); };
+    all.push_back({.name = building->name, .first = period(0)});
+    if (building->modes.omega.size() > 1) all.back().second = period(1);
+  }
+  return all;
+}
+
+std::vector<SuitePeriods> suite_periods(const std::vector<PlanBuilding>& buildings) {
+  std::vector<SuitePeriods> all;
+  for (const PlanBuilding& building : buildings) {
+    if (building.is_rigid()) continue;
+    for (const int axis : {0, 1}) {
+      const ModalProperties modes = modal_properties(building.modes, building.model.load.col(axis));
+      Eigen::Index first = 0;
+      modes.effective_mass_fraction.maxCoeff(&first);
+      all.push_back({.name = building.name + (axis == 0 ? ", x" : ", y"), .first = modes.periods(first)});
+    }
+  }
+  return all;
+}
+
+std::vector<SuiteFault> settle(SuiteSpec& suite, std::vector<SuitePeriods> buildings,
                                const std::function<void(double)>& progress) {
   suite.files = suite.records.size();
+  suite.buildings = std::move(buildings);
   if (suite.request.select.value_or(0) > suite.files) {
     return {SuiteFault{.kind = Kind::too_few, .count = suite.files}};
   }
-  if (const auto fault = settle_target(suite, buildings)) return {*fault};
+  if (const auto fault = settle_target(suite)) return {*fault};
   std::vector<SuiteFault> faults;
   for (std::size_t i = 0; i < suite.records.size(); ++i) {
     if (const auto fault = fit_record(suite, i)) faults.push_back(*fault);
@@ -223,13 +276,19 @@ Case case_of_record(const Case& c, std::size_t number) {
                            "must be 1 to " + std::to_string(suite.records.size()));
   }
   const SuiteRecord& record = suite.records[number];
-  SampledMotion motion = record.motion;
-  for (double& value : motion.acceleration) value *= record.factor;
   Case one = c;
+  double longest = record.echo.duration;
+  const auto apply = [&](const RecordEcho& echo, const SampledMotion& motion, ExcitationSpec& excitation) {
+    SampledMotion scaled = motion;
+    for (double& value : scaled.acceleration) value *= record.factor;
+    excitation.motion = std::move(scaled);
+    excitation.record = echo;
+    longest = std::max(longest, echo.duration);
+  };
   one.excitation.suite = nullptr;
-  one.excitation.motion = std::move(motion);
-  one.excitation.record = record.echo;
-  one.analysis.duration = suite.duration.value_or(record.echo.duration);
+  apply(record.echo, record.motion, one.excitation);
+  if (record.along_y) apply(record.along_y->echo, record.along_y->motion, one.excitation_y);
+  one.analysis.duration = suite.duration.value_or(longest);
   one.analysis.goes_on = !suite.duration;
   return one;
 }

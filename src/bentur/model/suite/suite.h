@@ -12,16 +12,28 @@
 
 namespace bentur {
 
+/// A component of a record.
+struct SuiteComponent {
+  RecordEcho echo;       ///< as SuiteRecord's
+  SampledMotion motion;  ///< likewise
+  std::size_t entry = 0;
+};
+
 /// A record of a suite.
 struct SuiteRecord {
-  RecordEcho echo;                    ///< `pga` as applied
-  SampledMotion motion;               ///< as its file has it, in the case's units [length/s²]
-  std::string event = {};             ///< the earthquake, where it is known
-  std::size_t file = 0;               ///< its number among all files, from 0
-  std::size_t entry = 0;              ///< of `files` that names it, from 0
-  double factor = 1;                  ///< that it is multiplied by [-]
-  double misfit = 0;                  ///< (2) [-]
-  std::vector<double> spectrum = {};  ///< S_a at SuiteSpec::periods, of the record as applied [length/s²]
+  RecordEcho echo;         ///< `pga` as applied
+  SampledMotion motion;    ///< as its file has it, in the case's units [length/s²]
+  std::string event = {};  ///< the earthquake, where it is known
+  std::size_t file = 0;    ///< its number among all files, from 0
+  std::size_t entry = 0;   ///< of `files` that names it, from 0
+  double factor = 1;       ///< that it is multiplied by [-]
+  double misfit = 0;       ///< (2) [-]
+  /// S_a at SuiteSpec::periods, of the record as applied [length/s²]; of a pair as pair_measure() says
+  std::vector<double> spectrum = {};
+  std::optional<SuiteComponent> along_y = {};  ///< of buildings in plan the other component, with the same step
+
+  /// Its file; of a pair both, "A.AT2 + B.AT2".
+  [[nodiscard]] std::string name() const { return along_y ? echo.file + " + " + along_y->echo.file : echo.file; }
 };
 
 /// What is asked of a suite.
@@ -38,12 +50,23 @@ struct SuiteRequest {
   [[nodiscard]] bool is_of_code() const { return scale == "en-1998-1" || scale == "asce-7-16"; }
 };
 
-/// First and second period of a building, that of a building of one floor once [s].
+/// How the spectra of two components are one.
+enum class PairMeasure {
+  geometric_mean,    ///< of both, and of their peak ground accelerations
+  maximum_direction  ///< the largest over all directions, ASCE 7-16, 16.2.2
+};
+[[nodiscard]] PairMeasure pair_measure(const SuiteRequest& request);
+
+/// First and second period of a building, that of a building of one floor once [s]. In plan one for each direction, "A,
+/// x", with the period of the mode that has most of the mass along it alone.
 struct SuitePeriods {
   std::string name;
   double first = 0;
   std::optional<double> second = {};
 };
+/// Of those that are not rigid.
+[[nodiscard]] std::vector<SuitePeriods> suite_periods(const std::vector<const Building*>& buildings);
+[[nodiscard]] std::vector<SuitePeriods> suite_periods(const std::vector<PlanBuilding>& buildings);
 
 /// The spectrum that records are to fit, at 5 % damping, over the band from 0.2 T_min to 2 T_max: T₁ of the buildings
 /// of a row, the shortest and the longest; EN 1998-1:2004, 3.2.3.1.2(4)c, and ASCE 7-16, 16.2.3.1, where 0.2 T_min is
@@ -63,13 +86,18 @@ struct SuiteSpec {
   SuiteRequest request;
   SuiteTarget target;
   std::vector<SuiteRecord> records;          ///< in the order of their files
-  std::vector<SuitePeriods> buildings = {};  ///< one per building that is not rigid
+  std::vector<SuitePeriods> buildings = {};  ///< of those that are not rigid
   std::size_t files = 0;                     ///< that they were chosen from
   double common_factor = 1;                  ///< that lifts the mean to the clause, in every factor [-]
   std::vector<double> mean = {};             ///< of the spectra as applied, at the target's periods [length/s²]
   double mean_at_zero = 0;                   ///< of the peak ground accelerations as applied [length/s²]
   std::optional<double> duration = {};       ///< [s] of [analysis]; nothing: each record's own
   SourcePosition position = {};              ///< of its kind in the case file
+
+  /// The files that it was read from.
+  [[nodiscard]] std::vector<std::string> paths() const;
+  /// Whether its records have two components.
+  [[nodiscard]] bool is_of_pairs() const { return !records.empty() && records.front().along_y.has_value(); }
 };
 
 /// Why a suite cannot be had. Numbers are what a message needs.
@@ -110,12 +138,13 @@ struct SuiteFault {
 /// ≥ S_t(0), 3.2.3.1.2(4)b. A record that c takes out of the bounds gives way to the next. Clauses from memory of the
 /// codes: read yours.
 /// @param progress told the fraction of the spectra that is done
+/// @param buildings suite_periods() of them
 /// @return the faults, none where all went well
-[[nodiscard]] std::vector<SuiteFault> settle(SuiteSpec& suite, const std::vector<const Building*>& buildings,
+[[nodiscard]] std::vector<SuiteFault> settle(SuiteSpec& suite, std::vector<SuitePeriods> buildings,
                                              const std::function<void(double)>& progress = {});
 
-/// The case with one record of its suite as ground motion, as applied. @throws InvalidParameter unless the case has a
-/// suite with such a record. @param number from 0
+/// The case with one record of its suite as ground motion, as applied, of a pair along both axes. @throws
+/// InvalidParameter unless the case has a suite with such a record. @param number from 0
 [[nodiscard]] Case case_of_record(const Case& c, std::size_t number);
 
 /// What a code takes of the records' answers.

@@ -22,10 +22,11 @@ Story suite_story(const SuiteSpec& suite, const Units& units) {
     least_factor = std::min(least_factor, record.factor);
     most_factor = std::max(most_factor, record.factor);
     most_misfit = std::max(most_misfit, record.misfit);
-    name.texts.push_back(record.echo.file);
+    name.texts.push_back(record.name());
     event.texts.push_back(record.event.empty() ? "–" : record.event);
     factor.numbers.push_back(record.factor);
-    pga.numbers.push_back(record.echo.pga / units.gravity);
+    const double peak = record.along_y ? std::max(record.echo.pga, record.along_y->echo.pga) : record.echo.pga;
+    pga.numbers.push_back(peak / units.gravity);
     misfit.numbers.push_back(record.misfit);
   }
   StoryColumn building{.label = "column.building"}, period_1{"column.first_period", "s"};
@@ -48,6 +49,10 @@ Story suite_story(const SuiteSpec& suite, const Units& units) {
     mean.values.push_back(value_in("common", suite.common_factor));
   }
   told.statements.push_back(std::move(mean));
+  if (suite.is_of_pairs()) {
+    const bool is_largest = pair_measure(suite.request) == PairMeasure::maximum_direction;
+    told.statements.push_back({.kind = is_largest ? "suite_pairs_largest" : "suite_pairs"});
+  }
   if (suite.request.scale == "asce-7-16")
     told.statements.push_back({.kind = "suite_level", .severity = Severity::warning});
   told.tables.push_back({.kind = "suite", .columns = {name, event, factor, pga, misfit}});

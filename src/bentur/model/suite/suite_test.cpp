@@ -61,7 +61,9 @@ SuiteSpec suite_about(double k) {
 
 class Suites : public testing::Test {
  protected:
-  std::vector<SuiteFault> settled(SuiteSpec& suite) { return settle(suite, {&left_, &right_}); }
+  std::vector<SuiteFault> settled(SuiteSpec& suite) {
+    return settle(suite, suite_periods(std::vector<const Building*>{&left_, &right_}));
+  }
 
  private:
   Building left_ = oscillator("left", 0.5), right_ = oscillator("right", 1);
@@ -82,6 +84,31 @@ TEST_F(Suites, TheRecordThatTheTargetIsMadeOf) {
   EXPECT_NEAR(suite.target.periods.back(), 2, 1e-12);
   EXPECT_NEAR(suite.buildings.at(1).first, 1, 1e-12);
   EXPECT_FALSE(suite.buildings.at(1).second.has_value());
+}
+
+TEST_F(Suites, PairsAreMeasuredAsAskedFor) {
+  for (const char* const scale : {"period", "asce-7-16"}) {
+    SuiteSpec suite = suite_about(1);
+    suite.request.scale = scale;
+    suite.request.period = 0.5;
+    // A component four times the other is along one line with it: √17 times, or by the geometric mean twice.
+    for (SuiteRecord& record : suite.records) {
+      record.along_y = SuiteComponent{record.echo, record.motion};
+      for (double& value : record.along_y->motion.acceleration) value *= 4;
+    }
+    SuiteSpec single = suite_about(1);
+    single.request = suite.request;
+    ASSERT_TRUE(settled(suite).empty());
+    ASSERT_TRUE(settled(single).empty());
+    const double times = pair_measure(suite.request) == PairMeasure::geometric_mean ? 2 : std::sqrt(17);
+    // What maximum_direction() misses is in each spectrum and in the common factor.
+    const double missed = 2 * 3.2e-4;
+    for (std::size_t i = 0; i < suite.records.size(); ++i) {
+      EXPECT_NEAR(suite.records[i].factor * times / single.records[i].factor, 1, missed) << scale;
+      EXPECT_NEAR(suite.records[i].spectrum[7] / single.records[i].spectrum[7], 1, missed);
+      EXPECT_NEAR(suite.records[i].along_y->echo.pga, 4 * suite.records[i].echo.pga, 1e-12);
+    }
+  }
 }
 
 TEST_F(Suites, OneOfAnEventAndThoseWithinTheBounds) {

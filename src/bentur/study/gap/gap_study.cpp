@@ -85,8 +85,9 @@ Problem row_of(const ReadCase& read) { return read.plan ? bentur::row_of(*read.p
 
 class Work {
  public:
-  Work(const Study& study, const StudyFacts& facts, CaseMemo& memo, GapStudy& result)
-      : study_(study), facts_(facts), memo_(memo), result_(result) {}
+  /// @param row facts.problem, of buildings in plan row_of() theirs
+  Work(const Study& study, const StudyFacts& facts, const Problem& row, CaseMemo& memo, GapStudy& result)
+      : study_(study), facts_(facts), row_(row), memo_(memo), result_(result) {}
 
   void run(const std::function<bool(double)>& progress) {
     const std::vector<SweepAxis> axes = plan_axes(study_);
@@ -219,7 +220,7 @@ class Work {
       if (needs.gaps[gap].given.size() != 1) continue;
       SuiteDemand demand{.measure = measure};
       const bool is_mean = measure.kind == SuiteMeasure::Kind::mean;
-      const std::vector<FacingLevel> given = facing_levels(facts_.problem, gap);
+      const std::vector<FacingLevel> given = facing_levels(row_, gap);
       for (std::size_t level = 0; level < given.size(); ++level) {
         double mean = 0, largest = 0;
         for (const RecordNeed& record : needs.records) {
@@ -334,19 +335,41 @@ class Work {
 
   [[nodiscard]] RecordNeed need_of_row(const std::string& record, const ReadCase& read) const {
     const Problem problem = read.problem();
+    RecordNeed result = need_without_contact(record, read, problem);
+    if (!takes_both_ways_ || !read.c.analysis.both_ways) return result;
+    take_other_way(result, [&] {
+      Problem mirrored = problem;
+      reverse(mirrored.motion);
+      return need_without_contact(record + ", reversed", read, mirrored);
+    });
+    return result;
+  }
+
+  [[nodiscard]] static RecordNeed need_without_contact(const std::string& record, const ReadCase& read,
+                                                       const Problem& problem) {
     const FreeResponse free(problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
     const Response& response = free.response();
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
-    RecordNeed result{
+    return {
         record, 0, response.status == Status::collapsed, separations(problem, response, read.c.code, read.c.units), {}};
-    if (takes_both_ways_ && read.c.analysis.both_ways) take_other_way(read, problem, result);
+  }
+
+  [[nodiscard]] RecordNeed need_in_plan(const std::string& record, const ReadCase& read) const {
+    RecordNeed result = need_without_contact(record, read, *read.plan);
+    if (!takes_both_ways_ || !read.c.analysis.both_ways) return result;
+    take_other_way(result, [&] {
+      PlanProblem mirrored = *read.plan;
+      for (GroundMotion& motion : mirrored.motions) reverse(motion);
+      return need_without_contact(record + ", reversed", read, mirrored);
+    });
     return result;
   }
 
-  [[nodiscard]] static RecordNeed need_in_plan(const std::string& record, const ReadCase& read) {
-    const PlanFreeResponse free(*read.plan, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
-    const PlanRun run = run_results(read.c, *read.plan, free.response());
+  [[nodiscard]] static RecordNeed need_without_contact(const std::string& record, const ReadCase& read,
+                                                       const PlanProblem& problem) {
+    const PlanFreeResponse free(problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
+    const PlanRun run = run_results(read.c, problem, free.response());
     if (run.response.status != Status::done && run.response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + run.response.message);
     const auto row = bentur::row_of(run);
@@ -357,21 +380,23 @@ class Work {
             {}};
   }
 
-  /// Makes each number of a record the larger one of both ways round.
-  static void take_other_way(const ReadCase& read, const Problem& problem, RecordNeed& need) {
+  static void reverse(GroundMotion& motion) {
+    if (auto* const sampled = std::get_if<SampledMotion>(&motion)) {
+      for (double& value : sampled->acceleration) value = -value;
+    }
+  }
+
+  /// Makes each number of a record the larger one of both ways round. @param reversed_need what the reversed record
+  /// needs, asked for where the record itself does not say
+  static void take_other_way(RecordNeed& need, const std::function<RecordNeed()>& reversed_need) {
     std::vector<LevelSeparation>& levels = need.separations;
     const bool is_known = std::all_of(levels.begin(), levels.end(),
                                       [](const LevelSeparation& one) { return one.gap_needed_reversed.has_value(); });
     std::vector<LevelSeparation> reversed = levels;
     if (!is_known && !levels.empty()) {
-      Problem mirrored = problem;
-      for (double& value : std::get<SampledMotion>(mirrored.motion).acceleration) value = -value;
-      const FreeResponse free(mirrored, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
-      const Response& response = free.response();
-      if (response.status != Status::done && response.status != Status::collapsed)
-        throw std::runtime_error(need.record + ", reversed: " + response.message);
-      need.collapsed = need.collapsed || response.status == Status::collapsed;
-      reversed = separations(mirrored, response, read.c.code, read.c.units);
+      RecordNeed other = reversed_need();
+      need.collapsed = need.collapsed || other.collapsed;
+      reversed = std::move(other.separations);
       for (LevelSeparation& one : reversed) one.gap_needed_reversed = one.gap_needed;
     }
     const auto raise = [](double& value, double other) { value = std::isnan(other) ? other : std::max(value, other); };
@@ -389,6 +414,7 @@ class Work {
 
   const Study& study_;
   const StudyFacts& facts_;
+  const Problem& row_;
   CaseMemo& memo_;
   GapStudy& result_;
   /// Of the records of a suite, unless the study says which way they are applied.
@@ -415,7 +441,7 @@ std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> a
     result.intensity = intensity_name(*study.ida);
     result.intensity_unit = study.ida->unit.empty() ? facts->units.length + "/s2" : study.ida->unit;
   }
-  Work(study, *facts, memo, result).run(progress);
+  Work(study, *facts, row, memo, result).run(progress);
   return result;
 }
 

@@ -215,6 +215,34 @@ StoryTable record_table(const Told& told, Eigen::Index gap) {
   return table;
 }
 
+/// What each rule asks of all records together.
+StoryTable rule_table(const Told& told, Eigen::Index gap) {
+  const std::string& length = told.study.units.length;
+  StoryColumn title{.label = "gap.code"}, clause{.label = "gap.clause"}, asked{"gap.asked", length};
+  StoryColumn taken{.label = "gap.taken", .are_words = true}, level{"column.elevation", length};
+  StoryColumn given{"column.given", length}, verdict{.label = "gap.given_is", .are_words = true};
+  StoryColumn wording{.label = "gap.wording"};
+  StoryTable table{.kind = "rules", .gap = gap};
+  const bool is_enough = told.are_enough != nullptr && told.are_enough->at(static_cast<std::size_t>(gap));
+  for (const RuleOverRecords& rule : told.needs.gaps[gap].rules) {
+    const CodeRule& code = *find_code_rule(rule.rule);
+    if (rule.is_short) table.marked.push_back(title.texts.size());
+    title.texts.push_back(rule.title);
+    clause.texts.emplace_back(code.clause);
+    asked.numbers.push_back(rule.asked);
+    taken.texts.emplace_back(rule.takes_mean ? "gap.takes_mean" : "gap.takes_largest");
+    level.numbers.push_back(rule.elevation);
+    given.numbers.push_back(rule.width);
+    verdict.texts.emplace_back(rule.is_short            ? "gap.too_close"
+                               : std::isnan(rule.asked) ? "story.silence.unknown"
+                               : is_enough              ? "gap.wide_enough"
+                                                        : "gap.asks_less");
+    wording.texts.emplace_back(code.wording);
+  }
+  table.columns = {title, clause, asked, taken, level, given, verdict, wording};
+  return table;
+}
+
 /// How many need more than is given, a row a width.
 StoryTable given_table(const Told& told, Eigen::Index gap) {
   StoryColumn width{"column.given", told.study.units.length}, beyond{.label = "column.beyond", .are_counts = true};
@@ -254,6 +282,7 @@ void tell(const Told& told, bool in_words, Story& story) {
     if (in_words) tell_gap(told, gap, story.statements);
     story.tables.push_back(record_table(told, gap));
     if (told.needs.gaps[gap].given.size() > 1) story.tables.push_back(given_table(told, gap));
+    if (!told.needs.gaps[gap].rules.empty()) story.tables.push_back(rule_table(told, gap));
   }
 }
 

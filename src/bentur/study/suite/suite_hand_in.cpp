@@ -113,7 +113,7 @@ HandIn suite_hand_in(const SuiteRun& run, const GapStudy& gaps) {
   check_drifts(run, rows);
   const std::vector<SuiteJudgement> judged = judged_gaps(run, gaps);
   for (Eigen::Index gap = 0; gap < std::ssize(gaps.gaps); ++gap) check_gap(run, gaps, gap, judged.at(gap), rows);
-  return hand_in(run.c, run.problem, rows);
+  return run.plan ? hand_in(run.c, *run.plan, rows) : hand_in(run.c, run.problem, rows);
 }
 
 }  // namespace bentur

@@ -11,6 +11,7 @@
 #include "bentur/io/results/story_json.h"
 #include "bentur/io/results/suite_json.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/model/suite/suite_story.h"
 #include "bentur/pounding/pounding.h"
@@ -28,9 +29,18 @@ constexpr std::string_view told_of_records[] = {"impacts",
                                                 "unmodelled_contacts",
                                                 "peak_drift_ratio",
                                                 "peak_acceleration",
+                                                "peak_acceleration_x",
+                                                "peak_acceleration_y",
                                                 "peak_storey_shear",
+                                                "peak_storey_shear_x",
+                                                "peak_storey_shear_y",
                                                 "base_shear_coefficient",
+                                                "base_shear_coefficient_x",
+                                                "base_shear_coefficient_y",
                                                 "amplification",
+                                                "amplification_x",
+                                                "amplification_y",
+                                                "amplification_rotation",
                                                 "ductility",
                                                 "column_demand_capacity",
                                                 "peak_compression",
@@ -63,9 +73,10 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
 }
 
 /// The gap that a run needs somewhere, in both ways of the motion; infinite where a building falls without contact.
-double needed_both_ways(const RunResults& run) {
-  if (run.response.collapse_no_contact) return std::numeric_limits<double>::infinity();
-  const LevelSeparation largest = largest_of(separations(run.problem, run.response));
+/// @param row the run, of buildings in plan row_of() it
+double needed_both_ways(const RunResults& row) {
+  if (row.response.collapse_no_contact) return std::numeric_limits<double>::infinity();
+  const LevelSeparation largest = largest_of(separations(row.problem, row.response));
   return std::max(largest.gap_needed, largest.gap_needed_reversed.value_or(0));
 }
 
@@ -92,6 +103,12 @@ StoryColumn column_of(const SuiteRun& run, std::string_view key) {
   return column;
 }
 
+std::vector<std::string> names_of(const Problem& problem, Eigen::Index gap) {
+  std::vector<std::string> names;
+  for (const Eigen::Index b : buildings_of(problem, gap)) names.push_back(problem.buildings[b].name);
+  return names;
+}
+
 const SuiteSpec& suite_of(const SuiteRun& run) { return *run.c.excitation.suite; }
 
 /// Of a gap under one record; of one that could not be run nothing is known.
@@ -114,16 +131,16 @@ std::vector<Statement> told_of(const SuiteRun& run, Eigen::Index gap, const Suit
   unknown.reasons = {{{"why", std::string("reason.not_looked_at"), {}, true}}};
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     const SuiteRecordRun& one = run.records[i];
-    names.push_back(suite_of(run).records[i].echo.file);
+    names.push_back(suite_of(run).records[i].name());
     of_records.push_back(one.judged.empty() ? unknown : one.judged.at(static_cast<std::size_t>(gap)));
   }
-  const auto left = static_cast<std::size_t>(gap);
   if (of_records.empty()) return {};
+  const std::vector<std::string> between = names_of(run.problem, gap);
   return judgement_of_many({.names = std::move(names),
                             .of_records = std::move(of_records),
                             .many = judged.many,
-                            .left = run.problem.buildings[left].name,
-                            .right = run.problem.buildings[left + 1].name,
+                            .left = between.front(),
+                            .right = between.back(),
                             .length = run.c.units.length},
                            gap);
 }
@@ -138,6 +155,32 @@ StoryColumn verdicts_of(const SuiteRun& run) {
 }
 
 bool ended_in_time(const SuiteRecordRun& one) { return one.status == Status::done; }
+
+std::string refusal_of(const Case& c, const Problem& problem, const Effort& effort) {
+  return beyond_limits(c, problem, effort);
+}
+std::string refusal_of(const Case& c, const PlanProblem& /*problem*/, const Effort& effort) {
+  return beyond_limits(c, effort);
+}
+
+RunView seen(const RunResults& run) { return run.view(); }
+const PlanRun& seen(const PlanRun& run) { return run; }
+
+const RunResults& as_row(const RunResults& run) { return run; }
+const RunResults& as_row(const PlanRun& run) { return *run.row; }
+
+/// What is kept of a run. @param parts of `all`, a row of so many numbers, those that are told of records
+template <class AnyRun>
+void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::vector<RowPart>& all, std::size_t size,
+              SuiteRecordRun& result) {
+  std::vector<double> row(size);
+  fill_row(all, seen(run), row);
+  for (const RowPart& part : parts) {
+    result.values.push_back(part.name == "gap_needed" ? needed_both_ways(as_row(run)) : reduced(part, row));
+  }
+  result.statements = run_story(run).statements;
+  result.judged = told_judgements(run);
+}
 
 }  // namespace
 
@@ -162,52 +205,64 @@ double SuiteRun::largest(std::size_t quantity) const {
   return result;
 }
 
-SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
-  SuiteRun run{.c = c, .problem = make_still_problem(c), .quantities = {}, .records = {}};
-  if (!c.excitation.suite) throw InvalidParameter("excitation.kind", "no suite", "must be \"suite\"");
-  std::vector<RowPart> parts = row_parts(run.problem, c.units, false);
+namespace {
+
+/// Runs the records of a suite one after the other, of a row as in plan.
+/// @param problem without a motion @param with_motion the same of a case that has one
+template <class AnyProblem, class WithMotion>
+void run_records(const AnyProblem& problem, const WithMotion& with_motion, const std::function<bool(double)>& progress,
+                 SuiteRun& run) {
+  std::vector<RowPart> parts = row_parts(problem, run.c.units, false);
   const std::size_t size = row_size(parts);
   const std::vector<RowPart> all = parts;
   std::erase_if(parts, [](const RowPart& part) { return !is_told_of_records(part); });
   for (const RowPart& part : parts) run.quantities.push_back({part.name, part.units, part.long_name});
   const auto count = static_cast<double>(suite_of(run).records.size());
   for (std::size_t i = 0; i < suite_of(run).records.size(); ++i) {
-    const Case one = case_of_record(c, i);
-    const Problem problem = make_problem(one, run.problem.buildings);
+    const Case one = case_of_record(run.c, i);
+    const AnyProblem moved = with_motion(one);
     SolveOptions options = solve_options(one);
     options.progress = [&](double fraction) { return progress((static_cast<double>(i) + fraction) / count); };
     SuiteRecordRun result;
-    const std::string refusal = beyond_limits(one, problem, effort(problem, one.analysis.solver, options));
+    const std::string refusal = refusal_of(one, moved, effort(moved, one.analysis.solver, options));
     if (!refusal.empty()) {
       result.status = Status::failed;
       result.message = refusal;
     } else {
-      Response response = solve(problem, one.analysis.solver, options);
+      auto response = solve(moved, one.analysis.solver, options);
       if (response.status == Status::stopped) break;
       result.status = response.status;
       result.message = response.message;
-      if (response.status != Status::failed) {
-        std::vector<double> row(size);
-        fill_row(all, RunView(problem, response, one.units), row);
-        for (const RowPart& part : parts) result.values.push_back(reduced(part, row));
-        const RunResults told = run_results(one, problem, std::move(response));
-        for (std::size_t q = 0; q < parts.size(); ++q) {
-          if (parts[q].name == "gap_needed") result.values[q] = needed_both_ways(told);
-        }
-        result.statements = run_story(told).statements;
-        result.judged = told_judgements(told);
-      }
+      if (response.status != Status::failed)
+        take_run(run_results(one, moved, std::move(response)), parts, all, size, result);
     }
     if (result.values.empty()) result.values.assign(parts.size(), NAN);
     run.records.push_back(std::move(result));
     if (!progress(static_cast<double>(i + 1) / count) && !run.is_whole()) break;
+  }
+}
+
+}  // namespace
+
+SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
+  if (!c.excitation.suite) throw InvalidParameter("excitation.kind", "no suite", "must be \"suite\"");
+  SuiteRun run{.c = c, .problem = {}, .quantities = {}, .records = {}};
+  if (c.is_in_plan()) {
+    run.plan = make_plan_problem(c);
+    run.problem = row_of(*run.plan);
+    run_records(
+        *run.plan, [&](const Case& one) { return make_plan_problem(one, run.plan->buildings); }, progress, run);
+  } else {
+    run.problem = make_still_problem(c);
+    run_records(
+        run.problem, [&](const Case& one) { return make_problem(one, run.problem.buildings); }, progress, run);
   }
   return run;
 }
 
 std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps) {
   std::vector<SuiteJudgement> all;
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(run.problem.buildings); ++gap) {
+  for (Eigen::Index gap = 0; gap < gap_count(run.problem); ++gap) {
     SuiteJudgement made;
     if (!gaps.needs.empty()) {
       for (const RuleOverRecords& rule : gaps.needs.front().gaps.at(gap).rules) {
@@ -230,7 +285,7 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   std::vector<SaidOfRun> said;
   for (std::size_t i = 0; i < run.records.size(); ++i) {
     if (run.records[i].status == Status::failed) continue;
-    said.push_back({suite.records[i].echo.file, run.records[i].statements});
+    said.push_back({suite.records[i].name(), run.records[i].statements});
   }
   const std::vector<SuiteJudgement> judged = judged_gaps(run, gaps);
   Story told;
@@ -265,14 +320,17 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   put(std::move(scaled.statements));
   sort_by_severity(told.statements);
   StoryColumn name{.label = "column.record", .are_words = true};
-  for (std::size_t i = 0; i < run.records.size(); ++i) name.texts.push_back(suite.records[i].echo.file);
+  for (std::size_t i = 0; i < run.records.size(); ++i) name.texts.push_back(suite.records[i].name());
   name.texts.emplace_back("story.mean_of_records");
   name.texts.emplace_back("story.largest_of_records");
   StoryTable table{.kind = "suite_runs", .columns = {std::move(name)}};
   for (const std::string_view key : told_in_tables) table.columns.push_back(column_of(run, key));
   std::erase_if(table.columns, [](const StoryColumn& one) { return one.texts.empty() && one.numbers.empty(); });
-  if (run.problem.buildings.size() == 2) table.columns.push_back(verdicts_of(run));
+  if (gap_count(run.problem) == 1) table.columns.push_back(verdicts_of(run));
   told.tables.push_back(std::move(table));
+  for (StoryTable& one : screening_tables(run.c, run.problem, run.plan ? &*run.plan : nullptr)) {
+    of_gaps.tables.push_back(std::move(one));
+  }
   for (Story* const other : {&of_gaps, &scaled}) {
     for (StoryTable& one : other->tables) told.tables.push_back(std::move(one));
   }
@@ -290,11 +348,11 @@ std::string suite_said_json(const SuiteRun& run, const GapStudy& gaps) {
       const bool is_rule = one.worst.kind == Reason::Kind::rule;
       reasons.push_back({{"kind", word_of(one.worst)},
                          {"records", one.runs},
-                         {"worst", is_rule ? Json(nullptr) : Json(suite_of(run).records[one.run].echo.file)}});
+                         {"worst", is_rule ? Json(nullptr) : Json(suite_of(run).records[one.run].name())}});
       if (is_rule) reasons.back()["rule"] = one.worst.subject;
     }
     json["judgements"].push_back(
-        {{"between", {run.problem.buildings[gap].name, run.problem.buildings[gap + 1].name}},
+        {{"between", names_of(run.problem, static_cast<Eigen::Index>(gap))},
          {"value", word_of(many.value)},
          {"records", {{"too_small", many.too_small}, {"not_known", many.not_known}, {"enough", many.enough}}},
          {"reasons", reasons}});

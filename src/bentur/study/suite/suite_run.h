@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,8 @@ struct SuiteRecordRun {
 /// The runs of a case's suite, in short; case_of_record() gives one of them in full.
 struct SuiteRun {
   Case c;
-  Problem problem;  ///< without a motion
+  Problem problem;                       ///< without a motion; of buildings in plan row_of() theirs
+  std::optional<PlanProblem> plan = {};  ///< of those
   std::vector<SuiteQuantity> quantities;
   std::vector<SuiteRecordRun> records;  ///< in the suite's order; fewer where it was stopped
 

@@ -21,8 +21,15 @@ std::vector<std::string> reading_keys() {
 
 /// What of [excitation] holds for every record of a suite.
 bool is_of_all_records(const std::string& key) {
-  const std::vector<std::string> known = {"delays", "wave_velocity", "kinematics", "polarity"};
+  const std::vector<std::string> known = {"delays", "wave_velocity", "wave_angle", "kinematics", "polarity", "angle"};
   return std::find(known.begin(), known.end(), key) != known.end();
+}
+
+/// Its name without folders.
+std::string short_name(const SuiteRecord& record) {
+  const auto short_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+  const std::string name = short_of(record.echo.file);
+  return record.along_y ? name + " + " + short_of(record.along_y->echo.file) : name;
 }
 
 bool has_suite(const Study& study) {
@@ -43,30 +50,41 @@ std::optional<Vary> take_suite(Study& study, Diagnostics& diagnostics) {
     if (!found.ok()) return std::nullopt;
     study.suite = read.c.excitation.suite;
   }
-  const std::vector<TomlValue> entries = find_value(study.case_root, {"excitation", "files"})->items;
+  const bool pairs = study.suite->is_of_pairs();
+  const auto entries_at = [&](const ParameterPath& path) { return find_value(study.case_root, path)->items; };
+  const std::vector<TomlValue> entries = entries_at({"excitation", "files"});
+  const std::vector<TomlValue> along_y = pairs ? entries_at({"excitation", "y", "files"}) : std::vector<TomlValue>();
   std::set<std::string> names;
   Vary vary;
   vary.parameter = "excitation.file";
   vary.path = {"excitation", "file"};
   vary.name = "record";
   for (const SuiteRecord& record : study.suite->records) {
-    names.insert(std::filesystem::path(record.echo.file).filename().string());
+    names.insert(short_name(record));
   }
-  for (const std::string& key : reading_keys()) vary.file_keys.push_back({{"excitation", key}, {}});
+  for (const std::string& key : reading_keys()) {
+    vary.file_keys.push_back({{"excitation", key}, {}});
+    if (pairs) vary.file_keys.push_back({{"excitation", "y", key}, {}});
+  }
+  if (pairs) vary.file_keys.push_back({{"excitation", "y", "file"}, {}});
   for (const SuiteRecord& record : study.suite->records) {
     const bool short_names = names.size() == study.suite->records.size();
     vary.values.push_back(toml_text(record.echo.file));
-    vary.labels.push_back(short_names ? std::filesystem::path(record.echo.file).filename().string() : record.echo.file);
+    vary.labels.push_back(short_names ? short_name(record) : record.name());
     vary.normalisation.push_back(record.factor);
     for (FileKey& key : vary.file_keys) {
-      const TomlValue* const given = entries.at(record.entry).find(std::get<std::string>(key.path.back()));
+      const bool is_of_y = key.path.size() == 3;
+      const TomlValue& entry = is_of_y ? along_y.at(record.along_y->entry) : entries.at(record.entry);
+      const TomlValue* const given = entry.find(std::get<std::string>(key.path.back()));
       key.values.push_back(given != nullptr ? std::optional(*given) : std::nullopt);
+      if (key.path.back() == PathStep("file")) key.values.back() = toml_text(record.along_y->echo.file);
     }
   }
   vary.parameter_position = vary.position = study.suite->position;
   TomlValue& excitation = *study.case_root.find("excitation");
   std::erase_if(excitation.members, [](const TomlMember& member) { return !is_of_all_records(member.key); });
   put_value(study.case_root, {"excitation", "kind"}, toml_text("record"));
+  if (pairs) put_value(study.case_root, {"excitation", "y", "kind"}, toml_text("record"));
   return vary;
 }
 

@@ -63,6 +63,8 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
 /// Whether those rules of [code] that depend on it are taken across a property line and for floors that are aligned,
 /// and what of it is not given. @param gap its number
 void tell_assumed(const CodeSpec& code, std::optional<std::size_t> gap, std::vector<Statement>& statements);
+/// The screening of a gap, where there is any.
+void put_screening(const GapView& facts, Eigen::Index gap, std::vector<StoryTable>& tables);
 /// Every level with what it needs and what ABS, SRSS and DDC say; every rule; the screening.
 [[nodiscard]] std::vector<StoryTable> gap_tables(const GapView& facts, Eigen::Index gap);
 
@@ -97,6 +99,7 @@ void tell_breaking(const RunResults& run, Story& told);
 
 /// screening() of every gap of a row; nothing where its buildings are not known, as of results that are read back.
 [[nodiscard]] std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const Problem& problem);
+[[nodiscard]] std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const PlanProblem& problem);
 /// What rules ask of a gap.
 [[nodiscard]] std::vector<RuleFinding> findings_of(const GapView& view, const std::vector<LevelSeparation>& levels,
                                                    Eigen::Index gap);

@@ -123,36 +123,6 @@ class PlanPage {
     return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size(), sorted)};
   }
 
-  /// The case key by key, and what follows from it.
-  [[nodiscard]] html::PageSection input() const {
-    Html content;
-    for (const Key& key : case_keys().keys) {
-      const TomlValue nothing;
-      const TomlValue* const found = run_.c.given ? run_.c.given->find(std::string(key.name)) : nullptr;
-      const bool always = key.name == "units" || key.name == "analysis";
-      if (key.table == nullptr || (found == nullptr && !always)) continue;
-      const TomlValue& given = found != nullptr ? *found : nothing;
-      const bool is_list = given.kind == TomlValue::Kind::list;
-      for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
-        TomlValue one = is_list ? given.items[i] : given;
-        const bool is_building = key.name == "building";
-        const TomlValue planes = is_building && one.find("plane") != nullptr ? *one.find("plane") : TomlValue();
-        if (is_building) std::erase_if(one.members, [](const TomlMember& member) { return member.key == "plane"; });
-        html::Rows rows;
-        if (key.name == "excitation") rows = motion();
-        if (key.name == "analysis") rows = analysis(one);
-        if (key.name == "units" && one.find("gravity") == nullptr) {
-          rows.emplace_back(html::label_text(unit_keys().at("gravity").label, say_),
-                            html::quantity(run_.c.units.gravity, html::acceleration_unit(run_.c.units)));
-        }
-        const std::string heading = is_building ? run_.problem.buildings.at(i).name : html::label_text(key.label, say_);
-        content += element("h3", heading) + html::echo(*key.table, one, say_, run_.c.units, rows);
-        if (is_building) content += given_planes(static_cast<Index>(i), planes) + modes(static_cast<Index>(i));
-      }
-    }
-    return {"input", say_("heading.input"), content};
-  }
-
  private:
   void add_places(HtmlTable& table, const std::vector<Index>& points) const {
     std::vector<double> elevation, x, y;
@@ -261,104 +231,6 @@ class PlanPage {
     return table.markup();
   }
 
-  /// Where the planes of a building stand and how stiff they are, storeys from the top down, and how they yield.
-  [[nodiscard]] Html given_planes(Index b, const TomlValue& given) const {
-    const auto* const plan = std::get_if<Plan>(&run_.c.buildings[b].structure);
-    if (plan == nullptr || plan->planes.empty()) return {};
-    std::vector<std::string> names, stiffnesses;
-    std::vector<double> x, y, angles;
-    for (const PlanPlane& plane : plan->planes) {
-      names.push_back(plane.name);
-      x.push_back(plane.through.x());
-      y.push_back(plane.through.y());
-      constexpr double degrees = 180 / std::numbers::pi;
-      angles.push_back(degrees * std::atan2(plane.direction.y(), plane.direction.x()));
-      std::string list;
-      for (auto k = plane.storeys.stiffnesses.rbegin(); k != plane.storeys.stiffnesses.rend(); ++k) {
-        list += (list.empty() ? "" : ", ") + number(*k);
-      }
-      stiffnesses.push_back(list);
-    }
-    HtmlTable table;
-    table.add(say_("column.plane"), "", names, false);
-    table.add(say_("plan.through_x"), length_, x);
-    table.add(say_("plan.through_y"), length_, y);
-    table.add(html::label_text(plane_keys().at("angle").label, say_), "°", angles);
-    const Key& stiffness = plane_keys().at("stiffnesses");
-    table.add(html::label_text(stiffness.label, say_), html::unit_of(stiffness, run_.c.units), stiffnesses);
-    Html content = element("p", say_("plan.planes")) + table.markup();
-    for (std::size_t p = 0; p < std::min(given.items.size(), names.size()); ++p) {
-      TomlValue yielding = given.items[p];
-      std::erase_if(yielding.members, [](const TomlMember& member) {
-        const std::string_view told[] = {"name", "along", "at", "angle", "through", "stiffnesses"};
-        return std::find(std::begin(told), std::end(told), member.key) != std::end(told);
-      });
-      if (yielding.members.empty()) continue;
-      content += element("p", names[p]) + html::echo(plane_keys(), yielding, say_, run_.c.units);
-    }
-    return content;
-  }
-
-  [[nodiscard]] Html modes(Index b) const {
-    const PlanBuilding& building = run_.problem.buildings[b];
-    if (building.is_rigid()) return {};
-    constexpr Index most = 8;
-    const ModalProperties along_x = modal_properties(building.modes, building.model.load.col(0));
-    const ModalProperties along_y = modal_properties(building.modes, building.model.load.col(1));
-    std::vector<std::string> numbers;
-    std::vector<double> periods, mass_x, mass_y, damping;
-    for (Index mode = 0; mode < std::min(most, building.modes.omega.size()); ++mode) {
-      numbers.push_back(std::to_string(mode + 1));
-      periods.push_back(along_x.periods(mode));
-      mass_x.push_back(rounded(100 * along_x.effective_mass_fraction(mode)));
-      mass_y.push_back(rounded(100 * along_y.effective_mass_fraction(mode)));
-      damping.push_back(100 * building.modal_damping(mode, mode) / (2 * building.modes.omega(mode)));
-    }
-    HtmlTable table;
-    table.add(say_("column.mode"), "", numbers);
-    table.add(say_("column.period"), "s", periods);
-    table.add(say_("column.damping"), "%", damping);
-    table.add(say_("plan.mass_x"), "%", mass_x);
-    table.add(say_("plan.mass_y"), "%", mass_y);
-    return element("h4", say_("heading.modes")) + table.markup();
-  }
-
-  /// Without round-off [%].
-  [[nodiscard]] static double rounded(double percent) { return std::round(1e6 * percent) / 1e6; }
-
-  /// Both motions as they were read and as they are applied.
-  [[nodiscard]] html::Rows motion() const {
-    html::Rows rows;
-    for (const std::size_t i : {0U, 1U}) {
-      const double pga = applied_pga(run_, i);
-      if (!(pga > 0)) continue;
-      const std::string of = i == 0 ? "x" : "y";
-      if (const auto& record = run_.c.excitations()[i]->record) {
-        for (auto& [name, text] : html::rows_of_record(*record, say_))
-          rows.emplace_back(fmt::format("{}: {}", of, name), text);
-      }
-      rows.emplace_back(of + ": " + say_("motion.pga"), html::quantity(pga, html::acceleration_unit(run_.c.units)) +
-                                                            " = " + html::quantity(pga / run_.c.units.gravity, "g"));
-    }
-    const std::vector<double>& delays = run_.c.excitation.delays;
-    for (std::size_t b = 0; b < delays.size(); ++b) {
-      if (delays[b] == 0) continue;
-      rows.emplace_back(say_("motion.delay", {{"building", run_.problem.buildings.at(b).name}}),
-                        html::quantity(delays[b], "s"));
-    }
-    return rows;
-  }
-
-  [[nodiscard]] html::Rows analysis(const TomlValue& given) const {
-    html::Rows rows;
-    if (given.find("duration") == nullptr) {
-      rows.emplace_back(html::label_text(analysis_keys().at("duration").label, say_),
-                        html::quantity(run_.problem.duration, "s"));
-    }
-    rows.emplace_back(say_("analysis.events"), std::to_string(run_.response.events));
-    return rows;
-  }
-
   const PlanRun& run_;
   const Words& say_;
   const std::string& length_;
@@ -421,7 +293,8 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
                                                   say("report.by", {{"version", options.version}}), options) +
                                 html::identity(run.c.source, records, say),
                       .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
-                                   sections.impacts(listed), html::figures_section(say, figures), sections.input()},
+                                   sections.impacts(listed), html::figures_section(say, figures),
+                                   html::plan_input_section(run.c, run.problem, run.response.events, say)},
                       .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
                                 html::csv_script(csv_of(run, listed))};
   if (run.c.project || !options.head.empty()) {
