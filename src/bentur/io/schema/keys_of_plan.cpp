@@ -67,6 +67,11 @@ const KeyTable& building_plan_keys() {
                    "from the corner: one pair for all floors, or a list of one per floor")
            .matrix("one per storey", true)
            .optional("the middle of the footprint"),
+       Key::number("accidental_eccentricity", dimension::none, Range::finite,
+                   {"Accidental eccentricity", "Eksentrisitas tak terduga"},
+                   "how far all centres of mass are moved, as parts of the size; what holds the floors stays")
+           .list("along x and y", 2)
+           .optional("0"),
        Key::number("inertias", dimension::mass_inertia, Range::positive, {"Inertias", "Inersia"},
                    "of the floors about the vertical through their centre of mass")
            .list("one per storey")

@@ -87,6 +87,12 @@ std::string bare_columns(const GapView& facts) {
   return bare;
 }
 
+/// Whether a building's masses stand apart from where they are expected.
+bool is_moved(const Case& c, Index b) {
+  const auto* const plan = std::get_if<Plan>(&c.buildings.at(static_cast<std::size_t>(b)).structure);
+  return plan != nullptr && !plan->accidental_eccentricity.isZero();
+}
+
 /// What is open in every report.
 template <class Buildings>
 void tell_always(const Case& c, const Buildings& buildings, std::vector<Statement>& statements) {
@@ -98,6 +104,10 @@ void tell_always(const Case& c, const Buildings& buildings, std::vector<Statemen
       "unchecked.soil", buildings, [&](Index b) { return !is_on_soil(buildings[b]); }, statements);
   constexpr bool in_plan = std::is_same_v<Buildings, std::vector<PlanBuilding>>;
   tell(in_plan ? "unchecked.vertical" : "unchecked.other_directions", statements);
+  if constexpr (in_plan) {
+    tell_of(
+        "unchecked.eccentricity", buildings, [&](Index b) { return !is_moved(c, b); }, statements);
+  }
   tell("unchecked.local", statements);
   tell_records(c, statements);
 }

@@ -86,7 +86,9 @@ struct Plan {
   std::vector<double> masses;                   ///< [mass]
   std::vector<PlanPoint> centres_of_mass = {};  ///< from the footprint's corner, one for all or one per floor
                                                 ///< [length]; empty: its middle
-  std::vector<double> inertias = {};            ///< about these, one per floor [mass·length²]; empty: (P-2)
+  /// By what of the size along x and y they are moved already [-].
+  PlanPoint accidental_eccentricity = PlanPoint::Zero();
+  std::vector<double> inertias = {};  ///< about these, one per floor [mass·length²]; empty: (P-2)
   std::vector<PlanPlane> planes = {};
   std::optional<PlanRigidity> rigidity = {};      ///< beside the planes
   std::optional<PlanCantilever> cantilever = {};  ///< beside both

@@ -70,6 +70,22 @@ void check_centres(const TableView& table, const Plan& plan) {
   }
 }
 
+/// Moves all centres of mass, which then must stand on the floor still.
+void move_centres(const TableView& table, Plan& plan) {
+  const auto given = table.find("accidental_eccentricity");
+  const auto parts = given ? read_pair(*given, Range::finite) : std::nullopt;
+  if (!parts) return;
+  std::vector<PlanPoint> moved;
+  for (Eigen::Index f = 0; f < std::ssize(plan.masses); ++f) {
+    moved.push_back(centre_of_mass(plan, f) + parts->cwiseProduct(plan.footprint.size));
+    if (plan.footprint.contains(moved.back())) continue;
+    given->error(fmt::format("moves the centre of mass of floor {} out of the footprint", f + 1));
+    return;
+  }
+  plan.centres_of_mass = std::move(moved);
+  plan.accidental_eccentricity = *parts;
+}
+
 /// The line that a plane stands on.
 void read_line(const TableView& table, PlanPlane& plane) {
   const auto line = table.exactly_one("line");
@@ -250,6 +266,7 @@ void read_floors(const TableView& building, const Units& units, ReadBuilding& re
     const bool held = read_rigidity(building, storeys, plan) && planes;
     if (known && held) check_held(building, plan);
   }
+  if (known) move_centres(*table, plan);
   read.modes = 3 * storeys;
   read.elevations = floor_elevations(plan.storey_heights);
   read_gravity(building, read);

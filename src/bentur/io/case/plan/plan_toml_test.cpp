@@ -153,6 +153,23 @@ TEST(PlanToml, ReadsAll) {
 }
 
 /// A polygon whose corner stands before a wall, and the same in the common plan's coordinates.
+TEST(PlanToml, AccidentalEccentricityMovesCentresOfMassAlone) {
+  const auto with = [](const std::string& was, const std::string& is) {
+    std::string text = plan_text;
+    text.replace(text.find(was), was.size(), is);
+    return text;
+  };
+  const std::string centres = "centres_of_mass = [[6.2, 8.7], [6.0, 9.0]]";
+  const auto building = [](const std::string& text) {
+    return make_plan_problem(*read_text(text).c).buildings[0].model;
+  };
+  const PlanModel moved = building(with(centres, centres + "\naccidental_eccentricity = [-0.05, 0.1]"));
+  const PlanModel given = building(with(centres, "centres_of_mass = [[5.6, 10.5], [5.4, 10.8]]"));
+  EXPECT_LT((moved.stiffness - given.stiffness).norm(), 1e-12 * given.stiffness.norm());
+  EXPECT_GT((moved.stiffness - building(plan_text).stiffness).norm(), 1e-3 * given.stiffness.norm());
+  EXPECT_EQ(moved.mass, given.mass);
+}
+
 TEST(PlanToml, ReadsPolygons) {
   std::string text = plan_text;
   const auto put = [&](const std::string& from, const std::string& to) {
