@@ -14,6 +14,8 @@ namespace bentur {
 struct CoupledState {
   double since = 0;        ///< when its branch began [s]
   Eigen::MatrixXd memory;  ///< the law's own, a row per deformation
+  /// What the law has worked out of them, and need not anew; null: nothing.
+  std::shared_ptr<const void> known = nullptr;
 };
 
 /// The deformations δ of an element at an instant, how fast they change, and how fast that does.

@@ -21,7 +21,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double no_slope = 1e-9;  // of what it is a sum of: a rate that is zero
+constexpr double no_slope = 1e-9;                // of what it is a sum of: a rate that is zero
+constexpr double complementary_slack = 0x1p-48;  // of the largest rate: round-off, as complementary() has it
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -30,12 +31,15 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 struct HingeLaw::Flow {
   std::shared_ptr<const FlowingSet> set;
   VectorXd b;
-  VectorXd resting;  ///< θ of those that rest, zero of others
+  VectorXd held;    ///< K_hh θ of those that rest
+  double size = 0;  ///< Σ √K_hh |θ|, each by its own entry: that times √K_hh is what `held` is a sum of, or more
 
   [[nodiscard]] const std::vector<Index>& at() const { return set->seen.moving; }
+  /// θ of those that flow.
+  [[nodiscard]] VectorXd rotations(const VectorXd& deformation) const { return set->inverse * (deformation(at()) - b); }
 };
 
-HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters)), sets_(kept) {
+HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters)), keeps_(kept > 0), sets_(kept) {
   const Index n = size();
   require_size("upper", of_.upper.size(), n);
   require_size("lower", of_.lower.size(), n);
@@ -58,8 +62,14 @@ HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters
   if (!of_.backbones.empty()) require_size("backbones", of_.backbones.size(), static_cast<std::size_t>(n));
   check_backbones();
   wears_ = std::any_of(of_.backbones.begin(), of_.backbones.end(), [](const HingeBackbone& of) { return of.wears(); });
+  weakens_ = of_.kept.size() > 0 || !of_.backbones.empty();
   hardened_ = of_.stiffness;
   hardened_.diagonal() += of_.hardening;
+  roots_ = of_.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
+  widths_ = of_.upper + of_.lower;
+  for (Index h = 0; h < n; ++h) {
+    if (!std::isfinite(widths_(h))) widths_(h) = 2.0 * std::min(of_.upper(h), of_.lower(h));
+  }
 }
 
 bool HingeLaw::same_as(const CoupledLaw& other) const {
@@ -73,7 +83,7 @@ bool HingeLaw::same_as(const CoupledLaw& other) const {
 bool HingeLaw::whole(const CoupledState& state, Index h) const { return std::isnan(state.memory(h, broke_at)); }
 
 /// Broken or failed, without strength.
-bool HingeLaw::nothing_left(const CoupledState& state, Index h) const {
+bool HingeLaw::has_nothing_left(const CoupledState& state, Index h) const {
   return (breaks(h) && of_.kept(h) == 0.0 && !whole(state, h)) || stage_of(state, h) == spent;
 }
 
@@ -86,6 +96,7 @@ bool HingeLaw::is_free(const CoupledState& state, Index h) const {
 std::vector<char> HingeLaw::moving_freely(const CoupledState& state) const {
   constexpr double apart = 1e-9;
   std::vector<char> moves(size(), 0);
+  if (!weakens_) return moves;
   std::vector<Index> so_far;
   for (const bool of_slips : {true, false}) {
     for (Index h = 0; h < size(); ++h) {
@@ -109,7 +120,7 @@ VectorXd HingeLaw::hardened_rotations(const CoupledState& state, VectorXd rotati
 }
 
 /// How far s (M − Hθ), beyond the cap s M, may rise on side s. (H-14), (H-18), (H-21)
-double HingeLaw::line(const CoupledState& state, Index h, double s) const {
+double HingeLaw::weakened_line(const CoupledState& state, Index h, double s) const {
   if (stage_of(state, h) != virgin) return softened_line(state, h, s);
   const double given = s > 0 ? of_.upper(h) : of_.lower(h);
   const double left = left_by_wear(state, h, s);
@@ -118,13 +129,9 @@ double HingeLaw::line(const CoupledState& state, Index h, double s) const {
   return 0.5 * (of_.kept(h) * (of_.upper(h) + of_.lower(h)) + s * (of_.upper(h) - of_.lower(h)));
 }
 
-/// upper + lower, or twice the one that is finite.
-double HingeLaw::width(Index h) const {
-  const double sum = of_.upper(h) + of_.lower(h);
-  return std::isfinite(sum) ? sum : 2.0 * std::min(of_.upper(h), of_.lower(h));
-}
-
-HingeLaw::Flow HingeLaw::flow(const CoupledState& state) const {
+std::shared_ptr<const HingeLaw::Flow> HingeLaw::flow(const CoupledState& state) const {
+  if (state.known) return std::static_pointer_cast<const Flow>(state.known);
+  const auto result = std::make_shared<Flow>();
   std::vector<Index> at;
   VectorXd resting = state.memory.col(rotation);
   for (Index h = 0; h < size(); ++h) {
@@ -132,34 +139,37 @@ HingeLaw::Flow HingeLaw::flow(const CoupledState& state) const {
     at.push_back(h);
     resting(h) = 0.0;
   }
-  VectorXd b(std::ssize(at));
+  result->held.noalias() = of_.stiffness * resting;
+  result->size = roots_.dot(resting.cwiseAbs());
+  result->b.resize(std::ssize(at));
   std::vector<double> slopes;
   const bool softens = any_softened(state);
   for (std::size_t n = 0; n < at.size(); ++n) {
     const Index h = at[n];
     const double s = state.memory(h, side);
-    double& of = b(static_cast<Index>(n));
-    of = s * line(state, h, s) + of_.stiffness.col(h).dot(resting);
+    double& of = result->b(static_cast<Index>(n));
+    of = s * line(state, h, s) + result->held(h);
     if (!softens) continue;
     slopes.push_back(slope(state, h, s));
     if (stage_of(state, h) != virgin) of -= slopes.back() * state.memory(h, rotation);
   }
-  return {sets_.of(of_, at, slopes), std::move(b), std::move(resting)};
+  result->set = sets_.of(of_, at, slopes);
+  return result;
 }
 
 VectorXd HingeLaw::rotations(const CoupledState& state, const VectorXd& deformation) const {
   VectorXd theta = state.memory.col(rotation);
-  const Flow now = flow(state);
-  theta(now.at()) = now.set->inverse * (deformation(now.at()) - now.b);
+  const auto now = flow(state);
+  theta(now->at()) = now->rotations(deformation);
   return theta;
 }
 
 CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   const Index n = size();
-  CoupledState state{0.0, MatrixXd::Zero(n, wears_ ? columns : without_wear)};
+  CoupledState state{0.0, MatrixXd::Zero(n, wears_ ? columns : weakens_ ? without_wear : without_weakening)};
   if (wears_) state.memory(Eigen::all, {left_above, left_below, left_before}).setOnes();
   for (const Column time : {first_yield, mechanism_at, broke_at, cap_at, snapped_at, failed_at}) {
-    state.memory.col(time).setConstant(nothing);
+    if (time < state.memory.cols()) state.memory.col(time).setConstant(nothing);
   }
   const CoupledState unloaded = state;
   const bool beyond =
@@ -175,24 +185,25 @@ CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   return state;
 }
 
+/// borne() of a state in which no other hinges have turned than those that flowed.
+VectorXd HingeLaw::borne_after(const Flow& flowed, const CoupledState& state, const VectorXd& deformation) const {
+  const VectorXd theta = state.memory.col(rotation);
+  VectorXd y = deformation - flowed.held - of_.hardening.cwiseProduct(theta);
+  for (const Index h : flowed.at()) y -= theta(h) * of_.stiffness.col(h);
+  return y;
+}
+
 CoupledBranch HingeLaw::branch(const CoupledState& state) const {
   const Index n = size();
-  const Flow now = flow(state);
-  const CoupledSet& seen = now.set->seen;
-  CoupledBranch branch{{now.set, &seen}, -state.memory.col(rotation), {}};
-  branch.base(now.at()) = now.set->inverse * now.b;
+  const auto now = flow(state);
+  const CoupledSet& seen = now->set->seen;
+  CoupledBranch branch{{now->set, &seen}, -state.memory.col(rotation), {}};
+  branch.base(now->at()) = now->set->inverse * now->b;
   // y of those at rest beyond their rows, and what it is a sum of.
-  VectorXd constant = VectorXd::Zero(n), sizes = VectorXd::Zero(n);
-  const auto take = [&](const auto& column, double factor) {
-    for (Index h = 0; h < n && factor != 0.0; ++h) {
-      const double term = column(h) * factor;
-      constant(h) -= term;
-      sizes(h) += std::abs(term);
-    }
-  };
-  for (Index j = 0; j < now.b.size(); ++j) take(seen.over.col(j), now.b(j));
-  for (Index j = 0; j < n; ++j) take(of_.stiffness.col(j), now.resting(j));
-  take(of_.hardening.cwiseProduct(hardened_rotations(state, state.memory.col(rotation))), 1.0);
+  const VectorXd hardened = of_.hardening.cwiseProduct(hardened_rotations(state, state.memory.col(rotation)));
+  VectorXd constant = -now->held - hardened, sizes = now->size * roots_ + hardened.cwiseAbs();
+  constant.noalias() -= seen.over * now->b;
+  sizes.noalias() += now->set->sizes * now->b.cwiseAbs();
   branch.guards.reserve(2 * n);
   for (Index h = 0; h < n; ++h) {
     const double s = state.memory(h, side);
@@ -208,7 +219,7 @@ CoupledBranch HingeLaw::branch(const CoupledState& state) const {
       continue;
     }
     for (const double to : {1.0, -1.0}) {
-      if (now.set->still[h] != 0 || !std::isfinite(line(state, h, to))) continue;
+      if (now->set->still[h] != 0 || !std::isfinite(line(state, h, to))) continue;
       branch.guards.push_back({.of = h,
                                .constant = line(state, h, to) - to * constant(h),
                                .size = std::abs(line(state, h, to)) + sizes(h),
@@ -221,14 +232,15 @@ CoupledBranch HingeLaw::branch(const CoupledState& state) const {
 }
 
 CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation) const {
-  CoupledState now = state;
-  const VectorXd theta = rotations(state, deformation);
-  for (Index h = 0; h < size(); ++h) {
+  CoupledState now{state.since, state.memory};
+  const auto flowing = flow(state);
+  const VectorXd theta = flowing->rotations(deformation);
+  for (Index n = 0; n < theta.size(); ++n) {
+    const Index h = flowing->at()[static_cast<std::size_t>(n)];
     const double s = state.memory(h, side);
-    if (s == 0.0) continue;
-    const double turned = s * (theta(h) - state.memory(h, rotation));
+    const double turned = s * (theta(n) - state.memory(h, rotation));
     auto memory = now.memory.row(h);
-    memory(rotation) = theta(h);
+    memory(rotation) = theta(n);
     memory(lost) += line(state, h, s) * turned;
     if (stage_of(state, h) == softened) {
       memory(lost) += 0.5 * slope(state, h, s) * turned * turned;
@@ -239,12 +251,52 @@ CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation
   return now;
 }
 
+/// λ of (H-7) at hinges on their lines by the Q⁻¹ of sets, which recur: from those that are expected to flow by leaving
+/// out what would turn back and taking in what would pass its line. Whether that has come to its end.
+bool HingeLaw::flow_by_sets(const HingeSides& sides, const VectorXd& rate, std::vector<Index> expected,
+                            VectorXd& lambda) const {
+  constexpr int most_sets = 8;
+  const Index count = std::ssize(sides.of);
+  const double round_off = count > 0 ? complementary_slack * rate.cwiseAbs().maxCoeff() : 0.0;
+  for (int tried = 0; tried < most_sets; ++tried) {
+    std::vector<Index> at, next;
+    VectorXd speeds(std::ssize(expected));
+    for (const Index i : expected) {
+      speeds(std::ssize(at)) = sides.side[i] * rate(i);
+      at.push_back(sides.of[i]);
+    }
+    const auto of = sets_.paces_of(of_, at);
+    if (!of->apart) return false;
+    const VectorXd turning = of->inverse * speeds;
+    lambda = VectorXd::Zero(count);
+    for (std::size_t n = 0; n < at.size(); ++n) {
+      const Index i = expected[n];
+      lambda(i) = sides.side[i] * turning(static_cast<Index>(n));
+      if (lambda(i) > 0.0) next.push_back(i);
+    }
+    if (next.size() == expected.size()) {
+      for (Index i = 0; i < count; ++i) {
+        if (lambda(i) > 0.0) continue;
+        double held = 0.0;
+        for (std::size_t n = 0; n < at.size(); ++n)
+          held += of_.stiffness(at[n], sides.of[i]) * turning(static_cast<Index>(n));
+        if (!(rate(i) - sides.side[i] * held <= round_off)) next.push_back(i);
+      }
+      if (next.size() == expected.size()) return true;
+      std::sort(next.begin(), next.end());
+    }
+    expected = std::move(next);
+  }
+  return false;
+}
+
 /// λ of (H-7) at hinges on their lines; or, where these would run away, which of them snap. (H-19)
 std::vector<Index> HingeLaw::paces(const CoupledState& state, const HingeSides& sides, const VectorXd& rate,
                                    std::vector<Index> expected, VectorXd& lambda) const {
   const Index count = std::ssize(sides.of);
   const bool mixed = of_.kept.size() > 0;
   if (!any_softened(state)) {
+    if (keeps_ && !mixed && sides.free == 0 && flow_by_sets(sides, rate, expected, lambda)) return {};
     lambda = sides.solve(hardened_, rate, mixed, std::move(expected)).value_or(VectorXd::Zero(count));
     return {};
   }
@@ -289,7 +341,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   for (bool again = true; again;) {
     std::vector<Index> expected;  // to flow: those that did, and what has met its line, but not what has ceased to
     candidates = {};
-    const VectorXd y = borne(now, motion.deformation);
+    const VectorXd y = weakens_ ? borne(now, motion.deformation) : borne_after(*flow(state), now, motion.deformation);
     const std::vector<char> free = moving_freely(now);
     for (const bool of_free : {false, true}) {
       for (Index h = 0; h < size(); ++h) {
@@ -329,36 +381,37 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     if (flows_on || nothing_left(now, h)) now.memory(h, side) = sides[n];
   }
   // What flows at a rate that is zero whatever x does would never cease to end its branch.
-  Flow flows = flow(now);
+  auto flows = flow(now);
   for (bool changed = true; changed;) {
     changed = false;
-    for (const Index h : flows.at()) {
-      if (nothing_left(now, h) || flows.set->still[h] == 0) continue;
+    for (const Index h : flows->at()) {
+      if (nothing_left(now, h) || flows->set->still[h] == 0) continue;
       now.memory(h, side) = 0.0;
       changed = true;
     }
     if (changed) flows = flow(now);
   }
-  note_mechanism(now, *flows.set, time);
-  const VectorXd turning = flows.set->inverse * motion.speed(flows.at());
-  const VectorXd weighed = turning.cwiseProduct(weights(flows.at()));
+  note_mechanism(now, *flows->set, time);
+  const VectorXd turning = flows->set->inverse * motion.speed(flows->at());
+  const VectorXd weighed = turning.cwiseProduct(weights(flows->at()));
   const double fastest = weighed.size() > 0 ? weighed.cwiseAbs().maxCoeff() : 0.0;
   for (std::size_t n = 0; n < sides.size(); ++n) {
     const Index h = candidates.of[n];
     auto memory = now.memory.row(h);
     if (memory(side) != 0.0) {
-      const Index k = std::lower_bound(flows.at().begin(), flows.at().end(), h) - flows.at().begin();
+      const Index k = std::lower_bound(flows->at().begin(), flows->at().end(), h) - flows->at().begin();
       if (state.memory(h, side) != memory(side)) memory(flow_began) = time;
       set_out(now, h, memory(side));
       memory(begins) = memory(side) * weighed(k) > no_slope * fastest ? 0.0 : 1.0;
       continue;
     }
-    const VectorXd of_others = of_.stiffness(h, flows.at()).transpose().cwiseProduct(turning);
+    const VectorXd of_others = of_.stiffness(h, flows->at()).transpose().cwiseProduct(turning);
     const double falls = sides[n] * (of_others.sum() - motion.speed(h));
     const double size = of_others.cwiseAbs().sum() + std::abs(motion.speed(h));
     memory(begins) = sides[n] * (falls > no_slope * size ? 1.0 : 2.0);
   }
   if (wear(now, time, motion.deformation)) return settle(now, time, motion, nullptr);
+  if (keeps_) now.known = flows;
   return now;
 }
 
@@ -403,11 +456,12 @@ HingeLaw::Record HingeLaw::record(const CoupledState& state, Index hinge) const 
                 .cap = std::nullopt,
                 .failed = std::nullopt,
                 .snapped = std::nullopt};
+  if (!std::isnan(memory(broke_at))) record.broke = memory(broke_at);
+  if (!std::isnan(memory(first_yield))) record.first_yield = memory(first_yield);
+  if (!weakens_) return record;
   if (!std::isnan(memory(cap_at))) record.cap = memory(cap_at);
   if (!std::isnan(memory(failed_at))) record.failed = memory(failed_at);
   if (!std::isnan(memory(snapped_at))) record.snapped = memory(snapped_at);
-  if (!std::isnan(memory(broke_at))) record.broke = memory(broke_at);
-  if (!std::isnan(memory(first_yield))) record.first_yield = memory(first_yield);
   return record;
 }
 

@@ -84,15 +84,16 @@ class HingeLaw : public CoupledLaw {
     broke_at,      // [s]; NaN: it has not
     released,      // energy lost then, or when it snapped or failed [force·length]
     begins,        // order of the zero that its guard begins the branch with; of a resting one times its line's side
-    stage,         // of its backbone
-    worn,          // from the cap on: how far it has turned at most, or has been worn by a snap [rad]
-    at_cap_above,  // what it could bear at the cap, beyond what wear had left of it then [force·length]
-    at_cap_below,  //
-    cap_side,      // on which it came to it
-    cap_at,        // [s]; NaN: it has not
-    snapped_at,    //
-    failed_at,     //
-    without_wear,  // so many columns where nothing wears
+    without_weakening,          // so many columns where nothing breaks or loses strength
+    stage = without_weakening,  // of its backbone
+    worn,                       // from the cap on: how far it has turned at most, or has been worn by a snap [rad]
+    at_cap_above,               // what it could bear at the cap, beyond what wear had left of it then [force·length]
+    at_cap_below,               //
+    cap_side,                   // on which it came to it
+    cap_at,                     // [s]; NaN: it has not
+    snapped_at,                 //
+    failed_at,                  //
+    without_wear,               // so many columns where nothing wears
     left_above = without_wear,  // what wear has left of its strength on either side [-]
     left_below,                 //
     way,                        // the side on which it flowed last; 0: it has not
@@ -111,19 +112,25 @@ class HingeLaw : public CoupledLaw {
   struct Flow;
   struct Fall;
   void note_mechanism(CoupledState& state, const FlowingSet& set, double time) const;
-  [[nodiscard]] Flow flow(const CoupledState& state) const;
+  [[nodiscard]] std::shared_ptr<const Flow> flow(const CoupledState& state) const;
   [[nodiscard]] Eigen::VectorXd rotations(const CoupledState& state, const Eigen::VectorXd& deformation) const;
   [[nodiscard]] bool breaks(Eigen::Index hinge) const { return of_.kept.size() > 0 && of_.kept(hinge) < 1.0; }
   [[nodiscard]] bool whole(const CoupledState& state, Eigen::Index hinge) const;
-  [[nodiscard]] bool nothing_left(const CoupledState& state, Eigen::Index hinge) const;
+  [[nodiscard]] bool nothing_left(const CoupledState& state, Eigen::Index hinge) const {
+    return weakens_ && has_nothing_left(state, hinge);
+  }
+  [[nodiscard]] bool has_nothing_left(const CoupledState& state, Eigen::Index hinge) const;
   [[nodiscard]] std::vector<char> moving_freely(const CoupledState& state) const;
-  [[nodiscard]] double line(const CoupledState& state, Eigen::Index hinge, double side) const;
+  [[nodiscard]] double line(const CoupledState& state, Eigen::Index hinge, double side) const {
+    return weakens_ ? weakened_line(state, hinge, side) : side > 0 ? of_.upper(hinge) : of_.lower(hinge);
+  }
+  [[nodiscard]] double weakened_line(const CoupledState& state, Eigen::Index hinge, double side) const;
   [[nodiscard]] Eigen::VectorXd borne(const CoupledState& state, const Eigen::VectorXd& deformation) const;
   void load(CoupledState& state, const Eigen::VectorXd& deformation, double time,
             std::vector<Eigen::Index> broken) const;
   bool break_at_lines(CoupledState& state, double time, const Eigen::VectorXd& deformation,
                       const CoupledGuard* ended) const;
-  [[nodiscard]] double width(Eigen::Index hinge) const;
+  [[nodiscard]] double width(Eigen::Index hinge) const { return widths_(hinge); }
   [[nodiscard]] CoupledState settle(const CoupledState& state, double time, const CoupledMotion& motion,
                                     const CoupledGuard* ended) const;
 
@@ -132,6 +139,10 @@ class HingeLaw : public CoupledLaw {
   [[nodiscard]] static bool guard_says_met(const CoupledGuard* ended, Eigen::Index h, double to) {
     return ended != nullptr && ended->deformation >= 0 && ended->of == h && to * ended->sense < 0.0;
   }
+  [[nodiscard]] bool flow_by_sets(const HingeSides& sides, const Eigen::VectorXd& rate,
+                                  std::vector<Eigen::Index> expected, Eigen::VectorXd& lambda) const;
+  [[nodiscard]] Eigen::VectorXd borne_after(const Flow& flowed, const CoupledState& state,
+                                            const Eigen::VectorXd& deformation) const;
   [[nodiscard]] std::vector<Eigen::Index> paces(const CoupledState& state, const HingeSides& sides,
                                                 const Eigen::VectorXd& rate, std::vector<Eigen::Index> expected,
                                                 Eigen::VectorXd& lambda) const;
@@ -171,7 +182,11 @@ class HingeLaw : public CoupledLaw {
 
   Parameters of_;
   Eigen::MatrixXd hardened_;  ///< K_hh + H
+  Eigen::VectorXd roots_;     ///< √ of what K_hh has on its diagonal
+  Eigen::VectorXd widths_;    ///< upper + lower, or twice the one that is finite
   bool wears_ = false;        ///< a hinge does
+  bool weakens_ = false;      ///< one may break, or lose strength
+  bool keeps_ = true;         ///< states keep what has been worked out of them
   FlowingSets sets_;
 };
 

@@ -30,7 +30,7 @@ const HingeBackbone* HingeLaw::backbone(Index h) const {
 }
 
 HingeLaw::Stage HingeLaw::stage_of(const CoupledState& state, Index h) const {
-  return static_cast<Stage>(static_cast<int>(state.memory(h, stage)));
+  return weakens_ ? static_cast<Stage>(static_cast<int>(state.memory(h, stage))) : virgin;
 }
 
 bool HingeLaw::any_softened(const CoupledState& state) const {

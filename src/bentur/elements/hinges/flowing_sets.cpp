@@ -1,5 +1,8 @@
 #include "bentur/elements/hinges/flowing_sets.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "bentur/core/algebra/factors.h"
 #include "bentur/core/algebra/symmetric.h"
 
@@ -11,18 +14,38 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double no_part = 1e-9;  // of a row over x: it does not depend on x
+constexpr double no_part = 1e-9;   // of a row over x: it does not depend on x
+constexpr double no_pivot = 1e-9;  // of the largest one
 
-FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowing, const std::vector<double>& slopes) {
-  const Index count = hinges.hardening.size(), moving = std::ssize(flowing);
-  FlowingSet set;
+FlowingPaces paces(const HingeParameters& hinges, const std::vector<Index>& flowing,
+                   const std::vector<double>& slopes) {
+  const Index moving = std::ssize(flowing);
+  if (moving == 0) return {MatrixXd(0, 0)};
   MatrixXd q = hinges.stiffness(flowing, flowing);
   if (slopes.empty()) {
     q.diagonal() += hinges.hardening(flowing);
   } else {
     q.diagonal() += Eigen::Map<const VectorXd>(slopes.data(), moving);
   }
-  set.inverse = Cholesky(q).solve(MatrixXd::Identity(moving, moving));
+  // By sweeps: −Q⁻¹ when the last pivot has been gone through.
+  double least = q(0, 0), most = least;
+  for (Index k = 0; k < moving; ++k) {
+    const double pivot = q(k, k);
+    least = std::min(least, pivot);
+    most = std::max(most, pivot);
+    VectorXd column = q.col(k);
+    column(k) = -1.0;
+    q.col(k).setZero();
+    q.row(k).setZero();
+    for (Index j = 0; j < moving; ++j) q.col(j) -= column(j) / pivot * column;
+  }
+  return {-q, least > no_pivot * most};
+}
+
+FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowing, const MatrixXd& inverse) {
+  const Index count = hinges.hardening.size(), moving = std::ssize(flowing);
+  FlowingSet set;
+  set.inverse = inverse;
   set.seen.moving = flowing;
   set.seen.stiffness = -0.5 * (set.inverse + set.inverse.transpose());
   set.seen.own.resize(count);
@@ -35,6 +58,7 @@ FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowi
     set.seen.over.row(flowing[n]) = set.inverse.row(n);
     over_x.row(flowing[n]) = set.inverse.row(n) * rows;
   }
+  set.sizes = set.seen.over.cwiseAbs();
   set.still.resize(count);
   for (Index h = 0; h < count; ++h) {
     const double unit = set.seen.own[h] >= 0 ? 1.0 : hinges.stiffness(h, h) + hinges.hardening(h);
@@ -48,22 +72,51 @@ FlowingSet set_of(const HingeParameters& hinges, const std::vector<Index>& flowi
 
 }  // namespace
 
-std::shared_ptr<const FlowingSet> FlowingSets::of(const HingeParameters& hinges, const std::vector<Index>& flowing,
-                                                  const std::vector<double>& slopes) const {
-  const Key key{flowing, slopes};
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto found = sets_.find(key); found != sets_.end()) return found->second;
-  }
-  auto set = std::make_shared<const FlowingSet>(set_of(hinges, flowing, slopes));
-  const Index size = set->seen.over.size() + 2 * set->inverse.size() + 2 * std::ssize(set->still);
+std::size_t FlowingSets::Hash::operator()(const Key& key) const {
+  std::size_t hash = key.second.size();
+  const auto take = [&hash](std::size_t one) { hash = (hash ^ one) * 0x9e3779b97f4a7c15U + (hash >> 29U); };
+  for (const Index h : key.first) take(static_cast<std::size_t>(h));
+  for (const double slope : key.second) take(std::hash<double>{}(slope));
+  return hash;
+}
+
+FlowingSets::Known FlowingSets::found(const Key& key) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = sets_.find(key);
+  return found != sets_.end() ? found->second : Known{};
+}
+
+void FlowingSets::keep(const Key& key, const Known& known) const {
+  Index size = known.paces->inverse.size();
+  if (known.set) size += 2 * known.set->seen.over.size() + 2 * known.set->inverse.size() + std::ssize(known.set->still);
   const std::lock_guard lock(mutex_);
   if (numbers_ + size > kept_) {
     sets_.clear();
     numbers_ = 0;
   }
-  if (size <= kept_ && sets_.emplace(key, set).second) numbers_ += size;
-  return set;
+  if (size > kept_) return;
+  sets_.insert_or_assign(key, known);
+  numbers_ += size;
+}
+
+std::shared_ptr<const FlowingPaces> FlowingSets::paces_of(const HingeParameters& hinges,
+                                                          const std::vector<Index>& flowing) const {
+  const Key key{flowing, {}};
+  if (const Known known = found(key); known.paces) return known.paces;
+  const auto made = std::make_shared<const FlowingPaces>(paces(hinges, flowing, {}));
+  keep(key, {made, nullptr});
+  return made;
+}
+
+std::shared_ptr<const FlowingSet> FlowingSets::of(const HingeParameters& hinges, const std::vector<Index>& flowing,
+                                                  const std::vector<double>& slopes) const {
+  const Key key{flowing, slopes};
+  Known known = found(key);
+  if (known.set) return known.set;
+  if (!known.paces) known.paces = std::make_shared<const FlowingPaces>(paces(hinges, flowing, slopes));
+  known.set = std::make_shared<const FlowingSet>(set_of(hinges, flowing, known.paces->inverse));
+  keep(key, known);
+  return known.set;
 }
 
 std::optional<VectorXd> free_shape(const MatrixXd& frame_stiffness, const MatrixXd& frame_rows,

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -29,12 +30,19 @@ struct HingeParameters {
   Eigen::MatrixXd frame_stiffness = {}, frame_rows = {};
 };
 
+/// How fast hinges turn that flow: by Q⁻¹ of (H-4) times the rates of their δ.
+struct FlowingPaces {
+  Eigen::MatrixXd inverse;  ///< Q⁻¹
+  bool apart = true;        ///< no pivot of Q is next to zero: each has a pace of its own
+};
+
 /// What follows from which hinges flow, whatever the sides on which they do and however far all have turned. The rows
 /// of `seen`, one per hinge: of one at rest y = M − H θ as far as it depends on δ, of one that flows θ.
 struct FlowingSet {
   static constexpr double bends = 1e-9;  ///< least part of a frame's stiffness with which it does (H-12)
   CoupledSet seen;
   Eigen::MatrixXd inverse;  ///< Q⁻¹ of (H-4)
+  Eigen::MatrixXd sizes;    ///< |over| of `seen`
   std::vector<char> still;  ///< per hinge: its row is zero whatever x is
   bool movable = false;     ///< the frame moves without bending (H-12)
 };
@@ -52,12 +60,25 @@ class FlowingSets {
   [[nodiscard]] std::shared_ptr<const FlowingSet> of(const HingeParameters& hinges,
                                                      const std::vector<Eigen::Index>& flowing,
                                                      const std::vector<double>& slopes = {}) const;
+  /// The paces alone of hinges with H, which are had sooner.
+  [[nodiscard]] std::shared_ptr<const FlowingPaces> paces_of(const HingeParameters& hinges,
+                                                             const std::vector<Eigen::Index>& flowing) const;
 
  private:
+  using Key = std::pair<std::vector<Eigen::Index>, std::vector<double>>;
+  struct Hash {
+    [[nodiscard]] std::size_t operator()(const Key& key) const;
+  };
+  struct Known {
+    std::shared_ptr<const FlowingPaces> paces;
+    std::shared_ptr<const FlowingSet> set;
+  };
+  [[nodiscard]] Known found(const Key& key) const;
+  void keep(const Key& key, const Known& known) const;
+
   Eigen::Index kept_;
   mutable Eigen::Index numbers_ = 0;
-  using Key = std::pair<std::vector<Eigen::Index>, std::vector<double>>;
-  mutable std::map<Key, std::shared_ptr<const FlowingSet>> sets_;
+  mutable std::unordered_map<Key, Known, Hash> sets_;
   mutable std::mutex mutex_;
 };
 

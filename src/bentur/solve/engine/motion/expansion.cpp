@@ -16,6 +16,7 @@ Expansion::Expansion(const ModalSystem& system, std::vector<double> offsets)
       c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
       rise_(Eigen::VectorXd::Zero(system.size)),
       acceleration_rise_(Eigen::VectorXd::Zero(system.size)),
+      moving_(static_cast<std::size_t>(system.size) / 4, 0),
       resting_force_(system.elements.size()),
       deformations_(system.elements.size()),
       deformation_known_(system.elements.size(), 0) {}
@@ -35,7 +36,7 @@ void Expansion::fill_forces(const ElementForces& forces) {
   for (const Index i : forces.pressing) {
     const Index at = system_->elements[i].force;
     if (at < 0) continue;
-    moving_.push_back(at);
+    note_moving(at);
     const Polynomial& delta = deformation(i);
     const double stiffness = forces.linear[i].stiffness;
     c_(at, 0) = forces.linear[i].base + stiffness * delta[0];
@@ -50,7 +51,7 @@ void Expansion::fill_coupled(const ElementForces::Coupled& of) {
   const double* begin = c_.data() + of.modal->begin;
   for (Index n = 0; n < std::ssize(of.at); ++n) {
     const Index to = system_->elements[of.at[n]].force;
-    moving_.push_back(to);
+    note_moving(to);
     Polynomial force;
     kernels::row_series({0, nullptr, begin}, {pull.rows(), pull.col(n).data(), begin}, c_.rows(), degree_,
                         force.coefficients.data());
@@ -64,33 +65,32 @@ void Expansion::begin(Index first, Index count, double h, int degree) {
   count_ = count;
   h_ = h;
   degree_ = degree | 3;
-  moving_.clear();
+  std::fill(moving_.begin(), moving_.end(), 0);
 }
 
 void Expansion::set_resting_force(Index element, const Polynomial& force) { resting_force_[element] = force; }
 
-/// Hands on all coordinates that were filled, in fours that are all constant or not; those that move together as far as
-/// they stand side by side.
+/// Hands on all coordinates that were filled, in fours that are all constant or not, those alike that stand side by
+/// side together.
 template <class Take>
 void Expansion::in_ranges(const Take& take) const {
   constexpr Index four = 4;
-  Index from = first_;
-  Index to = first_;
-  const auto hand_on = [&] {
-    if (to > from) take(from, to - from, true);
+  Index from = first_, to = first_;
+  bool moves = true;
+  const auto add = [&](Index end, bool as) {
+    if (as != moves && to > from) take(from, to - from, moves);
+    if (as != moves) from = to;
+    moves = as;
+    to = end;
   };
   for (const ModalSystem::Block& block : system_->blocks) {
     if (block.begin < first_ || block.begin >= first_ + count_) continue;
-    to = block.begin + block.moving_size;
-    if (block.moving_size == block.padded_size) continue;
-    hand_on();
+    add(block.begin + block.moving_size, true);
     for (Index j = to; j < block.begin + block.padded_size; j += four) {
-      const auto in = [j](Index at) { return at >= j && at < j + four; };
-      take(j, four, std::any_of(moving_.begin(), moving_.end(), in));
+      add(j + four, moving_[static_cast<std::size_t>(j / four)] != 0);
     }
-    from = to = block.begin + block.padded_size;
   }
-  hand_on();
+  if (to > from) take(from, to - from, moves);
 }
 
 bool Expansion::find_end(State& state, Eigen::VectorXd& acceleration) {
@@ -107,6 +107,7 @@ bool Expansion::find_end(State& state, Eigen::VectorXd& acceleration) {
       std::fill_n(of->data() + at, count, 0.0);
     }
   });
+  if (!system_->coupled.empty()) end_acceleration_ = acceleration;
   return std::isfinite(sum);
 }
 
@@ -121,6 +122,20 @@ void Expansion::evaluate(double s, State& state, Eigen::VectorXd* acceleration) 
     std::copy_n(c_.data() + at, count, state.q.data() + at);
     std::fill_n(state.v.data() + at, count, 0.0);
     if (bent != nullptr) std::fill_n(bent, count, 0.0);
+  });
+}
+
+void Expansion::find_speed_rise(Eigen::VectorXd& result) const {
+  const double rate = 2.0 / (h_ * h_);
+  result.resize(c_.rows());
+  in_ranges([&](Index at, Index count, bool moves) {
+    const auto part = [&](const auto& of) { return of.segment(at, count); };
+    if (moves) {
+      const auto apart = (part(end_acceleration_) - rate * part(c_.col(2))).cwiseAbs();
+      result.segment(at, count) = 0.25 * h_ * (apart + 2.0 * part(acceleration_rise_));
+    } else {
+      result.segment(at, count).setZero();
+    }
   });
 }
 

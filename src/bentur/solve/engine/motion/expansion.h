@@ -57,9 +57,13 @@ class Expansion {
   /// found that. Between 0 and some s it is s² times as far at most.
   [[nodiscard]] const Eigen::VectorXd& rise() const { return rise_; }
   [[nodiscard]] const Eigen::VectorXd& acceleration_rise() const { return acceleration_rise_; }
+  /// How far each speed q̇ leaves its chord at most: where accelerations lie within a range, by a quarter of the step
+  /// times that. To be called after find_end().
+  void find_speed_rise(Eigen::VectorXd& result) const;
 
  private:
   void fill_coupled(const ElementForces::Coupled& of);
+  void note_moving(Eigen::Index force) { moving_[static_cast<std::size_t>(force) / 4] = 1; }
   template <class Take>
   void in_ranges(const Take& take) const;
 
@@ -69,8 +73,8 @@ class Expansion {
   int degree_ = highest_degree;
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
-  Eigen::VectorXd rise_, acceleration_rise_;
-  std::vector<Eigen::Index> moving_;  ///< force coordinates that are no constants
+  Eigen::VectorXd rise_, acceleration_rise_, end_acceleration_;
+  std::vector<char> moving_;  ///< per four coordinates: whether one is a force that is no constant
   std::vector<Polynomial> resting_force_;
   mutable std::vector<Polynomial> deformations_;  ///< those asked for
   mutable std::vector<char> deformation_known_;

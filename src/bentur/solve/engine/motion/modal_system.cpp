@@ -403,8 +403,9 @@ VectorXd ModalSystem::deformations(const std::vector<Index>& at, const std::vect
 
 void ModalSystem::fill_forces(const ElementForces::Coupled& of, State& state) const {
   if (elements[of.at.front()].force < 0) return;
-  const VectorXd forces = of.base + of.stiffness * speeds(of.at, state.q);
-  const VectorXd rates = of.stiffness * speeds(of.at, state.v);
+  const MatrixXd& pull = of.modal->pull;
+  const VectorXd forces = of.base + pull.transpose() * state.q.segment(of.modal->begin, pull.rows());
+  const VectorXd rates = pull.transpose() * state.v.segment(of.modal->begin, pull.rows());
   for (Index n = 0; n < forces.size(); ++n) {
     state.q(elements[of.at[n]].force) = forces(n);
     state.v(elements[of.at[n]].force) = rates(n);
@@ -419,6 +420,13 @@ void ModalSystem::push(Index i, double force, VectorXd& result) const {
   };
   add(relation.left_begin, relation.left_push);
   add(relation.right_begin, relation.right_push);
+}
+
+void ModalSystem::push(const ElementForces::Coupled& of, const State& state, VectorXd& result) const {
+  const ElementForces::Coupled::Modal& modal = *of.modal;
+  VectorXd forces = modal.pull.transpose() * state.q.segment(modal.begin, modal.pull.rows());
+  if (of.damping.size() > 0) forces += of.damping * speeds(of.at, state.v);
+  result.segment(modal.begin, modal.push.rows()) += of.steady + modal.push * forces;
 }
 
 const double* ModalSystem::load_of(std::size_t b, const double* q, VectorXd& load) const {

@@ -212,6 +212,8 @@ struct ModalSystem {
 
   /// result += push_i F for one element.
   void push(Eigen::Index element, double force, Eigen::VectorXd& result) const;
+  /// The same for coupled ones at a state.
+  void push(const ElementForces::Coupled& of, const State& state, Eigen::VectorXd& result) const;
 
   /// What the force coordinates of a state do to the coordinates of one body, or of all: `load` is written there.
   /// Null where they do nothing.

@@ -85,6 +85,13 @@ bool StepBuffer::next_instant() {
   return true;
 }
 
+bool StepBuffer::go_on(const State& state) {
+  if (!joined_) return false;
+  q_.col(last_) = state.q;
+  v_.col(last_) = state.v;
+  return true;
+}
+
 void StepBuffer::begin(const State& state, const std::vector<GroundInput>& inputs, const double* load) {
   load_ = load;
   if (!next_instant()) return;

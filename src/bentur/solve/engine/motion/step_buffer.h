@@ -54,6 +54,8 @@ class StepBuffer {
 
   /// The next step does not start with the state and acceleration with which the last one ended.
   void break_off() { joined_ = false; }
+  /// The next step does, to round-off, but with this state. Whether there is a step that has ended.
+  [[nodiscard]] bool go_on(const State& state);
   /// Where the next flight starts, unless that is where the last step ended; `load`: what constant forces of elements
   /// do to every coordinate until break_off() (null: nothing).
   void begin(const State& state, const std::vector<GroundInput>& inputs, const double* load);

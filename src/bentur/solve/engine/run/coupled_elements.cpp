@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -76,13 +77,16 @@ CoupledElements::CoupledElements(const ModalSystem& system, const Laws& laws, co
     std::vector<Index>& at = all_.emplace_back(of.count);
     std::iota(at.begin(), at.end(), of.first);
     MatrixXd& rows = rows_.emplace_back(system.elements[of.first].relation.size(), of.count);
+    MatrixXd& pushes = pushes_.emplace_back(rows.rows(), of.count);
     VectorXd& shifts = shifts_.emplace_back(of.count);
     for (Index n = 0; n < of.count; ++n) {
       const ModalSystem::Relation& each = system.elements[of.first + n].relation;
       ModalSystem::Relation::spread(each.left_row, each.right_row, rows.col(n));
+      ModalSystem::Relation::spread(each.left_push, each.right_push, pushes.col(n));
       shifts(n) = offsets[of.first + n];
     }
-    sizes_.emplace_back(rows.cwiseAbs());
+    sizes_.emplace_back(rows.cwiseAbs().transpose(), rows.rows());
+    largest_.emplace_back(VectorXd::Zero(sizes_.back().rows()));
     states_.push_back(laws[e]->begin(deformation(e, state)));
   }
 }
@@ -128,11 +132,36 @@ void CoupledElements::enter(std::size_t e) {
   now.branch.set = now.known->set;
   now.may_fly = now.known->at.empty();
   if (now.may_fly) tell_monitor(e);
-  if (e < own_) return;  // whose offsets are zero
   for (CoupledGuard& guard : now.branch.guards) {
-    if (guard.deformation >= 0) {
+    if (guard.deformation >= 0 && e >= own_) {  // offsets of the others are zero
       guard.constant += guard.sense * now.branch.set->row(guard.deformation, of.count).dot(shifts_[e]);
     }
+  }
+  sort_guards(now);
+}
+
+void CoupledElements::sort_guards(Now& now) const {
+  const Index rows = now.known->packed.rows();
+  constexpr double any = std::numeric_limits<double>::max();
+  now.least.setConstant(rows, -any);
+  now.most.setConstant(rows, any);
+  now.below.assign(rows, -1);
+  now.above.assign(rows, -1);
+  now.others.clear();
+  now.delayed = false;
+  for (int g = 0; g < static_cast<int>(now.branch.guards.size()); ++g) {
+    const CoupledGuard& guard = now.branch.guards[g];
+    const Index row = guard.deformation;
+    const bool of_row = row >= 0 && guard.speed < 0 && guard.acceleration < 0, later = now.begins && guard.zeros > 0;
+    const bool alone = of_row && !later;
+    now.delayed = now.delayed || (of_row && later);
+    std::vector<int>& of = guard.sense > 0.0 ? now.below : now.above;
+    if (!alone || of[row] >= 0) {
+      now.others.push_back(g);
+      continue;
+    }
+    of[row] = g;
+    (guard.sense > 0.0 ? now.least : now.most)(row) = guard.sense > 0.0 ? -guard.constant : guard.constant;
   }
 }
 
@@ -166,21 +195,19 @@ bool CoupledElements::gather(ElementForces& forces, State& state) const {
   bool may_fly = true;
   for (std::size_t e = 0; e < now_.size(); ++e) {
     const Now& now = now_[e];
-    const Index first = system_->coupled[e].first;
+    const auto [first, count] = system_->coupled[e];
     may_fly = may_fly && now.may_fly;
-    for (Index n = 0; n < system_->coupled[e].count; ++n) {
-      const ModalSystem::Element& element = system_->elements[first + n];
-      forces.linear[first + n] = {.base = now.branch.base(n)};
-      if (element.force < 0) continue;
-      state.q(element.force) = now.branch.base(n);
-      state.v(element.force) = 0.0;
+    const Index force = system_->elements[first].force;  // of its other deformations they follow
+    if (force >= 0) {
+      state.q.segment(force, count) = now.branch.base;
+      state.v.segment(force, count).setZero();
     }
-    std::vector<char> moves(system_->coupled[e].count, 0);
-    for (const Index n : now.branch.set->moving) moves[n] = 1;
-    for (std::size_t n = 0; n < moves.size(); ++n) {
-      if (moves[n] == 0 && now.branch.base(static_cast<Index>(n)) != 0.0) {
-        forces.constant.push_back(first + static_cast<Index>(n));
-      }
+    auto moving = now.branch.set->moving.begin();
+    for (Index n = 0; n < count; ++n) {
+      forces.linear[first + n] = {.base = now.branch.base(n)};
+      const bool moves = moving != now.branch.set->moving.end() && *moving == n;
+      if (moves) ++moving;
+      if (!moves && now.branch.base(n) != 0.0) forces.constant.push_back(first + n);
     }
     if (now.known->at.empty()) continue;
     const CoupledSet& set = *now.branch.set;
@@ -195,6 +222,14 @@ bool CoupledElements::gather(ElementForces& forces, State& state) const {
     system_->fill_forces(of, state);
   }
   return may_fly;
+}
+
+void CoupledElements::add_loads(VectorXd& load) const {
+  for (std::size_t e = 0; e < now_.size(); ++e) {
+    VectorXd constant = now_[e].branch.base;
+    constant(now_[e].branch.set->moving).setZero();
+    load.segment(begin_of(e), pushes_[e].rows()).noalias() += pushes_[e] * constant;
+  }
 }
 
 void CoupledElements::add_forces(const State& state, VectorXd& forces) const {
@@ -275,35 +310,63 @@ std::optional<double> CoupledElements::end_of(std::size_t e, const CoupledGuard&
   return first_negative(p, 1.0, at_zero ? -p[0] : slack);
 }
 
+/// Whether its guard of speed cannot fail in the expanded step: speeds leave their chord by a quarter of the step times
+/// how far accelerations lie apart in it, which is in speed_rise_.
+bool CoupledElements::keeps_speed(std::size_t e, const CoupledGuard& guard, const State& from, const State& to) const {
+  if (guard.speed < 0 || guard.deformation >= 0 || guard.acceleration >= 0) return false;
+  if (now_[e].begins && guard.zeros > 0) return false;
+  const MatrixXd& rows = now_[e].known->rows;
+  const double* row = rows.col(guard.speed).data();
+  const Index size = rows.rows(), begin = begin_of(e);
+  const double start = guard.sense * kernels::dot(size, row, from.v.data() + begin);
+  const double end = guard.sense * kernels::dot(size, row, to.v.data() + begin);
+  return guard.constant + std::min(start, end) >= kernels::dot_abs(size, row, speed_rise_.data() + begin);
+}
+
 std::optional<CoupledElements::Event> CoupledElements::next_event(const Expansion& motion, const State& from,
-                                                                  const State& to, const Bands& bands) const {
+                                                                  const State& to, const Bands& bands) {
   std::optional<Event> found;
-  VectorXd low, high;
+  bool risen = false;
   for (std::size_t e = 0; e < now_.size(); ++e) {
     const Now& now = now_[e];
-    low.resize(now.known->packed.rows());
-    high.resize(now.known->packed.rows());
+    const Index rows = now.known->packed.rows();
+    low_.resize(rows);
+    high_.resize(rows);
     kernels::ranges_of_rows(now.known->packed, from.q.data() + begin_of(e), to.q.data() + begin_of(e),
-                            motion.rise().data() + begin_of(e), low.data(), high.data());
-    for (std::size_t g = 0; g < now.branch.guards.size(); ++g) {
+                            motion.rise().data() + begin_of(e), low_.data(), high_.data());
+    asked_ = now.others;
+    for (Index row = 0; row < rows; ++row) {
+      if (low_(row) >= now.least(row) && high_(row) <= now.most(row)) continue;
+      if (!(low_(row) >= now.least(row))) asked_.push_back(now.below[row]);
+      if (!(high_(row) <= now.most(row))) asked_.push_back(now.above[row]);
+    }
+    if (asked_.size() > now.others.size()) std::sort(asked_.begin(), asked_.end());
+    if (!risen && !now.others.empty()) motion.find_speed_rise(speed_rise_);
+    risen = risen || !now.others.empty();
+    for (const int g : asked_) {
+      if (g < 0) continue;  // of rows that are not numbers
       const CoupledGuard& guard = now.branch.guards[g];
-      if (guard.deformation >= 0 && guard.speed < 0 && guard.acceleration < 0 && !(now.begins && guard.zeros > 0)) {
-        const double least = guard.sense > 0.0 ? low(guard.deformation) : -high(guard.deformation);
-        if (guard.constant + least >= 0.0) continue;
-      }
+      if (keeps_speed(e, guard, from, to)) continue;
       const auto s = end_of(e, guard, motion, from, bands);
-      if (s && (!found || *s < found->s)) found = Event{e, g, *s};
+      if (s && (!found || *s < found->s)) found = Event{e, static_cast<std::size_t>(g), *s};
     }
   }
   return found;
 }
 
-void CoupledElements::gauge(const State& state, double part, std::vector<double>& displacement) const {
+void CoupledElements::gauge(const State& state, double part, std::vector<double>& displacement) {
   for (std::size_t e = 0; e < now_.size(); ++e) {
-    const VectorXd sizes = sizes_[e].transpose() * state.q.segment(begin_of(e), sizes_[e].rows()).cwiseAbs();
-    for (Index n = 0; n < sizes.size(); ++n) {
+    const kernels::PackedRows& rows = sizes_[e];
+    magnitudes_ = state.q.segment(begin_of(e), rows.columns()).cwiseAbs();
+    if (values_.size() < rows.rows()) {
+      values_.resize(rows.rows());
+      none_.setZero(rows.rows());
+    }
+    kernels::raise_peaks(kernels::Peaks::of_values, rows, none_.data(), 1, magnitudes_.data(), rows.columns(),
+                         largest_[e].data(), values_.data());
+    for (Index n = 0; n < system_->coupled[e].count; ++n) {
       double& of = displacement[system_->coupled[e].first + n];
-      of = std::max(of, part * sizes(n));
+      of = std::max(of, part * largest_[e](n));
     }
   }
 }
@@ -327,7 +390,10 @@ std::optional<CoupledElements::Event> CoupledElements::due(const State& state, c
 }
 
 void CoupledElements::go_on() {
-  for (Now& now : now_) now.begins = false;
+  for (Now& now : now_) {
+    now.begins = false;
+    if (now.delayed) sort_guards(now);
+  }
 }
 
 void CoupledElements::change(const Event& event, double time, const State& state, const VectorXd& acceleration) {

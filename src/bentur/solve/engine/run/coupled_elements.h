@@ -29,6 +29,8 @@ class CoupledElements {
   [[nodiscard]] bool gather(ElementForces& forces, State& state) const;
   /// Adds F of each deformation.
   void add_forces(const State& state, Eigen::VectorXd& forces) const;
+  /// Adds what the constant ones of these do to every coordinate.
+  void add_loads(Eigen::VectorXd& load) const;
 
   struct Event {
     std::size_t element = 0, guard = 0;
@@ -42,12 +44,12 @@ class CoupledElements {
   };
   /// The first change in the expanded step from one state to another.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const State& to,
-                                                const Bands& bands) const;
+                                                const Bands& bands);
   /// A change that is due at a state; `acceleration` is q̈ there.
   [[nodiscard]] std::optional<Event> due(const State& state, const Eigen::VectorXd& acceleration,
                                          const Bands& bands) const;
   /// Takes in how large the displacements of a state are.
-  void gauge(const State& state, double part, std::vector<double>& displacement) const;
+  void gauge(const State& state, double part, std::vector<double>& displacement);
   /// A step that lasts has been taken: nothing is at its beginning any more.
   void go_on();
 
@@ -84,6 +86,11 @@ class CoupledElements {
     std::shared_ptr<const Known> known;
     bool may_fly = false;
     bool begins = true;
+    // What guards of deformations alone say of each row, least ≤ row ≤ most, and which of the guards say it (−1: none);
+    // the other guards.
+    Eigen::VectorXd least, most;
+    std::vector<int> below, above, others;
+    bool delayed = false;  ///< some of these are guards of deformations that begin the branch at zero
   };
   [[nodiscard]] Eigen::VectorXd deformation(std::size_t element, const State& state) const;
   [[nodiscard]] CoupledMotion motion_of(std::size_t element, const State& state,
@@ -96,6 +103,9 @@ class CoupledElements {
   [[nodiscard]] Polynomial row_of(std::size_t element, Eigen::Index row, const Expansion& motion) const;
   [[nodiscard]] std::optional<double> end_of(std::size_t element, const CoupledGuard& guard, const Expansion& motion,
                                              const State& from, const Bands& bands) const;
+  [[nodiscard]] bool keeps_speed(std::size_t element, const CoupledGuard& guard, const State& from,
+                                 const State& to) const;
+  void sort_guards(Now& now) const;
   [[nodiscard]] std::shared_ptr<const Known> known(std::size_t element, const std::shared_ptr<const CoupledSet>& set);
   void enter(std::size_t element);
   void tell_monitor(std::size_t element);
@@ -105,14 +115,20 @@ class CoupledElements {
   std::size_t own_ = 0;  ///< of bodies: the first ones
   std::vector<double> offsets_;
   std::vector<std::vector<Eigen::Index>> all_;  ///< per element: of ModalSystem::elements
-  std::vector<Eigen::MatrixXd> rows_, sizes_;   ///< δ of each over what moves of its bodies: a column each; |δ|
-  std::vector<Eigen::VectorXd> shifts_;         ///< offsets of each δ
+  std::vector<Eigen::MatrixXd> rows_,
+      pushes_;  ///< δ of each over what moves of its bodies, and what F does: a column each
+  std::vector<kernels::PackedRows> sizes_;  ///< |δ| likewise, a row each …
+  std::vector<Eigen::VectorXd> largest_;    ///< … and the largest so far
+  std::vector<Eigen::VectorXd> shifts_;     ///< offsets of each δ
   /// Of sets that have been met, per element: two may share a law.
   std::map<std::pair<std::size_t, const CoupledSet*>, std::shared_ptr<const Known>> known_;
   std::vector<CoupledState> states_;
   std::vector<Now> now_;
   GuardMonitor* monitor_ = nullptr;
-  double soon_ = 0;  ///< [s]
+  double soon_ = 0;                             ///< [s]
+  Eigen::VectorXd low_, high_, speed_rise_;     ///< scratch
+  Eigen::VectorXd magnitudes_, values_, none_;  ///< scratch
+  std::vector<int> asked_;                      ///< scratch
 };
 
 }  // namespace bentur::engine

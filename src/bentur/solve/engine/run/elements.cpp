@@ -245,10 +245,20 @@ std::optional<Elements::Event> Elements::due(const State& state, const std::vect
 CoupledElements::Bands Elements::bands() const { return {tolerances_, round_off_band, start_slack_}; }
 
 Eigen::VectorXd Elements::acceleration(const State& state, const std::vector<GroundInput>& inputs) const {
-  Eigen::VectorXd forces;
-  Eigen::VectorXd result;
-  forces_at(state, inputs, forces);
+  Eigen::VectorXd forces, result;
+  if (!forces_.resting.empty() || !forces_.nonlinear.empty()) {
+    forces_at(state, inputs, forces);
+    system_->acceleration(state, inputs, forces, result);
+    return result;
+  }
   system_->acceleration(state, inputs, forces, result);
+  if (forces_.loaded) result += forces_.load;
+  for (const Index i : forces_.pressing) {
+    const ElementForces::Linear& linear = forces_.linear[i];
+    const double pressed = linear.stiffness * deformation(i, state) + linear.damping * speed(i, state);
+    system_->push(i, linear.base + pressed, result);
+  }
+  for (const ElementForces::Coupled& of : forces_.coupled) system_->push(of, state, result);
   return result;
 }
 
@@ -405,17 +415,19 @@ Elements::Force Elements::take_force(Index i) {
   may_fly_ = coupled_.gather(forces_, state) && may_fly_;
   for (std::size_t n = 0; n < rubbing_.size(); ++n) any_touching_ = any_touching_ || touches(rub(n));
   forces_.rate = system_->rate(forces_);
+  forces_.loaded = !forces_.constant.empty();
+  if (!forces_.loaded) return;
+  forces_.load.setZero(system_->size);
   for (const Index i : forces_.constant) {
-    if (!forces_.loaded) forces_.load.setZero(system_->size);
-    forces_.loaded = true;
-    system_->push(i, forces_.linear[i].base, forces_.load);
+    if (i < count()) system_->push(i, forces_.linear[i].base, forces_.load);
   }
+  coupled_.add_loads(forces_.load);
 }
 
 void Elements::change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state) {
   const Index i = event.element;
   jumps_.clear();
-  began_ = false;
+  began_ = goes_on_ = false;
   if (i >= count()) {
     change_coupled(event, time, inputs, state);
     return;

@@ -54,8 +54,7 @@ class Elements {
   [[nodiscard]] const ElementForces& forces() const { return forces_; }
   /// No force changes, and guards watch δ alone, so that bodies fly.
   [[nodiscard]] bool may_fly() const { return may_fly_; }
-  /// Whether bodies touch.
-  [[nodiscard]] bool any_touching() const { return any_touching_; }
+  [[nodiscard]] bool any_touching() const { return any_touching_; }  ///< bodies do
 
   /// How many of `count` flights after the last step of a buffer come before the first in which something may happen to
   /// the elements [first, end).
@@ -108,12 +107,12 @@ class Elements {
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
   void change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
-  /// Whether the last change found no impulses (E-1).
-  [[nodiscard]] bool failed() const { return failed_; }
+  /// Whether positions, speeds and forces were after the last change what they were before it, to round-off.
+  [[nodiscard]] bool goes_on() const { return goes_on_; }
+  [[nodiscard]] bool failed() const { return failed_; }  ///< the last change found no impulses (E-1)
   /// The element whose limit the last change has passed.
   [[nodiscard]] std::optional<Eigen::Index> limit_passed() const { return limit_passed_; }
-  /// Whether the last change began a contact.
-  [[nodiscard]] bool began() const { return began_; }
+  [[nodiscard]] bool began() const { return began_; }                      ///< it began a contact
   [[nodiscard]] const std::vector<Jump>& jumps() const { return jumps_; }  ///< of the last change
 
   /// Ends the run at `time`: contacts still closed count as impacts.
@@ -242,6 +241,7 @@ class Elements {
   double fastest_ = 0;  ///< speed that modes have added up to at any event, or a part of free ones [length/s]
   std::optional<Eigen::Index> limit_passed_;
   bool began_ = false;
+  bool goes_on_ = false;
   bool failed_ = false;
   long events_ = 0;
   std::vector<double> worst_openings_;

@@ -9,6 +9,12 @@ namespace bentur::engine {
 
 using Eigen::Index;
 
+namespace {
+
+constexpr double same_forces = 1e-13;  // of the largest: forces that differ by less do by round-off
+
+}  // namespace
+
 Elements::Rub Elements::rub(std::size_t number) const {
   const std::size_t coupled = system_->coupled.size() - rubbing_.size() + number;
   return {number, coupled, system_->coupled[coupled].first, count() + static_cast<Index>(number),
@@ -67,8 +73,13 @@ void Elements::change_coupled(const Event& event, double time, const std::vector
   const auto element = static_cast<std::size_t>(event.element - count());
   const std::size_t own = system_->coupled.size() - rubbing_.size();
   if (element < own) {
+    const auto [first, size] = system_->coupled[element];
+    const Index force = system_->elements[first].force;
+    const Eigen::VectorXd before = state.q.segment(force, size);
     coupled_.change({element, event.guard}, time, state, acceleration(state, inputs));
     gather(state);
+    const Eigen::VectorXd differ = state.q.segment(force, size) - before;
+    goes_on_ = differ.cwiseAbs().maxCoeff() <= same_forces * before.cwiseAbs().maxCoeff();
     return;
   }
   ++events_;

@@ -369,8 +369,8 @@ double Run::look(double time) {
 /// At the end of a step.
 void Run::arrived(double time) {
   if (!event_) return;
-  buffer_.break_off();
   elements_.change(*event_, time, inputs_, state_);
+  if (!elements_.goes_on() || !buffer_.go_on(state_)) buffer_.break_off();
   if (elements_.failed()) return fail("no impulses part the points that collide", time);
   if (elements_.began()) stepper_.contact_begins();
   if (const auto element = elements_.limit_passed()) {
