@@ -85,12 +85,16 @@ void run(const std::string& file, const Words& say) {
     if (why.empty()) return;
     throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = why}, say.language()));
   };
-  const std::string all_records = loaded.c.excitation.suite ? say("suite.takes_all") + "\n" : "";
+  const auto& spectrum = loaded.c.excitation.spectrum;
+  const std::string no_run = loaded.c.excitation.suite ? say("suite.takes_all") + "\n"
+                             : spectrum ? std::string(spectrum->of_displacements ? "Displacements" : "A spectrum") +
+                                              ": for bentur gap, which makes no run\n"
+                                        : "";
   if (loaded.c.is_in_plan()) {
-    if (all_records.empty())
+    if (no_run.empty())
       refuse(beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
     const Story unusual = {remark_statements(remarks(loaded.c, loaded.plan))};
-    return print(fitted(text + plan_lines(loaded) + (all_records.empty() ? solver() : all_records + "\n") +
+    return print(fitted(text + plan_lines(loaded) + (no_run.empty() ? solver() : no_run + "\n") +
                         story_text(gap_names(loaded.plan), unusual, say, Told::all)));
   }
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
@@ -120,14 +124,8 @@ void run(const std::string& file, const Words& say) {
   }
   const std::string unusual =
       story_text(gap_names(loaded.problem), {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
-  if (loaded.c.excitation.spectrum) {
-    const bool is_given = loaded.c.excitation.spectrum->of_displacements;
-    print(fitted(text + (is_given ? "Displacements" : "A spectrum") + ": for bentur gap, which makes no run\n" +
-                 unusual));
-    return;
-  }
-  if (!all_records.empty()) {
-    print(fitted(text + all_records + unusual));
+  if (!no_run.empty()) {
+    print(fitted(text + no_run + unusual));
     return;
   }
   text += solver();

@@ -55,8 +55,18 @@ std::string peaks_text(const Building& building, const SpectralPeaks& peaks, con
                 {"amplified", amplifies ? say("cli.amplified", {{"factor", number(given->amplification)}}) : ""}}) +
            "\n\n" + table.text();
   }
-  table.add("SRSS", length, srss);
-  table.add("CQC", length, cqc);
+  if (peaks.srss_y.size() == 0) {
+    table.add("SRSS", length, srss);
+    table.add("CQC", length, cqc);
+  } else {
+    const auto from_top = [](const Eigen::VectorXd& list) {
+      return std::vector<double>(std::make_reverse_iterator(list.end()), std::make_reverse_iterator(list.begin()));
+    };
+    table.add("x, SRSS", length, srss);
+    table.add("x, CQC", length, cqc);
+    table.add("y, SRSS", length, from_top(peaks.srss_y));
+    table.add("y, CQC", length, from_top(peaks.cqc_y));
+  }
   return say("cli.peaks_by",
              {{"building", building.name}, {"elastic", building.can_yield() ? say("cli.elastic") : ""}}) +
          "\n\n" + table.text();
@@ -65,7 +75,7 @@ std::string peaks_text(const Building& building, const SpectralPeaks& peaks, con
 void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   const Case& c = loaded.c;
   const SpectrumSpec& spectrum = *c.excitation.spectrum;
-  const SpectralGaps spectral = spectral_gaps(loaded.problem, spectrum, c.code, c.units);
+  const SpectralGaps spectral = spectral_gaps(loaded);
   if (json) {
     print(spectral_gap_json(c, loaded.problem, spectral, version()));
     return;

@@ -69,10 +69,10 @@ LeastGaps gaps_of(const RemedyArguments& arguments) {
       throw Failure(exit_other, error_words("Stopped: not all records are run", arguments.language));
     return least_gaps(run, study);
   }
-  if (c.is_in_plan()) return least_gaps(simulate_plan(loaded, 0, true, arguments.language));
   if (c.excitation.spectrum) {
-    return least_gaps(c, loaded.problem, spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units));
+    return least_gaps(c, loaded.problem, spectral_gaps(loaded));
   }
+  if (c.is_in_plan()) return least_gaps(simulate_plan(loaded, 0, true, arguments.language));
   return least_gaps(simulate(loaded, 0, true, arguments.language));
 }
 

@@ -85,8 +85,8 @@ std::string from_case(const Loaded& loaded, const std::string& file, const Repor
     if (!run.is_whole() || !gaps.is_whole()) throw Failure(exit_other, "Stopped: no report is written");
     return suite_report_html(run, gaps, options);
   }
-  if (const auto& spectrum = loaded.c.excitation.spectrum) {
-    const SpectralGaps gaps = spectral_gaps(loaded.problem, *spectrum, loaded.c.code, loaded.c.units);
+  if (loaded.c.excitation.spectrum) {
+    const SpectralGaps gaps = spectral_gaps(loaded);
     return spectral_report_html(loaded.c, loaded.problem, gaps, options);
   }
   if (loaded.c.is_in_plan()) {

@@ -20,6 +20,7 @@
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/story_text.h"
@@ -121,13 +122,23 @@ Loaded load(const std::filesystem::path& file, Purpose purpose, const std::strin
   std::vector<std::filesystem::path> files = files_read(*c);
   files.push_back(file);
   if (purpose == Purpose::run && refuse_without_motion(*c, diagnostics)) throw Failure(diagnostics, language);
-  if (c->is_in_plan()) return {std::move(*c), {}, std::move(made.plan), std::move(files)};
+  if (c->is_in_plan()) {
+    Problem row = c->excitation.spectrum ? row_of(made.plan) : Problem();
+    return {std::move(*c), std::move(row), std::move(made.plan), std::move(files)};
+  }
   try {
     Problem problem = make_still_problem(*c, std::move(made.buildings));
     return {std::move(*c), std::move(problem), {}, std::move(files)};
   } catch (const std::exception& error) {
     throw Failure(exit_bad_input, error_text({.position = {.file = file.string()}, .rule = error.what()}, language));
   }
+}
+
+SpectralGaps spectral_gaps(const Loaded& loaded) {
+  const Case& c = loaded.c;
+  const SpectrumSpec& spectrum = *c.excitation.spectrum;
+  return c.is_in_plan() ? bentur::spectral_gaps(loaded.plan, spectrum, c.code, c.units)
+                        : bentur::spectral_gaps(loaded.problem, spectrum, c.code, c.units);
 }
 
 Loaded load_example(const std::string& name) {

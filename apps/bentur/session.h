@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/story_text.h"
@@ -69,7 +70,7 @@ class Notice {
 
 struct Loaded {
   Case c;
-  Problem problem;                           ///< of a row
+  Problem problem;                           ///< of a row; in plan under a spectrum row_of() it
   PlanProblem plan;                          ///< in its place, of buildings in plan
   std::vector<std::filesystem::path> files;  ///< that it was read from
 };
@@ -82,6 +83,9 @@ enum class Takes { rows, rows_and_plans };
 /// Reads a case and makes its problem. @throws Failure with every error found, told in that language (exit_bad_input).
 [[nodiscard]] Loaded load(const std::filesystem::path& file, Purpose purpose = Purpose::run,
                           const std::string& language = "en", Takes takes = Takes::rows);
+
+/// The gaps under the spectrum of a case that has one.
+[[nodiscard]] SpectralGaps spectral_gaps(const Loaded& loaded);
 
 /// The same for an example built into the program. @throws Failure when there is none of that name.
 [[nodiscard]] Loaded load_example(const std::string& name);

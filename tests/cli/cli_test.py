@@ -1540,6 +1540,35 @@ kind = "spectrum"
         self.assertEqual(len(needed["cqc"]), 9)
 
 
+    def test_in_plan_it_acts_along_both_axes(self):
+        text = (SOURCE / "examples" / "plan" / "twisting-pair.toml").read_text()
+        case = self.folder / "plan.toml"
+        spectrum = 'kind = "spectrum"\nshape = "en-1998-1"\nground_acceleration = 0.25\nspectrum_type = 1\nground_type = "C"\n'
+        case.write_text(re.sub(r"(?ms)^\[excitation\].*", "", text) + "[excitation]\n" + spectrum)
+        document = json.loads(self.done("gap", case, "--json").stdout)
+        gap, = document["gaps"]
+        self.assertEqual(gap["judgement"]["value"], "too small")
+        self.assertIn("spectrum_both", [one["kind"] for one in document["statements"]])
+        needed = max(point["gap_needed"] for point in gap["points"])
+        self.assertAlmostEqual(gap["gap_needed"], needed, delta=1e-15)
+        for building in document["buildings"]:
+            self.assertEqual(len(building["peak_displacement_y_cqc"]), len(building["elevations"]))
+        said = f"{needed:.4g}"
+        self.assertIn(said, self.done("gap", case).stdout)
+        least = json.loads(self.done("remedy", case, "--json").stdout)["gaps"][0]
+        self.assertGreaterEqual(least["least_gap"], needed)
+        self.assertIn("which makes no run", self.done("check", case).stdout)
+        page = self.folder / "r.html"
+        for project in ("", '\n[project]\nname = "Hotel"\n'):
+            case.write_text(case.read_text() + project)
+            self.done("report", case, "-o", page)
+            self.assertIn(said, page.read_text())
+        for more, why in (("angle = 30\n", "a spectrum acts along x and along y alike"),
+                          ('y = { kind = "none" }\n', "a spectrum acts along x and along y alike")):
+            case.write_text(re.sub(r"(?ms)^\[excitation\].*", "", text) + "[excitation]\n" + spectrum + more)
+            self.assertIn(why, self.fails(2, "check", case).stderr)
+
+
 class Screening(CommandLine):
     def test_in_table_json_and_report(self):
         case = SOURCE / "examples" / "gaps" / "design-spectrum.toml"

@@ -18,6 +18,7 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/plan/plan_row.h"
 #include "tests/invariance/plan_twin.h"
 #include "tests/invariance/random_building.h"
@@ -178,6 +179,51 @@ void expect_twins(const PlanProblem& problem, const PlanResponse& plan, const Re
   }
 }
 
+/// What gaps need under a spectrum, which moves the twin along its other axis too.
+void expect_spectral_twins(const PlanProblem& plan, const Problem& row) {
+  const SpectrumSpec spectrum{.spectrum = {TwoPeriodSpectrum{9.8, 6.0, 8.0}}, .shape = "asce-7-22"};
+  const auto largest = [](const SpectralGaps& gaps, Eigen::Index gap) {
+    return largest_of(of_gap(gaps.levels, gap)).gap_needed;
+  };
+  const SpectralGaps of_plan = spectral_gaps(plan, spectrum), of_row = spectral_gaps(row, spectrum);
+  for (std::size_t gap = 0; gap < plan.gaps.size(); ++gap) {
+    const double needed = largest(of_row, std::min(plan.gaps[gap].left, plan.gaps[gap].right));
+    EXPECT_NEAR(largest(of_plan, static_cast<Eigen::Index>(gap)), needed, 1e-9 * needed);
+  }
+}
+
+// Two that twist, as they stand and turned by a right angle: one spectrum along both axes.
+TEST(PlanTwins, NeedTheSameUnderASpectrumHoweverTheyStand) {
+  Diagnostics diagnostics;
+  const auto c = read_case(fs::path(BENTUR_SOURCE_DIR) / "examples/plan/twisting-pair.toml", diagnostics);
+  ASSERT_TRUE(c);
+  const SpectrumSpec spectrum{.spectrum = {TwoPeriodSpectrum{9.8, 6.0, 8.0}}, .shape = "asce-7-22"};
+  const auto needed = [&](const Case& one) {
+    return largest_of(spectral_gaps(make_plan_problem(one), spectrum).levels).gap_needed;
+  };
+  Case turned = *c;
+  Eigen::Matrix2d map;
+  map << 0, -1, 1, 0;
+  for (BuildingSpec& building : turned.buildings) put_under(map, building);
+  for (BuildingSpec& building : turned.buildings) {
+    auto& rigidity = std::get<Plan>(building.structure).rigidity;
+    if (!rigidity) continue;
+    std::swap(rigidity->x, rigidity->y);
+    const double depth = std::get<Plan>(building.structure).footprint.size.x();
+    for (PlanPoint& centre : rigidity->centres) centre = PlanPoint(depth - centre.y(), centre.x());
+  }
+  GapSpec& gap = turned.gaps.at(0);
+  gap.stretch = *facing(turned.buildings[0].footprint(), turned.buildings[1].footprint());
+  ASSERT_FALSE(gap.stretch.swapped);
+  EXPECT_NEAR(needed(turned), needed(*c), 1e-9 * needed(*c));
+  // Along y moves what the second direction moves.
+  const PlanProblem problem = make_plan_problem(*c);
+  SpectralModes modes = spectral_modes(problem.buildings[0], spectrum.spectrum);
+  const double both = spectral_peaks(problem.buildings[0], modes).cqc_y(1);
+  modes.motions.pop_back();
+  EXPECT_GT(both, 100 * spectral_peaks(problem.buildings[0], modes).cqc_y(1));
+}
+
 /// A row against its twins, turned and mirrored.
 class TwinsOfRows {
  public:
@@ -210,6 +256,7 @@ class TwinsOfRows {
         EXPECT_EQ(unmodelled_contacts(seen->problem, seen->response, gap.number).size(),
                   2 * unmodelled_contacts(row_problem, *wanted, left).size());
       }
+      expect_spectral_twins(problem, row_problem);
       twins += 1;
       for (const PlanBuilding& building : problem.buildings) walls += building.is_rigid() ? 1 : 0;
       impacts += static_cast<int>(plan.impacts.size());

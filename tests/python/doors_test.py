@@ -222,6 +222,17 @@ def test_gap_by_a_design_spectrum(root, program, tmp_path):
     assert caught.value.errors[0].line > 0
 
 
+def test_gap_by_a_design_spectrum_in_plan(root, program, tmp_path):
+    text = (root / "examples" / "plan" / "twisting-pair.toml").read_text()
+    case = tmp_path / "case.toml"
+    case.write_text(re.sub(r"(?ms)^\[excitation\].*", "", text) + SPECTRUM)
+    expected = json.loads(output(program, "gap", case, "--json"))
+    assert expected["gaps"][0]["gap_needed"] > 0
+    assert list(doors.differences(expected, bentur.minimum_gap(case))) == []
+    with pytest.raises(bentur.CaseError, match='excitation.kind = "spectrum"'):
+        bentur.run(case)
+
+
 SUITE = """
 [excitation]
 kind = "suite"

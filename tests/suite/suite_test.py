@@ -388,6 +388,7 @@ class Suites(unittest.TestCase):
             self.assertAlmostEqual(runs["records"][n - 1]["values"]["gap_needed"], need["gap_needed"], places=12)
         self.assertIn("0.05", self.told("remedy", file))
         self.assertIn("suite", self.told("check", file))
+        self.told("plot", file, "suite", "-o", self.folder / "suite.svg")
         file.write_text(file.read_text() + '\n[project]\nname = "Hotel"\n')
         for language, words in (("en", "counts"), ("id", "dipakai")):
             report = self.folder / f"{language}.html"

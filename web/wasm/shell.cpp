@@ -26,6 +26,7 @@
 #include "bentur/io/schema/json_schema.h"
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/plan/plan_report.h"
@@ -158,6 +159,7 @@ std::string Studio::open(const std::string& text, const std::string& file) {
     ReadCase read = read_case_parts(view, path.parent_path(), diagnostics, memo_.get());
     if (!diagnostics.ok()) return {{"ok", false}, {"errors", list_of(diagnostics.errors(), file)}};
     if (read.plan) {
+      if (read.c.excitation.spectrum) problem_ = row_of(*read.plan);  // its gaps are told of as those
       plan_ = std::move(read.plan);
     } else {
       problem_ = is_without_motion(read.c) ? make_still_problem(read.c, read.made_buildings()) : read.problem();
@@ -243,6 +245,12 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       return {{"ok", true}, {"errors", Json::array()}, {"seconds", seconds}};
     };
     if (case_ && case_->excitation.suite) return solve_suite(progress);
+    if (case_ && case_->excitation.spectrum) {
+      const SpectrumSpec& spectrum = *case_->excitation.spectrum;
+      spectral_ = plan_ ? spectral_gaps(*plan_, spectrum, case_->code, case_->units)
+                        : spectral_gaps(*problem_, spectrum, case_->code, case_->units);
+      return solved(0);
+    }
     if (plan_) {
       const Case& c = *case_;
       const PlanProblem& problem = *plan_;
@@ -260,10 +268,6 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     }
     if (!problem_) return failure("no case is open");
     const Case& c = *case_;
-    if (c.excitation.spectrum) {
-      spectral_ = spectral_gaps(*problem_, *c.excitation.spectrum, c.code, c.units);
-      return solved(0);
-    }
     const bool fine = output_step.isNull();
     SolveOptions options = options_of(c, *problem_, output_step);
     options.course = fine;

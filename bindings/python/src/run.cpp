@@ -21,6 +21,7 @@
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
 #include "bentur/model/plan/plan_places.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/plan/plan_report.h"
@@ -90,6 +91,14 @@ auto watched(SolveOptions& options, const py::object& progress, const Solve& sol
   if (response.status != Status::done && response.status != Status::collapsed)
     raise_error("SolveError", response.message);
   return response;
+}
+
+/// What gaps under a spectrum are told of, of buildings in plan as a row; and these gaps.
+Problem still_of(const PyCase& given) { return given.plan ? row_of(*given.plan) : given.problem; }
+SpectralGaps spectral_of(const PyCase& given) {
+  const Case& c = given.c;
+  return given.plan ? spectral_gaps(*given.plan, *c.excitation.spectrum, c.code, c.units)
+                    : spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units);
 }
 
 /// As solved() of buildings in plan.
@@ -328,8 +337,7 @@ void bind_run(py::module_& module) {
       [](const PyCase& given, const py::object& progress) {
         const Case& c = given.c;
         if (!c.excitation.spectrum) return gaps(*solved(given, 0, progress));
-        return spectral_gap_json(c, given.problem,
-                                 spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units), version());
+        return spectral_gap_json(c, still_of(given), spectral_of(given), version());
       },
       py::arg("case"), py::arg("progress"));
   module.def(
@@ -337,8 +345,7 @@ void bind_run(py::module_& module) {
       [](const PyCase& given, const py::object& progress) {
         const Case& c = given.c;
         if (c.excitation.spectrum) {
-          const SpectralGaps spectral = spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units);
-          return least_gap_json(least_gaps(c, given.problem, spectral), version());
+          return least_gap_json(least_gaps(c, still_of(given), spectral_of(given)), version());
         }
         const std::shared_ptr<PyRun> run = solved(given, 0, progress);
         return least_gap_json(run->plan ? least_gaps(*run->plan) : least_gaps(run->results), version());

@@ -267,12 +267,9 @@ void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buil
   const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
   if (!view) return;
   const std::string kind = view->has("kind") ? view->find("kind")->value().text : "";
-  if (in_plan && kind == "spectrum") {
-    view->find("kind")->error_value("does not go with buildings in plan");
-    return;
-  }
   if (!in_plan) view->refuse({"y", "angle", "wave_angle"}, "is of buildings in plan: give them [building.plan]");
   if (kind == "spectrum") {
+    view->refuse({"y", "angle", "wave_angle"}, "is for motions: a spectrum acts along x and along y alike");
     spec.spectrum = read_spectrum(*view, c.units, buildings.size(), files.folder, files.diagnostics);
     spec.delays.assign(buildings.size(), 0.0);
     return;

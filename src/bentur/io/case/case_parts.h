@@ -198,10 +198,12 @@ bool read_by_building(const TomlView& table, const std::string& each, const std:
                                                           const std::optional<TableView>& along_y, const Units& units,
                                                           const std::filesystem::path& folder,
                                                           Diagnostics& diagnostics);
-/// Chooses and scales them, once the periods of the buildings are known; what cannot be done is an error at its key.
-/// @param progress of the spectra [0, 1]
 struct ReadCase;
+/// Chooses and scales them, once the periods of the buildings are known; what cannot be done is an error at its key.
 void settle_suite(const TomlView& root, ReadCase& read, const std::function<void(double)>& progress);
+/// case_spectrum.cpp: what of a spectrum or a suite hangs on the periods of the buildings.
+void settle_excitation(const TomlView& root, ReadCase& read, const Diagnostics& diagnostics,
+                       const std::function<void(double)>& progress);
 
 /// case_spectrum.cpp: the ordinates of a spectrum, by its shape and the keys of that; `file` and `path` where a table
 /// comes from a file.
@@ -216,7 +218,6 @@ struct ShapeRead {
 /// case_spectrum.cpp: excitation.kind = "spectrum", its keys, and what only shows once the whole case is right.
 [[nodiscard]] SpectrumSpec read_spectrum(const TableView& view, const Units& units, std::size_t buildings,
                                          const std::filesystem::path& folder, Diagnostics& diagnostics);
-void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read);
 [[nodiscard]] ScreeningSpec read_screening(const TomlView& root);
 
 /// case_code.cpp

@@ -117,6 +117,29 @@ TableSpectrum read_table(const TableView& view, const Units& units, const std::f
   return shape;
 }
 
+/// That a spectrum is all that the buildings need, and reaches their periods.
+void check_spectrum(const TomlView& root, const ReadCase& read) {
+  const SpectrumSpec& spec = *read.c.excitation.spectrum;
+  const TomlView excitation = *root.find("excitation");
+  if (root.has("initial")) root.find("initial")->error("is for runs: a spectrum gives peaks of buildings at rest");
+  if (const auto obstacle = spectral_obstacle(read.c)) {
+    const TomlView view =
+        obstacle->building ? *view_of(root, read.buildings, *obstacle->building).find("isolation") : *root.find("link");
+    view.error(obstacle->what);
+  }
+  if (spec.of_displacements) return;
+  const auto* table = std::get_if<TableSpectrum>(&spec.spectrum.shape);
+  for (std::size_t b = 0; table != nullptr && b < read.buildings.size(); ++b) {
+    const Modes& modes = read.plan ? read.plan->buildings[b].modes : read.buildings[b].made->modes;
+    if (modes.omega.size() == 0) continue;
+    const double period = 2 * std::numbers::pi / modes.omega(0);
+    if (period <= table->periods.back()) continue;
+    excitation.find(spec.file.empty() ? "periods" : "file")
+        ->error(fmt::format("ends at {:.4g} s, before the first period of \"{}\", {:.4g} s: the spectrum must reach it",
+                            table->periods.back(), read.buildings[b].spec.name, period));
+  }
+}
+
 }  // namespace
 
 ShapeRead read_shape(const TableView& view, const Units& units, const std::filesystem::path& folder,
@@ -158,25 +181,10 @@ SpectrumSpec read_spectrum(const TableView& view, const Units& units, std::size_
   return spec;
 }
 
-void check_spectrum(const TomlView& root, const std::vector<TomlView>& views, const ReadCase& read) {
-  const SpectrumSpec& spec = *read.c.excitation.spectrum;
-  const TomlView excitation = *root.find("excitation");
-  if (root.has("initial")) root.find("initial")->error("is for runs: a spectrum gives peaks of buildings at rest");
-  if (const auto obstacle = spectral_obstacle(read.c)) {
-    const TomlView view = obstacle->building ? *views[*obstacle->building].find("isolation") : *root.find("link");
-    view.error(obstacle->what);
-  }
-  if (spec.of_displacements) return;
-  const auto* table = std::get_if<TableSpectrum>(&spec.spectrum.shape);
-  for (std::size_t b = 0; table != nullptr && b < read.buildings.size(); ++b) {
-    const Building& building = *read.buildings[b].made;
-    if (building.is_rigid()) continue;
-    const double period = 2 * std::numbers::pi / building.first_omega();
-    if (period <= table->periods.back()) continue;
-    excitation.find(spec.file.empty() ? "periods" : "file")
-        ->error(fmt::format("ends at {:.4g} s, before the first period of \"{}\", {:.4g} s: the spectrum must reach it",
-                            table->periods.back(), building.name, period));
-  }
+void settle_excitation(const TomlView& root, ReadCase& read, const Diagnostics& diagnostics,
+                       const std::function<void(double)>& progress) {
+  if (read.c.excitation.spectrum) check_spectrum(root, read);
+  if (read.c.excitation.suite && diagnostics.ok()) settle_suite(root, read, progress);
 }
 
 ScreeningSpec read_screening(const TomlView& root) {

@@ -340,7 +340,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   }
   if (in_plan) {
     make_in_plan(root, read, diagnostics);
-    if (c.excitation.suite && diagnostics.ok()) settle_suite(root, read, progress);
+    if (diagnostics.ok()) settle_excitation(root, read, diagnostics, progress);
     return read;
   }
   std::vector<TomlView> views;
@@ -349,8 +349,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   if (diagnostics.ok()) {
     check_overlaps(root, read);
     check_times(root, views, read);
-    if (c.excitation.spectrum) check_spectrum(root, views, read);
-    if (c.excitation.suite && diagnostics.ok()) settle_suite(root, read, progress);
+    settle_excitation(root, read, diagnostics, progress);
   }
   if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
   return read;

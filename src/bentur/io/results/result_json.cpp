@@ -9,6 +9,7 @@
 
 #include "bentur/io/results/internal/hinges_json.h"
 #include "bentur/io/results/internal/run_json.h"
+#include "bentur/model/plan/plan_screening.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -194,19 +195,30 @@ std::string gap_json(const RunResults& results, std::string_view version) {
   return gaps_json(results, results, version, screened);
 }
 
+namespace {
+
+Eigen::VectorXd periods_of(const Modes& modes) { return 2 * std::numbers::pi * modes.omega.cwiseInverse(); }
+
+}  // namespace
+
 std::string spectral_gap_json(const Case& c, const Problem& problem, const SpectralGaps& spectral,
                               std::string_view version) {
   Json buildings = Json::array(), gaps = Json::array();
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
     const SpectralModes& modes = spectral.modes.at(b);
+    const SpectralPeaks& peaks = spectral.peaks.at(b);
     buildings.push_back({{"name", building.name},
                          {"elevations", building.model.elevations},
-                         {"periods", list(modal_properties(building.modes, building.model.load).periods)},
+                         {"periods", list(periods_of(building.modes))},
                          {"damping_ratios", list(modes.damping)},
                          {"spectral_displacement", list(modes.displacement)},
-                         {"peak_displacement_srss", list(spectral.peaks.at(b).srss)},
-                         {"peak_displacement_cqc", list(spectral.peaks.at(b).cqc)}});
+                         {"peak_displacement_srss", list(peaks.srss)},
+                         {"peak_displacement_cqc", list(peaks.cqc)}});
+    if (spectral.plan) {
+      buildings.back()["peak_displacement_y_srss"] = list(peaks.srss_y);
+      buildings.back()["peak_displacement_y_cqc"] = list(peaks.cqc_y);
+    }
     if (const auto& given = building.given) {
       buildings.back()["given"] = {{"displacements", list(given->displacement)},
                                    {"amplification", given->amplification},
@@ -215,7 +227,8 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
   }
   for (const Gap& gap : gaps_of(problem)) {
     gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.number), 0, false, gap.number,
-                               screening(problem, gap.number, c.screening, c.units)));
+                               spectral.plan ? plan_screening(c, *spectral.plan, static_cast<std::size_t>(gap.number))
+                                             : screening(problem, gap.number, c.screening, c.units)));
   }
   put_judgements(told_judgements(c, problem, spectral), gaps);
   return text_of(

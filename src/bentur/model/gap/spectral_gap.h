@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "bentur/model/case.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/pounding/plan/plan_problem.h"
 
 namespace bentur {
 
@@ -17,20 +19,21 @@ struct SpectralModes {
   Eigen::VectorXd omega;         ///< [rad/s]; of a rigid building none
   Eigen::VectorXd damping;       ///< ζ_n [-], the diagonal of the modal damping
   Eigen::VectorXd displacement;  ///< S_d(T_n, ζ_n) [length]
-  Eigen::MatrixXd motion;        ///< φ_n Γ_n S_d(T_n, ζ_n), dofs × modes [length, rad]
+  /// φ_n Γ_n S_d(T_n, ζ_n) of each direction in which the ground moves, one or, in plan, along x and along y: dofs ×
+  /// modes [length, rad]
+  std::vector<Eigen::MatrixXd> motions;
 };
 /// @throws InvalidParameter where a period is beyond the last of a table.
 [[nodiscard]] SpectralModes spectral_modes(const Building& building, const DesignSpectrum& spectrum);
+[[nodiscard]] SpectralModes spectral_modes(const PlanBuilding& building, const DesignSpectrum& spectrum);
 
-/// Peak displacements of the floors [length], by both combinations.
+/// Peak displacements of the floors [length], by both combinations; in plan of their centres of mass, along x and y.
 struct SpectralPeaks {
   Eigen::VectorXd srss, cqc;
-
-  [[nodiscard]] const Eigen::VectorXd& by(ModalCombination combination) const {
-    return combination == ModalCombination::srss ? srss : cqc;
-  }
+  Eigen::VectorXd srss_y = {}, cqc_y = {};  ///< empty of a row
 };
 [[nodiscard]] SpectralPeaks spectral_peaks(const Building& building, const SpectralModes& modes);
+[[nodiscard]] SpectralPeaks spectral_peaks(const PlanBuilding& building, const SpectralModes& modes);
 
 /// What an elastic building is loaded to by a spectrum, over what it can bear, where that is the most.
 struct CapacityDemand {
@@ -40,6 +43,9 @@ struct CapacityDemand {
 /// By the larger of the elastic deformations of storeys over those at which they yield, and of elastic moments and
 /// shears, with those of gravity loads, over capacities of hinges and of columns that break.
 [[nodiscard]] CapacityDemand capacity_demand(const Building& building, const SpectralModes& modes,
+                                             ModalCombination combination);
+/// Of its planes.
+[[nodiscard]] CapacityDemand capacity_demand(const PlanBuilding& building, const SpectralModes& modes,
                                              ModalCombination combination);
 
 /// The gaps needed under a spectrum.
@@ -52,11 +58,18 @@ struct SpectralGaps {
   /// of both. ABS, SRSS and DDC combine the peaks of both faces. Rules of codes take these peaks divided by `reduction`
   /// of their buildings, or by the `amplification` of peaks that are given.
   std::vector<LevelSeparation> levels;
+  /// Of buildings in plan, whose gaps are told of as those of row_of() it; null: a row.
+  std::shared_ptr<const PlanProblem> plan = {};
 };
 /// Buildings are elastic, with their initial stiffness; delays and kinematics play no part.
 /// @throws InvalidParameter where the spectrum does not pass validate(), a period is beyond the last of a table, or a
 /// code rule lacks something.
 [[nodiscard]] SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum,
+                                         const CodeSpec& code = {}, const Units& units = {});
+/// The same in plan: one spectrum along x and along y, and of both the root of the sum of squares, which is the same in
+/// whatever direction they act (C. Menun and A. Der Kiureghian, A replacement for the 30 %, 40 % and SRSS rules for
+/// multicomponent seismic analysis, Earthquake Spectra 14 (1998) 153-163). Peaks are those across the gap.
+[[nodiscard]] SpectralGaps spectral_gaps(const PlanProblem& problem, const SpectrumSpec& spectrum,
                                          const CodeSpec& code = {}, const Units& units = {});
 
 /// "S_DS 0.8 g, S_D1 0.55 g, T_L 12 s", in every language the same.

@@ -123,7 +123,7 @@ std::vector<JudgedGap> judged_gaps(const Case& c, const Problem& problem, const 
   RunFacts facts;
   facts.given.looked_at = true;
   facts.has_other_way = false;
-  facts.doubts = doubts_of(remarks(c, problem));
+  facts.doubts = doubts_of(spectral.plan ? remarks(c, *spectral.plan) : remarks(c, problem));
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
     facts.names.push_back(building.name);
@@ -135,8 +135,10 @@ std::vector<JudgedGap> judged_gaps(const Case& c, const Problem& problem, const 
   std::vector<JudgedGap> all;
   for (Index gap = 0; gap < gap_count(problem); ++gap) {
     const std::vector<LevelSeparation> levels = of_gap(spectral.levels, gap);
-    all.push_back({.facts = gap_facts(problem, gap, levels, rule_findings(problem, levels, c.code, 0, false), facts),
-                   .judgement = {}});
+    all.push_back(
+        {.facts = gap_facts(problem, gap, levels,
+                            rule_findings(problem, levels, c.code, 0, false, spectral.plan != nullptr), facts),
+         .judgement = {}});
     all.back().judgement = judge(all.back().facts);
   }
   return all;

@@ -465,7 +465,8 @@ Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& 
   }
   sort_by_severity(told.statements);
   story::tell_quotations(c.code, told.statements);
-  put_remarks(remarks(c, problem), told.statements);
+  if (spectral.plan) told.statements.push_back({.kind = "spectrum_both"});
+  put_remarks(spectral.plan ? remarks(c, *spectral.plan) : remarks(c, problem), told.statements);
   return told;
 }
 

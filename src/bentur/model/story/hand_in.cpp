@@ -265,9 +265,10 @@ void check_gaps(const GapView& facts, Checks& checks) {
 HandIn hand_in_with(const GapView& facts, Checks checks, const RunResults* run) {
   const bool needs_seismicity = check_screenings(facts, checks);
   if (run != nullptr) check_solution(run->response.discrepancies, checks);
-  return {
-      assumptions_of(facts.c, facts.problem), checks.take(),
-      unchecked_of(facts.c, facts, needs_seismicity, nullptr, facts.response != nullptr && !facts.response->energy)};
+  const bool without_energy = facts.response != nullptr && !facts.response->energy;
+  return {facts.plan != nullptr ? assumptions_of({.c = facts.c, .problem = *facts.plan, .response = {}})
+                                : assumptions_of(facts.c, facts.problem),
+          checks.take(), unchecked_of(facts.c, facts, needs_seismicity, facts.plan, without_energy)};
 }
 
 HandIn hand_in(const GapView& facts, Checks checks, const RunResults* run) {
@@ -355,11 +356,9 @@ HandIn hand_in(const Case& c, const PlanProblem& problem, const std::vector<Chec
   Checks checks;
   check_records(of_records, checks);
   const Problem row = row_of(problem);
-  GapView facts{.c = c, .problem = row, .levels = {}};
+  GapView facts{.c = c, .problem = row, .levels = {}, .plan = &problem};
   facts.screened = story::screened(c, problem);
-  const bool needs_seismicity = check_screenings(facts, checks);
-  const PlanRun still{.c = c, .problem = problem, .response = {}};
-  return {assumptions_of(still), checks.take(), unchecked_of(c, facts, needs_seismicity, &problem, false)};
+  return hand_in_with(facts, std::move(checks), nullptr);
 }
 
 HandIn hand_in(const Case& c, const Problem& problem, const std::vector<CheckRow>& of_records) {

@@ -139,7 +139,7 @@ std::vector<Statement> assumptions_of(const Case& c, const Problem& problem) {
 
 std::vector<Statement> assumptions_of(const PlanRun& run) {
   std::vector<Statement> statements = {model_statement(run)};
-  tell_motion(run.problem.delays, statements);
+  if (!run.c.excitation.spectrum) tell_motion(run.problem.delays, statements);
   if (run.c.excitation.suite) tell("assumption.suite", statements);
   tell_given(run.c, statements);
   return statements;

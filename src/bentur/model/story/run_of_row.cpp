@@ -91,7 +91,12 @@ GapView judged_view_of(const RunResults& run) {
 }
 
 GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  GapView view{.c = c, .problem = problem, .levels = spectral.levels, .screened = screened(c, problem)};
+  const PlanProblem* const plan = spectral.plan.get();
+  GapView view{.c = c,
+               .problem = problem,
+               .levels = spectral.levels,
+               .screened = plan != nullptr ? screened(c, *plan) : screened(c, problem),
+               .plan = plan};
   for (JudgedGap& one : judged_gaps(c, problem, spectral)) {
     view.facts.push_back(std::move(one.facts));
     view.judged.push_back(std::move(one.judgement));

@@ -43,10 +43,44 @@ Html given_peaks_table(const GivenPeaks& given, const std::vector<double>& eleva
   return table.markup();
 }
 
+/// The floors' peaks, the highest first; in plan along x and along y.
+Html floor_peaks(const Building& building, const SpectralPeaks& peaks, const Report& report) {
+  const std::string& length = report.c.units.length;
+  const auto from_top = [](const auto& list) {
+    std::vector<double> turned(list.begin(), list.end());
+    std::reverse(turned.begin(), turned.end());
+    return turned;
+  };
+  const bool in_plan = peaks.srss_y.size() > 0;
+  HtmlTable table;
+  table.add(report.say("column.elevation"), length, from_top(building.model.elevations));
+  table.add(in_plan ? "x, SRSS" : "SRSS", length, from_top(peaks.srss));
+  table.add(in_plan ? "x, CQC" : "CQC", length, from_top(peaks.cqc));
+  if (in_plan) {
+    table.add("y, SRSS", length, from_top(peaks.srss_y));
+    table.add("y, CQC", length, from_top(peaks.cqc_y));
+  }
+  return table.markup();
+}
+
+/// The modes that they are made of, with the mass that moves along each direction.
+Html spectral_modes_table(const Modes& modes, const Eigen::MatrixXd& load, const SpectralModes& spectral,
+                          const Report& report) {
+  const Words& say = report.say;
+  const auto values = [](const Eigen::VectorXd& list) { return std::vector<double>(list.begin(), list.end()); };
+  HtmlTable table;
+  table.add(say("spectral.period"), "s", values(modal_properties(modes, load.col(0)).periods));
+  table.add(say("spectral.damping"), "", values(spectral.damping));
+  table.add("Sd", report.c.units.length, values(spectral.displacement));
+  for (Eigen::Index i = 0; i < load.cols(); ++i) {
+    const std::string label = load.cols() == 1 ? say("spectral.mass") : say(i == 0 ? "plan.mass_x" : "plan.mass_y");
+    table.add(label, "%", values(100 * modal_properties(modes, load.col(i)).effective_mass_fraction));
+  }
+  return table.markup();
+}
+
 /// Of each building the floors' peaks, and the modes they are made of.
 html::PageSection spectral_peaks_section(const Report& report, const SpectralGaps& spectral) {
-  const Words& say = report.say;
-  const std::string& length = report.c.units.length;
   Html content;
   for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
     const Building& building = report.problem.buildings[b];
@@ -55,31 +89,15 @@ html::PageSection spectral_peaks_section(const Report& report, const SpectralGap
       continue;
     }
     if (building.is_rigid()) continue;
-    std::vector<double> elevations, srss, cqc, periods, ratios, displacements, fractions;
-    for (Eigen::Index floor = building.model.floors() - 1; floor >= 0; --floor) {
-      elevations.push_back(building.model.elevations[floor]);
-      srss.push_back(spectral.peaks[b].srss(floor));
-      cqc.push_back(spectral.peaks[b].cqc(floor));
+    content += element("h3", building.name) + floor_peaks(building, spectral.peaks[b], report);
+    if (spectral.plan) {
+      const PlanBuilding& of_plan = spectral.plan->buildings[b];
+      content += spectral_modes_table(of_plan.modes, of_plan.model.load, spectral.modes[b], report);
+    } else {
+      content += spectral_modes_table(building.modes, building.model.load, spectral.modes[b], report);
     }
-    HtmlTable peaks;
-    peaks.add(say("column.elevation"), length, elevations);
-    peaks.add("SRSS", length, srss);
-    peaks.add("CQC", length, cqc);
-    const ModalProperties properties = modal_properties(building);
-    for (Eigen::Index n = 0; n < properties.periods.size(); ++n) {
-      periods.push_back(properties.periods(n));
-      ratios.push_back(spectral.modes[b].damping(n));
-      displacements.push_back(spectral.modes[b].displacement(n));
-      fractions.push_back(100 * properties.effective_mass_fraction(n));
-    }
-    HtmlTable modes;
-    modes.add(say("spectral.period"), "s", periods);
-    modes.add(say("spectral.damping"), "", ratios);
-    modes.add("Sd", length, displacements);
-    modes.add(say("spectral.mass"), "%", fractions);
-    content += element("h3", building.name) + peaks.markup() + modes.markup();
   }
-  return {"peaks", say("spectral.peaks"), content};
+  return {"peaks", report.say("spectral.peaks"), content};
 }
 
 /// @param none of a case that is not run
@@ -128,7 +146,7 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
           options),
       .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
                    html::figures_section(say, figures), spectral_peaks_section(report, spectral),
-                   html::input_section(report)}};
+                   spectral.plan ? html::plan_input_section(c, *spectral.plan, 0, say) : html::input_section(report)}};
   if (report.to_hand_in) {
     body.sections =
         html::in_order_of_codes(std::move(body.sections), {}, c.project, say, hand_in(c, problem, spectral));

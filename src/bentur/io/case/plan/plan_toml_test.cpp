@@ -353,10 +353,6 @@ TEST(PlanToml, SaysWhatIsNotBuilt) {
             (Errors{"initial.velocities.A[0] has 2 entries, expected 3 (x, y and rotation)",
                     "initial.velocities.W is of a wall, which moves with the ground",
                     "initial.velocities.Q is for no building of the case, the buildings are A, B, W"}));
-  const Errors of_spectrum = errors_with("kind = \"harmonic\"", "kind = \"spectrum\"");
-  EXPECT_EQ(std::count(of_spectrum.begin(), of_spectrum.end(),
-                       "excitation.kind = \"spectrum\", does not go with buildings in plan"),
-            1);
 }
 
 TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {

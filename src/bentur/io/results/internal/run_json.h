@@ -81,7 +81,7 @@ template <class AnyResponse>
 /// [excitation], of a case in plan with its angle and what is along y.
 [[nodiscard]] inline Json excitation_json(const Case& c) {
   Json json = excitation_json(c.excitation);
-  if (!c.is_in_plan()) return json;
+  if (!c.is_in_plan() || c.excitation.spectrum) return json;  // which acts along both axes
   Json y = excitation_json(c.excitation_y);
   y.erase("delays");
   y.erase("kinematics");

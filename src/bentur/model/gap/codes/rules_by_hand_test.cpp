@@ -72,6 +72,9 @@ TEST(CodeRulesByHand, OfOlderRules) {
   const CodeSeparation asce = code_separation(line(two_in_mm(20, 30)), american);
   EXPECT_NEAR(asce.to_left.value(), 110, 1e-12);
   EXPECT_NEAR(asce.to_right.value(), 135, 1e-12);
+  const CodeRuleSpec canadian =
+      rule_with("nbcc", {{"ductility_factor", {4}}, {"overstrength_factor", {1.7}}, {"importance_factor", {1}}});
+  EXPECT_NEAR(asked(two_in_mm(10, 15), canadian), 122.6, 0.05);
   const CodeRuleSpec european = rule_with("en-1998-1", {{"behaviour_factor", {3.9}}});
   EXPECT_NEAR(asked(two_in_mm(20, 30), european), 140.6, 0.05);
   EXPECT_NEAR(asked(level(two_in_mm(20, 30)), european), 98.4, 0.05);
