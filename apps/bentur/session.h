@@ -80,7 +80,7 @@ enum class Purpose { run, no_run };
 /// Which cases are taken.
 enum class Takes { rows, rows_and_plans };
 
-/// Reads a case and makes its problem. @throws Failure with every error found, told in that language (exit_bad_input).
+/// Reads a case and makes its problem. @throws Failure with every error found, in that language (exit_bad_input).
 [[nodiscard]] Loaded load(const std::filesystem::path& file, Purpose purpose = Purpose::run,
                           const std::string& language = "en", Takes takes = Takes::rows);
 

@@ -232,7 +232,7 @@ OLD_WORDS = re.compile(r"\b(?:(?:one|other|both|either|which) ways? round|told(?
 
 def words(root):
     """One word for one thing, in plain order: what a reader of results and documents sees says "reports", "carries" and
-    "reversed", not "tells", "bears" and "the other way round"."""
+    "reversed", not "tells", "bears" and "the other way round"; so do the comments of headers."""
     catalogue = root / "src/bentur/report/html/texts.toml"
     lines = [(catalogue, number, line) for number, line in enumerate(catalogue.read_text().splitlines(), 1) if line.startswith("en = ")]
     for path in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:
@@ -240,6 +240,11 @@ def words(root):
     for path in sorted((root / "src/bentur/io/schema").glob("*.cpp")):
         for number, line in enumerate(path.read_text().splitlines(), 1):
             lines += [(path, number, text) for text in re.findall(r'"((?:\\.|[^"\\])*)"', line)]
+    for path in sorted(path for folder in ("src", "apps", "bindings", "web/wasm") for path in (root / folder).rglob("*.h")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            comment = line.partition("//")[2]
+            if re.search(r"\b(told|bears|ways? round)\b", re.sub(r"`[^`]*`", "", comment)):
+                yield f"{path}:{number}: {comment.strip()!r}: use the glossary's word (reported, carries, reversed)"
     for path, number, line in lines:
         if found := OLD_WORDS.search(line):
             yield f'{path}:{number}: "{found[0]}": use the glossary\'s word (reports, shows, carries, reversed)'

@@ -24,7 +24,7 @@ namespace bentur::web {
 /// What stands between a page and the library: the case that is open, and its run. Everything a page gets is text, JSON
 /// or arrays of numbers; no exception leaves a public function. Answers that may fail are JSON objects with "ok", and
 /// where that is false "errors": [{file, line, column, key, message}], line and column 0 for the whole file. A case may
-/// be of a row or of buildings in plan; what a page is told has the same shape for both.
+/// be of a row or of buildings in plan; what a page gets has the same shape for both.
 class Studio {
  public:
   Studio();
@@ -57,7 +57,7 @@ class Studio {
   [[nodiscard]] std::string schema() const;
 
   /// Runs the case that is open, with histories every `output_step` [s]: 0 for none, below 0 for the case's own, and
-  /// null for one fine enough to be looked at (report_output_step). `progress` is told the fraction done; where it
+  /// null for one fine enough to be looked at (report_output_step). `progress` gets the fraction done; where it
   /// answers false the run ends. A case with a spectrum has its gaps computed instead, one with a suite the runs of all
   /// records in short and then the gaps over them: these have no impacts, motion and histories. @return {ok, errors,
   /// seconds}

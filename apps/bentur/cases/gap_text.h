@@ -6,7 +6,7 @@
 #include "bentur/model/gap/code_rules.h"
 #include "bentur/report/story_text.h"
 
-// What is told of gaps on a terminal, of rows and of buildings in plan.
+// What a terminal shows of gaps, of rows and of buildings in plan.
 namespace bentur::cli {
 
 /// Statements, the tables of every gap, remarks. @param gaps their names

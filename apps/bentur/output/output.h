@@ -30,7 +30,7 @@ class OutputFile {
 class RunFolder {
  public:
   /// Before the work, so that a folder that cannot be written to costs none. Where the case itself lies there under the
-  /// name of its copy, `source` is told that none is made. @throws as AtomicFiles.
+  /// name of its copy, `source` learns that none is made. @throws as AtomicFiles.
   RunFolder(std::filesystem::path folder, OutputRules rules, CaseSource& source);
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] const OutputRules& rules() const { return rules_; }

@@ -31,7 +31,7 @@ struct PyCase {
   [[nodiscard]] std::string text_in(const std::filesystem::path& of) const;
 };
 
-/// A run and all that is told of it. Arrays that Python gets look into it and keep it alive.
+/// A run and all that is reported of it. Arrays that Python gets look into it and keep it alive.
 struct PyRun {
   RunResults results;
   std::optional<PlanRun> plan = {};  ///< of buildings in plan, whose `results` are empty

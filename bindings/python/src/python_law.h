@@ -93,7 +93,7 @@ class BranchLaw : public Base {
   std::vector<BranchData> data_;
 };
 
-/// The law of a storey, whose branches are told in units of its yield force and yield deformation.
+/// The law of a storey, whose branches are in units of its yield force and yield deformation.
 class StoreyLaw final : public BranchLaw<HystereticLaw> {
  public:
   /// @throws InvalidParameter as BranchLaw, and unless branch 1 has base 0, stiffness 1 and no damping.

@@ -20,7 +20,7 @@ namespace bentur::python {
 /// Whether two laws of Python's own are equal, as Python has it.
 [[nodiscard]] bool are_equal(const OwnLaw& a, const OwnLaw& b);
 
-/// The same the other way round.
+/// The same in the other direction.
 [[nodiscard]] pybind11::object python_of(const TomlValue& value);
 
 /// Raises bentur.CaseError with all errors: (file, line, column, message) each.

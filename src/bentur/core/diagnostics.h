@@ -29,7 +29,7 @@ struct Diagnostic {
   bool unknown_key = false;     ///< there is no such key
 
   /// As the user reads it: "gap[0].contact.restitution = 1.4, must be in (0, 1]". A word that may have been meant is
-  /// told in place of the rule on values. @param say is given its sentences, the rule among them, one by one
+  /// shown in place of the rule on values. @param say is given its sentences, the rule among them, one by one
   [[nodiscard]] std::string message(const Wording& say = as_it_is) const;
   /// "case.toml:14:9: error: MESSAGE"; line and column are left out where they are 0.
   [[nodiscard]] std::string text(const Wording& say = as_it_is) const;

@@ -64,7 +64,7 @@ struct Condition {
 
 struct KeyTable;
 
-/// All that is said of one key of a table of a file. It is made by one of the functions below and told the rest by
+/// All that is said of one key of a table of a file. It is made by one of the functions below and given the rest by
 /// those after them: number("mass", dimension::mass, Range::positive, {"Mass", "Massa"}, "of the slab").optional().
 /// Texts are literals: they must outlive the key.
 struct Key {

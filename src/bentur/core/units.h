@@ -31,7 +31,7 @@ struct Units {
 /// "g" is the case's own gravity. @throws InvalidParameter for an unknown unit.
 [[nodiscard]] double acceleration_factor(const std::string& acceleration_unit, const Units& units);
 
-/// The units in which people are told of a run or a study: newtons become kN where its largest force is 10⁴ N or more,
+/// The units in which people read of a run or a study: newtons become kN where its largest force is 10⁴ N or more,
 /// so that all of its forces read alike. Files keep the units of the case.
 struct ShownUnits {
   Units units;

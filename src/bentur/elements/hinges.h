@@ -99,7 +99,7 @@ class HingeLaw : public CoupledLaw {
     way,                        // the side on which it flowed last; 0: it has not
     left_before,                // of the other side when that began
     lost_before,                // dissipated() when that began
-    lost_then,                  // dissipated() when what is left was told
+    lost_then,                  // dissipated() when what is left was known
     columns
   };
   /// Of a backbone (H-17): up to the cap, beyond it, on what it keeps for good, without anything.

@@ -91,7 +91,7 @@ class Law {
   /// Energy [force·length] that the element would give back if it were unloaded slowly from here.
   [[nodiscard]] virtual double stored_energy(const LawState& state, double deformation) const noexcept = 0;
 
-  /// Whether the force depends on the closing speed at the start of a contact. Such a law is told of no speed below
+  /// Whether the force depends on the closing speed at the start of a contact. Such a law gets no speed below
   /// 10⁻⁹ of those at the point: from rest it would have nothing to go by.
   [[nodiscard]] virtual bool needs_closing_speed() const noexcept { return false; }
 

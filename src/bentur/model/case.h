@@ -35,7 +35,8 @@ struct SpecAndModel {
 /// that it strikes. @throws InvalidParameter where there are none.
 [[nodiscard]] std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& left,
                                                       const SpecAndModel& right);
-/// Shear that a struck column bears [force], by column_capacity or its section, 0: unknown. @throws where they differ.
+/// Shear that a struck column carries [force], by column_capacity or its section, 0: unknown. @throws where they
+/// differ.
 [[nodiscard]] double column_shear_capacity(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
                                            const SpecAndModel& right, const LevelPair& floors);
 /// The law of contact point `point`: with the numbers of that point, the axial stiffness of the two beams that meet
@@ -74,7 +75,7 @@ struct SpecAndModel {
 
 /// What the case lets each response take.
 [[nodiscard]] RunLimits run_limits(const AnalysisSpec& analysis);
-/// What a single run of a case is asked for: levels, both ways round and the energy audit as the case says, its limits;
+/// What a single run of a case is asked for: levels, both directions and the energy audit as the case says, its limits;
 /// no histories.
 [[nodiscard]] SolveOptions solve_options(const Case& c);
 [[nodiscard]] SolveOptions solve_options(const AnalysisSpec& analysis);

@@ -88,7 +88,7 @@ struct GapSpec {
   ContactSpec contact;
   std::optional<double> level_tolerance = std::nullopt;  ///< [length] as level_floors() takes it
   bool strikes_columns = false;                          ///< floors may strike columns between floors
-  /// What the column that is struck at each contact point bears; one value per point, or none: not given.
+  /// What the column that is struck at each contact point carries; one value per point, or none: not given.
   struct ColumnCapacity {
     std::vector<double> shear = {};   ///< [force]
     std::vector<double> moment = {};  ///< [force·length]
@@ -116,7 +116,7 @@ struct RecordEcho {
   long count = 0;
   double duration = 0;                          ///< (count − 1) · step [s]
   double pga_read = 0;                          ///< largest |a| in the file's unit
-  bool reversed = false;                        ///< applied the other way round, every value times −1
+  bool reversed = false;                        ///< applied reversed, every value times −1
   double pga = 0;                               ///< largest |a| as applied, after scaling [length/s²]
   std::optional<double> pga_without_unit = {};  ///< what it was scaled to, where that was a plain number [length/s²]
 };
@@ -160,7 +160,7 @@ struct AnalysisSpec {
   Solver solver = ExactSolver{};
   double output_step = 0.01;  ///< [s]
   bool energy_audit = false;
-  bool both_ways = true;  ///< what the reversed motion needs is told too
+  bool both_ways = true;  ///< what the reversed motion needs is reported too
   LimitsSpec limits = {};
   double collapse_drift = 0.1;  ///< as Problem::collapse_drift [-]
 };

@@ -25,7 +25,7 @@ struct RunResults;
 /// bearings are those of plans alone.
 enum class Owner { run, building, floor, plane, point, gap, impact, link, hinge, column, bearing };
 
-/// The units in which people are told of a run: by its largest contact force or storey shear.
+/// The units in which people read of a run: by its largest contact force or storey shear.
 [[nodiscard]] ShownUnits shown_units(const Units& units, const Response& response);
 [[nodiscard]] ShownUnits shown_units(const RunResults& run);
 [[nodiscard]] ShownUnits shown_units(const PlanRun& run);
@@ -94,8 +94,8 @@ struct QuantitySource {
   QuantityTable table = QuantityTable::main;
 };
 
-/// A number that is told of a run. Summary, impact list, histories.nc, the rows of studies and all tables for people
-/// are made from the list of these; a new quantity is one line there (docs/result-files.md has them all).
+/// A number that is reported of a run. Summary, impact list, histories.nc, the rows of studies and all tables for
+/// people are made from the list of these; a new quantity is one line there (docs/result-files.md has them all).
 struct Quantity {
   std::string_view key;        ///< its name in every file and in studies
   Owner owner = Owner::run;    ///< what it is one of
@@ -136,7 +136,7 @@ void add_quantity(const Quantity& quantity);
 /// Its value at a place; NaN where there is none.
 [[nodiscard]] double value_of(const Quantity& quantity, const RunView& run, const QuantityPlace& place = {});
 [[nodiscard]] double value_of(const Quantity& quantity, const PlanRun& run, const QuantityPlace& place = {});
-/// Its values at places of one building, or of points or impacts; empty where it is not told of these.
+/// Its values at places of one building, or of points or impacts; empty where it is not reported of these.
 [[nodiscard]] std::vector<double> values_at(const Quantity& quantity, const PlanRun& run,
                                             const std::vector<QuantityPlace>& places);
 /// Whether it is a count, or yes (1) or no.

@@ -22,7 +22,7 @@ struct FigureData {
 /// The mode shapes at the floors, floors × modes, each with its largest sway 1 [-].
 [[nodiscard]] Eigen::MatrixXd sway_shapes(const Building& building);
 
-/// A run, just solved or read again from its results: what everything that is told of it is made from.
+/// A run, just solved or read again from its results: what everything that is reported of it is made from.
 struct RunResults {
   Case c;
   Problem problem;

@@ -16,7 +16,7 @@ struct SolveOptions {
   double output_step = 0;
   /// Keeps the exact course too (Response::course); it never changes the solution.
   bool course = false;
-  RunLimits limits = {};  ///< of each response: without contact, with it, and the other way round
+  RunLimits limits = {};  ///< of each response: without contact, with it, and reversed
   /// Looks at both faces of each level in the free response as well (PointSummary::peak_left and the like): what rules
   /// for gaps combine.
   bool levels = false;

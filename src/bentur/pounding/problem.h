@@ -109,7 +109,7 @@ struct Gap {
 [[nodiscard]] Eigen::Index gap_count(const Problem& problem);
 /// @throws InvalidParameter unless there are so many.
 [[nodiscard]] GapPair sides_of(const Problem& problem, Eigen::Index gap);
-/// The two buildings as people are told of them, whichever comes first in the case.
+/// The two buildings as people read of them, whichever comes first in the case.
 [[nodiscard]] std::vector<Eigen::Index> buildings_of(const Problem& problem, Eigen::Index gap);
 /// The gaps of a problem, left to right.
 [[nodiscard]] std::vector<Gap> gaps_of(const Problem& problem);

@@ -75,7 +75,7 @@ struct Hinges {
   [[nodiscard]] Eigen::Index size() const { return rows.rows(); }
 };
 
-/// The masonry that fills a bay of a frame in one storey, told across: as storey drift and shear.
+/// The masonry that fills a bay of a frame in one storey, across: as storey drift and shear.
 struct InfillPanel {
   Eigen::Index storey = 0, bay = 0;  ///< both from 0, the storey that of the frame
   double stiffness = 0;              ///< k of the strut that works [force/length], part of K

@@ -44,7 +44,7 @@ struct HalfSpace {
 /// range.
 [[nodiscard]] Soil soil_of(const HalfSpace& half_space, double mass, double inertia);
 
-/// What a building stands on and bears.
+/// What a building stands on and carries.
 struct Support {
   std::optional<GravityLoads> gravity = {};
   std::optional<Isolation> isolation = {};  ///< not together with soil

@@ -48,7 +48,7 @@ struct FlowingSet {
 };
 
 /// The sets that hinges have flowed in: few recur again and again, within a run and in all runs of a study. Many
-/// threads may ask at a time, and what they are told is the same to the bit whether it was kept or not.
+/// threads may ask at a time, and what they get is the same to the bit whether it was kept or not.
 class FlowingSets {
  public:
   static constexpr Eigen::Index most_kept = Eigen::Index{1} << 23;  // numbers: 64 MB

@@ -6,7 +6,7 @@
 
 namespace bentur {
 
-/// What a hinge bears as it turns further and further (H-17): M_y and Hθ up to the cap, down towards zero, what it
+/// What a hinge carries as it turns further and further (H-17): M_y and Hθ up to the cap, down towards zero, what it
 /// keeps for good, nothing.
 struct HingeBackbone {
   /// Moments at yielding of either sense, that at rest included [force·length] > 0, and what is borne at rest.

@@ -28,7 +28,7 @@ struct E2kFrame {
 /// One plane frame of a model that ETABS has written as text (.e2k, "Export ETABS .e2k Text File"): units, storeys,
 /// materials (E, weight per volume), frame sections (rectangles, circles, I, tubes and pipes by their sides, others by
 /// area, I33 and I22), points, lines and the sections assigned to them, all with their modifiers of area and I. Columns
-/// of frames along X bend about axis 3, of those along Y about 2, and the other way round where ANG is 90; beams about
+/// of frames along X bend about axis 3, of those along Y about 2, and reversed where ANG is 90; beams about
 /// 3. A member whose ends are released is an error, for a frame here is rigid at its nodes. It has one section for all
 /// columns of a storey and all beams of a floor, and one modulus: where they differ areas and E·I are the means, which
 /// is said in `taken`. Weights of slabs, loads, walls and all else are listed as unread.

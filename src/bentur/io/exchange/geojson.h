@@ -16,7 +16,7 @@ struct House {
   std::string name;         ///< different from the others'
   SourcePosition position;  ///< of its feature
   std::string key;          ///< what messages call it, `features[3] ("Mill")`
-  /// Corners in their order, either way round, none twice in a row, to the millimetre [m].
+  /// Corners in their order, in either direction, none twice in a row, to the millimetre [m].
   std::vector<PlanPoint> outline;
   std::vector<std::vector<PlanPoint>> holes;
   std::optional<int> storeys;

@@ -10,7 +10,7 @@ namespace bentur {
 template <class Value>
 struct HouseTag {
   Value value{};
-  bool as_written = true;  ///< else it was read otherwise than it stands, which is to be told
+  bool as_written = true;  ///< else it was read otherwise than it stands, which is to be reported
 };
 
 /// A height [m] in (0, 1000]: `12.5`, `12.5 m`; read otherwise than they stand `12,5` (a decimal comma), `40'`,

@@ -60,7 +60,7 @@ struct RecordContradiction {
 [[nodiscard]] std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
                                                             const RecordOptions& options, Diagnostics& diagnostics);
 
-/// What was read, as users are told it; `unit` is the file's own or the one that the user gives. Not yet scaled: pga 0.
+/// What was read, as users see it; `unit` is the file's own or the one that the user gives. Not yet scaled: pga 0.
 [[nodiscard]] RecordEcho echo_of(const StrongMotionRecord& record, const std::string& file, const std::string& unit);
 
 /// What is worth saying beside format and unit, each after a comma: ", channel 2 of 3 (Chan 2: 360 Deg), 46 header

@@ -31,7 +31,7 @@ struct ContactSpec {
 /// m_e [mass] of two floors, of which one may be infinite.
 [[nodiscard]] double effective_mass(double one, double other);
 
-/// What contact point `point` of the gap gives its law. Of a point that bears a share σ of the whole contact all
+/// What contact point `point` of the gap gives its law. Of a point that carries a share σ of the whole contact all
 /// stiffness has that share, and the effective mass, by which damping follows from it (P-9).
 /// @throws InvalidParameter where there is no such law, or a list no such entry.
 [[nodiscard]] LawInput contact_input(const ContactSpec& contact, std::size_t point, double effective_mass,

@@ -54,7 +54,7 @@ struct GoverningLevel {
 /// The hardest impact of a contact point, the first of those that are alike; nothing where it has none.
 [[nodiscard]] const Impact* hardest_impact(const Response& response, Eigen::Index point);
 
-/// What is told first of a gap.
+/// What is reported first of a gap.
 struct GapOutcome {
   Gap gap;
   int impacts = 0;

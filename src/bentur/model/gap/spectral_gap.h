@@ -58,7 +58,7 @@ struct SpectralGaps {
   /// of both. ABS, SRSS and DDC combine the peaks of both faces. Rules of codes take these peaks divided by `reduction`
   /// of their buildings, or by the `amplification` of peaks that are given.
   std::vector<LevelSeparation> levels;
-  /// Of buildings in plan, whose gaps are told of as those of row_of() it; null: a row.
+  /// Of buildings in plan, whose gaps are reported as those of row_of() it; null: a row.
   std::shared_ptr<const PlanProblem> plan = {};
 };
 /// Buildings are elastic, with their initial stiffness; delays and kinematics play no part.

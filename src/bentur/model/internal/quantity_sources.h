@@ -201,8 +201,8 @@ template <class Member>
   return of_frames(When::breaking_columns, &BuildingPeaks::columns, member);
 }
 
-/// What a column bears that a floor strikes: as it stands in a response, or computed of it and of what the case says of
-/// the contact point.
+/// What a column carries that a floor strikes: as it stands in a response, or computed of it and of what the case says
+/// of the contact point.
 [[nodiscard]] QuantitySource of_struck(double ColumnPeaks::*member);
 [[nodiscard]] QuantitySource of_struck(double (*value)(const ColumnPeaks&, const ContactPoint&), When when);
 

@@ -25,7 +25,7 @@ struct Fall {
 };
 
 /// A storey that goes beyond what it may: by its drift without contact what counts as collapse, where nothing looks for
-/// that; by a spectrum the force that it bears.
+/// that; by a spectrum the force that it carries.
 struct Beyond {
   std::string building;
   Eigen::Index storey = 0;  ///< its number, for people

@@ -28,7 +28,7 @@ struct Reason {
     rule,          ///< a rule of [code], `subject`, asks for `value` [length]
     collapse,      ///< storey `storey` of `subject` falls at `value` [s], with contact (`count` 1) or without
     drift,         ///< it drifts by `value` of its height without contact [-], beyond collapse
-    capacity,      ///< by a spectrum it bears `value` times what it can, as an elastic one
+    capacity,      ///< by a spectrum it carries `value` times what it can, as an elastic one
     phase,         ///< peaks alone are known: both at once need `value` [length]
     doubt,         ///< GapFacts::doubts[`count`]
     motion_left,   ///< free vibration after the end could still need `value` [length]

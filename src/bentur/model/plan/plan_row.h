@@ -7,7 +7,7 @@
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 
-// Buildings in plan seen along their gaps, as a row is, for what is told of gaps of rows and plans alike.
+// Buildings in plan seen along their gaps, as a row is, for what is reported of gaps of rows and plans alike.
 namespace bentur {
 
 /// The gaps of a problem in their order, each between its L and R, with the contact points of its joint and what it

@@ -8,7 +8,7 @@
 
 namespace bentur {
 
-/// What is judged of a gap, told.
+/// What is judged of a gap, in words.
 struct ToldJudgement {
   Eigen::Index left = 0, right = 0;  ///< its buildings
   double width = 0;                  ///< given where it is narrowest [length]; NaN where no floors face one another

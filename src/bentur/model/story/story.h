@@ -13,7 +13,7 @@
 
 namespace bentur {
 
-/// How much a statement matters; what matters most is told first.
+/// How much a statement matters; what matters most comes first.
 enum class Severity {
   danger,   ///< something fails, or the run does not tell what happens
   warning,  ///< buildings collide, or what is given is not enough
@@ -53,7 +53,7 @@ struct Statement {
   std::optional<double> level = {};  ///< [length]
   std::vector<StoryValue> values = {};
   std::vector<std::vector<StoryValue>> items = {};  ///< a list, each by the text ".item"; joined they fill {items}
-  std::string subject = {};  ///< of a remark whose number it is, of a study what varies; told before it
+  std::string subject = {};  ///< of a remark whose number it is, of a study what varies; shown before it
   /// Of many runs: how many of them say so, and which one says the worst, whose statement this is.
   struct OfMany {
     long count = 0, runs = 0;
@@ -98,7 +98,7 @@ struct SaidOfRun {
 };
 /// What many runs say: every kind of statement once, as the run says it that says the worst, with how many say it too;
 /// what is gravest first, remarks last. What single runs need, what rules ask of them and how each is judged is left
-/// out: over many runs that is told of all of them. Of one run it is what that run says.
+/// out: over many runs that is reported of all of them. Of one run it is what that run says.
 [[nodiscard]] std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs);
 
 /// Of a run, of a row or of buildings in plan: what fails, who collides where and how hard, the gap needed in both

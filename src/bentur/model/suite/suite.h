@@ -137,7 +137,7 @@ struct SuiteFault {
 /// EN 1998-1:2004, 3.2.3.1.2(4)c, and ASCE 7-16, 16.2.3.2; of the former also mean of the peak ground accelerations
 /// ≥ S_t(0), 3.2.3.1.2(4)b. A record that c takes out of the bounds gives way to the next. Clauses from memory of the
 /// codes: read yours.
-/// @param progress told the fraction of the spectra that is done
+/// @param progress gets the fraction of the spectra that is done
 /// @param buildings suite_periods() of them
 /// @return the faults, none where all went well
 [[nodiscard]] std::vector<SuiteFault> settle(SuiteSpec& suite, std::vector<SuitePeriods> buildings,

@@ -10,7 +10,7 @@ namespace bentur {
 
 [[nodiscard]] RunOptions run_options(const SolveOptions& options);
 
-/// The same motion the other way round.
+/// The same motion reversed.
 [[nodiscard]] GroundMotion reversed(GroundMotion motion);
 
 /// What the reversed motion needs and can still come to need, of points and watched floors alike; nothing where `from`

@@ -14,7 +14,7 @@
 
 // What problems of rows and of plans are solved by alike. Of either there are, by overloads:
 //   validate, system_of, motions_in, gap_widths, gap_count, places_of, keeps_course, has_meetings: of a problem;
-//   free_response, take_levels, take_meetings, take_solution: a solution told as a response;
+//   free_response, take_levels, take_meetings, take_solution: a solution as a response;
 //   check_itself, drifts_no_contact: of a response.
 namespace bentur {
 
@@ -122,7 +122,7 @@ template <class Parts, class AnyProblem>
   return with;
 }
 
-/// What the reversed motion needs, where that is asked for and the free response has not told it, and what it does
+/// What the reversed motion needs, where that is asked for and the free response does not have it, and what it does
 /// where some gap of several closes, so that others are struck that move otherwise than freely.
 template <class AnyProblem, class AnyResponse, class Parts>
 void add_reversed(const AnyProblem& problem, const SolveOptions& options, const System& system,

@@ -40,8 +40,8 @@ struct SceneShape {
   std::vector<std::vector<ScenePoint>> lines = {};
 };
 
-/// A plastic hinge, a dot near the end of its member. How far it has turned is told in levels: 1 it has yielded, 2 to 4
-/// it has turned beyond the first to the third of its bounds.
+/// A plastic hinge, a dot near the end of its member. How far it has turned is shown in levels: 1 it has yielded, 2 to
+/// 4 it has turned beyond the first to the third of its bounds.
 struct SceneHinge {
   static constexpr int levels = 4;
   Eigen::Index building = 0, hinge = 0;  ///< of StructuralModel::hinges

@@ -20,7 +20,7 @@ struct Section {
   /// one per column line; of beams one, or those with the tension below and above (sagging, hogging). Empty: elastic.
   std::vector<double> moment_capacity = {};
   double hardening = 0;  ///< r of (H-3) [-], in [0, 1)
-  /// Rotations [rad] > 0, ascending, that a hinge's are told as parts of; three, or none.
+  /// Rotations [rad] > 0, ascending, that a hinge's are shown as parts of; three, or none.
   std::vector<double> rotation_limits = {};
   HingeBackbone backbone = {};  ///< of its hinges beyond what `hardening` says; moments of it are not asked for (H-17)
   double line_load = 0;         ///< of beams, downwards [force/length] ≥ 0: M₀ of (H-9), and no mass

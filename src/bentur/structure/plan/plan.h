@@ -53,7 +53,7 @@ struct PlanCantilever {
   Eigen::MatrixXd x, y, torsion;
 };
 
-/// A foundation on springs and dashpots, at the middle of the footprint (P-27). Rocking is told by the way that it
+/// A foundation on springs and dashpots, at the middle of the footprint (P-27). Rocking is measured by the way that it
 /// moves what stands on it: along x or along y.
 struct PlanSoil {
   Impedance sway_x, sway_y, rocking_x, rocking_y;

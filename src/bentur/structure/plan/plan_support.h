@@ -6,7 +6,7 @@
 namespace bentur {
 
 /// P-Δ (P-22): loads of the floors, from the lowest up, take from the stiffness of all storeys below them.
-/// @throws InvalidParameter when loads are too few or many, below zero, or more than the building bears.
+/// @throws InvalidParameter when loads are too few or many, below zero, or more than the building carries.
 void soften(const std::vector<double>& loads, PlanModel& model);
 
 /// Puts a building whose base does not move on soil (P-27), its modes and damping too.

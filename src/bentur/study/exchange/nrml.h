@@ -60,7 +60,8 @@ struct NrmlResults {
   std::vector<std::string> misfits = {};       ///< the same of curves that runs do not follow, left out or not
   double damping = 0.05;                       ///< of the spectral acceleration [-]
 };
-/// @param events as read, one IdaResults each, of one file @param id taxonomy of the asset, told apart by what varies
+/// @param events as read, one IdaResults each, of one file @param id taxonomy of the asset, distinguished by what
+/// varies
 /// @param misfits whether curves that their runs do not follow are taken
 /// @return nothing where no case is left; `error` says why.
 [[nodiscard]] std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaResults>>& events,

@@ -18,7 +18,7 @@ struct OutcomeTable {
   std::vector<double> levels;  ///< of intensity [its unit] > 0
   std::size_t cases = 0, records = 0;
   std::vector<Outcome> outcomes;  ///< cases × records × levels, the last fastest
-  std::size_t together = 1;  ///< so many records in succession are one, applied both ways round: resampled together
+  std::size_t together = 1;  ///< so many records in succession are one, applied in both directions: resampled together
   /// Of each run, in the order of the outcomes, where they are known: the event's quantity, the largest of all places,
   /// and whether the run collapses or its numbers failed. Empty: not known.
   std::vector<double> demands = {};

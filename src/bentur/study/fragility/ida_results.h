@@ -59,7 +59,7 @@ struct IdaResults {
   std::string study_unit;            ///< of the levels as a study names it: g, cm/s2
   std::string quantity_units;        ///< of the event's quantity, as UDUNITS reads them
   std::vector<ResultAxis> axes;      ///< of the cases, the last one fastest; none: a single case
-  std::vector<std::string> records;  ///< what users call them, each once, whichever way round it is applied
+  std::vector<std::string> records;  ///< what users call them, each once, in whichever direction it is applied
   OutcomeTable table;
 
   /// Of spectral acceleration [s]; nothing: the levels are of the peak ground acceleration.

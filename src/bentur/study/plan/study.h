@@ -121,8 +121,8 @@ struct Choice {
 [[nodiscard]] TomlValue chosen_value(const Vary& vary, const Choice& choice);
 
 /// Puts into a case what varies along any of the axes by the choices, one per axis. Each value's origin becomes 1 + its
-/// number among the varies, so that an error can be told from one of the case's own. With [ida] the record is left as
-/// its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation. Both
+/// number among the varies, so that an error can be distinguished from one of the case's own. With [ida] the record is
+/// left as its file has it: `pga` and `scale` are taken out. Else records are multiplied by their normalisation. Both
 /// components of one are treated alike.
 void put_choices(const Study& study, const std::vector<Choice>& choices, TomlValue& root);
 /// The study's case with the choices put in.

@@ -47,7 +47,7 @@ struct ObservedShare {
 /// (4) with the slope of the hazard at θ.
 [[nodiscard]] double closed_form_rate(const HazardCurve& hazard, double median, double dispersion);
 
-/// The probability of one event or more in t years, of a Poisson process: 1 − e^{−λ t}, and the other way round.
+/// The probability of one event or more in t years, of a Poisson process: 1 − e^{−λ t}, and its inverse.
 [[nodiscard]] double probability_in(double years, double rate);
 [[nodiscard]] double rate_of_probability(double years, double probability);
 

@@ -13,7 +13,7 @@
 
 namespace bentur {
 
-/// A number that is told of each record: the largest of all places, or of counts their sum.
+/// A number that is reported of each record: the largest of all places, or of counts their sum.
 struct SuiteQuantity {
   std::string name;              ///< as studies have it: "peak_force", "peak_drift_ratio_1"
   std::string units, long_name;  ///< as UDUNITS reads them; in words
@@ -45,7 +45,7 @@ struct SuiteRun {
   [[nodiscard]] double largest(std::size_t quantity) const;
 };
 
-/// Runs a case with each record of its suite. @param progress told the fraction done; where it answers false the rest
+/// Runs a case with each record of its suite. @param progress gets the fraction done; where it answers false the rest
 /// is left out. @throws InvalidParameter unless the case has a suite.
 [[nodiscard]] SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress);
 

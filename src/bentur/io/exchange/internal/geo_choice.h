@@ -53,7 +53,7 @@ struct GeoCandidate {
 
 /// Features that are polygons and wanted.
 struct GeoChoice {
-  bool is_made = true;                ///< else nobody knows who is wanted, and only that is to be told
+  bool is_made = true;                ///< else nobody knows who is wanted, and only that is reported
   std::vector<GeoCandidate> houses;   ///< they point into the features
   std::vector<std::string> left_out;  ///< who is, and why, in sentences
   std::vector<std::pair<std::string, const GeoFeature*>> unread;  ///< kinds of geometry

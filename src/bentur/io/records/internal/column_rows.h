@@ -10,7 +10,7 @@
 
 namespace bentur::records {
 
-/// The rows of numbers of a text file, and how their columns are told apart.
+/// The rows of numbers of a text file, and how their columns are distinguished.
 struct ColumnRows {
   std::vector<Line> rows;       ///< without comments and blank lines, from the first row on
   char separator = ' ';         ///< ; , or ' ' for blanks and tabs

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 [[nodiscard]] Json units_json(const Units& units);
 [[nodiscard]] Json excitation_json(const ExcitationSpec& excitation);
-/// The file the case was read from, as far as it can be told apart from others.
+/// The file the case was read from, as far as it can be distinguished from others.
 [[nodiscard]] Json source_json(const std::optional<CaseSource>& source);
 
 /// The law with everything it works with, given or derived, and the choices that apply.

@@ -27,7 +27,7 @@ namespace bentur {
 template <class Seen>
 constexpr bool is_of_plan = std::is_same_v<Seen, PlanRun>;
 
-/// The values of a quantity at places; empty where it is not told there.
+/// The values of a quantity at places; empty where it is not reported there.
 [[nodiscard]] inline std::vector<double> told_values(const Quantity& quantity, const RunView& run,
                                                      const std::vector<QuantityPlace>& places) {
   std::vector<double> values;

@@ -75,7 +75,7 @@ class VariablePass {
   explicit VariablePass(File& file) : file_(file) {}
 
  protected:
-  /// Values that are there as long as what is told.
+  /// Values that are there as long as what is written.
   template <class Values>
   void pass(ResultVariable variable, Values& values) const {
     if constexpr (File::reads) {
@@ -85,7 +85,7 @@ class VariablePass {
       file_.tell(std::move(variable));
     }
   }
-  /// Values made to be told, or to be understood once given.
+  /// Values made to be written, or to be understood once given.
   template <class Value>
   void made(ResultVariable variable, std::vector<Value>& values) const {
     if constexpr (File::reads) {
@@ -119,7 +119,7 @@ class VariablePass {
       for (std::size_t i = 0; i < values.size(); ++i) items[i].*member = values[i];
     }
   }
-  /// A member of each that is the number of a building, told by its name.
+  /// A member of each that is the number of a building, written as its name.
   template <class Items, class Member>
   void named(ResultVariable variable, Items& items, Member member, const std::vector<Building>& buildings) const {
     std::vector<std::string> names;

@@ -26,7 +26,7 @@ struct HeightFinding {
   };
   std::string rule;
   std::vector<HeightNeed> needs = {};  ///< per facing level of the gap, from the lowest up
-  std::optional<std::size_t> at = {};  ///< the level told of, an index into `needs`
+  std::optional<std::size_t> at = {};  ///< the level reported, an index into `needs`
   Verdict verdict = Verdict::not_evaluated;
   RuleFinding::Silence silence = RuleFinding::Silence::none;
 };

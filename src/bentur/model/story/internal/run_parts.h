@@ -69,7 +69,7 @@ struct Softened {
 [[nodiscard]] std::optional<Softened> softened_of(const RunResults& run, Eigen::Index building);
 [[nodiscard]] std::optional<Softened> softened_of(const PlanRun& run, Eigen::Index building);
 
-/// What else fails: columns that break, infill. In plan columns are told of with their frames.
+/// What else fails: columns that break, infill. In plan columns are reported with their frames.
 void tell_failures(const RunResults& run, Story& told);
 inline void tell_failures(const PlanRun& /*run*/, Story& /*told*/) {}
 /// Buildings that no gap has, and that could meet by how far both move.

@@ -19,7 +19,7 @@ namespace bentur::story {
 inline constexpr double percent = 100;
 inline constexpr double reached = 1e-9;  ///< of a capacity: what is so near it has come to it
 
-/// What the gaps of a story are told from, of a run or by a spectrum.
+/// What the story of gaps is made from, of a run or by a spectrum.
 struct GapView {
   const Case& c;
   const Problem& problem;
@@ -44,7 +44,7 @@ struct GapView {
   return {std::move(name), std::move(key), {}, true};
 }
 
-/// What a hit is told by, and the kind of statement that does: the force and how long it lasts, or of contacts without
+/// What reports a hit, and the kind of statement that does: the force and how long it lasts, or of contacts without
 /// force the speed. `hardest`: of the point; null where it is not known.
 void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement);
 /// The word for what moves the buildings.
@@ -75,7 +75,7 @@ void tell_levels_once(Statement& statement);
 /// What has to be read of a code's text with the number of its rule.
 void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 
-/// The column of those struck in a gap that bears the most of what it can.
+/// The column of those struck in a gap that carries the most of what it can.
 struct WorstColumn {
   Eigen::Index point = 0, building = 0;
   double ratio = 0;              ///< demand over capacity [-] ≥ 0

@@ -38,7 +38,7 @@ struct MotionSampling {
                                 const Eigen::MatrixXd& exact);
 
 /// {words, frames, step, keys, impacts}. @param times of which the keys are @param listed impacts, of any order
-/// @param force factor of forces as people are told of them
+/// @param force factor of forces as people read of them
 [[nodiscard]] Json played_json(const MotionSampling& sampling, const std::vector<double>& times,
                                const std::vector<Eigen::Index>& keys, const std::vector<Impact>& impacts,
                                std::vector<Eigen::Index> listed, double force, const Words& say);

@@ -62,7 +62,7 @@ constexpr std::size_t rows_in_print = 30;
 
 /// The input with its units, the ground motion, the modes.
 [[nodiscard]] PageSection input_section(const Report& report);
-/// The same of buildings in plan. @param events of the run; of a suite none is told of
+/// The same of buildings in plan. @param events of the run; of a suite none is reported
 [[nodiscard]] PageSection plan_input_section(const Case& c, const PlanProblem& problem, long events, const Words& say);
 
 // hand_in.cpp: of reports to hand in.
@@ -73,7 +73,7 @@ constexpr std::size_t rows_in_print = 30;
 /// The same of what is no run.
 [[nodiscard]] Html title_block(const std::optional<ProjectSpec>& project, const std::string& file,
                                const std::string& title, const std::string& made_by, const ReportOptions& options);
-/// Case and records by their hashes, so that a report can be told from that of another file of the same name.
+/// Case and records by their hashes, so that a report can be distinguished from that of another file of the same name.
 [[nodiscard]] Html identity(const std::optional<CaseSource>& source, const std::vector<const RecordEcho*>& records,
                             const Words& say);
 /// What runs along the top of every printed page.
@@ -143,7 +143,7 @@ struct Verdict {
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 /// The same of a value in units of the case, of a form "F L", in the units that people are shown.
 [[nodiscard]] std::string force_text(const Report& report, double value, std::string_view form);
-/// Whether buildings are told by their numbers where names would take too much room: in rows.
+/// Whether buildings are called by their numbers where names would take too much room: in rows.
 [[nodiscard]] bool numbers_buildings(const Report& report);
 /// "Model 1 | Model 2", or of a row "1 | 2".
 [[nodiscard]] std::string short_gap_name(const Report& report, Eigen::Index gap);

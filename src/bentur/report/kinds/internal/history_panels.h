@@ -39,7 +39,7 @@ struct HistoryPlace {
 [[nodiscard]] Curve within(const Curve& whole, const TimeWindow& window);
 /// Of the line of many vibrations side by side: the more, the thinner.
 [[nodiscard]] double width_of_line(const TimeWindow& whole, const TimeWindow& near);
-/// The starts of the contacts there; of very many those that can be told apart.
+/// The starts of the contacts there; of very many those that can be distinguished.
 [[nodiscard]] Events contacts_within(const HistoryPlace& place, const TimeWindow& window, const FigureOptions& options);
 /// Room for all curves within a window and for marks above them, so that panels can be compared.
 [[nodiscard]] std::pair<double, double> range_of(const std::vector<Curve>& curves, const TimeWindow& window);

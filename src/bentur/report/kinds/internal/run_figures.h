@@ -88,7 +88,7 @@ template <class... Values>
 constexpr double page_over_column = page_width / column_width;
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
-/// Line, mark and tone of curve number `index` of several that must be told apart; marks for few points alone.
+/// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone = {});
 [[nodiscard]] Mark mark_of(std::size_t index);
 

@@ -23,7 +23,7 @@ namespace bentur::scene {
 /// The middle of a column from the level below to the one above it, on its line, or of one of its pieces, from 1.
 [[nodiscard]] ScenePoint amid_column(const SceneLine& line, Eigen::Index piece, double below, double above);
 
-// Clear of the joint, so that those that meet there can be told apart.
+// Clear of the joint, so that those that meet there can be distinguished.
 
 /// Of a column from the level below to the one above it, on its line; `node`: which of its struck places, from 0.
 [[nodiscard]] ScenePoint on_column(const SceneLine& line, HingePlace::End end, double below, double above,

@@ -40,7 +40,7 @@ class Stepper {
   [[nodiscard]] bool is_fixed() const { return way_ == Way::fixed; }
   [[nodiscard]] bool is_adapted() const { return way_ == Way::pair; }
 
-  /// To be told when a contact begins: its force may set in steeply.
+  /// Learns when a contact begins: its force may set in steeply.
   void contact_begins() { fresh_ = true; }
 
   /// How well the places of events are known, relative to displacements and speeds, where steps are approximations.

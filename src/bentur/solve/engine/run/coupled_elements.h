@@ -22,7 +22,7 @@ class CoupledElements {
 
   /// What a monitor is to know of each deformation, beginning with the first, where nothing has happened.
   [[nodiscard]] static std::vector<Branch> first_branches(const ModalSystem& system, const Laws& laws);
-  /// Tells the monitor of all branches, after which it is told of every change.
+  /// Tells the monitor of all branches, after which it learns of every change.
   void watch(GuardMonitor& monitor);
 
   /// Adds what they do, and writes their force coordinates into `state`. Whether they leave bodies to fly.

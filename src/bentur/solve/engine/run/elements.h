@@ -62,7 +62,7 @@ class Elements {
     return monitor_.quiet(buffer, count, first, end);
   }
   /// Looks at an interval between two states, whose coordinates leave their chords by `rise` at most. What follows is
-  /// told of the interval last looked at.
+  /// known of the interval last looked at.
   void look(const State& from, const State& to, const Eigen::VectorXd& rise) {
     (void)monitor_.look(from.q.data(), to.q.data(), rise.data(), idle_, count());
   }
@@ -217,7 +217,7 @@ class Elements {
   std::vector<double> offsets_;       ///< of δ [length]
   Eigen::Index idle_;                 ///< the first elements, which do nothing
   std::vector<double> tolerances_;    ///< the band [length] per element
-  std::vector<double> least_speeds_;  ///< slowest start of a contact that a law is told of [length/s] per element
+  std::vector<double> least_speeds_;  ///< slowest start of a contact that a law gets [length/s] per element
   double start_slack_;                ///< accuracy, in tolerances
   std::vector<LawState> states_;      ///< per element
   std::vector<Branch> branches_;      ///< of states_

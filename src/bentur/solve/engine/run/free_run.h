@@ -43,7 +43,7 @@ class FreeRun final : public Run {
   void add_meeting(Eigen::Index first, Eigen::Index count);
 
   /// Rows of points over the coordinates of a body on one side of them, in fours that differ by more than signs: what
-  /// several of its neighbours meet is told once.
+  /// several of its neighbours meet is reported once.
   struct Side {
     explicit Side(const ModalSystem::Block& block) : begin(block.begin), rows(0, block.moving_size) {}
     /// Where the four are that these rows are the first of; they are added where there are none.

@@ -86,7 +86,7 @@ class Run {
   [[nodiscard]] virtual bool settle_before(long segment) = 0;
   /// Called when they have been found.
   virtual void settled_before(long /*segment*/) {}
-  /// Whether pass() is to be told of every flight.
+  /// Whether pass() is called for every flight.
   [[nodiscard]] virtual bool notes_flights() const { return false; }
   /// Takes in [0, cut] of the expanded step (motion_), which began at `time` with state_ and inputs_.
   virtual void take_step(double /*time*/, double /*cut*/) {}

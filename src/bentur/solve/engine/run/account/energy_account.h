@@ -14,7 +14,7 @@ namespace bentur::engine {
 ///   and links), kinetic = ½ q̇²,  bent = ½ Ω² q²,  damping = ∫ q̇ · D q̇ dt,  contact = Σ ∫ F_i δ̇_i dt + Σ jumps,
 ///   others = the same integral of all other elements, from rest on;                                          (E-2)
 /// all over the modes; the residual is input − kinetic − bent − damping − contact − others. What contacts took is what
-/// they store and what they have lost. What others took is told as what they store (with `bent` the strain energy),
+/// they store and what they have lost. What others took is kept as what they store (with `bent` the strain energy),
 /// what their dashpots took (with the damping), and the rest, hysteretic. Integrals are by Gauss's rule, on steps that
 /// the expansion has made short.
 class EnergyAccount {

@@ -18,7 +18,7 @@ class BoundedOutputs {
   [[nodiscard]] const kernels::PackedRows& weights() const { return weights_; }
 
   /// Takes in the coordinates at the ends of `steps` steps, StepBuffer::most at most, and how far they leave their
-  /// chords in between; each list `stride` after the one before. What follows is then told of limits, which raise()
+  /// chords in between; each list `stride` after the one before. What follows then learns of limits, which raise()
   /// makes the peaks and compare() leaves as they are.
   void raise(Eigen::Index steps, const double* x, const double* rise, Eigen::Index stride);
   void compare(Eigen::Index steps, const double* x, const double* rise, Eigen::Index stride);

@@ -51,7 +51,7 @@ class GuardMonitor {
   std::vector<double> spans_;    ///< per element
   std::vector<double> limits_;   ///< per element: of its row; infinite where that is not watched
   std::vector<char> stays_;
-  std::vector<char> changed_;     ///< per group: whether its rows are still to be told of limits
+  std::vector<char> changed_;     ///< per group: whether its rows have still to learn of limits
   Eigen::VectorXd group_limits_;  ///< scratch
   Eigen::Index stride_;
 };

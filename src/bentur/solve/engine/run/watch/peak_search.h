@@ -34,7 +34,7 @@ class PeakSearch {
 
   /// Whether it is time for settle(): it bounds the memory of a long run.
   [[nodiscard]] bool much_is_unsettled() const;
-  /// Is told how many steps the search takes next; false: it ends there.
+  /// Learns how many steps the search takes next; false: it ends there.
   using GoOn = std::function<bool(long)>;
   /// Looks into all that is unsettled.
   void settle(Series& series, Expansion& motion, const GoOn& go_on);

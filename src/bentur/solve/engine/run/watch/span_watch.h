@@ -39,7 +39,7 @@ class SpanWatch {
 
   /// Whether it is time for settle(): it bounds the memory of a long run.
   [[nodiscard]] bool much_is_unsettled() const;
-  /// Is told how many steps the search takes next; false: it ends there.
+  /// Learns how many steps the search takes next; false: it ends there.
   using GoOn = std::function<bool(long)>;
   /// Looks into all flights that are unsettled, each of the bodies alone whose δ may have gone further.
   void settle(Series& series, Expansion& motion, const GoOn& go_on);
