@@ -1,6 +1,7 @@
 """Cases from files, texts and classes; results; records; own laws; Ctrl-C and threads."""
 
 import concurrent.futures
+import ctypes
 import multiprocessing
 import os
 import pickle
@@ -15,6 +16,11 @@ import pytest
 import bentur
 from cases import pair
 from refused import refused
+
+try:
+    import scipy
+except ImportError:
+    scipy = None
 
 
 def same(a, b):
@@ -263,6 +269,23 @@ def test_a_force_of_python_is_the_law_it_copies():
         assert a[key] == pytest.approx(b[key], rel=1e-6)
     # what a spring gives back is the work of its force, here by quadrature
     assert abs(b["energy_lost"]) < 1e-6 * 0.4 * b["peak_force"] * b["peak_penetration"]
+
+
+def test_a_compiled_force_is_the_function_it_was_made_of():
+    two = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double, ctypes.c_double)(hertz)
+    one = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)(lambda d: 0.8e9 * d**2.5)
+    compiled = [two, type("FromNumba", (), {"ctypes": two})()]
+    if scipy is not None:
+        compiled.append(scipy.LowLevelCallable(two))
+    expected = bentur.run(pair().replace({"gap[0].contact": bentur.ForceLaw(force=hertz, energy=lambda d: 0.8e9 * d**2.5)}))
+    for force in compiled:
+        found = bentur.run(pair().replace({"gap[0].contact": bentur.ForceLaw(force=force, energy=one)}))
+        assert found.impacts.equals(expected.impacts) and len(found.impacts) > 0
+    with pytest.raises(TypeError, match="argtypes"):
+        pair().replace({"gap[0].contact": bentur.ForceLaw(force=one)})
+    if scipy is not None:
+        with pytest.raises(TypeError, match=r"must be 'double \(double, double\)'"):
+            pair().replace({"gap[0].contact": bentur.ForceLaw(force=scipy.LowLevelCallable(one))})
 
 
 def test_what_a_force_raises_is_raised():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from os import PathLike, fspath
@@ -11,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import CaseError
+
+_Pointer: Any = ctypes.CFUNCTYPE(None).__mro__[1]  # the class of all functions of ctypes
 
 Numbers = float | Sequence[float] | NDArray[np.floating[Any]]
 Table = Mapping[str, Any]
@@ -24,13 +27,16 @@ class ForceLaw:
     zero counts as zero. F is to be smooth while δ > 0, for it is integrated by an embedded Runge-Kutta pair: by
     ``solver="adaptive"`` all the time, by ``"exact"`` while the floors touch.
 
-    :param energy: a function of δ: what the contact would give back if it were unloaded slowly [force·length]; default
-        the work of F(δ, 0). ``energy_lost`` is reckoned by it.
+    :param force: a function of Python, or, many times as fast, a compiled one of the signature ``double (double,
+        double)``: what ``numba.cfunc`` makes, a function of ctypes with its ``argtypes`` and ``restype``, or
+        ``scipy.LowLevelCallable`` of one. The compiled code has to live as long as the case.
+    :param energy: a function of δ, of either kind: what the contact would give back if it were unloaded slowly
+        [force·length]; default the work of F(δ, 0). ``energy_lost`` is reckoned by it.
     """
 
-    force: Callable[[float, float], float]
+    force: Callable[[float, float], float] | Any
     name: str = "own"
-    energy: Callable[[float], float] | None = None
+    energy: Callable[[float], float] | Any | None = None
     stands_for_law: ClassVar[bool] = True
 
 
@@ -81,6 +87,32 @@ class BranchLaw:
 
 
 OwnLaw = ForceLaw | BranchLaw
+
+
+def address_of(function: Any, arguments: int) -> int:
+    """Where the compiled code of a function of so many numbers is; 0 of a function of Python.
+
+    :raises TypeError: when it is compiled for other types.
+    """
+    wanted = f"double ({', '.join(['double'] * arguments)})"
+    if isinstance(function, tuple) and hasattr(function, "signature"):  # scipy.LowLevelCallable: a capsule and more
+        if function.signature != wanted:
+            raise TypeError(f"the compiled function is {function.signature!r}, must be {wanted!r}")
+        capsule = tuple.__getitem__(function, 0)
+        name = _capsule("PyCapsule_GetName", ctypes.c_char_p, ctypes.py_object)(capsule)
+        return int(_capsule("PyCapsule_GetPointer", ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)(capsule, name))
+    function = getattr(function, "ctypes", function)  # numba.cfunc
+    if not isinstance(function, _Pointer):
+        return 0
+    kinds = [ctypes.c_double] * arguments
+    if list(function.argtypes or ()) != kinds or function.restype is not ctypes.c_double:
+        raise TypeError(f"the compiled function must have the argtypes and the restype of {wanted!r}")
+    return int(ctypes.cast(function, ctypes.c_void_p).value or 0)
+
+
+def _capsule(name: str, result: Any, *arguments: Any) -> Any:
+    """A function of Python's own library."""
+    return ctypes.PYFUNCTYPE(result, *arguments)((name, ctypes.pythonapi))
 
 
 class Samples:

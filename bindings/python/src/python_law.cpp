@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -42,8 +43,8 @@ PyLaw::~PyLaw() {
 
 ForceLaw::~ForceLaw() {
   const py::gil_scoped_acquire lock;
-  force_ = {};
-  energy_ = {};
+  force_.given = {};
+  energy_.given = {};
 }
 
 Branch ForceLaw::branch(const LawState& state) const noexcept {
@@ -67,13 +68,16 @@ double ForceLaw::called(const py::object& function, double penetration, double s
 
 double ForceLaw::force(const LawState& state, double penetration, double closing_speed) const noexcept {
   if (state.branch == apart || !(penetration > 0)) return 0;
-  const double force = called(force_, penetration, closing_speed, true);
+  const double force = force_.code != nullptr
+                           ? reinterpret_cast<double (*)(double, double)>(force_.code)(penetration, closing_speed)
+                           : called(force_.given, penetration, closing_speed, true);
   return force < 0 ? 0 : force;
 }
 
 double ForceLaw::stored_energy(const LawState& state, double penetration) const noexcept {
   if (state.branch == apart || !(penetration > 0)) return 0;
-  if (!energy_.is_none()) return called(energy_, penetration, 0, false);
+  if (energy_.code != nullptr) return reinterpret_cast<double (*)(double)>(energy_.code)(penetration);
+  if (!energy_.given.is_none()) return called(energy_.given, penetration, 0, false);
   const auto slowly = [&](double at) { return force(state, at, 0); };
   return boost::math::quadrature::gauss<double, 20>::integrate(slowly, 0.0, penetration);
 }
@@ -238,7 +242,12 @@ std::shared_ptr<const OwnLaw> own_law(const py::object& given) {
     throw InvalidParameter("name", '"' + name + '"', "is that of a law of bentur's: give this one another");
   }
   if (py::hasattr(given, "force")) {
-    const auto made = std::make_shared<const ForceLaw>(name, given.attr("force"), given.attr("energy"));
+    const auto callable = [&](const char* what, int arguments) {
+      const py::object function = given.attr(what);
+      const auto address = py::module_::import("bentur._own_laws").attr("address_of")(function, arguments);
+      return Callable{function, reinterpret_cast<const void*>(address.cast<std::uintptr_t>())};
+    };
+    const auto made = std::make_shared<const ForceLaw>(name, callable("force", 2), callable("energy", 1));
     law->contact = entry<ContactLaw>(*law, [made](const LawInput& /*input*/) { return made; });
     return law;
   }

@@ -27,13 +27,19 @@ struct PyLaw final : OwnLaw {
 void rethrow_of_laws();
 [[nodiscard]] bool law_has_raised() noexcept;
 
-/// A contact law whose force is a Python function F(δ, δ̇), called while the floors touch; what it gives below zero
+/// A function of one or two numbers that Python gave: one of its own, or compiled.
+struct Callable {
+  pybind11::object given;
+  const void* code = nullptr;  ///< double (double) or double (double, double); null: it is Python's
+};
+
+/// A contact law whose force is a function F(δ, δ̇), called while the floors touch; what it gives below zero
 /// counts as zero. It is solved as any force that is not linear is. An exception ends the run: from then on the force
 /// is NaN in this thread, and rethrow_of_laws() tells why.
 class ForceLaw final : public ContactLaw {
  public:
   /// @param energy a function of δ: what the contact would give back; None: the work of F(δ, 0)
-  ForceLaw(std::string name, pybind11::object force, pybind11::object energy)
+  ForceLaw(std::string name, Callable force, Callable energy)
       : name_(std::move(name)), force_(std::move(force)), energy_(std::move(energy)) {}
   ~ForceLaw() override;
 
@@ -48,7 +54,7 @@ class ForceLaw final : public ContactLaw {
                               bool with_speed) const noexcept;
 
   std::string name_;
-  pybind11::object force_, energy_;
+  Callable force_, energy_;
 };
 
 /// One branch of a BranchLaw: F = base + stiffness δ + damping δ̇ while every guard is ≥ 0.
