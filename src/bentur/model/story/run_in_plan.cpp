@@ -71,41 +71,6 @@ std::optional<LargestOfFloors> turned_by_contact(const PlanRun& run) {
   return most;
 }
 
-/// Of the planes of a building the storey with the largest ductility.
-std::optional<Yields> yielding_plane(const PlanRun& run, Index b) {
-  const auto &planes = run.response.buildings[b].planes, &alone = run.response.buildings_no_contact[b].planes;
-  std::optional<Yields> most;
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const auto& list = planes[p].yielding.ductility;
-    for (Index f = 0; f < list.size(); ++f) {
-      if (!(list(f) > (most ? most->ductility : 1))) continue;
-      most = Yields{plane_name(run, b, p), list(f), alone[p].yielding.ductility(f),
-                    run.problem.buildings[b].model.storey_number(f)};
-    }
-  }
-  return most;
-}
-
-/// The largest ductility of the bearings of a building, along x or along y. Results do not keep what they do without
-/// contact.
-double ductility_of_bearings(const PlanRun& run, Index b) {
-  const PlanPeaks::Bearings& peaks = run.response.buildings[b].bearings;
-  double ductility = 0;
-  for (Index n = 0; n < peaks.x.size(); ++n) {
-    const HystereticLaw* const law = run.problem.buildings[b].model.bearings[n].law.get();
-    if (law == nullptr) continue;
-    ductility = std::max(ductility, std::max(peaks.x(n), peaks.y(n)) / law->yield_deformation());
-  }
-  return ductility;
-}
-
-/// "peak_displacement_x_no_contact".
-std::string key_along(const std::string& key, const std::string& axis) {
-  const std::string end = "_no_contact";
-  const bool has_end = key.ends_with(end);
-  return (has_end ? key.substr(0, key.size() - end.size()) : key) + "_" + axis + (has_end ? end : "");
-}
-
 }  // namespace
 
 std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const PlanProblem& problem) {
@@ -252,8 +217,7 @@ void tell_slips(const PlanRun& run, std::vector<Statement>& statements) {
 
 bool tell_turning(const PlanRun& run, std::vector<Statement>& statements) {
   constexpr double more = 1 + 1e-9;
-  LargestOfFloors turns = largest_of_floors(run, "amplification_rotation");
-  turns.axis.clear();
+  const LargestOfFloors turns = largest_of_floors(run, "amplification_rotation");
   const auto milliradians = [&](const char* key) {
     return 1e3 * value_of(quantity_named(key, Owner::floor, true), run, turns.at);
   };
@@ -272,82 +236,31 @@ bool tell_turning(const PlanRun& run, std::vector<Statement>& statements) {
   return turns.value > more || starts;
 }
 
-std::optional<WorstDrift> worst_drift(const PlanRun& run, Index b) {
-  const PlanBuilding& building = run.problem.buildings[b];
-  if (building.is_rigid() || building.has_gravity_loads()) return std::nullopt;
-  WorstDrift most{.name = building.name};
-  for (const bool is_alone : {false, true}) {
-    const PlanPeaks& peaks = (is_alone ? run.response.buildings_no_contact : run.response.buildings)[b];
-    const auto take = [&](const std::string& name, const Eigen::VectorXd& ratios) {
-      for (Index storey = 0; storey < ratios.size(); ++storey) {
-        if (ratios(storey) > most.ratio) most = {name, storey, ratios(storey), is_alone};
-      }
-    };
-    for (std::size_t p = 0; p < peaks.planes.size(); ++p) take(plane_name(run, b, p), peaks.planes[p].drift_ratio);
-    take(building.name, peaks.edge_drift_ratio());
-  }
-  return most;
-}
-
-std::vector<Yields> yields_of(const PlanRun& run, Index b) {
-  std::vector<Yields> found;
-  if (const std::optional<Yields> plane = yielding_plane(run, b)) found.push_back(*plane);
-  const double ductility = ductility_of_bearings(run, b);
-  if (ductility > 1) found.push_back({run.problem.buildings[b].name, ductility, std::nullopt, std::nullopt});
-  return found;
-}
-
-std::optional<Softened> softened_of(const PlanRun& run, Index b) {
-  const auto& planes = run.response.buildings[b].planes;
-  std::optional<std::pair<std::size_t, Index>> worst;
-  double least = 0;
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const Index storey = most_softened(planes[p].yielding);
-    if (storey < 0) continue;
-    const double left = planes[p].yielding.strength_left(storey);
-    if (worst && !(left < least)) continue;
-    worst = {p, storey};
-    least = left;
-  }
-  if (!worst) return std::nullopt;
-  return Softened{plane_name(run, b, worst->first), planes[worst->first].yielding, worst->second};
-}
-
-void tell_motion(const PlanRun& run, std::vector<Statement>& statements) {
-  for (const std::size_t i : {0U, 1U}) {
-    const double pga = applied_pga(run, i);
-    if (!(pga > 0)) continue;
-    Statement statement{
-        .kind = run.c.angle == 0 ? "pga_along" : "pga_along_turned",
-        .values = {text_of("axis", i == 0 ? "x" : "y"), value_in("angle", run.c.angle),
-                   value_in("pga", pga, run.c.units.length + "/s²"), value_in("in_g", pga / run.c.units.gravity, "g")}};
-    statements.push_back(std::move(statement));
-  }
-}
-
 void tell_left_out(const PlanRun& run, std::vector<Statement>& statements) {
   tell_rotations(run, statements);
   tell_ends_of_edges(run, statements);
 }
 
-LargestOfFloors largest_of_floors(const PlanRun& run, const std::string& key) {
-  LargestOfFloors most;
-  const bool turns = key.ends_with("rotation");
-  for (const std::string axis : {"x", "y"}) {
-    const Quantity& quantity = quantity_named(turns ? key : key_along(key, axis), Owner::floor, true);
-    for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-      for (const QuantityPlace& at : floors_of(run.problem, b)) {
-        const double value = value_of(quantity, run, at);
-        if (std::isnan(value) || value <= most.value) continue;
-        most = {value, at, axis};
-      }
-    }
+double ductility_of_bearings(const PlanRun& run, Index b) {
+  const PlanPeaks::Bearings& peaks = run.response.buildings[b].bearings;
+  double ductility = 0;
+  for (Index n = 0; n < peaks.x.size(); ++n) {
+    const HystereticLaw* const law = run.problem.buildings[b].model.bearings[n].law.get();
+    if (law == nullptr) continue;
+    ductility = std::max(ductility, std::max(peaks.x(n), peaks.y(n)) / law->yield_deformation());
   }
-  return most;
+  return ductility;
 }
 
-double value_at(const PlanRun& run, const std::string& key, const LargestOfFloors& found) {
-  return value_of(quantity_named(key_along(key, found.axis), Owner::floor, true), run, found.at);
+std::vector<Storeys> storeys_of(const PlanRun& run, Index b) {
+  const PlanPeaks &with = run.response.buildings[b], &alone = run.response.buildings_no_contact[b];
+  std::vector<Storeys> all;
+  for (std::size_t p = 0; p < with.planes.size(); ++p) {
+    all.push_back({plane_name(run, b, p), with.planes[p].drift_ratio, alone.planes[p].drift_ratio,
+                   with.planes[p].yielding, alone.planes[p].yielding});
+  }
+  all.push_back({run.problem.buildings[b].name, with.edge_drift_ratio(), alone.edge_drift_ratio(), {}, {}});
+  return all;
 }
 
 }  // namespace bentur::story

@@ -132,31 +132,6 @@ void tell_columns(const RunResults& run, std::vector<Statement>& statements) {
   for (const Gap& gap : gaps_of(run.problem)) tell_columns_of(run, gap, statements);
 }
 
-std::optional<WorstDrift> worst_drift(const RunResults& run, Index b) {
-  const Building& building = run.problem.buildings[b];
-  if (building.is_rigid() || building.has_gravity_loads) return std::nullopt;
-  const BuildingPeaks& peaks = run.response.buildings[b];
-  const LargestDrift with = largest_drift(peaks.drift_ratio), alone = largest_drift(peaks.drift_ratio_no_contact);
-  const bool is_alone = alone.ratio > with.ratio;
-  const LargestDrift& worst = is_alone ? alone : with;
-  return WorstDrift{building.name, worst.storey, worst.ratio, is_alone};
-}
-
-std::vector<Yields> yields_of(const RunResults& run, Index b) {
-  const auto& with = run.response.buildings[b].yielding.ductility;
-  const auto& alone = run.response.buildings[b].yielding_no_contact.ductility;
-  Index worst = -1;
-  for (Index storey = 0; storey < with.size(); ++storey) {
-    if (with(storey) > 1 && (worst < 0 || with(storey) > with(worst))) worst = storey;
-  }
-  if (worst < 0) return {};
-  const Building& building = run.problem.buildings[b];
-  Yields found{.name = building.name, .ductility = with(worst)};
-  if (worst < alone.size() && !std::isnan(alone(worst))) found.alone = alone(worst);
-  if (worst >= building.model.first_storey()) found.storey = building.model.storey_number(worst);
-  return {found};
-}
-
 Index most_softened(const BuildingPeaks::Yielding& yielding) {
   const auto is_known = [](const Eigen::VectorXd& list, Index f) { return f < list.size() && !std::isnan(list(f)); };
   Index worst = -1;
@@ -167,43 +142,15 @@ Index most_softened(const BuildingPeaks::Yielding& yielding) {
   return worst;
 }
 
-std::optional<Softened> softened_of(const RunResults& run, Index b) {
-  const BuildingPeaks::Yielding& yielding = run.response.buildings[b].yielding;
-  const Index worst = most_softened(yielding);
-  if (worst < 0) return std::nullopt;
-  return Softened{run.problem.buildings[b].name, yielding, worst};
-}
-
 void tell_failures(const RunResults& run, Story& told) {
   tell_breaking(run, told);
   tell_infill(run, told.statements);
 }
 
-void tell_motion(const RunResults& run, std::vector<Statement>& statements) {
-  const double pga = applied_pga(run.c);
-  if (!(pga > 0)) return;
-  statements.push_back(
-      {.kind = "pga",
-       .values = {value_in("pga", pga, run.c.units.length + "/s²"), value_in("in_g", pga / run.c.units.gravity, "g")}});
-}
-
-LargestOfFloors largest_of_floors(const RunResults& run, const std::string& key) {
-  const RunView view = run.view();
-  const Quantity& quantity = quantity_named(key, Owner::floor);
-  LargestOfFloors most;
-  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    for (const QuantityPlace& at : floors_of(run.problem, b)) {
-      const double value = value_of(quantity, view, at);
-      if (std::isnan(value) || value <= most.value) continue;
-      most.value = value;
-      most.at = at;
-    }
-  }
-  return most;
-}
-
-double value_at(const RunResults& run, const std::string& key, const LargestOfFloors& found) {
-  return value_of(quantity_named(key, Owner::floor), run.view(), found.at);
+std::vector<Storeys> storeys_of(const RunResults& run, Index b) {
+  const BuildingPeaks& peaks = run.response.buildings[b];
+  return {{run.problem.buildings[b].name, peaks.drift_ratio, peaks.drift_ratio_no_contact, peaks.yielding,
+           peaks.yielding_no_contact}};
 }
 
 }  // namespace bentur::story

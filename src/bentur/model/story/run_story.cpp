@@ -32,6 +32,69 @@ void tell_collapse(const AnyRun& run, std::vector<Statement>& statements) {
   if (without) tell(*without, with ? "collapse_also_alone" : "collapse_alone");
 }
 
+bool has_gravity(const Building& building) { return building.has_gravity_loads; }
+bool has_gravity(const PlanBuilding& building) { return building.has_gravity_loads(); }
+
+/// The storey of a building that drifts the most, with contact or without; nothing of one that does not move, or that
+/// gravity acts on, whose collapse is looked for.
+template <class AnyRun>
+std::optional<WorstDrift> worst_drift(const AnyRun& run, Index b) {
+  const auto& building = run.problem.buildings[b];
+  if (building.is_rigid() || has_gravity(building)) return std::nullopt;
+  WorstDrift most{.name = building.name};
+  for (const bool is_alone : {false, true}) {
+    for (const Storeys& all : storeys_of(run, b)) {
+      const Eigen::VectorXd& ratios = is_alone ? all.drift_alone : all.drift;
+      for (Index storey = 0; storey < ratios.size(); ++storey) {
+        if (ratios(storey) > most.ratio) most = {all.name, storey, ratios(storey), is_alone};
+      }
+    }
+  }
+  return most;
+}
+
+/// A storey that yields, or the bearings of a building.
+struct Yields {
+  std::string name;                  ///< of the building, or of the plane of it
+  double ductility = 1;              ///< > 1 [-]
+  std::optional<double> alone = {};  ///< without contact, where that is known
+  std::optional<Index> storey = {};  ///< its number, for people; nothing: bearings
+};
+
+/// Of a building those of the largest ductility.
+template <class AnyRun>
+std::vector<Yields> yields_of(const AnyRun& run, Index b) {
+  const auto& model = run.problem.buildings[b].model;
+  std::optional<Yields> most;
+  for (const Storeys& all : storeys_of(run, b)) {
+    const Eigen::VectorXd &with = all.yielding.ductility, &alone = all.yielding_alone.ductility;
+    for (Index storey = 0; storey < with.size(); ++storey) {
+      if (!(with(storey) > (most ? most->ductility : 1))) continue;
+      most = Yields{.name = all.name, .ductility = with(storey)};
+      if (storey < alone.size() && !std::isnan(alone(storey))) most->alone = alone(storey);
+      if (storey >= model.first_storey()) most->storey = model.storey_number(storey);
+    }
+  }
+  std::vector<Yields> found;
+  if (most) found.push_back(*most);
+  const double bearings = ductility_of_bearings(run, b);
+  if (bearings > 1) found.push_back({.name = run.problem.buildings[b].name, .ductility = bearings});
+  return found;
+}
+
+/// The storeys of a building with the one that has least of its strength left, where some has softened.
+template <class AnyRun>
+std::optional<std::pair<Storeys, Index>> softened_of(const AnyRun& run, Index b) {
+  std::optional<std::pair<Storeys, Index>> worst;
+  for (Storeys& all : storeys_of(run, b)) {
+    const Index storey = most_softened(all.yielding);
+    if (storey < 0) continue;
+    const double left = all.yielding.strength_left(storey);
+    if (!worst || left < worst->first.yielding.strength_left(worst->second)) worst.emplace(std::move(all), storey);
+  }
+  return worst;
+}
+
 /// Buildings that drift beyond what counts as collapse, where nothing looks for that since no gravity acts.
 template <class AnyRun>
 void tell_drifts(const AnyRun& run, std::vector<Statement>& statements) {
@@ -59,13 +122,15 @@ double known(const Eigen::VectorXd& list, Index i) {
 template <class AnyRun>
 void tell_lost_strength(const AnyRun& run, std::vector<Statement>& statements) {
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    const std::optional<Softened> found = softened_of(run, b);
+    const auto found = softened_of(run, b);
     if (!found) continue;
     const auto& model = run.problem.buildings[b].model;
-    const double failed = known(found->yielding.failed_time, found->storey);
-    const double residual = known(found->yielding.residual_time, found->storey);
+    const BuildingPeaks::Yielding& yielding = found->first.yielding;
+    const Index storey = found->second;
+    const double failed = known(yielding.failed_time, storey);
+    const double residual = known(yielding.residual_time, storey);
     const bool has_failed = !std::isnan(failed), to_residual = !std::isnan(residual);
-    const double capped = known(found->yielding.capped_time, found->storey);
+    const double capped = known(yielding.capped_time, storey);
     const double time = has_failed ? failed : to_residual ? residual : capped;
     statements.push_back(
         {.kind = has_failed    ? "storey_fails"
@@ -73,10 +138,9 @@ void tell_lost_strength(const AnyRun& run, std::vector<Statement>& statements) {
                                : "storey_softens",
          .severity = has_failed ? Severity::danger : Severity::warning,
          .buildings = {b},
-         .level = model.elevations[found->storey],
-         .values = {value_in("time", time, "s"),
-                    value_in("left", percent * found->yielding.strength_left(found->storey), "%"),
-                    text_of("building", found->name), count_of("storey", model.storey_number(found->storey))}});
+         .level = model.elevations[storey],
+         .values = {value_in("time", time, "s"), value_in("left", percent * yielding.strength_left(storey), "%"),
+                    text_of("building", found->first.name), count_of("storey", model.storey_number(storey))}});
   }
 }
 
@@ -175,6 +239,26 @@ void tell_effects(const AnyRun& run, std::vector<Statement>& statements) {
   values.push_back(value_in("in_g", fastest.value / run.c.units.gravity, "g"));
 }
 
+std::vector<double> peaks_of_ground(const RunResults& run) { return {applied_pga(run.c)}; }
+std::vector<double> peaks_of_ground(const PlanRun& run) { return {applied_pga(run, 0), applied_pga(run, 1)}; }
+
+/// The ground motion as applied, in plan along each of its axes.
+template <class AnyRun>
+void tell_motion(const AnyRun& run, std::vector<Statement>& statements) {
+  const std::vector<double> peaks = peaks_of_ground(run);
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    if (!(peaks[i] > 0)) continue;
+    Statement statement{.kind = "pga"};
+    if (is_in_plan<AnyRun>) {
+      statement.kind = run.c.angle == 0 ? "pga_along" : "pga_along_turned";
+      statement.values = {text_of("axis", i == 0 ? "x" : "y"), value_in("angle", run.c.angle)};
+    }
+    statement.values.push_back(value_in("pga", peaks[i], run.c.units.length + "/s²"));
+    statement.values.push_back(value_in("in_g", peaks[i] / run.c.units.gravity, "g"));
+    statements.push_back(std::move(statement));
+  }
+}
+
 /// What a table says as well as a sentence. @param worst of many gaps the one that sentences are about
 void leave_to_tables(std::optional<Index> worst, std::vector<Statement>& statements) {
   constexpr std::string_view rows[] = {
@@ -261,6 +345,13 @@ std::vector<StoryTable> tables_of_gaps(const AnyRun& run) {
 }  // namespace
 
 namespace story {
+
+std::string key_along(const std::string& key, const std::string& axis) {
+  const std::string end = "_no_contact";
+  if (axis.empty()) return key;
+  const bool has_end = key.ends_with(end);
+  return (has_end ? key.substr(0, key.size() - end.size()) : key) + "_" + axis + (has_end ? end : "");
+}
 
 void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement) {
   if (point.peak_force > 0) {

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/internal/story_parts.h"
@@ -44,30 +47,19 @@ void put_place(const PlanRun& run, std::size_t gap, const Hit& hit, Statement& s
 void tell_columns(const RunResults& run, std::vector<Statement>& statements);
 inline void tell_columns(const PlanRun& /*run*/, std::vector<Statement>& /*statements*/) {}
 
-/// The storey of a building that drifts the most, with contact or without; nothing of one that does not move, or that
-/// gravity acts on, whose collapse is looked for.
-[[nodiscard]] std::optional<WorstDrift> worst_drift(const RunResults& run, Eigen::Index building);
-[[nodiscard]] std::optional<WorstDrift> worst_drift(const PlanRun& run, Eigen::Index building);
-
-/// A storey that yields, or the bearings of a building.
-struct Yields {
-  std::string name;                         ///< of the building, or of the plane of it
-  double ductility = 1;                     ///< > 1 [-]
-  std::optional<double> alone = {};         ///< without contact, where that is known
-  std::optional<Eigen::Index> storey = {};  ///< its number, for people; nothing: bearings
+/// What the storeys of a building did, of a row all of them; in plan those of each plane, and of a building without
+/// planes its edges. Lists may be empty.
+struct Storeys {
+  std::string name;  ///< of the building, or of the plane of it
+  Eigen::VectorXd drift, drift_alone;
+  BuildingPeaks::Yielding yielding = {}, yielding_alone = {};
 };
-/// Of a building those of the largest ductility.
-[[nodiscard]] std::vector<Yields> yields_of(const RunResults& run, Eigen::Index building);
-[[nodiscard]] std::vector<Yields> yields_of(const PlanRun& run, Eigen::Index building);
-
-/// The storey of a building that has least of its strength left, where some has softened.
-struct Softened {
-  std::string name;
-  const BuildingPeaks::Yielding& yielding;
-  Eigen::Index storey = 0;  ///< from 0
-};
-[[nodiscard]] std::optional<Softened> softened_of(const RunResults& run, Eigen::Index building);
-[[nodiscard]] std::optional<Softened> softened_of(const PlanRun& run, Eigen::Index building);
+[[nodiscard]] std::vector<Storeys> storeys_of(const RunResults& run, Eigen::Index building);
+[[nodiscard]] std::vector<Storeys> storeys_of(const PlanRun& run, Eigen::Index building);
+/// The largest ductility of bearings that are no storey of these.
+[[nodiscard]] inline double ductility_of_bearings(const RunResults& /*run*/, Eigen::Index /*building*/) { return 0; }
+/// Along x or along y. Results do not keep what they do without contact.
+[[nodiscard]] double ductility_of_bearings(const PlanRun& run, Eigen::Index building);
 
 /// What else fails: columns that break, infill. In plan columns are reported with their frames.
 void tell_failures(const RunResults& run, Story& told);
@@ -84,10 +76,6 @@ void tell_slips(const PlanRun& run, std::vector<Statement>& statements);
 inline bool tell_turning(const RunResults& /*run*/, std::vector<Statement>& /*statements*/) { return false; }
 bool tell_turning(const PlanRun& run, std::vector<Statement>& statements);
 
-/// The ground motion as applied.
-void tell_motion(const RunResults& run, std::vector<Statement>& statements);
-void tell_motion(const PlanRun& run, std::vector<Statement>& statements);
-
 /// What small displacements leave out of this run.
 inline void tell_left_out(const RunResults& /*run*/, std::vector<Statement>& /*statements*/) {}
 void tell_left_out(const PlanRun& run, std::vector<Statement>& statements);
@@ -98,12 +86,38 @@ struct LargestOfFloors {
   QuantityPlace at = {};
   std::string axis;
 };
+/// "peak_displacement_x_no_contact"; without an axis the key itself.
+[[nodiscard]] std::string key_along(const std::string& key, const std::string& axis);
+
+[[nodiscard]] inline RunView seen(const RunResults& run) { return run.view(); }
+[[nodiscard]] inline const PlanRun& seen(const PlanRun& run) { return run; }
+
+template <class AnyRun>
+constexpr bool is_in_plan = std::is_same_v<AnyRun, PlanRun>;
+
 /// @param key as of a row; in plan with the axis behind "peak_displacement" and the like
-[[nodiscard]] LargestOfFloors largest_of_floors(const RunResults& run, const std::string& key);
-[[nodiscard]] LargestOfFloors largest_of_floors(const PlanRun& run, const std::string& key);
+template <class AnyRun>
+[[nodiscard]] LargestOfFloors largest_of_floors(const AnyRun& run, const std::string& key) {
+  const bool has_axes = is_in_plan<AnyRun> && !key.ends_with("rotation");
+  LargestOfFloors most;
+  for (const std::string& axis : has_axes ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{""}) {
+    const Quantity& quantity = quantity_named(key_along(key, axis), Owner::floor, is_in_plan<AnyRun>);
+    for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+      for (const QuantityPlace& at : floors_of(run.problem, b)) {
+        const double value = value_of(quantity, seen(run), at);
+        if (!std::isnan(value) && !(value <= most.value)) most = {value, at, axis};
+      }
+    }
+  }
+  return most;
+}
+
 /// At a place found so.
-[[nodiscard]] double value_at(const RunResults& run, const std::string& key, const LargestOfFloors& found);
-[[nodiscard]] double value_at(const PlanRun& run, const std::string& key, const LargestOfFloors& found);
+template <class AnyRun>
+[[nodiscard]] double value_at(const AnyRun& run, const std::string& key, const LargestOfFloors& found) {
+  const Quantity& quantity = quantity_named(key_along(key, found.axis), Owner::floor, is_in_plan<AnyRun>);
+  return value_of(quantity, seen(run), found.at);
+}
 
 /// {building} and {level}, in plan with the axis.
 template <class AnyRun>
