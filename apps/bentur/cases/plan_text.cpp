@@ -116,6 +116,7 @@ std::string run_tables(const PlanRun& run, const Words& say) {
   const PlanProblem& problem = run.problem;
   std::string text;
   for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
+    if (problem.gaps[g].contacts.empty()) continue;
     const std::string name = gap_name(problem, problem.gaps[g]);
     text += "\n" + say("cli.contact", {{"gap", name}}) + "\n\n" + contact_table(run, g, say);
   }

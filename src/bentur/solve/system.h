@@ -40,6 +40,7 @@ struct Element {
 struct MeetingPlace {
   Eigen::Index meeting = -1;  ///< its number; −1: none, bodies touch here whatever they do elsewhere
   Eigen::Index family = 0;    ///< of the meeting
+  bool seam = false;          ///< bodies never touch here: it says alone whether the family is closed
 };
 
 /// Bodies that may touch: δ is the interface's less the width.

@@ -50,11 +50,6 @@ std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& ri
       fmt::join(right.elevations, ", "), number(apart), strike_columns(left, right));
 }
 
-/// elevations = []
-bool models_no_contact(const TomlView& elevations) {
-  return elevations.is(TomlValue::Kind::list) && elevations.size() == 0;
-}
-
 /// The contact points' elevations [length]; empty when they are not known, or there are to be none.
 std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right,
                                     std::optional<double> tolerance, bool strikes_columns) {
@@ -62,13 +57,7 @@ std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& lef
   const FloorLevels a = floor_levels(left);
   const FloorLevels b = floor_levels(right);
   const bool nothing_moves = left.has_displacements() || right.has_displacements();
-  if (!a.elevations.empty() && !b.elevations.empty() && !face_each_other(a, b)) {
-    gap.error(fmt::format(
-        "is between buildings of which no floor faces the other: {} reaches from {} to {}, {} from {} to {}",
-        in_quotes(left.spec.name), a.base, a.elevations.back(), in_quotes(right.spec.name), b.base,
-        b.elevations.back()));
-    return {};
-  }
+  if (!checked_to_face(gap, left, right)) return {};
   if (given && nothing_moves) {
     given->error("is not for a building known by its displacements: all floors that face the other are looked at");
   }
@@ -315,6 +304,19 @@ GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuil
 }
 
 }  // namespace
+
+bool models_no_contact(const TomlView& elevations) {
+  return elevations.is(TomlValue::Kind::list) && elevations.size() == 0;
+}
+
+bool checked_to_face(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right) {
+  const FloorLevels a = floor_levels(left), b = floor_levels(right);
+  if (a.elevations.empty() || b.elevations.empty() || face_each_other(a, b)) return true;
+  gap.error(fmt::format(
+      "is between buildings of which no floor faces the other: {} reaches from {} to {}, {} from {} to {}",
+      in_quotes(left.spec.name), a.base, a.elevations.back(), in_quotes(right.spec.name), b.base, b.elevations.back()));
+  return false;
+}
 
 FloorLevels floor_levels(const ReadBuilding& building) { return {building.elevations, building.spec.base_elevation}; }
 

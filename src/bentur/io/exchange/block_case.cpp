@@ -17,12 +17,14 @@
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/gap/levels.h"
 #include "bentur/pounding/plan/faces.h"
+#include "bentur/pounding/plan/outline/common_area.h"
+#include "bentur/pounding/plan/outline/near.h"
 #include "bentur/structure/known/generic.h"
 
 namespace bentur {
 namespace {
 
-constexpr std::size_t most_hull_corners = 100;                    // as plan.polygon takes
+constexpr std::size_t most_corners = 100;                         // as plan.polygon takes
 constexpr double heaviest_floor = 1000;                           // [t/m²]
 constexpr double shortest_period = 0.001, longest_period = 1000;  // [s]
 constexpr double least_area = 1;                                  // [m²]
@@ -140,32 +142,38 @@ class BlockMaker {
     for (std::size_t i = 0; i < house.holes.size(); ++i) check(house.holes[i], i + 1);
     if (!whole) return false;
     const std::vector<PlanPoint> hull = convex_hull(house.outline);
-    if (hull.size() > most_hull_corners) {
-      error_without(house, ".geometry",
-                    fmt::format("must have at most {} corners, not {}", most_hull_corners, hull.size()));
-      return false;
-    }
-    made.footprint = polygon_footprint({0, 0}, hull);
-    if (!take_area(house, made)) return false;
     const double depth = depth_in_hull(house.outline, hull);
-    const double added = area_of(hull) - std::abs(area_of(house.outline));
-    if (depth > rules_.snap && !rules_.hull) {
-      error(house, ".geometry",
-            fmt::format("must be convex: it turns inwards by {}; --hull takes its hull, {:.4g} m² more", metres(depth),
-                        added));
+    const bool takes_hull = depth <= rules_.snap || rules_.hull;
+    const std::vector<PlanPoint>& corners = takes_hull ? hull : house.outline;
+    if (corners.size() > most_corners) {
+      error_without(house, ".geometry",
+                    fmt::format("must have at most {} corners, not {}", most_corners, corners.size()));
       return false;
     }
-    if (depth > rules_.snap) {
+    const bool drops_courts = rules_.hull && !house.holes.empty();
+    made.footprint =
+        polygon_footprint({0, 0}, corners, drops_courts ? std::vector<std::vector<PlanPoint>>() : house.holes);
+    if (!courts_are_right(house, made.footprint) || !take_area(house, made)) return false;
+    if (depth > rules_.snap && takes_hull) {
       made.is_outline = false;
       say("the hull stands for an outline that is not convex, the mass stays that of the outline",
-          fmt::format("{}, {:.4g} m² more", in_quotes(house.name), added));
-    } else if (depth > 0) {
+          fmt::format("{}, {:.4g} m² more", in_quotes(house.name), area_of(hull) - std::abs(area_of(house.outline))));
+    } else if (depth > 0 && takes_hull) {
       say("outlines that turn inwards by no more than --snap are made straight",
           fmt::format("{}, by {}", in_quotes(house.name), metres(depth)));
     }
-    if (!house.holes.empty()) {
+    if (drops_courts) {
       made.is_outline = false;
       say("holes are left out of mass and stiffness, and touch nothing", in_quotes(house.name));
+    }
+    return true;
+  }
+
+  bool courts_are_right(const House& house, const Footprint& footprint) {
+    for (std::size_t i = 0; i < footprint.rings.size(); ++i) {
+      const auto fault = fault_of_court(footprint, i);
+      if (fault) error_without(house, fmt::format(".geometry.coordinates[{}]", i + 1), *fault);
+      if (fault) return false;
     }
     return true;
   }
@@ -237,12 +245,15 @@ class BlockMaker {
     return rules_.period_coefficient * std::pow(one.storeys * one.storey_height, rules_.period_exponent);
   }
 
-  /// Calls it with both of every pair, the earlier one first.
+  /// Calls it with both of every pair that may be within `reach` [m], the earlier one first, by the later ones.
   template <class Call>
-  void each_pair(const Call& call) {
-    for (std::size_t later = 1; later < buildings_.size(); ++later) {
-      for (std::size_t earlier = 0; earlier < later; ++earlier) call(buildings_[earlier], buildings_[later]);
-    }
+  void each_pair(double reach, const Call& call) {
+    std::vector<Footprint> footprints;
+    for (const BlockBuilding& one : buildings_) footprints.push_back(one.footprint);
+    auto pairs = pairs_near(footprints, reach);
+    std::sort(pairs.begin(), pairs.end(),
+              [](const auto& a, const auto& b) { return std::pair(a.second, a.first) < std::pair(b.second, b.first); });
+    for (const auto& [earlier, later] : pairs) call(buildings_[earlier], buildings_[later]);
   }
 
   static std::string names_of(const BlockBuilding& one, const BlockBuilding& other) {
@@ -250,7 +261,7 @@ class BlockMaker {
   }
 
   void check_overlaps() {
-    each_pair([&](const BlockBuilding& earlier, const BlockBuilding& later) {
+    each_pair(0, [&](const BlockBuilding& earlier, const BlockBuilding& later) {
       if (!overlap(earlier.footprint, later.footprint)) return;
       const double depth = overlap_depth(earlier.footprint, later.footprint);
       if (depth <= rules_.snap) return;
@@ -262,27 +273,31 @@ class BlockMaker {
   }
 
   void trim() {
-    each_pair([&](const BlockBuilding& earlier, BlockBuilding& later) {
+    each_pair(0, [&](const BlockBuilding& earlier, BlockBuilding& later) {
       if (later.footprint.polygon.empty() || !overlap(earlier.footprint, later.footprint)) return;
       const double depth = overlap_depth(earlier.footprint, later.footprint);
       auto cut = cut_back(later.footprint, earlier.footprint);
-      for (std::size_t i = 0; cut && i < cut->polygon.size(); ++i)
-        cut->polygon[i] = cut->polygon[i].unaryExpr(&rounded);
-      if (!cut || fault_of_polygon(cut->polygon) || area_of(cut->polygon) < least_area ||
-          cut->polygon.size() > most_hull_corners) {
+      const auto round = [](std::vector<PlanPoint>& ring) {
+        for (PlanPoint& at : ring) at = at.unaryExpr(&rounded);
+      };
+      if (cut) {
+        round(cut->polygon);
+        for (std::vector<PlanPoint>& ring : cut->rings) round(ring);
+      }
+      if (!cut || fault_of_outline(cut->polygon) || cut->area() < least_area || cut->polygon.size() > most_corners) {
         error_without(*later.house, "",
                       fmt::format("overlaps {} by {}, without which nothing is left of it",
                                   in_quotes(earlier.house->name), metres(depth)));
         later.footprint.polygon.clear();
         return;
       }
-      later.footprint = polygon_footprint({0, 0}, cut->polygon);
+      later.footprint = polygon_footprint({0, 0}, cut->polygon, cut->rings);
       say("overlaps of no more than --snap are cut off the later one",
           fmt::format("{}, by {} at {}", in_quotes(later.house->name), metres(depth), in_quotes(earlier.house->name)));
     });
     for (BlockBuilding& one : buildings_) {
       if (!one.is_outline || one.footprint.polygon.empty()) continue;
-      one.area = area_of(one.footprint.polygon);
+      one.area = one.footprint.area();
       one.centre = one.footprint.middle();
       one.radius2 = one.footprint.radius2();
     }
@@ -290,7 +305,7 @@ class BlockMaker {
 
   /// Who may touch, and at which floors where these are not at one level.
   void pair() {
-    each_pair([&](const BlockBuilding& earlier, const BlockBuilding& later) {
+    each_pair(rules_.clearance, [&](const BlockBuilding& earlier, const BlockBuilding& later) {
       const auto stretch = joint_between(earlier.footprint, later.footprint);
       if (!stretch || stretch->width > rules_.clearance) return;
       const bool meet = !level_floors(earlier.levels(), later.levels()).empty();
@@ -401,20 +416,26 @@ class BlockMaker {
                                 .period = period,
                                 .stiffness_ratio = pure_shear};
     const double stiffness = generic_model(known).stiffness(one.storeys - 1, one.storeys - 1);
-    std::vector<std::string> corners;
-    for (const PlanPoint& at : one.footprint.polygon) corners.push_back(toml_point(at));
+    const auto corners_of = [](const std::vector<PlanPoint>& ring) {
+      std::vector<std::string> corners;
+      for (const PlanPoint& at : ring) corners.push_back(toml_point(at));
+      return fmt::format("[{}]", fmt::join(corners, ", "));
+    };
     const auto floors = [&](const std::string& value) {
       return fmt::format("[{}]", fmt::join(std::vector<std::string>(heights.size(), value), ", "));
     };
     const std::string centre = fmt::format("[{:.3f}, {:.3f}]", one.centre.x(), one.centre.y());
     std::string text = fmt::format(
-        "\n[[building]]\nname = {}\ndamping = 0.05\n\n[building.plan]\npolygon = [{}]\nstorey_heights = {}\n"
+        "\n[[building]]\nname = {}\ndamping = 0.05\n\n[building.plan]\npolygon = {}\nstorey_heights = {}\n"
         "masses = {}  # {:.1f} m² a floor\ncentres_of_mass = {}\n",
-        toml_text(one.house->name), fmt::join(corners, ", "), floors(fmt::format("{}", one.storey_height)),
+        toml_text(one.house->name), corners_of(one.footprint.polygon), floors(fmt::format("{}", one.storey_height)),
         floors(fmt::format("{:.6g}", mass)), one.area, centre);
     if (!one.is_outline) {
       text += fmt::format("inertias = {}  # of the outline less its holes, as their centre is\n",
                           floors(fmt::format("{:.6g}", mass * one.radius2)));
+    }
+    for (const std::vector<PlanPoint>& court : one.footprint.rings) {
+      text += fmt::format("\n[[building.plan.court]]\npolygon = {}\n", corners_of(court));
     }
     return text + fmt::format(
                       "\n[building.rigidity]  # T = {:.3f} s of H = {:.4g} m\ncentre = {}\nx = {:.6g}\n"

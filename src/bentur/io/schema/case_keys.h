@@ -32,6 +32,7 @@ namespace bentur {
 // keys_of_plan.cpp
 [[nodiscard]] const KeyTable& plan_keys();
 [[nodiscard]] const KeyTable& building_plan_keys();
+[[nodiscard]] const KeyTable& court_keys();
 [[nodiscard]] const KeyTable& wall_plan_keys();
 [[nodiscard]] const KeyTable& plane_keys();
 [[nodiscard]] const KeyTable& plane_frame_keys();

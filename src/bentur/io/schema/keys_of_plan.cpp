@@ -26,13 +26,30 @@ Key size_of_footprint() {
 
 Key polygon_of_footprint() {
   return Key::number("polygon", dimension::length, Range::level, {"Polygon", "Poligon"},
-                     "x and y of the corners of a convex footprint, round it, from `corner`; exactly one of the two")
+                     "x and y of the corners of a footprint, round it, from `corner`; exactly one of the two")
       .matrix()
       .up_to(most_corners)
       .one_of("footprint");
 }
 
+Key courts_of_footprint() {
+  return Key::sub_table("court", court_keys(), {"Courts", "Halaman dalam"}, "open courts within the polygon")
+      .list()
+      .goes_with("polygon")
+      .optional("none");
+}
+
 }  // namespace
+
+const KeyTable& court_keys() {
+  static const KeyTable table = {"building.plan.court",
+                                 "a court within a footprint",
+                                 {Key::number("polygon", dimension::length, Range::level, {"Polygon", "Poligon"},
+                                              "x and y of its corners, round it, from the `corner` of the footprint")
+                                      .matrix()
+                                      .up_to(most_corners)}};
+  return table;
+}
 
 const KeyTable& plan_keys() {
   static const KeyTable table = {
@@ -54,7 +71,7 @@ const KeyTable& building_plan_keys() {
   static const KeyTable table = {
       "building.plan",
       "a building in plan",
-      {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(),
+      {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(), courts_of_footprint(),
        Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
                    "bottom to top")
            .list("one per storey")
@@ -81,7 +98,9 @@ const KeyTable& building_plan_keys() {
 
 const KeyTable& wall_plan_keys() {
   static const KeyTable table = {
-      "building.plan", "the footprint of a wall", {corner_of_footprint(), size_of_footprint(), polygon_of_footprint()}};
+      "building.plan",
+      "the footprint of a wall",
+      {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(), courts_of_footprint()}};
   return table;
 }
 

@@ -59,7 +59,7 @@ void add_gap(const PlanGap& gap, Index number, Problem& row) {
 /// What contacts beside the joint did, as done by the first of the joint's at their level.
 /// @param points those of the joint, one after the other
 void add_beside(const PlanGap& gap, const PlanContact& contact, const PointSummary& did, PointSummary* points) {
-  for (std::size_t i = 0; gap.contacts[i].is_of_joint(); ++i) {
+  for (std::size_t i = 0; i < gap.contacts.size() && gap.contacts[i].is_of_joint(); ++i) {
     if (gap.contacts[i].elevation != contact.elevation) continue;
     points[i].impacts += did.impacts;
     points[i].settling += did.settling;

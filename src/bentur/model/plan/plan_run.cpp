@@ -73,17 +73,26 @@ PlanBuilding make_plan_building(const BuildingSpec& spec) {
   return rigid_plan_building(spec.name, spec.footprint(), elevations);
 }
 
-std::vector<PlanContact> contacts_of(const GapSpec& gap, const std::vector<BuildingSpec>& buildings) {
-  std::vector<PlanContact> contacts, others;
-  const BuildingSpec &left = buildings.at(gap.left), &right = buildings.at(gap.right);
+PlanGap gap_with_contacts(const GapSpec& gap, const BuildingSpec& left, const BuildingSpec& right) {
+  PlanGap made{.left = gap.left, .right = gap.right, .stretch = gap.stretch};
+  std::vector<PlanContact> others;
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
     const LevelPair& floors = gap.levels[level];
     const double m_e = effective_mass(floor_mass(left, floors.left_floor), floor_mass(right, floors.right_floor));
     const double height = floors.elevation - std::min(left.base_elevation, right.base_elevation);
     for (StretchPoint& point : points_between(left.footprint(), right.footprint(), gap.stretch, gap.points,
                                               moves_of_height * height, gap.contact.number("spread", 0))) {
+      if (point.seam) {
+        made.seams.push_back({.left_floor = floors.left_floor,
+                              .right_floor = floors.right_floor,
+                              .elevation = floors.elevation,
+                              .family = point.family,
+                              .pair = point.pair,
+                              .at = point.beside ? *point.beside : gap.stretch.at(point.along)});
+        continue;
+      }
       const auto law = make_contact_law(gap.contact, contact_input(gap.contact, level, m_e, point.share));
-      (point.beside ? others : contacts)
+      (point.beside ? others : made.contacts)
           .push_back({.left_floor = floors.left_floor,
                       .right_floor = floors.right_floor,
                       .elevation = floors.elevation,
@@ -91,11 +100,13 @@ std::vector<PlanContact> contacts_of(const GapSpec& gap, const std::vector<Build
                       .law = law,
                       .rubbing = rubbing_of(gap.contact, level, point.share, law),
                       .family = point.family,
-                      .beside = std::move(point.beside)});
+                      .beside = std::move(point.beside),
+                      .pair = point.pair});
     }
   }
-  contacts.insert(contacts.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
-  return contacts;
+  made.contacts.insert(made.contacts.end(), std::make_move_iterator(others.begin()),
+                       std::make_move_iterator(others.end()));
+  return made;
 }
 
 FloorLevels levels_of(const PlanModel& model) {
@@ -157,8 +168,8 @@ PlanProblem make_plan_problem(const Case& c, std::vector<PlanBuilding> buildings
   PlanProblem problem;
   problem.buildings = std::move(buildings);
   for (const GapSpec& gap : c.gaps) {
-    problem.gaps.push_back(
-        {gap.left, gap.right, gap.stretch, contacts_of(gap, c.buildings), watched_floors(gap, problem.buildings)});
+    problem.gaps.push_back(gap_with_contacts(gap, c.buildings.at(gap.left), c.buildings.at(gap.right)));
+    problem.gaps.back().watched = watched_floors(gap, problem.buildings);
   }
   problem.links = links_of(c.links, problem.buildings);
   problem.motions = {c.excitation.motion, c.excitation_y.motion};

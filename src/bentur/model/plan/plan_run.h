@@ -16,9 +16,10 @@ struct RunResults;
 /// @throws InvalidParameter when a value is out of its range.
 [[nodiscard]] PlanBuilding make_plan_building(const BuildingSpec& spec);
 
-/// The contacts of a gap, level after level and along the stretch, with the law of each point's share (P-7), (P-9).
+/// The gap of a pair, with its contacts, level after level and along the stretch, with the law of each point's share
+/// (P-7), (P-9), and its seams. @param left L of its stretch, `right` R
 /// @throws InvalidParameter, naming the key at fault, when the values of the law do not go together.
-[[nodiscard]] std::vector<PlanContact> contacts_of(const GapSpec& gap, const std::vector<BuildingSpec>& buildings);
+[[nodiscard]] PlanGap gap_with_contacts(const GapSpec& gap, const BuildingSpec& left, const BuildingSpec& right);
 
 /// What the gap watches: both ends of the stretch at every floor that faces the other building between that one's base
 /// and top and has no contact there; two that are at one level as one. Nothing where they stand corner to corner.

@@ -97,7 +97,10 @@ std::vector<double> overlaps(const PlanProblem& problem) {
     const std::vector<Index> places = places_of(problem);
     const auto of = [&](const BodyRow& row) { return row.row.dot(problem.initial_displacement[row.body]); };
     std::size_t n = 0;
-    for (const Contact& one : system.contacts) all[places[n++]] = of(one.at.left) + of(one.at.right) - one.width;
+    for (const Contact& one : system.contacts) {
+      const Index at = places[n++];
+      if (at >= 0) all[at] = of(one.at.left) + of(one.at.right) - one.width;  // none of a seam
+    }
     for (const RubbingContact& one : system.rubbing) all[places[n++]] = of(one.at.left) + of(one.at.right) - one.width;
   }
   for (Index i = 0; i < contact_count(problem); ++i) {
@@ -157,8 +160,11 @@ void check_gaps(const Case& c, const Problem& problem, List& list) {
 
 void check_gaps(const Case& c, const PlanProblem& problem, List& list) {
   check_levels(c, row_of(problem), overlaps(problem), list);
-  for (const PlanGap& gap : problem.gaps)
+  for (const PlanGap& gap : problem.gaps) {
+    const auto is_convex = [&](Index b) { return problem.buildings[b].model.footprint.is_convex(); };
+    if (!is_convex(gap.left) || !is_convex(gap.right)) continue;  // of which other corners are other pairs' of parts
     list.most("merged_corners", gap_name(problem, gap), merged_corners(gap), "", 0, 0);
+  }
 }
 
 std::vector<const GroundMotion*> motions_of(const Problem& problem) { return {&problem.motion}; }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "bentur/model/plan/plan_frames.h"
@@ -7,6 +8,7 @@
 #include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/internal/run_parts.h"
 #include "bentur/model/story/internal/small_movements.h"
+#include "bentur/pounding/plan/outline/near.h"
 
 // What the story of a run asks of buildings in plan.
 namespace bentur::story {
@@ -23,15 +25,6 @@ const char* corner_word(const Footprint& footprint, const PlanPoint& at) {
   constexpr const char* words[2][2] = {{"story.corner.lower_left", "story.corner.upper_left"},
                                        {"story.corner.lower_right", "story.corner.upper_right"}};
   return side(0) < 0 || side(1) < 0 ? nullptr : words[side(0)][side(1)];
-}
-
-/// The hardest impact of a contact; nullptr where it has none.
-const Impact* hardest_of(const PlanRun& run, Index contact) {
-  const Impact* hardest = nullptr;
-  for (const Impact& one : run.response.impacts) {
-    if (one.point == contact && (hardest == nullptr || is_harder(one, *hardest))) hardest = &one;
-  }
-  return hardest;
 }
 
 /// Whether two buildings could meet by how far both move: along every direction in which they are apart.
@@ -149,10 +142,15 @@ Hit hit_of(const PlanRun& run, std::size_t gap) {
     const PointSummary& point = run.response.points[i];
     hit.impacts += point.impacts + point.settling;
     hit.touched += point.impacts + point.settling > 0 ? 1 : 0;
-    const Impact* const one = hardest_of(run, i);
-    if (one == nullptr || (hit.hardest != nullptr && !is_harder(*one, *hit.hardest))) continue;
-    hit.hardest = one;
-    hit.point = i;
+  }
+  if (hit.touched == 0) return hit;
+  for (const Impact& one : run.response.impacts) {  // of equal ones that of the first point
+    if (one.point < first || one.point >= first + hit.points) continue;
+    const bool is_first = hit.hardest == nullptr || is_harder(one, *hit.hardest) ||
+                          (one.point < hit.point && !is_harder(*hit.hardest, one));
+    if (!is_first) continue;
+    hit.hardest = &one;
+    hit.point = one.point;
   }
   return hit;
 }
@@ -167,33 +165,40 @@ void put_place(const PlanRun& run, std::size_t gap, const Hit& hit, Statement& s
 
 void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& statements) {
   const std::vector<PlanBuilding>& buildings = run.problem.buildings;
-  for (Index a = 0; a < std::ssize(buildings); ++a) {
-    for (Index b = a + 1; b < std::ssize(buildings); ++b) {
-      const auto stretch = joint_between(buildings[a].model.footprint, buildings[b].model.footprint);
-      const bool is_modelled = std::any_of(run.problem.gaps.begin(), run.problem.gaps.end(), [&](const PlanGap& gap) {
-        return std::min(gap.left, gap.right) == a && std::max(gap.left, gap.right) == b;
-      });
-      if (!stretch || is_modelled || (buildings[a].is_rigid() && buildings[b].is_rigid())) continue;
-      const double reach =
-          reach_of(run.response.buildings[a], stretch->n) + reach_of(run.response.buildings[b], stretch->n);
-      if (!(stretch->swapped ? could_meet(run, b, a, *stretch) : could_meet(run, a, b, *stretch))) continue;
-      const std::string& length = run.c.units.length;
-      statements.push_back({.kind = "pair_without_contact",
-                            .severity = Severity::danger,
-                            .buildings = {a, b},
-                            .values = {text_of("left", buildings[a].name), text_of("right", buildings[b].name),
-                                       value_in("width", stretch->width, length), value_in("reach", reach, length)}});
-    }
+  std::set<std::pair<Index, Index>> modelled;
+  for (const PlanGap& gap : run.problem.gaps) modelled.insert(std::minmax({gap.left, gap.right}));
+  std::vector<Footprint> footprints;
+  double furthest = 0;  // of a building, in any direction
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    footprints.push_back(buildings[b].model.footprint);
+    furthest = std::max(furthest, reach_of(run.response.buildings[b], {1, 1}));
+  }
+  for (const auto& [first, second] : pairs_near(footprints, 2 * furthest)) {
+    const auto a = static_cast<Index>(first), b = static_cast<Index>(second);
+    if (modelled.contains({a, b}) || (buildings[a].is_rigid() && buildings[b].is_rigid())) continue;
+    const auto stretch = joint_between(footprints[first], footprints[second]);
+    if (!stretch) continue;
+    const double reach =
+        reach_of(run.response.buildings[a], stretch->n) + reach_of(run.response.buildings[b], stretch->n);
+    if (!(stretch->swapped ? could_meet(run, b, a, *stretch) : could_meet(run, a, b, *stretch))) continue;
+    const std::string& length = run.c.units.length;
+    statements.push_back({.kind = "pair_without_contact",
+                          .severity = Severity::danger,
+                          .buildings = {a, b},
+                          .values = {text_of("left", buildings[a].name), text_of("right", buildings[b].name),
+                                     value_in("width", stretch->width, length), value_in("reach", reach, length)}});
   }
 }
 
 void tell_slips(const PlanRun& run, std::vector<Statement>& statements) {
   const ShownUnits shown = shown_units(run);
+  const std::vector<Impact>& all = run.response.impacts;
+  if (std::none_of(all.begin(), all.end(), [](const Impact& one) { return one.slipped; })) return;
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
     const Index first = first_contact(run.problem, g), end = first + std::ssize(run.problem.gaps[g].contacts);
     const Impact *earliest = nullptr, *most = nullptr;
     long slips = 0;
-    for (const Impact& one : run.response.impacts) {
+    for (const Impact& one : all) {
       if (!one.slipped || one.point < first || one.point >= end) continue;
       ++slips;
       if (earliest == nullptr || one.end < earliest->end) earliest = &one;

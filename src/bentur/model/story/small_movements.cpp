@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur::story {
@@ -39,13 +38,14 @@ void tell_rotations(const PlanRun& run, std::vector<Statement>& statements) {
 }
 
 void tell_ends_of_edges(const PlanRun& run, std::vector<Statement>& statements) {
+  Index point = 0;  // of all gaps
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
     const PlanGap& gap = run.problem.gaps[g];
     double reach = 0, room = 0;
-    for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
-      if (run.response.points[first_contact(run.problem, g) + static_cast<Index>(i)].impacts == 0) continue;
-      const StretchCorner place = gap.at(gap.contacts[i]);
-      if (gap.contacts[i].family >= 0) continue;  // whose end is looked at
+    for (const PlanContact& contact : gap.contacts) {
+      if (run.response.points[point++].impacts == 0) continue;
+      const StretchCorner place = gap.at(contact);
+      if (contact.family >= 0) continue;  // whose end is looked at
       const double there = gap.stretch.is_parallel() ? gap.stretch.to - gap.stretch.from : place.room;
       const PlanPoint t(-place.normal.y(), place.normal.x());
       const double moved =

@@ -96,6 +96,18 @@ double time_after(const System& system, const Solution& free, bool mirrored) {
   return std::ceil(to / step) * step;
 }
 
+/// Hands each point and what is watched over with what is to come there.
+template <class Take>
+void take_all(const std::vector<ToCome>& all, const std::vector<Index>& places, std::vector<PointSummary>& points,
+              std::vector<WatchedSummary>& watched, const Take& take) {
+  const std::size_t contacts = places.empty() ? points.size() : places.size();
+  for (std::size_t i = 0; i < contacts; ++i) {
+    const Index at = places.empty() ? static_cast<Index>(i) : places[i];
+    if (at >= 0) take(all[i], points[static_cast<std::size_t>(at)]);
+  }
+  for (std::size_t i = 0; i < watched.size(); ++i) take(all[contacts + i], watched[i]);
+}
+
 }  // namespace
 
 bool motion_ends(const System& system) {
@@ -130,8 +142,7 @@ void take_to_come(const FreeSolution& free, const std::vector<Index>& places, st
     summary.to_come = std::max(0.0, one.most(0));
     if (mirrored) summary.to_come_reversed = std::max(0.0, one.most(0, -1));
   };
-  for (std::size_t i = 0; i < points.size(); ++i) take(all[i], points[places.empty() ? i : places[i]]);
-  for (std::size_t i = 0; i < watched.size(); ++i) take(all[points.size() + i], watched[i]);
+  take_all(all, places, points, watched, take);
 }
 
 void take_to_come_struck(const Solution& with, const std::vector<Index>& places, std::vector<PointSummary>& points,
@@ -145,8 +156,7 @@ void take_to_come_struck(const Solution& with, const std::vector<Index>& places,
   };
   const std::vector<ToCome>& all = with.to_come;
   if (all.size() < points.size() + watched.size()) return;
-  for (std::size_t i = 0; i < points.size(); ++i) take(all[i], points[places.empty() ? i : places[i]]);
-  for (std::size_t i = 0; i < watched.size(); ++i) take(all[points.size() + i], watched[i]);
+  take_all(all, places, points, watched, take);
 }
 
 }  // namespace bentur

@@ -22,7 +22,8 @@ namespace bentur {
 
 /// Puts into summaries what the vibration after a free response can still need; infinite where the records of its
 /// system go on after it has ended.
-/// @param places of the system's contacts, those that rub last, among the points; empty: they are the points
+/// @param places of the system's contacts, those that rub last, among the points, −1: none of them; empty: they are
+/// the points
 void take_to_come(const FreeSolution& free, const std::vector<Eigen::Index>& places, std::vector<PointSummary>& points,
                   std::vector<WatchedSummary>& watched);
 

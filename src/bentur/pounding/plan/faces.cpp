@@ -6,35 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bentur/pounding/plan/outline/common_area.h"
+#include "bentur/pounding/plan/outline/edges.h"
+#include "bentur/pounding/plan/outline/parts.h"
+
 namespace bentur {
 namespace {
-
-constexpr double nothing_in_common = 1e-9;  // of the largest side
-
-double least_of(const Footprint& one, const Footprint& other) {
-  return nothing_in_common * std::max(one.size.maxCoeff(), other.size.maxCoeff());
-}
-
-struct Edge {
-  PlanPoint from, to, normal;  ///< normal outwards
-};
-
-/// Of two of length 1.
-bool is_one_direction(const PlanPoint& one, const PlanPoint& other) {
-  constexpr double sine = 1e-9;
-  return one.dot(other) > 0 && std::abs(one.x() * other.y() - one.y() * other.x()) < sine;
-}
-
-std::vector<Edge> edges_of(const Footprint& footprint) {
-  const std::vector<PlanPoint> corners = footprint.corners();
-  std::vector<Edge> edges;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const PlanPoint &from = corners[i], &to = corners[(i + 1) % corners.size()];
-    const PlanPoint way = to - from;
-    edges.push_back({from, to, PlanPoint(way.y(), -way.x()) / way.norm()});
-  }
-  return edges;
-}
 
 double least_along(const Footprint& footprint, const PlanPoint& direction) {
   double least = std::numeric_limits<double>::infinity();
@@ -48,21 +25,8 @@ struct Separation {
   double width = -std::numeric_limits<double>::infinity();
 };
 
-/// The part of a convex polygon of which the normal's coordinate is at most `bound`.
-std::vector<PlanPoint> part_behind(const std::vector<PlanPoint>& polygon, const PlanPoint& normal, double bound) {
-  std::vector<PlanPoint> part;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const PlanPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const double outside_a = normal.dot(a) - bound, outside_b = normal.dot(b) - bound;
-    if (outside_a <= 0) part.push_back(a);
-    if ((outside_a < 0) != (outside_b < 0) && outside_a != 0 && outside_b != 0) {
-      part.push_back(a + outside_a / (outside_a - outside_b) * (b - a));
-    }
-  }
-  return part;
-}
-
-/// Along the normal of the edge that separates them the most; one has to be moved by −width where it is below zero.
+/// Of convex ones, along the normal of the edge that separates them the most; one has to be moved by −width where it is
+/// below zero.
 Separation separation_of(const Footprint& one, const Footprint& other) {
   Separation most;
   for (const Edge& edge : edges_of(one)) {
@@ -183,13 +147,35 @@ std::pair<double, double> common_part(const Edge& one, const Edge& other, const 
   return {std::max(low, other_low), std::min(high, other_high)};
 }
 
-/// Of two parallel edges, at a place along t.
-StretchCorner on_parallels(const Edge& of_left, const Edge& of_right, const PlanPoint& n, const PlanPoint& t,
-                           double along) {
-  const auto on = [&](const Edge& edge) -> PlanPoint { return edge.from + (along - t.dot(edge.from)) * t; };
+/// Of two parallel edges, or nearly so, at a place along t.
+StretchCorner on_both(const Edge& of_left, const Edge& of_right, const PlanPoint& n, const PlanPoint& t, double along) {
+  const auto on = [&](const Edge& edge) -> PlanPoint {
+    const PlanPoint own(-edge.normal.y(), edge.normal.x());
+    return edge.from + (along - t.dot(edge.from)) / t.dot(own) * own;
+  };
   StretchCorner made{.left = on(of_left), .right = on(of_right), .normal = n};
   made.beyond = n.dot(made.right - made.left);
   return made;
+}
+
+/// Of two edges that are nearly parallel, where one of them ends before the other.
+StretchCorner at_end(const Edge& of_left, const Edge& of_right, const PlanPoint& t, double along) {
+  const auto end_there = [&](const Edge& edge) {
+    return std::abs(t.dot(edge.from) - along) < std::abs(t.dot(edge.to) - along) ? edge.from : edge.to;
+  };
+  const PlanPoint left = end_there(of_left), right = end_there(of_right);
+  const bool ends_left = std::abs(t.dot(left) - along) <= std::abs(t.dot(right) - along);
+  return ends_left ? before(left, of_right, true, t) : before(right, of_left, false, t);
+}
+
+/// The edge of the other one that faces it most, where both are parallel or nearly so; nullptr where there is none.
+const EdgeOfTwo* opposite_of(const EdgeOfTwo& edge, const std::vector<EdgeOfTwo>& all) {
+  const EdgeOfTwo* most = nullptr;
+  for (const EdgeOfTwo& one : all) {
+    if (one.of_left == edge.of_left || !is_nearly_one_direction(one.n, edge.n)) continue;
+    if (most == nullptr || one.n.dot(edge.n) > most->n.dot(edge.n)) most = &one;
+  }
+  return most;
 }
 
 /// Where one touches an edge of the other first, in one place or two; `beyond` is the whole width.
@@ -197,15 +183,15 @@ std::vector<StretchCorner> first_touches(const Footprint& left, const Footprint&
                                          const std::vector<EdgeOfTwo>& all, double least) {
   const PlanPoint& n = edge.n;
   const PlanPoint t(-n.y(), n.x());
-  const auto opposite = std::find_if(all.begin(), all.end(), [&](const EdgeOfTwo& one) {
-    return one.of_left != edge.of_left && is_one_direction(one.n, n);
-  });
-  if (opposite != all.end()) {
+  if (const EdgeOfTwo* const opposite = opposite_of(edge, all)) {
     const Edge &of_left = edge.of_left ? edge.edge : opposite->edge,
                &of_right = edge.of_left ? opposite->edge : edge.edge;
     const auto [from, to] = common_part(of_left, of_right, t);
-    if (!(to - from > least)) return {on_parallels(of_left, of_right, n, t, 0.5 * (from + to))};
-    return {on_parallels(of_left, of_right, n, t, from), on_parallels(of_left, of_right, n, t, to)};
+    if (!(to - from > least)) return {on_both(of_left, of_right, n, t, 0.5 * (from + to))};
+    if (is_one_direction(opposite->n, n)) {
+      return {on_both(of_left, of_right, n, t, from), on_both(of_left, of_right, n, t, to)};
+    }
+    return {at_end(of_left, of_right, t, from), at_end(of_left, of_right, t, to)};
   }
   const Footprint& other = edge.of_left ? right : left;
   PlanPoint nearest = other.corners().front();
@@ -273,18 +259,23 @@ bool Stretch::is_parallel() const { return corners.size() == 2 && corners[0].bey
 
 bool Stretch::is_oblique() const { return !is_parallel() || n[across] != 1; }
 
-double overlap_depth(const Footprint& one, const Footprint& other) { return -separation_of(one, other).width; }
+double overlap_depth(const Footprint& one, const Footprint& other) {
+  if (one.is_convex() && other.is_convex()) return -separation_of(one, other).width;
+  double deepest = -std::numeric_limits<double>::infinity();
+  const std::vector<OutlinePart> others = parts_of(other);
+  for (const OutlinePart& a : parts_of(one)) {
+    for (const OutlinePart& b : others) {
+      deepest = std::max(deepest, -separation_of(a.footprint, b.footprint).width);
+    }
+  }
+  return deepest;
+}
 
 bool overlap(const Footprint& one, const Footprint& other) { return overlap_depth(one, other) > least_of(one, other); }
 
-double common_area(const Footprint& one, const Footprint& other) {
-  std::vector<PlanPoint> part = one.corners();
-  for (const Edge& edge : edges_of(other)) part = part_behind(part, edge.normal, edge.normal.dot(edge.from));
-  return area_of(part);
-}
-
 std::optional<Footprint> cut_back(const Footprint& cut, const Footprint& kept) {
   if (!overlap(cut, kept)) return cut;
+  if (!cut.is_convex() || !kept.is_convex()) return largest_rest(cut, kept);
   const PlanPoint out = separation_of(cut, kept).normal;  // from what is cut
   std::vector<PlanPoint> left;
   const double near = least_of(cut, kept);
@@ -298,6 +289,10 @@ std::optional<Footprint> cut_back(const Footprint& cut, const Footprint& kept) {
 }
 
 std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {
+  if (!one.is_convex() || !other.is_convex()) {
+    const auto joint = joint_between(one, other);
+    return joint && !joint->is_corner() ? joint : std::nullopt;
+  }
   const double least = least_of(one, other);
   const Separation apart = separation_of(one, other);
   if (apart.width < -least) return std::nullopt;
@@ -328,7 +323,10 @@ std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {
   for (const StretchCorner& corner : stretch.corners) {
     if (stretch.includes(corner)) stretch.width = std::min(stretch.width, corner.beyond);
   }
-  if (std::isinf(stretch.width)) return std::nullopt;
+  // Of what is slightly turned and stands corner to corner a far corner may be before an edge in a common part of
+  // millimetres: edges of a stretch are at most 15° from parallel, and no further apart than that brings about.
+  constexpr double sine_of_15 = 0.2588;
+  if (std::isinf(stretch.width) || stretch.width - apart.width > sine_of_15 * stretch.shorter) return std::nullopt;
   if (stretch.width < least) stretch.width = 0;
   for (StretchCorner& corner : stretch.corners) {
     corner.beyond -= stretch.width;
@@ -338,6 +336,10 @@ std::optional<Stretch> facing(const Footprint& one, const Footprint& other) {
 }
 
 std::optional<Stretch> joint_between(const Footprint& one, const Footprint& other) {
+  if (!one.is_convex() || !other.is_convex()) {
+    const std::vector<PartPair> pairs = pairs_of_parts(one, other, 0);
+    return pairs.empty() ? std::nullopt : std::optional(pairs.front().joint);
+  }
   if (auto stretch = facing(one, other)) return stretch;
   const double least = least_of(one, other);
   const Separation apart = separation_of(one, other);
@@ -372,6 +374,7 @@ std::vector<FamilyBeside> families_beside(const Footprint& left, const Footprint
       continue;
     }
     known.push_back(edge.n);
+    if (const EdgeOfTwo* const opposite = opposite_of(edge, all)) known.push_back(opposite->n);
     FamilyBeside& family = families.emplace_back(FamilyBeside{first_touches(left, right, edge, all, least)});
     for (StretchCorner& place : family.places) {
       place.beyond -= joint.width;

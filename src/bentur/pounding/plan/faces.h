@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bentur/structure/plan/plan.h"
@@ -16,6 +17,14 @@ struct StretchCorner {
   /// How much further they are apart than the nearest ones of the stretch [length]; beside it also below zero.
   double beyond = 0;
   double room = 0;  ///< from the foot to the nearer end of the edge [length]
+
+  /// With L and R the other way round.
+  [[nodiscard]] StretchCorner turned() const {
+    StretchCorner other = *this;
+    std::swap(other.left, other.right);
+    other.normal = -normal;
+    return other;
+  }
 };
 
 /// Where two footprints face one another: seen along n they have the part [from, to] in common, in which corners of
@@ -63,17 +72,16 @@ struct Stretch {
 /// Whether two footprints have in common more than 10⁻⁹ of the largest side both ways.
 [[nodiscard]] bool overlap(const Footprint& one, const Footprint& other);
 
-/// What they have in common [length²].
-[[nodiscard]] double common_area(const Footprint& one, const Footprint& other);
-
-/// `cut` without what it has in common with `kept`: by the line across the way out that overlap_depth() tells, where
-/// `kept` ends. Nothing where no area is left. As it is where they do not overlap.
+/// `cut` without what it has in common with `kept`: of convex ones by the line across the way out that overlap_depth()
+/// tells, where `kept` ends; else the largest of what is left. Nothing where no area is left. As it is where they do
+/// not overlap.
 [[nodiscard]] std::optional<Footprint> cut_back(const Footprint& cut, const Footprint& kept);
 
 /// The stretch along which they face each other; nothing where they do not, as corner to corner, or where they overlap.
 [[nodiscard]] std::optional<Stretch> facing(const Footprint& one, const Footprint& other);
 
-/// The same, or where they stand corner to corner the place where those are; nothing where they overlap.
+/// The same, or where they stand corner to corner the place where those are; nothing where they overlap. Of outlines
+/// that are not convex that of the parts (parts.h) that are nearest to one another.
 [[nodiscard]] std::optional<Stretch> joint_between(const Footprint& one, const Footprint& other);
 
 /// Where two footprints may touch by other edges than those of their joint, of which one family of places each has one
@@ -82,8 +90,8 @@ struct FamilyBeside {
   std::vector<StretchCorner> places;  ///< one, or both ends of what parallel edges have in common
 };
 
-/// The families whose places come to zero where the two move by `reach` [length] towards one another, in any direction,
-/// or part. @param left L of the joint, `right` R
+/// Of convex ones the families whose places come to zero where the two move by `reach` [length] towards one another, in
+/// any direction, or part. @param left L of the joint, `right` R
 [[nodiscard]] std::vector<FamilyBeside> families_beside(const Footprint& left, const Footprint& right,
                                                         const Stretch& joint, double reach);
 
@@ -94,6 +102,9 @@ struct StretchPoint {
   /// Of which family it is: 0 that of the joint, further ones beside it; −1: there is no other.
   Eigen::Index family = -1;
   std::optional<StretchCorner> beside = {};  ///< where it is, of those beside the joint
+  /// Of which pair of convex parts, whose families are their own (parts.h): 0 that of the joint.
+  Eigen::Index pair = 0;
+  bool seam = false;  ///< bodies never touch there: it says alone whether its family is closed
 };
 
 /// Of a corner alone [-] (P-7).
@@ -105,6 +116,7 @@ inline constexpr double share_of_corner = 0.5;
                                                   std::optional<double> spread = {});
 
 /// The same, and after them those of the families beside the joint; what is not of the joint's family is left to these.
+/// Of outlines that are not convex those of all pairs of parts that touch where the two move by `reach` [length].
 [[nodiscard]] std::vector<StretchPoint> points_between(const Footprint& left, const Footprint& right,
                                                        const Stretch& joint, int points, double reach,
                                                        std::optional<double> spread = {});

@@ -8,28 +8,14 @@
 #include <utility>
 
 #include "bentur/contact/laws/rubbing.h"
+#include "bentur/pounding/plan/no_force.h"
 
 namespace bentur {
 namespace {
 
 using Eigen::Index;
 
-/// Notes when bodies would touch, and lets them through.
-class NoForce final : public ContactLaw {
- public:
-  [[nodiscard]] std::string_view name() const noexcept override { return "none"; }
-  [[nodiscard]] LawParameters parameters() const override { return {}; }
-  [[nodiscard]] bool is_homogeneous() const noexcept override { return true; }
-  [[nodiscard]] Branch branch(const LawState& state) const noexcept override {
-    return state.branch == apart ? Branch::apart()
-                                 : Branch{.bodies = Bodies::touching}.guarded_by({{.deformation = 1}});
-  }
-  [[nodiscard]] double stored_energy(const LawState& /*state*/, double /*penetration*/) const noexcept override {
-    return 0;
-  }
-};
-
-/// The contacts of a level of a gap, counted over all gaps, where they touch only while others are closed.
+/// The contacts of a level and a pair of parts, counted over all gaps, where they touch only while others are closed.
 struct MeetingOfLevel {
   struct Point {
     Index at = 0, family = 0;
@@ -42,13 +28,13 @@ std::vector<MeetingOfLevel> meetings_of(const PlanProblem& problem) {
   std::vector<MeetingOfLevel> all;
   Index point = 0;
   for (const PlanGap& gap : problem.gaps) {
-    std::map<double, std::size_t> of_levels;
+    std::map<std::pair<double, Index>, std::size_t> known;  // by level and pair of parts
     for (const PlanContact& contact : gap.contacts) {
       const Index at = point++;
       if (contact.family < 0) continue;
-      const auto [level, is_new] = of_levels.try_emplace(contact.elevation, all.size());
+      const auto [meeting, is_new] = known.try_emplace({contact.elevation, contact.pair}, all.size());
       if (is_new) all.emplace_back();
-      all[level->second].points.push_back({at, contact.family, gap.width_at(contact)});
+      all[meeting->second].points.push_back({at, contact.family, gap.width_at(contact)});
     }
   }
   return all;
@@ -67,7 +53,7 @@ bool all_close(const MeetingOfLevel& meeting, const Need& need) {
 
 /// Which points of a system would touch if nothing pushed there.
 std::vector<char> would_touch(const System& system, const FreeSolution& free, const RunLimits& limits) {
-  const auto law = std::make_shared<const NoForce>();
+  const auto law = no_force();
   std::vector<Contact> contacts = system.contacts;
   for (Contact& contact : contacts) contact.law = law;
   std::vector<RubbingContact> rubbing = system.rubbing;
@@ -83,7 +69,9 @@ std::vector<char> would_touch(const System& system, const FreeSolution& free, co
 std::vector<std::size_t> numbers_in_system(const PlanProblem& problem) {
   const std::vector<Index> places = places_of(problem);
   std::vector<std::size_t> numbers(places.size());
-  for (std::size_t n = 0; n < places.size(); ++n) numbers[static_cast<std::size_t>(places[n])] = n;
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    if (places[n] >= 0) numbers[static_cast<std::size_t>(places[n])] = n;
+  }
   return numbers;
 }
 

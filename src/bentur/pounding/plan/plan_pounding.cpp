@@ -162,6 +162,8 @@ bool some_contact_is_integrated(const PlanProblem& problem) {
   });
 }
 
+bool is_place(Index place) { return place >= 0; }
+
 /// Impacts of a system's points as those of the problem's, by start, then point, then end.
 std::vector<Impact> in_places(std::vector<Impact> impacts, const std::vector<Index>& places) {
   for (Impact& impact : impacts) impact.point = places[impact.point];
@@ -216,9 +218,11 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
   }
   const Index count = std::ssize(places);
   const auto in_order = [&](const MatrixXd& rows) {
-    MatrixXd all = MatrixXd::Zero(count, std::ssize(histories.time));
+    MatrixXd all = MatrixXd::Zero(count - std::count(places.begin(), places.end(), -1), std::ssize(histories.time));
     const Index first = count - rows.rows();  // those that rub are the last
-    for (Index i = 0; i < rows.rows(); ++i) all.row(places[first + i]) = rows.row(i);
+    for (Index i = 0; i < rows.rows(); ++i) {
+      if (places[first + i] >= 0) all.row(places[first + i]) = rows.row(i);
+    }
     return all;
   };
   histories.opening = in_order(solution.samples.opening);
@@ -332,9 +336,12 @@ PlanResponse free_response(const PlanProblem& problem, const Solution& free) {
   response.collapse = response.collapse_no_contact = collapse_of(problem, free);
   response.buildings = response.buildings_no_contact = peaks_of(problem, free);
   const std::vector<Index> places = places_of(problem);
-  response.points.resize(places.size());
-  response.friction.resize(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) response.points[places[i]].gap_needed = free.needed[i];
+  const auto points = static_cast<std::size_t>(std::count_if(places.begin(), places.end(), is_place));
+  response.points.resize(points);
+  response.friction.resize(points);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (is_place(places[i])) response.points[places[i]].gap_needed = free.needed[i];
+  }
   for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
   response.links = links_of(free);
   for (Index i = 0; i < 2; ++i) {
@@ -344,9 +351,17 @@ PlanResponse free_response(const PlanProblem& problem, const Solution& free) {
   return response;
 }
 
-void take_levels(const PlanProblem& /*problem*/, const Solution& free, bool reversed, PlanResponse& response) {
+void take_levels(const PlanProblem& problem, const Solution& free, bool reversed, PlanResponse& response) {
   const auto no_floor = [](std::size_t, int) -> std::optional<double> { return std::nullopt; };
-  report_levels(free.watched_free, reversed, no_floor, response.points, response.watched);
+  const std::vector<Index> places = places_of(problem);
+  std::vector<PointSummary> in_system(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (is_place(places[i])) in_system[i] = response.points[places[i]];
+  }
+  report_levels(free.watched_free, reversed, no_floor, in_system, response.watched);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (is_place(places[i])) response.points[places[i]] = in_system[i];
+  }
 }
 
 std::vector<LargestDrift> drifts_no_contact(const PlanResponse& response) {

@@ -12,6 +12,7 @@
 #include "bentur/pounding/internal/asked.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/problem_checks.h"
+#include "bentur/pounding/plan/no_force.h"
 #include "bentur/structure/plan/plan_body.h"
 
 namespace bentur {
@@ -52,6 +53,8 @@ struct EdgePlace {
 EdgePlace place_of(const PlanGap& gap, const PlanContact& contact) {
   return {contact.left_floor, contact.right_floor, contact.elevation, gap.at(contact)};
 }
+
+EdgePlace place_of(const PlanSeam& seam) { return {seam.left_floor, seam.right_floor, seam.elevation, seam.at}; }
 
 EdgePlace place_of(const PlanGap& gap, const PlanWatched& watched) {
   EdgePlace place{watched.floor, watched.facing_floor, watched.elevation, gap.stretch.at(watched.along)};
@@ -198,6 +201,7 @@ std::vector<Index> places_of(const PlanProblem& problem) {
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) (contact.rubbing ? rubbing : places).push_back(place++);
   }
+  for (const PlanGap& gap : problem.gaps) places.insert(places.end(), gap.seams.size(), -1);
   places.insert(places.end(), rubbing.begin(), rubbing.end());
   return places;
 }
@@ -231,20 +235,23 @@ System system_of(const PlanProblem& problem, bool levels) {
   System system;
   const Eigen::Matrix2Xd axes = axes_of(problem);
   for (const PlanBuilding& building : problem.buildings) system.bodies.push_back(body_of(building, axes));
-  std::vector<Interface> faces;
+  std::vector<Interface> faces, rubbing_faces;
+  std::vector<Contact> seams;
   Index meetings = 0;
   for (const PlanGap& gap : problem.gaps) {
-    std::map<double, Index> of_levels;
+    std::map<std::pair<double, Index>, Index> known;  // by level and pair of parts
+    const auto meeting_of = [&](const auto& one) {
+      const auto [found, is_new] = known.try_emplace({one.elevation, one.pair}, meetings);
+      if (is_new) ++meetings;
+      return found->second;
+    };
     for (const PlanContact& contact : gap.contacts) {
       const EdgePlace place = place_of(gap, contact);
-      faces.push_back(interface_of(problem, gap, place, place.at.normal));
-      const Interface at = in_order(faces.back());
+      std::vector<Interface>& of_kind = contact.rubbing ? rubbing_faces : faces;
+      of_kind.push_back(interface_of(problem, gap, place, place.at.normal));
+      const Interface at = in_order(of_kind.back());
       MeetingPlace meets;
-      if (contact.family >= 0) {
-        const auto [level, is_new] = of_levels.try_emplace(contact.elevation, meetings);
-        if (is_new) ++meetings;
-        meets = {level->second, contact.family};
-      }
+      if (contact.family >= 0) meets = {meeting_of(contact), contact.family};
       if (contact.rubbing) {
         const PlanPoint along(-place.at.normal.y(), place.at.normal.x());
         system.rubbing.push_back(
@@ -253,7 +260,20 @@ System system_of(const PlanProblem& problem, bool levels) {
         system.contacts.push_back({at, contact.law, gap.width_at(contact), meets});
       }
     }
+    for (const PlanSeam& seam : gap.seams) {
+      const EdgePlace place = place_of(seam);
+      seams.push_back({interface_of(problem, gap, place, place.at.normal),
+                       no_force(),
+                       gap.stretch.width + seam.at.beyond,
+                       {meeting_of(seam), seam.family, true}});
+    }
   }
+  for (Contact& seam : seams) {
+    faces.push_back(seam.at);
+    seam.at = in_order(std::move(seam.at));
+    system.contacts.push_back(std::move(seam));
+  }
+  faces.insert(faces.end(), rubbing_faces.begin(), rubbing_faces.end());
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanWatched& watched : gap.watched) {
       faces.push_back(interface_of(problem, gap, place_of(gap, watched), gap.stretch.normal(watched.along)));

@@ -27,8 +27,18 @@ struct PlanContact {
   /// closes last, while all are closed. −1: there is no other.
   Eigen::Index family = -1;
   std::optional<StretchCorner> beside = {};  ///< where it is, of those beside the joint
+  Eigen::Index pair = 0;                     ///< of which pair of convex parts, whose families are its own
 
-  [[nodiscard]] bool is_of_joint() const { return family <= 0; }
+  [[nodiscard]] bool is_of_joint() const { return !beside; }
+};
+
+/// A place of a seam between parts of an outline that is not convex: nothing acts there, but contacts of the same pair
+/// and level hang on whether its family is closed.
+struct PlanSeam {
+  Eigen::Index left_floor = 0, right_floor = 0;  ///< as a contact's
+  double elevation = 0;                          ///< [length]
+  Eigen::Index family = 0, pair = 0;
+  StretchCorner at = {};
 };
 
 /// An end of the stretch at a floor that faces the other building where no contact is modelled: nothing acts there, but
@@ -48,6 +58,7 @@ struct PlanGap {
   /// Level after level from the lowest up, each along the stretch; then those beside it, likewise.
   std::vector<PlanContact> contacts = {};
   std::vector<PlanWatched> watched = {};  ///< likewise
+  std::vector<PlanSeam> seams = {};       ///< in any order
 
   /// Where one of its contacts is.
   [[nodiscard]] StretchCorner at(const PlanContact& contact) const {
@@ -92,7 +103,8 @@ struct PlanProblem {
 /// "A | B", as the buildings stand in the problem.
 [[nodiscard]] std::string gap_name(const PlanProblem& problem, const PlanGap& gap);
 
-/// Of each point of its system the place among the contacts of all gaps: those that rub are the system's last.
+/// Of each point of its system the place among the contacts of all gaps, −1 of seams: those that rub are the system's
+/// last, and seams before them.
 [[nodiscard]] std::vector<Eigen::Index> places_of(const PlanProblem& problem);
 
 /// @throws InvalidParameter when sizes disagree or a value is outside its range.

@@ -16,6 +16,7 @@
 
 #include "bentur/contact/laws/linear.h"
 #include "bentur/contact/laws/rubbing.h"
+#include "bentur/pounding/plan/outline/common_area.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 
 namespace bentur::polygon_plans {

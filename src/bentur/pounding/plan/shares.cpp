@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "bentur/pounding/plan/faces.h"
+#include "bentur/pounding/plan/outline/parts.h"
 
 namespace bentur {
 namespace {
@@ -98,8 +100,10 @@ std::vector<StretchPoint> points_of(const Stretch& stretch, int points, std::opt
   return found;
 }
 
-std::vector<StretchPoint> points_between(const Footprint& left, const Footprint& right, const Stretch& joint,
-                                         int points, double reach, std::optional<double> spread) {
+namespace {
+
+std::vector<StretchPoint> points_of_convex(const Footprint& left, const Footprint& right, const Stretch& joint,
+                                           int points, double reach, std::optional<double> spread) {
   std::vector<StretchPoint> all = points_of(joint, points, spread);
   const std::vector<FamilyBeside> families = families_beside(left, right, joint, reach);
   if (families.empty()) return all;
@@ -110,6 +114,50 @@ std::vector<StretchPoint> points_between(const Footprint& left, const Footprint&
       all.push_back(
           {place.along, share_of_corner / static_cast<double>(places.size()), static_cast<Eigen::Index>(f) + 1, place});
     }
+  }
+  return all;
+}
+
+/// Whether a point is of the outlines: between two corners where both are.
+bool is_of_outlines(const PartPair& pair, const StretchPoint& point) {
+  if (point.beside) return is_of_outlines(pair, *point.beside);
+  const std::vector<StretchCorner>& corners = pair.joint.corners;
+  const auto after =
+      std::find_if(corners.begin(), corners.end(), [&](const StretchCorner& one) { return one.along >= point.along; });
+  if (after == corners.end() || !is_of_outlines(pair, *after)) return false;
+  return after->along == point.along || after == corners.begin() || is_of_outlines(pair, *std::prev(after));
+}
+
+/// The points of one pair of parts, seen from the joint of the outlines.
+std::vector<StretchPoint> points_of_pair(const PartPair& pair, const Stretch& joint, Eigen::Index number, int points,
+                                         double reach, std::optional<double> spread) {
+  std::vector<StretchPoint> all = points_of_convex(pair.of_l(), pair.of_r(), pair.joint, points, reach, spread);
+  const PlanPoint axis(-joint.n.y(), joint.n.x());
+  for (StretchPoint& one : all) {
+    one.pair = number;
+    one.seam = !is_of_outlines(pair, one);
+    if (number == 0) continue;
+    StretchCorner place = one.beside ? *one.beside : pair.joint.at(one.along);
+    if (pair.joint.swapped) place = place.turned();
+    place.beyond += pair.joint.width - joint.width;
+    place.along = one.along = axis.dot(0.5 * (place.left + place.right));
+    one.beside = place;
+  }
+  std::erase_if(all, [](const StretchPoint& one) { return one.seam && one.family < 0; });
+  if (std::all_of(all.begin(), all.end(), [](const StretchPoint& one) { return one.seam; })) all.clear();
+  return all;
+}
+
+}  // namespace
+
+std::vector<StretchPoint> points_between(const Footprint& left, const Footprint& right, const Stretch& joint,
+                                         int points, double reach, std::optional<double> spread) {
+  if (left.is_convex() && right.is_convex()) return points_of_convex(left, right, joint, points, reach, spread);
+  std::vector<StretchPoint> all;
+  Eigen::Index number = 0;
+  for (const PartPair& pair : pairs_of_parts(left, right, reach)) {
+    const std::vector<StretchPoint> found = points_of_pair(pair, joint, number++, points, reach, spread);
+    all.insert(all.end(), found.begin(), found.end());
   }
   return all;
 }

@@ -30,12 +30,16 @@ PlanPoint extent_of(const std::vector<PlanPoint>& corners) {
 
 /// Area times the sum that `moment` makes of the three corners of each triangle, over the area: integrals over it.
 template <class Value, class Moment>
-Value mean_of(const std::vector<PlanPoint>& corners, Value sum, const Moment& moment) {
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const double part = cross(corners[i] - corners[0], corners[i + 1] - corners[0]) / 2;
-    sum += part * moment(corners[0], corners[i], corners[i + 1]);
-  }
-  return sum / area_of(corners);
+Value mean_over(const Footprint& footprint, Value sum, const Moment& moment) {
+  const auto add = [&](const std::vector<PlanPoint>& corners) {
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      const double part = cross(corners[i] - corners[0], corners[i + 1] - corners[0]) / 2;
+      sum += part * moment(corners[0], corners[i], corners[i + 1]);
+    }
+  };
+  add(footprint.polygon);
+  for (const std::vector<PlanPoint>& ring : footprint.rings) add(ring);
+  return sum / footprint.area();
 }
 
 bool edges_cross(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, const PlanPoint& d) {
@@ -95,6 +99,28 @@ double turn_at(const std::vector<PlanPoint>& corners, std::size_t i) {
   return cross(before, after) / (before.norm() * after.norm());
 }
 
+/// Without those on a straight edge.
+std::vector<PlanPoint> without_straight_ones(const std::vector<PlanPoint>& corners) {
+  std::vector<PlanPoint> kept;
+  const std::size_t count = corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::abs(turn_at(corners, i + count - 1)) > straight) kept.push_back(corners[i]);
+  }
+  return kept;
+}
+
+/// Whether a place is within a ring: a ray from it crosses an odd number of its edges.
+bool goes_round(const std::vector<PlanPoint>& ring, const PlanPoint& at) {
+  bool within = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const PlanPoint &from = ring[i], &to = corner_at(ring, i + 1);
+    if ((from.y() > at.y()) == (to.y() > at.y())) continue;
+    const double x = from.x() + (at.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
+    within = within != (x > at.x());
+  }
+  return within;
+}
+
 }  // namespace
 
 double area_of(const std::vector<PlanPoint>& corners) {
@@ -114,17 +140,40 @@ std::vector<PlanPoint> Footprint::corners() const {
   return all;
 }
 
+std::vector<std::vector<PlanPoint>> Footprint::all_rings() const {
+  std::vector<std::vector<PlanPoint>> all = {corners()};
+  for (const std::vector<PlanPoint>& ring : rings) {
+    for (std::vector<PlanPoint>& moved = all.emplace_back(ring); PlanPoint & at : moved) at += corner;
+  }
+  return all;
+}
+
+bool Footprint::is_convex() const {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    if (turn_at(polygon, i) < -straight) return false;
+  }
+  return rings.empty();
+}
+
+double Footprint::area() const {
+  if (polygon.empty()) return size.prod();
+  double sum = area_of(polygon);
+  for (const std::vector<PlanPoint>& ring : rings) sum += area_of(ring);
+  return sum;
+}
+
 PlanPoint Footprint::middle() const {
   if (polygon.empty()) return 0.5 * size;
-  return mean_of(polygon, PlanPoint(0, 0),
-                 [](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) { return PlanPoint((a + b + c) / 3); });
+  return mean_over(*this, PlanPoint(0, 0), [](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+    return PlanPoint((a + b + c) / 3);
+  });
 }
 
 double Footprint::radius2() const {
   if (polygon.empty()) return size.squaredNorm() / 12;
   const PlanPoint about = middle();
   // Of a triangle ∫r² is its area times (Σ r_i² + |Σ r_i|²)/12, r_i from where it is taken about.
-  return mean_of(polygon, 0.0, [&](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
+  return mean_over(*this, 0.0, [&](const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) {
     const PlanPoint r = a - about, s = b - about, t = c - about;
     return (r.squaredNorm() + s.squaredNorm() + t.squaredNorm() + (r + s + t).squaredNorm()) / 12;
   });
@@ -133,17 +182,22 @@ double Footprint::radius2() const {
 bool Footprint::contains(const PlanPoint& at) const {
   if (polygon.empty()) return (at.array() >= 0).all() && (at.array() <= size.array()).all();
   const double round_off = 1e-12 * size.maxCoeff();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const PlanPoint edge = corner_at(polygon, i + 1) - polygon[i];
-    if (!(cross(edge, at - polygon[i]) >= -round_off * edge.norm())) return false;
+  std::vector<PlanPoint> around = polygon;
+  if (!is_convex()) {
+    for (const std::vector<PlanPoint>& ring : rings) around.insert(around.end(), ring.begin(), ring.end());
+    around = convex_hull(around);
+  }
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const PlanPoint edge = corner_at(around, i + 1) - around[i];
+    if (!(cross(edge, at - around[i]) >= -round_off * edge.norm())) return false;
   }
   return true;
 }
 
 std::optional<std::string> fault_of_outline(const std::vector<PlanPoint>& corners) {
   if (auto fault = fault_of_corners(corners)) return fault;
-  if (auto fault = fault_of_area(corners)) return fault;
-  return fault_of_edges(corners, edges_meet, "meet");
+  if (auto fault = fault_of_edges(corners, edges_meet, "meet")) return fault;
+  return fault_of_area(corners);
 }
 
 std::vector<PlanPoint> convex_hull(std::vector<PlanPoint> corners) {
@@ -186,14 +240,35 @@ std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corner
   return std::nullopt;
 }
 
-Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corners) {
+Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corners,
+                            std::vector<std::vector<PlanPoint>> courts) {
   if (area_of(corners) < 0) std::reverse(corners.begin(), corners.end());
-  std::vector<PlanPoint> kept;
-  const std::size_t count = corners.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (turn_at(corners, i + count - 1) > straight) kept.push_back(corners[i]);
+  const std::vector<PlanPoint> kept = without_straight_ones(corners);
+  for (std::vector<PlanPoint>& court : courts) {
+    if (area_of(court) > 0) std::reverse(court.begin(), court.end());
+    court = without_straight_ones(court);
   }
-  return {.corner = corner, .size = extent_of(kept), .polygon = kept};
+  return {.corner = corner, .size = extent_of(kept), .polygon = kept, .rings = std::move(courts)};
+}
+
+std::optional<std::string> fault_of_court(const Footprint& footprint, std::size_t ring) {
+  const std::vector<PlanPoint>& court = footprint.rings[ring];
+  const auto meet = [&](const std::vector<PlanPoint>& other) {
+    for (std::size_t i = 0; i < court.size(); ++i) {
+      for (std::size_t j = 0; j < other.size(); ++j) {
+        if (edges_meet(court[i], corner_at(court, i + 1), other[j], corner_at(other, j + 1))) return true;
+      }
+    }
+    return false;
+  };
+  if (meet(footprint.polygon) || !goes_round(footprint.polygon, court.front())) return "must lie in the outline";
+  for (std::size_t other = 0; other < ring; ++other) {
+    const std::vector<PlanPoint>& before = footprint.rings[other];
+    if (meet(before) || goes_round(before, court.front()) || goes_round(court, before.front())) {
+      return fmt::format("must not meet court {}", other + 1);
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace bentur

@@ -11,25 +11,32 @@ namespace bentur {
 /// A place or a vector in plan: x to the right, y up the page.
 using PlanPoint = Eigen::Vector2d;
 
-/// A rectangle parallel to the axes, or a convex polygon.
+/// A rectangle parallel to the axes, or a polygon, which may turn inwards, have courts and stand in several parts.
 struct Footprint {
   /// The lower left one of a rectangle, in the common plan; of a polygon the place that its corners are counted from
   /// [length].
   PlanPoint corner = PlanPoint::Zero();
   PlanPoint size = PlanPoint::Zero();   ///< along x, along y [length] > 0; of a polygon what it takes up
   std::vector<PlanPoint> polygon = {};  ///< its corners, counter-clockwise, from `corner` [length]; empty: a rectangle
+  /// Further rings of corners, from `corner`: of courts clockwise, of parts beside the polygon counter-clockwise.
+  std::vector<std::vector<PlanPoint>> rings = {};
 
   /// Lower left and upper right corner of the rectangle around it, in the common plan [length].
   [[nodiscard]] PlanPoint lower() const;
   [[nodiscard]] PlanPoint far_corner() const { return lower() + size; }
-  /// Counter-clockwise, from the lower left one of a rectangle, in the common plan [length].
+  /// Counter-clockwise, from the lower left one of a rectangle, in the common plan [length]; without further rings.
   [[nodiscard]] std::vector<PlanPoint> corners() const;
+  /// The same, and those of all further rings.
+  [[nodiscard]] std::vector<std::vector<PlanPoint>> all_rings() const;
+  [[nodiscard]] bool is_convex() const;
+  /// [length²]
+  [[nodiscard]] double area() const;
   /// Centre of its area, from `corner` [length].
   [[nodiscard]] PlanPoint middle() const;
   /// Square of the radius of gyration of its area about its middle [length²]: of a rectangle (a² + b²)/12 (P-2).
   [[nodiscard]] double radius2() const;
-  /// Whether a place, from `corner`, is in it or on its edges, to within 1e-12 of the longer side where it is a
-  /// polygon.
+  /// Whether a place, from `corner`, is in the least convex polygon around it or on its edges, to within 1e-12 of the
+  /// longer side where it is a polygon.
   [[nodiscard]] bool contains(const PlanPoint& at) const;
 };
 
@@ -48,6 +55,12 @@ struct Footprint {
 [[nodiscard]] std::optional<std::string> fault_of_polygon(const std::vector<PlanPoint>& corners);
 
 /// Of corners that break no rule, from `corner`: counter-clockwise, without those on a straight edge.
-[[nodiscard]] Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corners);
+/// @param courts rings of corners within it, in either order
+[[nodiscard]] Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corners,
+                                          std::vector<std::vector<PlanPoint>> courts = {});
+
+/// The rule that a court of an outline breaks, beside the others; nothing where it is a ring within it that meets no
+/// other. @param ring of those of the footprint
+[[nodiscard]] std::optional<std::string> fault_of_court(const Footprint& footprint, std::size_t ring);
 
 }  // namespace bentur

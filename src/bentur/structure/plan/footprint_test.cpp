@@ -28,6 +28,35 @@ TEST(Footprint, APolygonHasTheCentreAndRadiusOfItsArea) {
   EXPECT_TRUE((polygon.corner + polygon.middle()).isApprox(rectangle.corner + rectangle.middle(), 1e-14));
 }
 
+// A square of 20 with a court of 10 by 5, and an L: by hand from squares.
+TEST(Footprint, CourtsAndNotchesAreNoPartOfTheArea) {
+  const Footprint square =
+      polygon_footprint({100, 0}, {{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {{{5, 5}, {15, 5}, {15, 10}, {5, 10}}});
+  EXPECT_NEAR(square.area(), 350, 1e-12);
+  EXPECT_TRUE(square.middle().isApprox(PlanPoint(10, (4000 - 50 * 7.5) / 350), 1e-14));
+  const double y = square.middle().y();
+  const double second = 400 * (800 / 12.0 + (10 - y) * (10 - y)) - 50 * (125 / 12.0 + (7.5 - y) * (7.5 - y));
+  EXPECT_NEAR(square.radius2(), second / 350, 1e-10);
+  EXPECT_FALSE(square.is_convex());
+  EXPECT_TRUE(square.contains({10, 7.5}));  // of the hull
+  EXPECT_EQ(fault_of_court(square, 0), std::nullopt);
+  const Footprint l_shape = polygon_footprint({0, 0}, {{0, 0}, {20, 0}, {20, 5}, {5, 5}, {5, 20}, {0, 20}});
+  EXPECT_NEAR(l_shape.area(), 175, 1e-12);
+  EXPECT_NEAR(l_shape.middle().x(), (100 * 10 + 75 * 2.5) / 175, 1e-13);
+  EXPECT_FALSE(l_shape.is_convex());
+  const auto fault = [](std::vector<std::vector<PlanPoint>> courts) {
+    const std::size_t last = courts.size() - 1;
+    return fault_of_court(polygon_footprint({0, 0}, {{0, 0}, {20, 0}, {20, 20}, {0, 20}}, std::move(courts)), last)
+        .value_or("none");
+  };
+  const std::vector<PlanPoint> court = {{5, 5}, {15, 5}, {15, 10}, {5, 10}};
+  EXPECT_EQ(fault({{{0, 5}, {5, 5}, {5, 10}}}), "must lie in the outline");  // it touches
+  EXPECT_EQ(fault({{{25, 5}, {30, 5}, {30, 10}}}), "must lie in the outline");
+  EXPECT_EQ(fault({court, {{6, 6}, {7, 6}, {7, 7}}}), "must not meet court 1");
+  EXPECT_EQ(fault({court, {{15, 7}, {17, 7}, {17, 9}}}), "must not meet court 1");
+  EXPECT_EQ(fault({court, {{6, 16}, {7, 16}, {7, 17}}}), "none");
+}
+
 TEST(Footprint, WhatIsNoConvexPolygon) {
   const auto fault = [](const std::vector<PlanPoint>& corners) { return fault_of_polygon(corners).value_or("none"); };
   EXPECT_EQ(fault({{0, 0}, {4, 0}, {4, 3}}), "none");
@@ -49,7 +78,8 @@ TEST(Footprint, OutlinesNeedNotBeConvex) {
   EXPECT_EQ(fault(l_shape), "none");
   EXPECT_EQ(fault({l_shape.rbegin(), l_shape.rend()}), "none");
   EXPECT_EQ(fault({{0, 0}, {4, 4}, {4, 0}, {0, 3}}), "must go round once: its edges behind corners 1 and 3 meet");
-  EXPECT_EQ(fault({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), "must have an area");
+  EXPECT_EQ(fault({{0, 0}, {4, 4}, {4, 0}, {0, 4}}), "must go round once: its edges behind corners 1 and 3 meet");
+  EXPECT_EQ(fault({{0, 0}, {4, 0}, {8, 0}}), "must have an area");
   // Two triangles that have a corner in common, the second time in the middle of an edge.
   EXPECT_EQ(fault({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}),
             "must go round once: its edges behind corners 2 and 5 meet");

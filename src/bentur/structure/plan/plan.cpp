@@ -112,7 +112,12 @@ void check_footprint(const Footprint& footprint) {
   require_positive("size", footprint.size.x());
   require_positive("size", footprint.size.y());
   if (footprint.polygon.empty()) return;
-  if (const auto fault = fault_of_polygon(footprint.polygon)) throw InvalidParameter("polygon", "", *fault);
+  if (const auto fault = fault_of_outline(footprint.polygon)) throw InvalidParameter("polygon", "", *fault);
+  for (std::size_t i = 0; i < footprint.rings.size(); ++i) {
+    auto fault = fault_of_outline(footprint.rings[i]);
+    if (!fault) fault = fault_of_court(footprint, i);
+    if (fault) throw InvalidParameter(indexed("courts", i), "", *fault);
+  }
 }
 
 /// One value for all or one per storey.

@@ -23,23 +23,44 @@ std::optional<PlanPoint> read_pair(const TableView& table, const char* key) {
   return given ? read_pair(*given, table.key(key).range) : std::nullopt;
 }
 
-/// The corners of a polygon, at the list or the corner that is wrong.
-bool read_polygon(const TableView& table, Footprint& footprint) {
-  const TomlView given = *table.find("polygon");
+/// The corners of a ring, at the list or the corner that is wrong; none (and an error) where they break a rule.
+std::vector<PlanPoint> read_ring(const TableView& table) {
+  const auto given = table.get("polygon");
   const Key& key = table.key("polygon");
-  if (!given.is_list_of("pairs") || given.has_more_than(key.most)) return false;
+  if (!given || !given->is_list_of("pairs") || given->has_more_than(key.most)) return {};
   std::vector<PlanPoint> corners;
-  for (const TomlView& item : given.items()) {
+  for (const TomlView& item : given->items()) {
     if (const auto corner = read_pair(item, key.range)) corners.push_back(*corner);
   }
-  const auto origin = table.has("corner") ? read_pair(table, "corner") : std::optional(PlanPoint(0, 0));
-  if (corners.size() != given.size() || !origin) return false;
-  if (const auto fault = fault_of_polygon(corners)) {
-    given.error(*fault);
-    return false;
+  if (corners.size() != given->size()) return {};
+  if (const auto fault = fault_of_outline(corners)) {
+    given->error(*fault);
+    return {};
   }
-  footprint = polygon_footprint(*origin, std::move(corners));
-  return true;
+  return corners;
+}
+
+bool read_polygon(const TableView& table, Footprint& footprint) {
+  std::vector<PlanPoint> corners = read_ring(table);
+  const auto origin = table.has("corner") ? read_pair(table, "corner") : std::optional(PlanPoint(0, 0));
+  std::vector<std::vector<PlanPoint>> courts;
+  std::vector<TomlView> places;
+  const auto list = table.find("court");
+  bool known = !corners.empty() && origin && (!list || list->is_list_of("tables"));
+  for (const TomlView& entry : list&& known ? list->items() : std::vector<TomlView>()) {
+    const auto court = TableView::of(entry, court_keys());
+    courts.push_back(court ? read_ring(*court) : std::vector<PlanPoint>());
+    places.push_back(entry);
+    known = known && !courts.back().empty();
+  }
+  if (!known) return false;
+  footprint = polygon_footprint(*origin, std::move(corners), std::move(courts));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto fault = fault_of_court(footprint, i);
+    if (fault) places[i].error(*fault);
+    known = known && !fault;
+  }
+  return known;
 }
 
 bool read_footprint(const TableView& table, Footprint& footprint) {

@@ -7,6 +7,8 @@
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/pounding/plan/outline/common_area.h"
+#include "bentur/pounding/plan/outline/near.h"
 
 namespace bentur {
 namespace {
@@ -47,27 +49,46 @@ std::string names_of(const std::vector<ReadBuilding>& buildings, std::size_t one
   return fmt::format("{} and {}", in_quotes(buildings[one].spec.name), in_quotes(buildings[other].spec.name));
 }
 
+using PairsOfBuildings = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// As pairs_near() has them, of buildings whose footprints are known.
+PairsOfBuildings pairs_within(const std::vector<ReadBuilding>& buildings, double reach) {
+  std::vector<std::size_t> known;
+  std::vector<Footprint> footprints;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    if (!buildings[b].is_whole) continue;
+    known.push_back(b);
+    footprints.push_back(buildings[b].spec.footprint());
+  }
+  PairsOfBuildings pairs = pairs_near(footprints, reach);
+  for (auto& [one, other] : pairs) {
+    one = known[one];
+    other = known[other];
+  }
+  return pairs;
+}
+
 /// Footprints that overlap, at the second of the two.
 bool overlaps_are_said(const TomlView& root, const std::vector<ReadBuilding>& buildings) {
   bool any = false;
-  for (std::size_t b = 1; b < buildings.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) {
-      if (!buildings[a].is_whole || !buildings[b].is_whole) continue;
-      const Footprint &one = buildings[a].spec.footprint(), &other = buildings[b].spec.footprint();
-      if (!overlap(one, other)) continue;
-      any = true;
-      if (!one.polygon.empty() || !other.polygon.empty()) {
-        view_of(root, buildings, b)
-            .error(fmt::format("overlaps {}: their footprints have {:.6g} of area in common, {:.6g} deep",
-                               in_quotes(buildings[a].spec.name), common_area(one, other), overlap_depth(one, other)));
-        continue;
-      }
-      const PlanPoint low = one.corner.cwiseMax(other.corner);
-      const PlanPoint common = one.far_corner().cwiseMin(other.far_corner()) - low;
+  PairsOfBuildings pairs = pairs_within(buildings, 0);
+  std::sort(pairs.begin(), pairs.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.second, a.first) < std::pair(b.second, b.first); });
+  for (const auto& [a, b] : pairs) {
+    const Footprint &one = buildings[a].spec.footprint(), &other = buildings[b].spec.footprint();
+    if (!overlap(one, other)) continue;
+    any = true;
+    if (!one.polygon.empty() || !other.polygon.empty()) {
       view_of(root, buildings, b)
-          .error(fmt::format("overlaps {}: their footprints have {:.6g} by {:.6g} at ({:.6g}, {:.6g}) in common",
-                             in_quotes(buildings[a].spec.name), common.x(), common.y(), low.x(), low.y()));
+          .error(fmt::format("overlaps {}: their footprints have {:.6g} of area in common, {:.6g} deep",
+                             in_quotes(buildings[a].spec.name), common_area(one, other), overlap_depth(one, other)));
+      continue;
     }
+    const PlanPoint low = one.corner.cwiseMax(other.corner);
+    const PlanPoint common = one.far_corner().cwiseMin(other.far_corner()) - low;
+    view_of(root, buildings, b)
+        .error(fmt::format("overlaps {}: their footprints have {:.6g} by {:.6g} at ({:.6g}, {:.6g}) in common",
+                           in_quotes(buildings[a].spec.name), common.x(), common.y(), low.x(), low.y()));
   }
   return any;
 }
@@ -89,14 +110,13 @@ GapSpec pair_of(const Stretch& stretch, std::size_t one, std::size_t other) {
 
 /// Every law of a pair is made once; errors go to where its contact stands.
 void check_laws(const TomlView& contact, const GapSpec& gap, const std::vector<ReadBuilding>& buildings) {
-  std::vector<BuildingSpec> specs;
-  for (const ReadBuilding& building : buildings) specs.push_back(building.spec);
+  const BuildingSpec &left = buildings[gap.left].spec, &right = buildings[gap.right].spec;
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
     GapSpec one = gap;  // of this level alone, with its entry of every list
     one.levels = {gap.levels[level]};
     for (auto& [key, list] : one.contact.numbers) list = {list.size() == 1 ? list.front() : list.at(level)};
     try {
-      (void)contacts_of(one, specs);
+      (void)gap_with_contacts(one, left, right);
     } catch (const InvalidParameter& fault) {
       if (say_of_law(contact, fault, level)) return;
     }
@@ -121,7 +141,8 @@ class Pairs {
   }
   /// What a pair without a contact of its own has; an error at `at` where there is none.
   void take_default_contact(const TomlView& at, GapSpec& gap);
-  void read_levels(const TableView& table, GapSpec& gap);
+  /// The levels at which both touch, none where no contact is modelled. @return whether they are right
+  bool read_levels(const TableView& table, GapSpec& gap);
   /// One point per end alone where impacts take no time.
   void check_points(const TomlView& at, const GapSpec& gap);
 
@@ -148,30 +169,35 @@ void Pairs::check_points(const TomlView& at, const GapSpec& gap) {
   }
 }
 
-void Pairs::read_levels(const TableView& table, GapSpec& gap) {
+bool Pairs::read_levels(const TableView& table, GapSpec& gap) {
   const std::optional<double> tolerance = table.number("level_tolerance");
   gap.level_tolerance = tolerance;
   gap.levels = levels_of(gap, tolerance);
+  const auto given = table.find("elevations");
+  if (given && models_no_contact(*given)) {
+    gap.levels.clear();
+    if (gap.stretch.is_corner()) {
+      given->error("must not be empty: where buildings stand corner to corner nothing is watched");
+      return false;
+    }
+    return checked_to_face(table, buildings_[gap.left], buildings_[gap.right]);
+  }
   const ReadBuilding &left = buildings_[gap.left], &right = buildings_[gap.right];
   if (gap.levels.empty()) {
     table.error(
         fmt::format("has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let "
-                    "floors that nearly meet do so with level_tolerance",
+                    "floors that nearly meet do so with level_tolerance, or model no contact with elevations = []: "
+                    "floors are then watched against the edges they face, for the gap they need",
                     in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
                     fmt::join(right.elevations, ", ")));
-    return;
+    return false;
   }
-  const auto given = table.find("elevations");
-  if (!given) return;
-  if (given->is(TomlValue::Kind::list) && given->size() == 0) {
-    given->error("must not be empty: of buildings in plan no pair is left without contact yet");
-    return;
-  }
+  if (!given) return true;
   const std::vector<double> wanted = given->as_numbers(table.key("elevations").range);
-  if (wanted.empty()) return;
+  if (wanted.empty()) return false;
   if (std::adjacent_find(wanted.begin(), wanted.end(), std::greater_equal<>()) != wanted.end()) {
     given->error("must ascend");
-    return;
+    return false;
   }
   const std::vector<double> named =
       named_elevations(*given, wanted, gap.levels, floor_levels(left), floor_levels(right));
@@ -182,6 +208,7 @@ void Pairs::read_levels(const TableView& table, GapSpec& gap) {
     chosen.push_back(level);
   }
   gap.levels = std::move(chosen);
+  return !gap.levels.empty();
 }
 
 void Pairs::read_named(const TomlView& entry) {
@@ -213,10 +240,9 @@ void Pairs::read_named(const TomlView& entry) {
   if (!stretch) return;  // they overlap, which is said
   GapSpec gap = pair_of(*stretch, one, other);
   gap.points = static_cast<int>(points.value_or(defaults_.points));
-  read_levels(table, gap);
-  if (gap.levels.empty()) return;
+  if (!read_levels(table, gap)) return;
   if (!table.has("contact")) {
-    take_default_contact(table, gap);
+    if (!gap.levels.empty()) take_default_contact(table, gap);
   } else {
     std::vector<double> elevations;
     for (const LevelPair& level : gap.levels) elevations.push_back(level.elevation);
@@ -226,7 +252,7 @@ void Pairs::read_named(const TomlView& entry) {
       check_laws(*table.find("contact"), gap, buildings_);
     }
   }
-  check_points(table, gap);
+  if (!gap.levels.empty()) check_points(table, gap);
   gaps_.push_back(std::move(gap));
 }
 
@@ -238,27 +264,25 @@ void Pairs::add_near(const TomlView& root) {
     return;
   }
   const TomlView clearance = *defaults_.view->find("clearance");
-  for (std::size_t a = 0; a < buildings_.size(); ++a) {
-    for (std::size_t b = a + 1; b < buildings_.size(); ++b) {
-      if (!buildings_[a].is_whole || !buildings_[b].is_whole || is_named(a, b)) continue;
-      if (buildings_[a].spec.is_rigid() && buildings_[b].spec.is_rigid()) continue;
-      const auto stretch = joint_between(buildings_[a].spec.footprint(), buildings_[b].spec.footprint());
-      if (!stretch || stretch->width > *defaults_.clearance) continue;
-      GapSpec gap = pair_of(*stretch, a, b);
-      gap.points = defaults_.points;
-      gap.levels = levels_of(gap, std::nullopt);
-      if (gap.levels.empty() && stretch->is_corner()) continue;
-      if (gap.levels.empty()) {
-        clearance.error(
-            fmt::format("brings together {}, which have no floors at one elevation: give a [[gap]] between "
-                        "them with level_tolerance",
-                        names_of(buildings_, a, b)));
-        continue;
-      }
-      take_default_contact(*defaults_.view, gap);
-      check_points(*defaults_.view, gap);
-      gaps_.push_back(std::move(gap));
+  for (const auto& [a, b] : pairs_within(buildings_, *defaults_.clearance)) {
+    if (is_named(a, b)) continue;
+    if (buildings_[a].spec.is_rigid() && buildings_[b].spec.is_rigid()) continue;
+    const auto stretch = joint_between(buildings_[a].spec.footprint(), buildings_[b].spec.footprint());
+    if (!stretch || stretch->width > *defaults_.clearance) continue;
+    GapSpec gap = pair_of(*stretch, a, b);
+    gap.points = defaults_.points;
+    gap.levels = levels_of(gap, std::nullopt);
+    if (gap.levels.empty() && stretch->is_corner()) continue;
+    if (gap.levels.empty()) {
+      clearance.error(
+          fmt::format("brings together {}, which have no floors at one elevation: give a [[gap]] between "
+                      "them with level_tolerance, or with elevations = [] where no contact is modelled",
+                      names_of(buildings_, a, b)));
+      continue;
     }
+    take_default_contact(*defaults_.view, gap);
+    check_points(*defaults_.view, gap);
+    gaps_.push_back(std::move(gap));
   }
   const bool all_known =
       std::all_of(buildings_.begin(), buildings_.end(), [](const auto& one) { return one.is_whole; });

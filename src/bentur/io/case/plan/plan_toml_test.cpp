@@ -237,7 +237,7 @@ TEST(PlanToml, SaysEveryErrorOfPairs) {
   EXPECT_EQ(
       errors_with("elevations = [4.5]", "elevations = [6.0]"),
       (Errors{"plan.clearance brings together \"A\" and \"W\", which have no floors at one elevation: give a [[gap]] "
-              "between them with level_tolerance"}));
+              "between them with level_tolerance, or with elevations = [] where no contact is modelled"}));
 }
 
 TEST(PlanToml, SaysEveryErrorOfFriction) {

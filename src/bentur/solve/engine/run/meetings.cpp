@@ -52,6 +52,7 @@ bool Elements::is_closed(Index point) const { return meetings_.passed(point) || 
 /// Whether bodies touch at a point of a meeting that closes: all other families are closed and none of them pushes. Of
 /// families that close at one instant it is the one with the greatest closing speed; equal ones share.
 bool Elements::may_touch(Index point, const State& state) {
+  if (meetings_.is_seam(point)) return false;
   const Index own = system_->opening(point);
   const double closing = speed(own, state);
   const std::vector<Index>& all = meetings_.points_with(point);

@@ -19,6 +19,7 @@ class Meetings {
   [[nodiscard]] bool has(Eigen::Index point) const {
     return point < std::ssize(places_) && places_[point].meeting >= 0;
   }
+  [[nodiscard]] bool is_seam(Eigen::Index point) const { return places_[point].seam; }
   [[nodiscard]] bool passed(Eigen::Index point) const { return has(point) && passed_[point] != 0; }
   void pass(Eigen::Index point) { passed_[point] = 1; }
   void come_back(Eigen::Index point) { passed_[point] = 0; }

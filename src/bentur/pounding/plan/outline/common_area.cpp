@@ -1,0 +1,75 @@
+#include "bentur/pounding/plan/outline/common_area.h"
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/multi_polygon.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "bentur/pounding/plan/outline/edges.h"
+
+namespace bentur {
+namespace {
+
+using At = boost::geometry::model::d2::point_xy<double>;
+using Polygon = boost::geometry::model::polygon<At, false>;  // counter-clockwise
+using Polygons = boost::geometry::model::multi_polygon<Polygon>;
+
+Polygon polygon_of(const Footprint& footprint) {
+  Polygon polygon;
+  const auto put = [](const std::vector<PlanPoint>& from, auto& ring) {
+    for (const PlanPoint& at : from) ring.emplace_back(at.x(), at.y());
+  };
+  const std::vector<std::vector<PlanPoint>> rings = footprint.all_rings();
+  put(rings.front(), polygon.outer());
+  for (std::size_t i = 1; i < rings.size(); ++i) put(rings[i], polygon.inners().emplace_back());
+  boost::geometry::correct(polygon);
+  return polygon;
+}
+
+template <class Ring>
+std::vector<PlanPoint> corners_of(const Ring& ring) {
+  std::vector<PlanPoint> corners;
+  for (const At& at : ring) corners.emplace_back(at.x(), at.y());
+  corners.pop_back();  // the first one again
+  return corners;
+}
+
+}  // namespace
+
+double common_area(const Footprint& one, const Footprint& other) {
+  if (one.is_convex() && other.is_convex()) {  // to the round-off, which Boost's grid of whole numbers is not
+    std::vector<PlanPoint> part = one.corners();
+    for (const Edge& edge : edges_of(other)) part = part_behind(part, edge.normal, edge.normal.dot(edge.from));
+    return area_of(part);
+  }
+  Polygons common;
+  boost::geometry::intersection(polygon_of(one), polygon_of(other), common);
+  return boost::geometry::area(common);
+}
+
+std::optional<Footprint> largest_rest(const Footprint& cut, const Footprint& kept) {
+  Polygons rest;
+  boost::geometry::difference(polygon_of(cut), polygon_of(kept), rest);
+  const auto largest = std::max_element(rest.begin(), rest.end(), [](const Polygon& a, const Polygon& b) {
+    return boost::geometry::area(a) < boost::geometry::area(b);
+  });
+  constexpr double round_off = 1e-6;
+  const bool is_whole = std::abs(boost::geometry::area(rest) + common_area(cut, kept) - cut.area()) <=
+                        round_off * cut.area();  // of Debian 12 it errs where a court touches
+  if (largest == rest.end() || !is_whole) return std::nullopt;
+  std::vector<PlanPoint> corners = corners_of(largest->outer());
+  if (fault_of_outline(corners)) return std::nullopt;
+  std::vector<std::vector<PlanPoint>> courts;
+  for (const auto& ring : largest->inners()) courts.push_back(corners_of(ring));
+  for (PlanPoint& at : corners) at -= cut.corner;
+  for (std::vector<PlanPoint>& court : courts) {
+    for (PlanPoint& at : court) at -= cut.corner;
+  }
+  return polygon_footprint(cut.corner, std::move(corners), std::move(courts));
+}
+
+}  // namespace bentur
