@@ -35,7 +35,7 @@ def case(houses):
     record = ROOT / "data" / "el-centro-1940-ns.csv"
     for axis in ("excitation", "excitation.y"):
         text.append(f'[{axis}]\nkind = "record"\nfile = "{record}"\nunit = "g"\n')
-    text.append("[analysis]\nduration = 5.0\n")
+    text.append("[analysis]\nduration = 5.0\nlimits = { memory = 8000 }\n")
     return "".join(text)
 
 

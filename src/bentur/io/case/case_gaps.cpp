@@ -10,6 +10,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
 

@@ -136,13 +136,6 @@ void make(ReadBuilding& building);
 /// Floor levels of a building as read.
 [[nodiscard]] FloorLevels floor_levels(const ReadBuilding& building);
 
-/// case_gaps.cpp: `elevations = []`.
-[[nodiscard]] bool models_no_contact(const TomlView& elevations);
-
-/// case_gaps.cpp: whether some floor of either building is between base and top of the other; an error at the gap where
-/// none is.
-[[nodiscard]] bool checked_to_face(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right);
-
 /// Elevations of contact points or links that a list names, each at one of two floors that meet or between them; empty
 /// (and an error) unless all are.
 [[nodiscard]] std::vector<double> named_elevations(const TomlView& list, const std::vector<double>& wanted,

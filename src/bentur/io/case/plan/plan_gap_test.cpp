@@ -85,6 +85,27 @@ bool story_tells(const Story& story, const std::string& kind) {
                      [&](const Statement& one) { return one.kind == kind; });
 }
 
+// The free response knows of no contact: floors that are watched alone need what they need with it.
+TEST(PlanGaps, APairWithoutContactIsWatchedAtAllItsFloors) {
+  const PlanRun with = plan_gap_run(three_in_plan);
+  const std::string none = "[[gap]]\nbetween = [\"A\", \"B\"]\nelevations = []\n";
+  const PlanRun run = plan_gap_run(with_piece(three_in_plan, "[excitation]", none + "[excitation]"));
+  ASSERT_EQ(run.problem.gaps.size(), 2U);
+  const PlanGap& gap = run.problem.gaps[0];
+  EXPECT_TRUE(gap.contacts.empty());
+  ASSERT_EQ(gap.watched.size(), 6U);
+  EXPECT_EQ(gap.watched[0].elevation, 3.5);
+  EXPECT_TRUE(gap.watched[0].facing_floor);
+  for (const std::size_t i : {0U, 1U}) {
+    const double needed = with.response.points[i].gap_needed;
+    EXPECT_GT(needed, 0);
+    EXPECT_NEAR(run.response.watched[i].gap_needed, needed, 1e-12);
+  }
+  for (const std::size_t i : {2U, 3U, 4U, 5U}) {
+    EXPECT_NEAR(run.response.watched[i].gap_needed, with.response.watched[i - 2].gap_needed, 1e-12);
+  }
+}
+
 TEST(PlanGaps, WatchBothEndsOfWhatFacesAnEdge) {
   const PlanRun run = plan_gap_run(three_in_plan);
   ASSERT_EQ(run.problem.gaps.size(), 2U);

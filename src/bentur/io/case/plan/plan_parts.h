@@ -44,6 +44,13 @@ struct ReadBearings {
 /// plan_gaps.cpp: the pairs that may touch, in the order of their buildings.
 [[nodiscard]] std::vector<GapSpec> read_plan_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
 
+/// case_gaps.cpp: `elevations = []`.
+[[nodiscard]] bool models_no_contact(const TomlView& elevations);
+
+/// case_gaps.cpp: whether some floor of either building is between base and top of the other; an error at the gap where
+/// none is.
+[[nodiscard]] bool checked_to_face(const TomlView& gap, const ReadBuilding& left, const ReadBuilding& right);
+
 /// plan_links.cpp: the place of a link between two buildings, its joint and what it acts along, into `spec`, and
 /// `sides` in the order of that; an error where they do not face one another.
 void read_place(const TableView& link, const std::vector<ReadBuilding>& buildings,
