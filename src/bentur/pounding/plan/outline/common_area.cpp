@@ -38,6 +38,19 @@ std::vector<PlanPoint> corners_of(const Ring& ring) {
   return corners;
 }
 
+/// Puts a place that is on the edges of an outline but for the grid of Boost's difference() onto them.
+PlanPoint onto_edges(const PlanPoint& at, const std::vector<Edge>& edges, double near) {
+  for (const Edge& edge : edges) {
+    if ((edge.from - at).norm() <= near) return edge.from;
+  }
+  for (const Edge& edge : edges) {
+    const PlanPoint way = edge.to - edge.from;
+    const double part = way.dot(at - edge.from) / way.squaredNorm(), off = edge.normal.dot(at - edge.from);
+    if (part >= 0 && part <= 1 && std::abs(off) <= near) return at - off * edge.normal;
+  }
+  return at;
+}
+
 }  // namespace
 
 double common_area(const Footprint& one, const Footprint& other) {
@@ -61,10 +74,19 @@ std::optional<Footprint> largest_rest(const Footprint& cut, const Footprint& kep
   const bool is_whole = std::abs(boost::geometry::area(rest) + common_area(cut, kept) - cut.area()) <=
                         round_off * cut.area();  // of Debian 12 it errs where a court touches
   if (largest == rest.end() || !is_whole) return std::nullopt;
-  std::vector<PlanPoint> corners = corners_of(largest->outer());
+  std::vector<Edge> edges;
+  for (const std::vector<PlanPoint>& ring : kept.all_rings()) {
+    for (const Edge& edge : edges_of(ring)) edges.push_back(edge);
+  }
+  const double near = round_off * std::max(cut.size.maxCoeff(), kept.size.maxCoeff());
+  const auto along_kept = [&](std::vector<PlanPoint> ring) {
+    for (PlanPoint& at : ring) at = onto_edges(at, edges, near);
+    return ring;
+  };
+  std::vector<PlanPoint> corners = along_kept(corners_of(largest->outer()));
   if (fault_of_outline(corners)) return std::nullopt;
   std::vector<std::vector<PlanPoint>> courts;
-  for (const auto& ring : largest->inners()) courts.push_back(corners_of(ring));
+  for (const auto& ring : largest->inners()) courts.push_back(along_kept(corners_of(ring)));
   for (PlanPoint& at : corners) at -= cut.corner;
   for (std::vector<PlanPoint>& court : courts) {
     for (PlanPoint& at : court) at -= cut.corner;

@@ -22,6 +22,7 @@
 #include "bentur/contact/laws/linear.h"
 #include "bentur/contact/laws/restitution.h"
 #include "bentur/contact/laws/rubbing.h"
+#include "bentur/pounding/plan/outline/common_area.h"
 #include "bentur/pounding/plan/outline/edges.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 
@@ -150,6 +151,26 @@ TEST(OutlineParts, LieWithinTheOutlineAndHaveEachEdgeOnce) {
     Shapes shapes(seed);
     expect_parts(shapes.star(), shapes);
   }
+}
+
+// What is left of an outline touches the other one and does not overlap it, and has the rest of its area.
+TEST(OutlineParts, WhatIsCutBackTouches) {
+  long cut = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Shapes by(seed);
+    const Footprint kept = by.turned(l_shape({0, 0}, by.any(14, 20), by.any(12, 18), 5, 6), by.any(-0.2, 0.2));
+    Footprint other = by.turned(box({6 - by.any(-0.05, 0.08), 5 - by.any(-0.05, 0.08)}, 6, 5), by.any(-0.2, 0.2));
+    if (!overlap(kept, other)) continue;
+    const double common = common_area(kept, other), area = other.area();
+    const auto rest = cut_back(other, kept);
+    if (!rest) continue;
+    ++cut;
+    EXPECT_FALSE(overlap(*rest, kept)) << overlap_depth(*rest, kept);
+    EXPECT_LE(rest->area(), area - common + 1e-5 * area);
+    EXPECT_GE(rest->area(), 0.5 * (area - common));  // the largest part
+  }
+  EXPECT_GT(cut, 50);
 }
 
 TEST(OutlineParts, AConvexOutlineIsOnePart) {
