@@ -18,7 +18,7 @@ struct StretchCorner {
   double beyond = 0;
   double room = 0;  ///< from the foot to the nearer end of the edge [length]
 
-  /// With L and R the other way round.
+  /// With L and R exchanged.
   [[nodiscard]] StretchCorner turned() const {
     StretchCorner other = *this;
     std::swap(other.left, other.right);

@@ -13,7 +13,7 @@ struct Edge {
   PlanPoint from, to, normal;  ///< normal outwards
 };
 
-/// What lengths are told apart by: 1e-9 of the largest side [length].
+/// Lengths that differ by less are one: 1e-9 of the largest side [length].
 [[nodiscard]] inline double least_of(const Footprint& one, const Footprint& other) {
   constexpr double nothing_in_common = 1e-9;
   return nothing_in_common * std::max(one.size.maxCoeff(), other.size.maxCoeff());
