@@ -43,7 +43,7 @@ using FigureWords = std::function<std::string(std::string_view)>;
 
 /// Points joined by a line, marks at them, or both; or an area.
 struct Curve {
-  std::string label = {};  ///< in the legend; empty: not there
+  std::string label = {};  ///< in the legend, and in data; empty: not there
   std::vector<double> x = {}, y = {};
   std::vector<double> top = {};  ///< where given, the area between y and top is filled in place of a line
   Tone tone = Tone::black;
@@ -53,14 +53,17 @@ struct Curve {
   double width = 1;               ///< of the line [-], 1 for 0.75 pt
   bool complete = false;          ///< every point is drawn; others are thinned to what can be seen
   double mark_size = 1;           ///< of its marks [-]; large discs have an edge that parts them from lines below
+  bool in_legend = true;          ///< else its label stands in data alone, as what it is of is named where it is
 };
 
 /// A short text beside a place of a panel.
 struct PlaceText {
-  enum class Side { right, left, above, below };
+  enum class Side { right, left, above, below, middle };
   double x = 0, y = 0;
   std::string text = {};
   Side side = Side::right;
+  /// How wide it may be, as x; more is set in lines, and of a word that is wider the text is not there. 0: as it is.
+  double room = 0;
 };
 
 /// Instants marked along the upper edge of a panel.
@@ -94,10 +97,11 @@ struct Axis {
   std::string label = {};                    ///< with symbol and unit; empty: that of a neighbouring panel serves
   std::optional<double> from = {}, to = {};  ///< where the axis ends; by default round numbers beyond the data
   bool logarithmic = false;
-  std::vector<std::string> names = {};  ///< of the places 0, 1, 2, …, where these are not numbers
-  std::string number = "number";        ///< what its label calls the numbers that stand for names without room
-  std::vector<double> places = {};      ///< where its numbers stand if there is room for all; else round numbers do
-  bool numbers = true;                  ///< has numbers; else those of a neighbouring panel serve
+  /// Of the places 0, 1, 2, …, where these are not numbers; of a picture to scale below it, at `places`.
+  std::vector<std::string> names = {};
+  std::string number = "number";    ///< what its label calls the numbers that stand for names without room
+  std::vector<double> places = {};  ///< where its numbers stand if there is room for all; else round numbers do
+  bool numbers = true;              ///< has numbers; else those of a neighbouring panel serve
   /// What an axis without ends of its own shows at least, so that round-off does not look like a finding.
   std::optional<std::pair<double, double>> least = {};
 };

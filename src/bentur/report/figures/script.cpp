@@ -92,7 +92,8 @@ for panel in figure["panels"]:
         axis.set_ticks([], minor=True)
         axis.set_label_text(wanted["label"])
     if panel["to_scale"]:
-        ax.set_axis_off()
+        ax.set_frame_on(False)
+        ax.tick_params(length=0)
     if panel["upright"]:
         ax.tick_params("x", rotation=90)
     if panel["note"]:
@@ -169,11 +170,18 @@ class Writer {
     return text;
   }
 
-  static Json axis(const Axis& axis, const Ticks& ticks) {
+  static std::string plain_lines(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + plain_text(line);
+    return text;
+  }
+
+  static Json axis(const Axis& axis, const Ticks& ticks, bool to_scale) {
     Json places = Json::array(), numbers = Json::array();
     for (const auto& [at, text] : ticks.labels) {
+      const std::string above(numbers.size() % static_cast<std::size_t>(ticks.lines), '\n');
       places.push_back(at);
-      numbers.push_back(axis.numbers ? plain_text(text) : "");
+      numbers.push_back(axis.numbers || to_scale ? above + plain_text(text) : "");
     }
     return {{"label", plain_text(scaled(axis.label, ticks, axis.number))},
             {"range", {ticks.from, ticks.to}},
@@ -207,10 +215,17 @@ class Writer {
           {{"label", plain_text(panel.events.label)}, {"column", column(title_ + panel.events.label, instants)}});
     }
     Json texts = Json::array();
-    constexpr std::pair<int, int> sides[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};  // in the order of PlaceText::Side
+    constexpr std::pair<int, int> sides[] = {// in the order of PlaceText::Side
+                                             {1, 0},
+                                             {-1, 0},
+                                             {0, 1},
+                                             {0, -1},
+                                             {0, 0}};
     for (const PlaceText& one : panel.texts) {
       const auto& [across, up] = sides[static_cast<std::size_t>(one.side)];
-      texts.push_back({one.x, one.y, plain_text(one.text), across, up});
+      const std::vector<std::string> of_text = text_lines(one, placed);
+      if (of_text.empty()) continue;
+      texts.push_back({one.x, one.y, plain_lines(of_text), across, up});
     }
     const double height = placed.top - placed.bottom;
     Json legend = Json::array();
@@ -224,8 +239,8 @@ class Writer {
             {"to_scale", static_cast<int>(panel.to_scale)},
             {"legend", std::move(legend)},
             {"upright", static_cast<int>(placed.x.upright)},
-            {"x", axis(panel.x, placed.x)},
-            {"y", axis(panel.y, placed.y)},
+            {"x", axis(panel.x, placed.x, panel.to_scale)},
+            {"y", axis(panel.y, placed.y, panel.to_scale)},
             {"curves", std::move(curves)},
             {"rules", std::move(rules)},
             {"events", std::move(events)},

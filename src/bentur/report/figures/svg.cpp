@@ -242,12 +242,12 @@ class Drawing {
     out_ += "</svg>\n";
     if (panel.map) scale(placed, frame);
     for (std::size_t c = 0; c < points.size(); ++c) marks(panel.curves[c], points[c], frame);
-    for (const PlaceText& one : panel.texts) beside(one, frame);
+    for (const PlaceText& one : panel.texts) beside(one, text_lines(one, placed), frame);
     for (const double at : panel.events.x) {
       if (at < placed.x.from || at > placed.x.to) continue;
       event(frame.left + frame.x(at), frame.top + 0.03 * frame.height);
     }
-    if (!panel.to_scale) axes(placed, frame);
+    panel.to_scale ? names(placed, frame) : axes(placed, frame);
     const double middle = (placed.left + placed.right) / 2;
     lines(placed.title, middle, placed.title_y);
     lines(placed.x_label, placed.x_label_x, placed.x_label_y);
@@ -298,7 +298,7 @@ class Drawing {
   }
 
   /// Clear of a mark there.
-  void beside(const PlaceText& one, const Frame& frame) {
+  void beside(const PlaceText& one, const std::vector<std::string>& lines, const Frame& frame) {
     const double px = frame.x(one.x), py = frame.y(one.y);
     if (!frame.holds(px, py)) return;
     using Side = PlaceText::Side;
@@ -306,7 +306,26 @@ class Drawing {
     const double right = one.side == Side::right ? clear : one.side == Side::left ? -clear : 0;
     const double down = one.side == Side::below ? clear + baseline : one.side == Side::above ? -clear - baseline : 0;
     const char* const anchor = one.side == Side::right ? "start" : one.side == Side::left ? "end" : "middle";
-    text(one.text, frame.left + px + right, frame.top + py + down, anchor);
+    const double step = x(line_height), first = -step * (static_cast<double>(lines.size()) - 1) / 2;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      text(lines[i], frame.left + px + right, frame.top + py + down + first + step * static_cast<double>(i), anchor);
+    }
+  }
+
+  /// What stands in a picture of things, each name below its own and within the figure.
+  void names(const PlacedPanel& placed, const Frame& f) {
+    for (std::size_t i = 0; i < placed.x.labels.size(); ++i) {
+      const auto& [value, label] = placed.x.labels[i];
+      const double at = f.left + f.x(value), bottom = f.top + f.height;
+      if (placed.x.upright) {
+        text(label, at, bottom + x(number_gap), "end", true);
+        continue;
+      }
+      const double half = x(text_width(label) / 2 + 0.05);
+      const auto line = static_cast<double>(i % static_cast<std::size_t>(placed.x.lines));
+      text(label, std::clamp(at, half, std::max(half, x(layout_.width) - half)),
+           bottom + x(number_depth + line * line_height), "middle");
+    }
   }
 
   /// The frame, with ticks inwards on opposite sides, and the numbers.

@@ -102,17 +102,20 @@ class Reader {
   }
 
   void read(const Node& node, const std::string& where, Curve& to) {
-    table(node, where,
-          {field("label", to.label), field("x", to.x), field("y", to.y), field("top", to.top), field("tone", to.tone),
-           field("line", to.line), field("mark", to.mark), field("legend_mark", to.legend_mark),
-           field("width", to.width), field("complete", to.complete), field("mark_size", to.mark_size)});
+    table(
+        node, where,
+        {field("label", to.label), field("x", to.x), field("y", to.y), field("top", to.top), field("tone", to.tone),
+         field("line", to.line), field("mark", to.mark), field("legend_mark", to.legend_mark), field("width", to.width),
+         field("complete", to.complete), field("mark_size", to.mark_size), field("in_legend", to.in_legend)});
     if (!(to.mark_size > 0 && to.mark_size <= 20)) {
       error(where + ".mark_size", fmt::format("{}", to.mark_size), "must be in (0, 20]");
     }
   }
 
   void read(const Node& node, const std::string& where, PlaceText& to) {
-    table(node, where, {field("x", to.x), field("y", to.y), field("text", to.text), field("side", to.side)});
+    table(node, where,
+          {field("x", to.x), field("y", to.y), field("text", to.text), field("side", to.side), field("room", to.room)});
+    if (to.room < 0) error(where + ".room", fmt::format("{}", to.room), "must be 0 or more");
   }
 
   void read(const Node& node, const std::string& where, RuleLine& to) {
@@ -185,7 +188,7 @@ class Reader {
   }
 
   void read(const Node& node, const std::string& where, PlaceText::Side& to) {
-    word(node, where, to, {"right", "left", "above", "below"});
+    word(node, where, to, {"right", "left", "above", "below", "middle"});
   }
 
   void read(const Node& node, const std::string& where, Line& to) {

@@ -3,17 +3,17 @@
 namespace bentur::html {
 
 Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables, const Words& say) {
-  Html content;
-  std::optional<Eigen::Index> gap;
-  for (const StoryTable& table : tables) {
-    if (table.gap != gap) {
-      gap = table.gap;
-      content += element("h3", gaps.at(static_cast<std::size_t>(gap.value())));
+  EachOf each;
+  for (auto table = tables.begin(); table != tables.end();) {
+    const Eigen::Index gap = table->gap.value();
+    Html content;
+    for (; table != tables.end() && table->gap == gap; ++table) {
+      const SaidTable shown = said(*table, say);
+      content += element("h4", shown.heading) + table_of(shown);
     }
-    const SaidTable shown = said(table, say);
-    content += element("h4", shown.heading) + table_of(shown);
+    each.add(gaps.at(static_cast<std::size_t>(gap)), content);
   }
-  return content;
+  return each.markup(say, "appendix.gaps");
 }
 
 PageSection gap_section(const Report& report) {

@@ -311,6 +311,7 @@ PageSection input_section(const Report& report) {
     const bool always = key.name == "units" || (key.name == "analysis" && !is_without_motion(report.c));
     if (key.table == nullptr || (found == nullptr && !always)) continue;
     const bool is_list = given.kind == TomlValue::Kind::list;
+    EachOf each;
     for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
       const TomlValue& one = is_list ? given.items[i] : given;
       const auto place = static_cast<Eigen::Index>(i);
@@ -327,8 +328,9 @@ PageSection input_section(const Report& report) {
         derived.rows.emplace_back(label_text(unit_keys().at("gravity").label, say),
                                   quantity(report.c.units.gravity, acceleration_unit(report.c.units)));
       }
-      content += element("h3", derived.heading) + echo(*key.table, one, report, derived.rows) + derived.tables;
+      each.add(derived.heading, echo(*key.table, one, report, derived.rows) + derived.tables);
     }
+    content += each.markup(say, "appendix.entries");
   }
   return {"input", say("heading.input"), content};
 }

@@ -154,12 +154,12 @@ Html proportions_text(const Report& report, Eigen::Index b) {
 
 PageSection peaks_section(const Report& report) {
   const Words& say = report.say;
-  Html content;
+  EachOf contacts, buildings;
   for (Eigen::Index gap = 0; gap < gap_count(report.problem); ++gap) {
     if (points_of(report.problem, gap).empty()) continue;
-    const std::string name = gap_name(report.problem, gap);
-    content += element("h3", Html::text(say("heading.contact_of", {{"gap", name}}))) + contact_table(report, gap);
+    contacts.add(say("heading.contact_of", {{"gap", gap_name(report.problem, gap)}}), contact_table(report, gap));
   }
+  Html content = contacts.markup(say, "appendix.contacts");
   const std::size_t language = say.number();
   content += restitution_table(report);
   for (std::vector<Eigen::Index> links : links_by_spec(report.c.links)) {
@@ -171,14 +171,15 @@ PageSection peaks_section(const Report& report) {
   for (Eigen::Index b = 0; b < std::ssize(report.problem.buildings); ++b) {
     const std::string name = report.problem.buildings[b].name;
     const std::vector<QuantityPlace> floors = floors_from_top(report.problem, b);
-    content += element("h3", Html::text(say("heading.peaks_of", {{"building", name}}))) +
-               floors_table(report, b, table_columns(Owner::floor, report.run, floors, language)) +
-               floors_table(report, b, "peaks.forces",
-                            table_columns(Owner::floor, report.run, floors, language, QuantityTable::forces)) +
-               proportions_text(report, b) + foundation_text(report, b) +
-               floors_table(report, b, "peaks.yielding",
-                            table_columns(Owner::floor, report.run, floors, language, QuantityTable::yielding));
+    buildings.add(say("heading.peaks_of", {{"building", name}}),
+                  floors_table(report, b, table_columns(Owner::floor, report.run, floors, language)) +
+                      floors_table(report, b, "peaks.forces",
+                                   table_columns(Owner::floor, report.run, floors, language, QuantityTable::forces)) +
+                      proportions_text(report, b) + foundation_text(report, b) +
+                      floors_table(report, b, "peaks.yielding",
+                                   table_columns(Owner::floor, report.run, floors, language, QuantityTable::yielding)));
   }
+  content += buildings.markup(say, "appendix.buildings");
   for (const StoryTable& table : report.story.tables) {
     if (table.kind != "hinges" && table.kind != "broken_columns") continue;
     const SaidTable shown = said(table, say);

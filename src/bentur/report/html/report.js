@@ -92,6 +92,18 @@
     }
   }
 
+  /** Opens all that is folded away, or closes it again. */
+  function buildUnfold() {
+    const button = document.getElementById("unfold");
+    if (!button) return;
+    button.addEventListener("click", () => {
+      const all = document.querySelectorAll(".appendix, .appendix details");
+      const open = Array.from(all).some((one) => !one.open);
+      for (const one of all) one.open = open;
+    });
+  }
+
   buildList();
+  buildUnfold();
   document.documentElement.classList.add("ready");
 })();

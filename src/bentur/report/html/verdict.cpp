@@ -101,14 +101,16 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     bars.push_back(bars_of(gap, verdict.simulated, say));
     for (const GapBar& bar : bars.back()) largest = std::max(largest, bar.value);
   }
+  EachOf each;
   for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
     const Html drawn = drawn_bars(bars[gap], largest, verdict.length);
     if (are_many) {
-      block += element("details", element("summary", gaps[gap].name) + of_gaps[gap] + drawn) + Html::markup("\n");
+      each.add(gaps[gap].name, of_gaps[gap] + drawn);
     } else {
       block += drawn;
     }
   }
+  block += each.folded(say, "appendix.gaps");
   if (known) block += table_of(*known);
   return {"verdict", say("heading.verdict"), element("div", block, verdict_class(grave))};
 }

@@ -14,12 +14,13 @@ namespace {
 constexpr Eigen::Index most_modes = 3;
 
 /// Elevation, the same for all panels of a figure.
-Axis elevation_axis(const RunResults& run, const FigureOptions& options) {
+Axis elevation_axis(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown) {
   Axis axis{.label = with_unit(word(options, "Level z"), run.c.units.length)};
-  axis.from = base_of(run.problem.buildings.front());
-  for (const Building& building : run.problem.buildings) axis.from = std::min(*axis.from, base_of(building));
+  axis.from = base_of(run.problem.buildings[shown.front()]);
+  for (const Eigen::Index b : shown) axis.from = std::min(*axis.from, base_of(run.problem.buildings[b]));
   std::vector<double> levels = {*axis.from};
-  for (const Building& building : run.problem.buildings) {
+  for (const Eigen::Index b : shown) {
+    const Building& building = run.problem.buildings[b];
     levels.insert(levels.end(), building.model.elevations.begin(), building.model.elevations.end());
   }
   std::sort(levels.begin(), levels.end());
@@ -31,9 +32,9 @@ Axis elevation_axis(const RunResults& run, const FigureOptions& options) {
   return axis;
 }
 
-double frame_height(const RunResults& run) {
+double frame_height(const RunResults& run, const std::vector<Eigen::Index>& shown) {
   std::size_t floors = 0;
-  for (const Building& building : run.problem.buildings) floors = std::max(floors, building.model.elevations.size());
+  for (const Eigen::Index b : shown) floors = std::max(floors, run.problem.buildings[b].model.elevations.size());
   return floors > 8 ? 7.5 : floors > 1 ? 5 : 2;
 }
 
@@ -71,9 +72,9 @@ Figure beside(const RunResults& run, const FigureOptions& options, const std::ve
   const std::size_t rows = (shown.size() + fitting() - 1) / fitting();
   const std::size_t columns = (shown.size() + rows - 1) / rows;
   figure.columns = static_cast<int>(columns);
-  const Axis elevation = elevation_axis(run, options);
+  const Axis elevation = elevation_axis(run, options, shown);
   for (std::size_t b = 0; b < shown.size(); ++b) {
-    Panel panel{.title = run.problem.buildings[shown[b]].name, .y = elevation, .height = frame_height(run)};
+    Panel panel{.title = run.problem.buildings[shown[b]].name, .y = elevation, .height = frame_height(run, shown)};
     if (b % columns != 0) leave_to_neighbour(panel.y);
     figure.panels.push_back(panel);
   }
@@ -182,12 +183,13 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
 
 Figure amplification_figure(const RunResults& run, const FigureOptions& options) {
   const Quantity& amplification = quantity_named("amplification", Owner::floor);
+  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
   Panel panel{.x = {.label = word(options, "Amplification of max |x| by contact [–]"), .least = {{0.95, 1.05}}},
-              .y = elevation_axis(run, options),
-              .height = frame_height(run),
+              .y = elevation_axis(run, options, shown),
+              .height = frame_height(run, shown),
               .rules = {{.at = 1, .vertical = true}}};
   Largest most;
-  for (const Eigen::Index b : shown_buildings(run, options)) {
+  for (const Eigen::Index b : shown) {
     const Building& building = run.problem.buildings[b];
     const std::vector<double> values = of_floors(run, amplification, b);
     most.take(run, b, values);
@@ -218,8 +220,8 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
   for (const auto& [key, label, finding, of_storeys] : ratios) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
     Panel panel{.x = {.label = word(options, label), .least = {{0.95, 1.05}}},
-                .y = elevation_axis(run, options),
-                .height = frame_height(run),
+                .y = elevation_axis(run, options, shown),
+                .height = frame_height(run, shown),
                 .rules = {{.at = 1, .vertical = true}}};
     Largest most;
     for (const Eigen::Index b : shown) {
@@ -252,16 +254,17 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
   const Drift drifts[] = {{"peak_drift_ratio", "Storey drift Δ/h [%]", "drift up to {} %: {}"},
                           {"residual_drift_ratio", "Residual drift [%]", "left at the end up to {} %: {}"}};
   constexpr double percent = 100;
+  const std::vector<Eigen::Index> shown = moving(run, options);
   for (const auto& [key, label, finding] : drifts) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
     const bool is_signed = !figure.panels.empty();
     Panel panel{.x = {.label = word(options, label)},
-                .y = elevation_axis(run, options),
-                .height = frame_height(run),
+                .y = elevation_axis(run, options, shown),
+                .height = frame_height(run, shown),
                 .rules = {{.at = 0, .vertical = true}}};
     double most = -1;
     std::string place;
-    for (const Eigen::Index b : moving(run, options)) {
+    for (const Eigen::Index b : shown) {
       const Building& building = run.problem.buildings[b];
       std::vector<double> values = of_floors(run, quantity, b);
       for (std::size_t storey = 0; storey < values.size(); ++storey) {

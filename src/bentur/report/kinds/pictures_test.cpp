@@ -14,6 +14,7 @@
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
 #include "tests/support/kinds_case.h"
+#include "tests/support/told_apart.h"
 
 namespace bentur {
 namespace {
@@ -79,6 +80,14 @@ TEST(Pictures, TheToneOfABuildingIsUsedForNothingElse) {
       }
     }
     EXPECT_GT(of_buildings, 5U);
+  }
+}
+
+TEST(Pictures, CurvesAreToldApartInGrey) {
+  for (const RunResults* run : {&linked_run(), &supported_run(), &hinged_frames(), &apart_run()}) {
+    for (const FigureKind& kind : figure_kinds(*run)) {
+      test::expect_told_apart_in_grey(make_figure(*run, kind.name), kind.name);
+    }
   }
 }
 

@@ -14,6 +14,7 @@
 #include "bentur/report/scene/plan_scene.h"
 #include "bentur/report/words.h"
 #include "tests/support/plan_run.h"
+#include "tests/support/told_apart.h"
 
 namespace bentur {
 namespace {
@@ -54,6 +55,12 @@ TEST(PlanPictures, ARunGivesWhatItHas) {
   EXPECT_NE(make_figure(calm, "scene").finding.find("closest, without contact"), std::string::npos);
   for (const PlanRun* const run : {&smooth, &calm}) EXPECT_THROW((void)make_figure(*run, "friction-cone"), NoFigure);
   EXPECT_THROW((void)make_figure(calm, "force"), NoFigure);
+}
+
+TEST(PlanPictures, CurvesAreToldApartInGrey) {
+  for (const FigureKind& kind : figure_kinds(twisting())) {
+    test::expect_told_apart_in_grey(make_figure(twisting(), kind.name), kind.name);
+  }
 }
 
 /// What a row has and a plan has not is refused by what it is.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -44,9 +45,10 @@ class PlanPicture {
     for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) add_gap(g);
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, true);
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, false);
-    add_centres();
+    if (has_centres()) add_centres();
     add_links();
     add_points();
+    add_names();
     return std::move(panel_);
   }
 
@@ -65,11 +67,48 @@ class PlanPicture {
       curve = {.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
     } else {
       curve.label = building.name;
+      curve.in_legend = false;
     }
     for (const PlanPoint& at : scene_.outline(building.model.footprint)) {
       add(curve, at_rest ? scene_.place(at) : moved(b, at));
     }
     panel_.curves.push_back(std::move(curve));
+  }
+
+  /// Of more buildings there is room for names alone.
+  [[nodiscard]] bool has_centres() const { return run_.problem.buildings.size() <= 6; }
+
+  /// In each footprint where it is broadest, above or below its centres where there are any.
+  void add_names() {
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
+      const PlanBuilding& building = run_.problem.buildings[b];
+      std::vector<PlanPoint> corners;
+      for (const PlanPoint& at : scene_.outline(building.model.footprint)) corners.push_back(moved(b, at));
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const PlanPoint& at : corners) {
+        low = std::min(low, at.y());
+        high = std::max(high, at.y());
+      }
+      PlaceText name{.text = building.name, .side = PlaceText::Side::middle};
+      for (const double part : has_centres() ? std::array{0.75, 0.25, 0.5} : std::array{0.5, 0.75, 0.25}) {
+        const double y = low + part * (high - low);
+        std::vector<double> crossings;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+          const PlanPoint &from = corners[i], &to = corners[(i + 1) % corners.size()];
+          if ((from.y() > y) == (to.y() > y)) continue;
+          crossings.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+        }
+        std::sort(crossings.begin(), crossings.end());
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+          const double room = 0.94 * (crossings[i + 1] - crossings[i]);
+          if (room < 1.05 * name.room) continue;
+          name.x = (crossings[i] + crossings[i + 1]) / 2;
+          name.y = y;
+          name.room = room;
+        }
+      }
+      panel_.texts.push_back(std::move(name));
+    }
   }
 
   /// What the hardest blow at a contact was: its force, or where impacts take no time its impulse.

@@ -90,13 +90,23 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
               .y = {.from = scene.bottom - 0.02 * tall, .to = scene.top + 1.1 * size, .numbers = false},
               .height = height,
               .to_scale = true};
+  std::vector<std::pair<double, double>> ends(run.problem.buildings.size(), {INFINITY, -INFINITY});
   for (const SceneShape& shape : scene.shapes) {  // as at rest
     if (!is_of_building(shape)) continue;
     Curve ghost = curve_of(shape, still);
+    auto& [left, right] = ends[shape.item];
+    for (const double x : ghost.x) {
+      left = std::isnan(x) ? left : std::min(left, x);
+      right = std::isnan(x) ? right : std::max(right, x);
+    }
     ghost.tone = Tone::grey;
     ghost.line = Line::dotted;
     ghost.width = 0.5;
     panel.curves.push_back(std::move(ghost));
+  }
+  for (std::size_t b = 0; b < ends.size(); ++b) {
+    panel.x.names.push_back(run.problem.buildings[b].name);
+    panel.x.places.push_back((ends[b].first + ends[b].second) / 2);
   }
   constexpr double points = 72 / 2.54 / 0.75;  // widths to a centimetre
   const double storey = scene.storey / tall * height * points;
@@ -105,6 +115,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     if (shape.role == SceneRole::ground) curve.width = 1.8;
     if (shape.role == SceneRole::column || shape.role == SceneRole::wall) {
       curve.label = run.problem.buildings[shape.item].name;
+      curve.in_legend = false;
       curve.width = 1.5;
     }
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);

@@ -93,7 +93,7 @@ Ticks scale_of(const HeatMap& map) {
 /// counts.
 Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
   const Axis& axis = is_upright ? panel.y : panel.x;
-  if (!axis.names.empty()) {
+  if (!axis.names.empty() && !panel.to_scale) {
     const double room = is_upright ? line_height * static_cast<double>(axis.names.size()) : 0;
     return named_ticks(axis.names, is_upright ? room > panel.height * (1 + 1e-9) : std::ssize(axis.names) > most, most);
   }
@@ -152,6 +152,7 @@ void add_entries(const Panel& panel, std::vector<LegendEntry>& list) {
     if (!entry.label.empty() && !is_there) list.push_back(std::move(entry));
   };
   for (const Curve& curve : panel.curves) {
+    if (!curve.in_legend) continue;
     add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark, curve.width,
          !curve.top.empty(), false, curve.mark_size});
   }
@@ -280,7 +281,7 @@ class Arrangement {
       place_frames(left, right);
       for (std::size_t i = 0; i < result_.panels.size(); ++i) {
         const PlacedPanel& placed = result_.panels[i];
-        if (placed.x.labels.empty() || placed.x.upright) continue;
+        if (placed.x.labels.empty() || placed.x.upright || placed.panel->to_scale) continue;
         const auto beyond = [&](const auto& label, double of_end) {
           return text_width(label.second) / 2 -
                  std::abs(of_end - along(placed.x, label.first)) * (placed.right - placed.left) + 0.08;
@@ -322,6 +323,11 @@ class Arrangement {
   /// Fewer numbers until they do not touch; names that would are turned, as long as they are not too many.
   static void place_numbers(PlacedPanel& placed, double width) {
     const std::vector<std::string>& names = placed.panel->x.names;
+    if (placed.panel->to_scale) {
+      placed.x = ticks_of(*placed.panel, false, 2);
+      place_names(placed, width);
+      return;
+    }
     if (!names.empty()) {
       placed.x = named_ticks(names, false, static_cast<int>(names.size()));
       if (!is_crowded(placed.x, width)) return;
@@ -335,6 +341,55 @@ class Arrangement {
     Ticks asked = placed.x;
     put_at(asked, placed.panel->x.places, 0);
     if (!is_crowded(asked, width)) placed.x = asked;
+  }
+
+  /// Names below a picture of things, each below its own: in one line, in two or three by turns, or upright; where
+  /// there is no room even so, of every second, third, … alone.
+  static void place_names(PlacedPanel& placed, double width) {
+    const Axis& axis = placed.panel->x;
+    constexpr double longest = 3;  // [cm]
+    const std::size_t count = std::min(axis.names.size(), axis.places.size());
+    if (count == 0) return;
+    Ticks& x = placed.x;
+    const double scale = std::max((x.to - x.from) / width, (placed.y.to - placed.y.from) / placed.panel->height);
+    const double length = (x.to - x.from) / scale;  // of what is drawn [cm]
+    const auto labelled = [&](std::size_t stride) {
+      x.labels.clear();
+      for (std::size_t i = 0; i < count; i += stride)
+        x.labels.emplace_back(axis.places[i], cut_to(axis.names[i], longest));
+    };
+    labelled(1);
+    const auto fit_in = [&](int lines) {
+      for (int line = 0; line < lines; ++line) {
+        Ticks of_line{.from = x.from, .to = x.to};
+        for (auto i = static_cast<std::size_t>(line); i < count; i += static_cast<std::size_t>(lines)) {
+          of_line.labels.push_back(x.labels[i]);
+        }
+        if (is_crowded(of_line, length)) return false;
+      }
+      return true;
+    };
+    for (x.lines = 1; x.lines <= 3; ++x.lines) {
+      if (fit_in(x.lines)) return;
+    }
+    x.lines = 1;
+    x.upright = true;
+    const auto touch = [&](const auto& a, const auto& b) {
+      return (along(x, b.first) - along(x, a.first)) * length < 0.9 * line_height;
+    };
+    std::size_t stride = 1;
+    do labelled(stride++);
+    while (std::adjacent_find(x.labels.begin(), x.labels.end(), touch) != x.labels.end());
+  }
+
+  /// Room below a frame for the numbers or names along it [cm].
+  static double numbers_room(const PlacedPanel& placed) {
+    if (placed.panel->to_scale ? placed.x.labels.empty() : !placed.panel->x.numbers) return 0.1;
+    double room = 0.55 + line_height * (placed.x.lines - 1);
+    if (placed.x.upright) {
+      for (const auto& [at, text] : placed.x.labels) room = std::max(room, 0.3 + text_width(text));
+    }
+    return room;
   }
 
   /// Legends, titles and frames of the panels of a row, below what is placed already; of those that go on below it what
@@ -363,10 +418,7 @@ class Arrangement {
       if (panel.rows > 1) continue;
       frame = std::max({frame, height_of(placed), text_width(scaled(panel.y.label, placed.y, panel.y.number)),
                         text_width(panel.map ? scaled(panel.map->label, placed.scale) : "")});
-      if (panel.x.numbers) numbers = std::max(numbers, 0.55);
-      if (panel.x.numbers && placed.x.upright) {
-        for (const auto& [at, text] : placed.x.labels) numbers = std::max(numbers, 0.3 + text_width(text));
-      }
+      numbers = std::max(numbers, numbers_room(placed));
       const std::string label = plain_text(scaled(panel.x.label, placed.x, panel.x.number));
       placed.x_label = lines_of(label, placed.cell_right - placed.cell_left - 2 * beside_label, 3);
       below = std::max(below, 0.07 + line_height * static_cast<double>(placed.x_label.size()));
@@ -392,7 +444,10 @@ class Arrangement {
       return result_.panels[i].panel->rows > 1 &&
              cells_[i].row + static_cast<std::size_t>(result_.panels[i].panel->rows) == row + 1;
     };
-    for (const std::size_t i : panels_where(ends)) result_.panels[i].bottom = bottom;
+    for (const std::size_t i : panels_where(ends)) {
+      PlacedPanel& placed = result_.panels[i];
+      placed.bottom = bottom + std::max(0.0, numbers_room(placed) - numbers - below);
+    }
     depth_ = -bottom + numbers + below + 0.1;
   }
 
@@ -420,6 +475,15 @@ class Arrangement {
 };
 
 }  // namespace
+
+std::vector<std::string> text_lines(const PlaceText& one, const PlacedPanel& placed) {
+  if (!(one.room > 0)) return {one.text};
+  const double room = one.room / (placed.x.to - placed.x.from) * (placed.right - placed.left);
+  std::vector<std::string> lines = lines_of(plain_text(one.text), room, 3);
+  const auto is_wide = [](const std::string& line) { return line.ends_with("…"); };
+  if (std::any_of(lines.begin(), lines.end(), is_wide)) lines.clear();
+  return lines;
+}
 
 double colour_at(const HeatMap& map, const Ticks& scale, double along) {
   if (!map.ratio) return along;

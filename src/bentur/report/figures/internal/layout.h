@@ -49,6 +49,9 @@ struct Layout {
 /// Of the colours of a map that at a part of its scale, both from 0 to 1: 1 is in the middle of those of ratios.
 [[nodiscard]] double colour_at(const HeatMap& map, const Ticks& scale, double along);
 
+/// The lines of a text in a panel that is placed; none where it has no room.
+[[nodiscard]] std::vector<std::string> text_lines(const PlaceText& one, const PlacedPanel& placed);
+
 /// Places panels, numbers and legends so that no text lies on another or on a curve. @throws as check() does.
 [[nodiscard]] Layout layout(const Figure& figure);
 

@@ -13,6 +13,7 @@ struct Ticks {
   bool logarithmic = false;
   bool numbered = false;  ///< the numbers stand for names
   bool upright = false;   ///< texts are turned, since they are too long to stand side by side
+  int lines = 1;          ///< in which texts stand by turns
   int exponent = 0;       ///< the numbers are those of value / 10^exponent
   std::vector<std::pair<double, std::string>> labels = {};
   std::vector<double> minor = {};  ///< without a number

@@ -49,7 +49,12 @@ Html markup_of(const Words& say, const PageBody& body) {
   const std::string on = body.running_head.empty() ? "screen" : "contents";
   const Html list = element("nav", element("ol", links),
                             "class=\"" + on + "\" aria-label=\"" + Html::text(say("report.contents")).str() + "\"");
-  return element("header", body.header) + list + element("main", sections) + body.footer;
+  Html unfold;
+  if (sections.str().find("class=\"appendix\"") != std::string::npos) {
+    unfold =
+        element("p", element("button", say("appendix.unfold"), "type=\"button\" id=\"unfold\""), "class=\"screen\"");
+  }
+  return element("header", body.header) + list + unfold + element("main", sections) + body.footer;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/hand_in.h"
 #include "bentur/pounding/response.h"
+#include "bentur/report/html/internal/each_of.h"
 #include "bentur/report/html/internal/markup.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"

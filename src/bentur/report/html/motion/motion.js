@@ -87,7 +87,7 @@ function benturMotion(parts, data) {
     // What is drawn again while a gap is changed keeps its magnification unless that no longer fits.
     if (usual === undefined || wanted < usual / 2.4 || wanted > usual * 2.4) usual = wanted;
     magnification = before === undefined ? usual : magnification * usual / before;
-    drawn = { marks: [], arrows: [], cells: [] };
+    drawn = { marks: [], arrows: [], cells: [], lines: [] };
     glow = data.points.map(() => 0);
   }
 
@@ -237,6 +237,7 @@ function benturMotion(parts, data) {
       drawn.cells[i].textContent = signed(picture.opening(i, motion).toFixed(decimals));
       drawn.cells[i].className = hit ? "marked" : "";
     });
+    orderLive(new Set(current.map((impact) => impact.point)));
     drawn.head.setAttribute("transform", `translate(${(WIDTH * now / duration).toFixed(2)} 0)`);
     scrub.value = now;
     clock.textContent = `t = ${now.toFixed(4)} s`;
@@ -272,7 +273,8 @@ function benturMotion(parts, data) {
   function buildLive() {
     live.replaceChildren();
     drawn.cells = [];
-    const { head, rows } = picture.live(Boolean(parts.buildingKey));
+    const { head, rows, many } = picture.live(Boolean(parts.buildingKey));
+    drawn.lines = [];
     stage.parentNode.classList.toggle("stacked", head.length > 0);
     const line = head.length > 0 ? html("tr", undefined, live) : undefined;
     for (const text of head) html("th", text, line).scope = "col";
@@ -283,7 +285,16 @@ function benturMotion(parts, data) {
         const cell = html("td", "", row);
         if (point >= 0) drawn.cells[point] = cell;
       }
+      if (many) drawn.lines.push({ row, points });
     }
+  }
+
+  /** Of many pairs those come first that touch. */
+  function orderLive(touching) {
+    const touches = ({ points }) => points.some((point) => touching.has(point));
+    [...drawn.lines.filter(touches), ...drawn.lines.filter((line) => !touches(line))].forEach(({ row }, i) => {
+      if (live.rows[i] !== row) live.insertBefore(row, live.rows[i]);
+    });
   }
 
   /** The level that is seen at one: its number among the picture's. */

@@ -123,15 +123,17 @@ function benturPlan(data, buildings, svg, number) {
   }
 
   const metres = (elevation) => `${number(elevation)} ${data.units.length}`;
-  const where = (point) => `${data.words.level} ${metres(points[point].elevation)}, ${points[point].along}`;
+  const many = new Set(points.map(({ gap }) => gap)).size > 1;
+  const pair = ({ left, right }) => `${buildings[left].name} | ${buildings[right].name}`;
+  const where = (point) => (many ? `${pair(points[point])}, ` : "") +
+    `${data.words.level} ${metres(points[point].elevation)}, ${points[point].along}`;
 
   /** What the table of openings holds: the contact points of the chosen level. */
   function live(numbered) {
-    const many = new Set(points.map(({ gap }) => gap)).size > 1;
-    const gap = ({ left, right }) => (numbered ? `${left + 1} | ${right + 1}` : `${buildings[left].name} | ${buildings[right].name}`);
+    const gap = (point) => (numbered ? `${point.left + 1} | ${point.right + 1}` : pair(point));
     const rows = points.flatMap((point, i) =>
       (point.level === level ? [{ name: (many ? `${gap(point)}, ` : "") + point.along, points: [i] }] : []));
-    return { head: [], rows };
+    return { head: [], rows, many };
   }
 
   return {

@@ -118,13 +118,21 @@ function benturRow(data, buildings, svg, number) {
   }
 
   const level = (elevation) => `${number(elevation)} ${data.units.length}`;
-  const where = (point) => `${data.words.level} ${level(data.points[point].elevation)}`;
+  const pair = (gap) => `${buildings[gap].name} | ${buildings[gap + 1].name}`;
+  const where = (point) => (scene.gaps.length > 1 ? `${pair(data.points[point].left)}, ` : "") +
+    `${data.words.level} ${level(data.points[point].elevation)}`;
 
-  /** What the table of openings holds: a row for each level, a column for each gap. */
+  /** What the table of openings holds: a row for each level, a column for each gap; of many gaps a row for each contact
+   * point. */
   function live(numbered) {
+    const most = 6;
+    if (scene.gaps.length > most) {
+      const of = ({ left, elevation }) => `${numbered ? `${left + 1} | ${left + 2}` : pair(left)}, ${level(elevation)}`;
+      return { head: [], rows: data.points.map((point, i) => ({ name: of(point), points: [i] })), many: true };
+    }
     const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);
     const names = scene.gaps.map((_, gap) =>
-      numbered ? `${gap + 1} | ${gap + 2}` : `${buildings[gap].name} | ${buildings[gap + 1].name}`);
+      numbered ? `${gap + 1} | ${gap + 2}` : pair(gap));
     return {
       head: names.length > 1 ? [data.words.level, ...names] : [],
       rows: levels.map((elevation) => ({

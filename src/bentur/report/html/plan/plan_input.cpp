@@ -32,6 +32,7 @@ class PlanInput {
       if (key.table == nullptr || (found == nullptr && !always)) continue;
       const TomlValue& given = found != nullptr ? *found : nothing;
       const bool is_list = given.kind == TomlValue::Kind::list;
+      EachOf each;
       for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
         TomlValue one = is_list ? given.items[i] : given;
         const bool is_building = key.name == "building";
@@ -45,9 +46,11 @@ class PlanInput {
                             quantity(c_.units.gravity, acceleration_unit(c_.units)));
         }
         const std::string heading = is_building ? problem_.buildings.at(i).name : label_text(key.label, say_);
-        content += element("h3", heading) + echo(*key.table, one, say_, c_.units, rows);
-        if (is_building) content += given_planes(static_cast<Index>(i), planes) + modes(static_cast<Index>(i));
+        Html told = echo(*key.table, one, say_, c_.units, rows);
+        if (is_building) told += given_planes(static_cast<Index>(i), planes) + modes(static_cast<Index>(i));
+        each.add(heading, told);
       }
+      content += each.markup(say_, "appendix.entries");
     }
     return {"input", say_("heading.input"), content};
   }

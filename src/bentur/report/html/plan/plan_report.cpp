@@ -66,19 +66,21 @@ class PlanPage {
 
   /// Contact points gap by gap, floors and planes building by building.
   [[nodiscard]] html::PageSection peaks() const {
-    Html content;
+    html::EachOf all_contacts, buildings;
     for (std::size_t g = 0; g < gaps_.size(); ++g) {
-      content += element("h3", say_("heading.contact_of", {{"gap", gaps_[g]}})) + contacts(g);
+      all_contacts.add(say_("heading.contact_of", {{"gap", gaps_[g]}}), contacts(g));
     }
+    Html content = all_contacts.markup(say_, "appendix.contacts");
     for (const std::vector<Index>& links : links_by_spec(run_.c.links)) {
       if (links.empty()) continue;
       const std::string name = link_name(run_.problem, run_.problem.links[links.front()]);
       content += element("h3", say_("heading.links_of", {{"link", name}})) + links_table(links);
     }
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
-      content += element("h3", say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}));
-      content += floors(b, false) + floors(b, true) + foundation(b) + bearings(b) + planes(b);
+      buildings.add(say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}),
+                    floors(b, false) + floors(b, true) + foundation(b) + bearings(b) + planes(b));
     }
+    content += buildings.markup(say_, "appendix.buildings");
     for (const StoryTable& table : story_.tables) {
       if (table.kind.starts_with("row")) continue;  // it stands in the verdict
       const SaidTable shown = said(table, say_);
@@ -122,6 +124,7 @@ class PlanPage {
     }
     return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size(), sorted)};
   }
+
 
  private:
   void add_places(HtmlTable& table, const std::vector<Index>& points) const {

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/text.h"
 
 namespace bentur {
@@ -98,7 +100,19 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   const std::vector<ContactPoint>& points = run.problem.points;
   const Eigen::Index left =
       points.empty() ? static_cast<Eigen::Index>(options.gap.value_or(0)) : points[chosen_point(run, options)].left;
-  return {left, left + 1};
+  std::set<Eigen::Index> shown = {left, left + 1};
+  if (options.gap || options.elevation) return {shown.begin(), shown.end()};
+  constexpr std::size_t most_named = 8;
+  for (const Shown how : {Shown::sentence, Shown::row}) {
+    for (const Statement& one : run_story(run).statements) {
+      if (one.shown != how || one.severity == Severity::remark) continue;
+      std::set<Eigen::Index> named(one.buildings.begin(), one.buildings.end());
+      if (one.gap) named.insert({*one.gap, *one.gap + 1});
+      named.insert(shown.begin(), shown.end());
+      if (named.size() <= most_named) shown = std::move(named);
+    }
+  }
+  return {shown.begin(), shown.end()};
 }
 
 std::string filled_word(const FigureWords& say, std::string_view english, const std::vector<std::string>& values) {

@@ -1,0 +1,159 @@
+// Pictures of more buildings than there are tones.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bentur/model/quantities.h"
+#include "bentur/model/story/story.h"
+#include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/html/report.h"
+#include "bentur/report/kinds/internal/run_figures.h"
+#include "tests/support/drawn_run.h"
+#include "tests/support/plan_run.h"
+#include "tests/support/told_apart.h"
+
+namespace bentur {
+namespace {
+
+/// Houses side by side, no two alike, under a motion that closes most gaps.
+std::string row_of(int houses) {
+  std::string text = R"(
+units = { length = "m", force = "kN" }
+excitation = { kind = "harmonic", period = 0.5, displacement_amplitude = 0.04 }
+analysis = { duration = 4.0 }
+)";
+  for (int b = 0; b < houses; ++b) {
+    text += fmt::format(
+        "[[building]]\nname = \"House {}\"\ndamping = 0.05\ngeneric = {{ storeys = {}, storey_height = 3.0, "
+        "floor_mass = 100.0, period = {}, stiffness_ratio = 30.0 }}\n",
+        b + 1, 1 + b % 3, 0.3 + 0.1 * (b * 5 % 7));
+  }
+  for (int b = 1; b < houses; ++b) {
+    text += fmt::format(
+        "[[gap]]\nbetween = [\"House {}\", \"House {}\"]\nwidth = 0.02\ncontact = {{ law = \"linear\", stiffness = 1e5 "
+        "}}\n",
+        b, b + 1);
+  }
+  return text;
+}
+
+const RunResults& row() {
+  static const RunResults run = test::drawn_run(row_of(9));
+  return run;
+}
+
+TEST(ManyBuildings, HaveTheirNamesBelowThemAndNotInTheLegend) {
+  for (const double width : {column_width, page_width}) {
+    FigureOptions options;
+    options.width = width;
+    for (const std::string kind : {"scene", "overview"}) {
+      const Figure figure = make_figure(row(), kind, options);
+      const Layout placing = layout(figure);
+      const PlacedPanel& placed = placing.panels.front();
+      ASSERT_EQ(placed.x.labels.size(), row().problem.buildings.size()) << kind << width;
+      for (const LegendEntry& entry : placed.legend) EXPECT_FALSE(entry.label.starts_with("House")) << kind;
+      std::vector<double> ends(3, -INFINITY);  // of what stands already in each line, or beside it where it is upright
+      for (std::size_t i = 0; i < placed.x.labels.size(); ++i) {
+        const auto& [at, text] = placed.x.labels[i];
+        EXPECT_EQ(text, row().problem.buildings[i].name);
+        const double middle = placed.left + along(placed.x, at) * (placed.right - placed.left);
+        const double half = (placed.x.upright ? 0.85 * line_height : text_width(text)) / 2;
+        double& end = ends.at(i % static_cast<std::size_t>(placed.x.lines));
+        EXPECT_GT(middle - half, end) << kind << width << text;
+        end = middle + half;
+        const double deep = placed.x.upright ? 0.1 + text_width(text) : line_height * placed.x.lines;
+        EXPECT_LT(deep, placed.bottom) << "below the figure";
+      }
+    }
+  }
+}
+
+TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
+  const std::vector<Eigen::Index> shown = shown_buildings(row(), {});
+  EXPECT_LE(shown.size(), 8U);
+  for (const Statement& one : run_story(row()).statements) {
+    if (one.shown != Shown::sentence || one.severity == Severity::remark) continue;
+    for (const Eigen::Index b : one.buildings) {
+      EXPECT_NE(std::find(shown.begin(), shown.end(), b), shown.end()) << one.kind << ": " << b;
+    }
+  }
+  // So what a figure finds largest is the largest of all.
+  const auto [key, kind] = std::pair("amplification", "amplification");
+  double largest = 0;
+  for (Eigen::Index b = 0; b < std::ssize(row().problem.buildings); ++b) {
+    for (const QuantityPlace& at : floors_of(row().problem, b)) {
+      const double value = value_of(quantity_named(key, Owner::floor), row().view(), at);
+      if (value > largest) largest = value;
+    }
+  }
+  double drawn = 0;
+  for (const Curve& curve : make_figure(row(), kind).panels.front().curves) {
+    for (const double x : curve.x) drawn = std::max(drawn, x);
+  }
+  EXPECT_EQ(drawn, largest);
+  FigureOptions options;
+  options.gap = 2;
+  EXPECT_EQ(shown_buildings(row(), options), (std::vector<Eigen::Index>{2, 3}));
+}
+
+TEST(ManyBuildings, AreToldApartInGrey) {
+  for (const FigureKind& kind : figure_kinds(row())) {
+    test::expect_told_apart_in_grey(make_figure(row(), kind.name), kind.name);
+  }
+}
+
+TEST(ManyBuildings, TheHeightOfAFigureIsThatOfWhatItShows) {
+  FigureOptions options;
+  options.gap = 0;  // one and two storeys
+  const Panel panel = make_figure(row(), "amplification", options).panels.front();
+  EXPECT_NEAR(*panel.y.to, 6, 0.3);
+}
+
+TEST(ManyBuildings, OfAReportAreFoldedAway) {
+  const std::string many = report_html(row(), {.version = "0"});
+  const std::string few = report_html(test::drawn_run(row_of(3)), {.version = "0"});
+  const auto count = [](const std::string& page, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(few, "class=\"appendix\""), 0U);
+  EXPECT_EQ(count(few, "id=\"unfold\""), 0U);
+  // Gaps of the verdict and of their own section, contacts, peaks, buildings and gaps of the case.
+  EXPECT_EQ(count(many, "class=\"appendix\""), 6U);
+  EXPECT_EQ(count(many, "id=\"unfold\""), 1U);
+  EXPECT_EQ(count(many, "<summary>Peaks of House 9</summary>"), 1U);
+  EXPECT_EQ(count(few, "<h3>Peaks of House 3"), 1U);
+}
+
+TEST(ManyBuildings, InPlanHaveTheirNamesWithinThemselves) {
+  const PlanRun run = test::plan_run(test::twisting_pair());
+  const Figure figure = make_figure(run, "scene");
+  const Panel& panel = figure.panels.front();
+  const Layout placing = layout(figure);
+  ASSERT_EQ(panel.texts.size(), run.problem.buildings.size());
+  for (std::size_t b = 0; b < panel.texts.size(); ++b) {
+    EXPECT_EQ(panel.texts[b].text, run.problem.buildings[b].name);
+    const std::vector<std::string> lines = text_lines(panel.texts[b], placing.panels.front());
+    ASSERT_FALSE(lines.empty());
+    std::string all;
+    for (const std::string& line : lines) all += (all.empty() ? "" : " ") + line;
+    EXPECT_EQ(all, panel.texts[b].text);
+  }
+  for (const LegendEntry& entry : placing.panels.front().legend) {
+    for (const PlanBuilding& building : run.problem.buildings) EXPECT_NE(entry.label, building.name);
+  }
+  // A name that has no room is not there at all.
+  PlaceText narrow = panel.texts.front();
+  narrow.room /= 100;
+  EXPECT_TRUE(text_lines(narrow, placing.panels.front()).empty());
+}
+
+}  // namespace
+}  // namespace bentur
