@@ -192,6 +192,7 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress, con
 PlanRun simulate_plan(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
   SolveOptions options = solve_options(loaded.c);
   if (output_step > 0) options.output_step = output_step;
+  options.course = output_step > 0;
   refuse_beyond_limits(loaded, beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, options)),
                        language);
   PlanResponse response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {

@@ -20,6 +20,7 @@ inline PlanRun plan_run(const std::string& text, double output_step = 0.01) {
   SolveOptions options = solve_options(*c);
   options.output_step = output_step;
   options.energy_audit = true;
+  options.course = true;
   PlanResponse response = solve(problem, c->analysis.solver, options);
   return {*std::move(c), std::move(problem), std::move(response)};
 }

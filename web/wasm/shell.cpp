@@ -255,6 +255,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       const Case& c = *case_;
       const PlanProblem& problem = *plan_;
       SolveOptions options = options_of(c, problem, output_step);
+      options.course = output_step.isNull();
       PlanResponse response;
       const auto refused = [&](const Effort& needed) { return beyond_limits(c, needed); };
       const Effort needed = effort(problem, c.analysis.solver, options);

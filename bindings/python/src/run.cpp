@@ -109,6 +109,7 @@ std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double>
   SolveOptions options = solve_options(analysis);
   options.output_step = output_step.value_or(report_output_step(problem));
   if (!output_step) options.energy_step = analysis.output_step;
+  options.course = options.output_step > 0;
   refuse(beyond_limits(given.c, effort(problem, analysis.solver, options)), given);
   PlanResponse response = watched(options, progress, [&] { return solve(problem, analysis.solver, options); });
   PlanRun run = run_results(given.c, std::move(problem), std::move(response));

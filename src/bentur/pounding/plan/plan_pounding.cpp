@@ -189,6 +189,16 @@ MatrixXd stacked(const MatrixXd& upper, const MatrixXd& lower) {
   return both;
 }
 
+/// Rows of some of a system's points, of which those that rub are the last, as those of the problem's; zero of others.
+MatrixXd in_places(const MatrixXd& rows, const std::vector<Index>& places) {
+  const Index count = std::ssize(places), first = count - rows.rows();  // those that rub are the last
+  MatrixXd all = MatrixXd::Zero(count - std::count(places.begin(), places.end(), -1), rows.cols());
+  for (Index i = 0; i < rows.rows(); ++i) {
+    if (places[first + i] >= 0) all.row(places[first + i]) = rows.row(i);
+  }
+  return all;
+}
+
 /// @param places of the system's points, places_of()
 PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const std::vector<Index>& places) {
   PlanHistories histories{.time = std::move(solution.samples.time),
@@ -216,20 +226,28 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
     histories.hinge_moment.push_back(moves ? history(PlanOutput::hinge_moment) : none);
     histories.hinge_rotation.push_back(moves ? history(PlanOutput::hinge_rotation) : none);
   }
-  const Index count = std::ssize(places);
-  const auto in_order = [&](const MatrixXd& rows) {
-    MatrixXd all = MatrixXd::Zero(count - std::count(places.begin(), places.end(), -1), std::ssize(histories.time));
-    const Index first = count - rows.rows();  // those that rub are the last
-    for (Index i = 0; i < rows.rows(); ++i) {
-      if (places[first + i] >= 0) all.row(places[first + i]) = rows.row(i);
-    }
-    return all;
-  };
-  histories.opening = in_order(solution.samples.opening);
-  histories.force = in_order(solution.samples.force);
-  histories.slip = in_order(solution.samples.slip);
-  histories.force_along = in_order(solution.samples.force_along);
+  histories.opening = in_places(solution.samples.opening, places);
+  histories.force = in_places(solution.samples.force, places);
+  histories.slip = in_places(solution.samples.slip, places);
+  histories.force_along = in_places(solution.samples.force_along, places);
   return histories;
+}
+
+/// The exact course. @param places as of histories_of()
+PlanHistories course_of(const PlanProblem& problem, Solution& solution, const std::vector<Index>& places) {
+  PlanHistories course{.time = std::move(solution.course.time)};
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Index n = problem.buildings[b].model.floors();
+    const auto of = [&](PlanOutput kind) -> const MatrixXd& {
+      return solution.outputs[b][static_cast<std::size_t>(kind)].course;
+    };
+    course.x.emplace_back(of(PlanOutput::movement).topRows(n));
+    course.y.emplace_back(of(PlanOutput::movement).middleRows(n, n));
+    course.rotation.push_back(of(PlanOutput::rotation));
+  }
+  course.opening = in_places(solution.course.opening, places);
+  course.force = in_places(solution.course.force, places);
+  return course;
 }
 
 /// What is left of a drift has no end where nothing holds a storey of a frame any more.
@@ -316,7 +334,7 @@ std::span<GroundMotion> motions_in(PlanProblem& problem) { return problem.motion
 
 std::size_t gap_count(const PlanProblem& problem) { return problem.gaps.size(); }
 
-bool keeps_course(const PlanProblem& /*problem*/) { return false; }
+bool keeps_course(const PlanProblem& problem) { return problem.buildings.size() <= PlanResponse::most_followed; }
 
 std::vector<double> gap_widths(const PlanProblem& problem) {
   std::vector<double> widths;
@@ -380,6 +398,7 @@ void take_solution(const PlanProblem& problem, Solution&& solution, PlanResponse
   response.buildings = peaks_of(problem, solution);
   summarise(solution, watched_widths(problem), response.watched);
   if (!solution.samples.time.empty()) response.histories = histories_of(problem, solution, places);
+  if (!solution.course.time.empty()) response.course = course_of(problem, solution, places);
   response.links = links_of(solution);
   response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);

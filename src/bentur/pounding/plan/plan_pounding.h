@@ -93,12 +93,16 @@ struct PlanResponse {
   std::vector<Impact> impacts;                  ///< by start, then point, then end
   std::optional<EnergyAudit> energy = {};       ///< when asked for
   PlanHistories histories = {};                 ///< empty unless asked for
-  std::optional<ReversedRun> reversed = {};     ///< as Response's
+  /// The exact course as Response's, of movements, rotations, openings and contact forces; empty unless asked for, and
+  /// of more than `most_followed` buildings.
+  PlanHistories course = {};
+  static constexpr std::size_t most_followed = 6;
+  std::optional<ReversedRun> reversed = {};  ///< as Response's
   std::vector<Discrepancy> discrepancies = {};
 };
 
 /// The free response first, then the response with contact. Numerical trouble is a status with time and reason, never
-/// an exception; no course is kept. @throws InvalidParameter when the problem or the solver's parameter is not valid.
+/// an exception. @throws InvalidParameter when the problem or the solver's parameter is not valid.
 [[nodiscard]] PlanResponse solve(const PlanProblem& problem, const Solver& solver = ExactSolver{},
                                  const SolveOptions& options = {});
 

@@ -118,6 +118,14 @@ Curve over_storeys(const Building& building, const std::vector<double>& values) 
   return curve;
 }
 
+constexpr std::size_t most_dashes = 4;  // of so many curves none has those of another; of more marks tell them apart
+
+/// Of several buildings shown: in the tone of this one, and with dashes and marks that no other one of them has.
+void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Index building) {
+  const auto place = std::find(shown.begin(), shown.end(), building) - shown.begin();
+  bentur::tell_apart(curve, static_cast<std::size_t>(place), building_tone(static_cast<std::size_t>(building)));
+}
+
 /// A quantity of the floors of a building, the lowest first.
 std::vector<double> of_floors(const RunResults& run, const Quantity& quantity, Eigen::Index building) {
   const RunView view = run.view();
@@ -194,7 +202,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
     const std::vector<double> values = of_floors(run, amplification, b);
     most.take(run, b, values);
     Curve curve = at_floors(building, values);
-    tell_apart(curve, static_cast<std::size_t>(b), building_tone(b));
+    tell_apart(curve, shown, b);
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
@@ -229,8 +237,8 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
       const std::vector<double> values = of_floors(run, quantity, b);
       most.take(run, b, values);
       Curve curve = of_storeys ? over_storeys(building, values) : at_floors(building, values);
-      tell_apart(curve, static_cast<std::size_t>(b), building_tone(b));
-      if (of_storeys) curve.mark = Mark::none;
+      tell_apart(curve, shown, b);
+      if (of_storeys && shown.size() <= most_dashes) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
     if (panel.curves.empty()) continue;
@@ -276,8 +284,8 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
             word(options, "storey {}", std::to_string(building.model.storey_number(static_cast<Eigen::Index>(storey))));
       }
       Curve curve = over_storeys(building, values);
-      tell_apart(curve, static_cast<std::size_t>(b), building_tone(b));
-      curve.mark = Mark::none;
+      tell_apart(curve, shown, b);
+      if (shown.size() <= most_dashes) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
     if (panel.curves.empty()) continue;

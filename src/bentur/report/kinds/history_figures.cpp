@@ -146,8 +146,10 @@ Figure force_figure(const RunResults& run, const FigureOptions& options) {
                            with_unit(word(options, "Contact force F"), shown_unit(run, "F")), shown_factor(run, "F"));
   figure.title = "Contact force, " + point_text(run, i, options);
   const PointSummary& point = run.response.points[i];
-  figure.finding = word(options, "peak {} at {}", shown_value(run, point.peak_force, "F"),
-                        seconds_text(point.peak_force_time.value_or(0)));
+  const std::string peak = shown_value(run, point.peak_force, "F");
+  const double when = point.peak_force_time.value_or(0);
+  figure.finding = word(options, "peak {} at {}", peak, seconds_text(when));
+  name_value(figure.panels, when, shown_factor(run, "F") * point.peak_force, peak);
   return figure;
 }
 

@@ -16,7 +16,6 @@
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/plan_run.h"
-#include "tests/support/told_apart.h"
 
 namespace bentur {
 namespace {
@@ -128,8 +127,8 @@ TEST(ManyBuildings, OfAReportAreFoldedAway) {
   // Gaps of the verdict and of their own section, contacts, peaks, buildings and gaps of the case.
   EXPECT_EQ(count(many, "class=\"appendix\""), 6U);
   EXPECT_EQ(count(many, "id=\"unfold\""), 1U);
-  EXPECT_EQ(count(many, "<summary>Peaks of House 9</summary>"), 1U);
-  EXPECT_EQ(count(few, "<h3>Peaks of House 3"), 1U);
+  EXPECT_EQ(count(many, "<summary>House 9</summary>"), 2U);  // its peaks and its keys
+  EXPECT_EQ(count(few, "<h3>House 3</h3>"), 2U);
 }
 
 TEST(ManyBuildings, InPlanHaveTheirNamesWithinThemselves) {
@@ -149,6 +148,13 @@ TEST(ManyBuildings, InPlanHaveTheirNamesWithinThemselves) {
   for (const LegendEntry& entry : placing.panels.front().legend) {
     for (const PlanBuilding& building : run.problem.buildings) EXPECT_NE(entry.label, building.name);
   }
+  // Of a building too thin for its name that stands in the legend.
+  const PlanRun thin = test::plan_run(test::twisting_pair() + test::wall_beside);
+  const Figure with_wall = make_figure(thin, "scene");
+  EXPECT_EQ(with_wall.panels.front().texts.size(), thin.problem.buildings.size() - 1);
+  const std::vector<Curve>& drawn = with_wall.panels.front().curves;
+  EXPECT_TRUE(
+      std::any_of(drawn.begin(), drawn.end(), [](const Curve& one) { return one.label == "W" && one.in_legend; }));
   // A name that has no room is not there at all.
   PlaceText narrow = panel.texts.front();
   narrow.room /= 100;

@@ -14,7 +14,6 @@
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
 #include "tests/support/kinds_case.h"
-#include "tests/support/told_apart.h"
 
 namespace bentur {
 namespace {
@@ -80,6 +79,23 @@ TEST(Pictures, TheToneOfABuildingIsUsedForNothingElse) {
       }
     }
     EXPECT_GT(of_buildings, 5U);
+  }
+}
+
+/// The number at a peak stands where its curve has it.
+TEST(Pictures, ThePeakOfAForceIsWrittenWhereItIs) {
+  for (const RunResults* run : {&linked_run(), &hinged_frames()}) {
+    std::size_t found = 0;
+    for (const Panel& panel : make_figure(*run, "force").panels) {
+      for (const PlaceText& text : panel.texts) {
+        ++found;
+        const Curve& curve = panel.curves.front();
+        const auto most = std::max_element(curve.y.begin(), curve.y.end());
+        EXPECT_NEAR(text.y, *most, 1e-9 * *most);
+        EXPECT_NEAR(text.x, curve.x[most - curve.y.begin()], 1e-6);
+      }
+    }
+    EXPECT_EQ(found, 1U);
   }
 }
 

@@ -60,26 +60,9 @@ std::vector<Index> points_beside(const PlanRun& run, Index point) {
   return points;
 }
 
-/// Contact forces at samples and, between them, at the peaks of impacts.
-struct ForceCourse {
-  std::vector<double> time, force;
-};
-ForceCourse course_of(const PlanRun& run, Index point) {
-  std::vector<std::pair<double, double>> all;
-  const PlanHistories& histories = run.response.histories;
-  for (std::size_t i = 0; i < histories.time.size(); ++i) {
-    all.emplace_back(histories.time[i], histories.force(point, static_cast<Index>(i)));
-  }
-  for (const Impact& impact : run.response.impacts) {
-    if (impact.point == point && impact.peak_force > 0) all.emplace_back(impact.peak_force_time, impact.peak_force);
-  }
-  std::sort(all.begin(), all.end());
-  ForceCourse course;
-  for (const auto& [time, force] : all) {
-    course.time.push_back(time);
-    course.force.push_back(force);
-  }
-  return course;
+/// The exact course, or samples where it is not kept.
+const PlanHistories& course_of(const PlanRun& run) {
+  return run.response.course.time.empty() ? run.response.histories : run.response.course;
 }
 
 bool is_hit(const PlanRun& run, Index point) { return run.response.points[point].impacts > 0; }
@@ -142,8 +125,8 @@ HistoryPlace place_of(const PlanRun& run, Index point, const FigureOptions& opti
     if (omega.size() > 0) place.period = std::max(place.period, 2 * std::numbers::pi / omega(0));
   }
   Index nearest = 0;
-  (void)run.response.histories.opening.row(point).minCoeff(&nearest);
-  place.closest = time[nearest];
+  (void)course_of(run).opening.row(point).minCoeff(&nearest);
+  place.closest = course_of(run).time[nearest];
   return place;
 }
 
@@ -158,7 +141,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
                 .width = two ? options.width * page_over_column : options.width,
                 .shared_legend = true};
   const std::string& length = run.c.units.length;
-  const PlanHistories& histories = run.response.histories;
+  const PlanHistories& histories = course_of(run);
   struct Quantity {
     std::string label;
     const std::vector<Eigen::MatrixXd>& list;
@@ -220,8 +203,8 @@ Figure opening_figure(const PlanRun& run, const FigureOptions& options) {
   if (!is_straight && point != told.front() && point != told.back()) told.insert(told.begin() + 1, point);
   for (const Index i : told) {
     curves.push_back({.label = along_text(run, i),
-                      .x = run.response.histories.time,
-                      .y = row_of(run.response.histories.opening, i),
+                      .x = course_of(run).time,
+                      .y = row_of(course_of(run).opening, i),
                       .tone = i == told.front()  ? Tone::black
                               : i == told.back() ? Tone::teal
                                                  : Tone::red,
@@ -244,7 +227,7 @@ Figure opening_figure(const PlanRun& run, const FigureOptions& options) {
              seconds_text(hardest->start), shown_value(run, found.peak_penetration, "L"));
   } else {
     figure.finding = word(options, "closest approach: {} apart at {}, {} at rest",
-                          shown_value(run, run.response.histories.opening.row(point).minCoeff(), "L"),
+                          shown_value(run, course_of(run).opening.row(point).minCoeff(), "L"),
                           seconds_text(place.closest), shown_value(run, width, "L"));
   }
   return figure;
@@ -264,10 +247,14 @@ Figure force_figure(const PlanRun& run, const FigureOptions& options) {
   points.resize(std::min(points.size(), most));
   Figure figure{.width = options.width};
   for (const Index point : points) {
-    const ForceCourse course = course_of(run, point);
+    const PlanHistories& course = run.response.course;
+    const std::vector<double> force = course.time.empty() ? std::vector<double>() : row_of(course.force, point);
     Figure one =
-        force_history_figure(place_of(run, point, options), options, course.time, course.force,
+        force_history_figure(place_of(run, point, options), options, course.time, force,
                              with_unit(word(options, "Contact force F"), shown_unit(run, "F")), shown_factor(run, "F"));
+    const PointSummary& found = run.response.points[point];
+    name_value(one.panels, found.peak_force_time.value_or(0), shown_factor(run, "F") * found.peak_force,
+               shown_value(run, found.peak_force, "F"));
     if (point != points.back()) one.panels.back().x.label = "";
     for (Panel& panel : one.panels) {
       panel.height = 2.6;
@@ -286,7 +273,7 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
   const PlanGap& gap = gap_at(run, point);
   HistoryPlace place = place_of(run, point, options);
   const TimeWindow shown = has_two_windows(place, options) ? around_the_hardest(place) : asked_window(place, options);
-  const std::vector<double>& time = run.response.histories.time;
+  const std::vector<double>& time = course_of(run).time;
   const std::vector<Index> beside = points_beside(run, point);
   const Index other = point == beside.front() ? beside.back() : beside.front();
   const std::string& length = run.c.units.length;
@@ -312,8 +299,7 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
                   .width = end == point ? 1.0 : 0.8,
                   .complete = true};
       for (const double t : time) {
-        const PlanPoint moved =
-            movement_of(building.model, floor, at, floor_motion(run.response.histories, b, floor, t));
+        const PlanPoint moved = movement_of(building.model, floor, at, floor_motion(course_of(run), b, floor, t));
         curve.x.push_back(moved.x());
         curve.y.push_back(moved.y());
       }
@@ -327,8 +313,7 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
       if (when >= shown.from && when <= shown.to) {
         const StretchCorner there = gap.at(*contact_at(run.problem, point).contact);
         const PlanPoint& at = side == 0 ? there.left : there.right;
-        const PlanPoint moved =
-            movement_of(building.model, floor, at, floor_motion(run.response.histories, b, floor, when));
+        const PlanPoint moved = movement_of(building.model, floor, at, floor_motion(course_of(run), b, floor, when));
         panel.curves.push_back({.label = word(options, "hardest impact"),
                                 .x = {moved.x()},
                                 .y = {moved.y()},

@@ -13,8 +13,8 @@
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/scene/plan_scene.h"
 #include "bentur/report/words.h"
+#include "tests/support/drawn_run.h"
 #include "tests/support/plan_run.h"
-#include "tests/support/told_apart.h"
 
 namespace bentur {
 namespace {
@@ -257,12 +257,68 @@ TEST(PlanPictures, HistoriesAreThoseOfTheRun) {
   EXPECT_NEAR(most(moves.panels[0].curves[0].y), peaks.x(1), 1e-3 * peaks.x(1));
   EXPECT_NEAR(most(moves.panels[1].curves[0].y), peaks.y(1), 1e-3 * peaks.y(1));
   EXPECT_NEAR(most(moves.panels[2].curves[0].y), 1e3 * peaks.rotation(1), peaks.rotation(1));
+  for (int floor = 0; floor < 2; ++floor) {  // the course holds extrema themselves
+    const PlanHistories& course = run.response.course;
+    EXPECT_NEAR(course.x[0].row(floor).cwiseAbs().maxCoeff(), peaks.x(floor), 1e-9 * peaks.x(floor));
+    EXPECT_NEAR(course.rotation[0].row(floor).cwiseAbs().maxCoeff(), peaks.rotation(floor),
+                1e-9 * peaks.rotation(floor));
+  }
   EXPECT_EQ(moves.panels[0].events.x.size(), 6U);
   // The force reaches the peak of the run, though no sample does.
   const Figure force = make_figure(run, "force", window);
   ASSERT_EQ(force.panels.size(), 1U);
   EXPECT_NEAR(most(force.panels[0].curves[0].y), run.response.points[3].peak_force, 1e-9);
   EXPECT_EQ(make_figure(run, "opening").panels.front().curves.size(), 2U);
+}
+
+/// The area under the force of an impact is its impulse: straight lines between places of the course leave the force by
+/// no more than 2.5e-4 of its largest.
+TEST(PlanPictures, TheAreaUnderAForceIsItsImpulse) {
+  for (const PlanRun& run : {twisting(), test::plan_run(test::twisting_pair(", friction = 0.3"), 0.01)}) {
+    int seen = 0;
+    for (const Impact& impact : run.response.impacts) {
+      if (!(impact.impulse > 1e-3 * run.response.points[impact.point].impulse)) continue;
+      const PlanHistories& course = run.response.course;
+      double area = 0;
+      for (std::size_t i = 1; i < course.time.size(); ++i) {
+        const double from = course.time[i - 1], to = course.time[i];
+        if (from < impact.start - 1e-12 || to > impact.end + 1e-12) continue;
+        const auto k = static_cast<Eigen::Index>(i);
+        area += (to - from) * (course.force(impact.point, k - 1) + course.force(impact.point, k)) / 2;
+      }
+      EXPECT_NEAR(area, impact.impulse, 1e-3 * impact.impulse) << impact.start;
+      ++seen;
+    }
+    EXPECT_GT(seen, 5);
+  }
+  // As it is drawn, with the peak of the run, though no sample has it.
+  FigureOptions window;
+  window.from = 0;
+  window.to = 15;
+  const PlanRun coarse = test::plan_run(test::twisting_pair(), 0.01);
+  const Curve drawn = make_figure(coarse, "force", window).panels.front().curves.front();
+  double area = 0;
+  for (std::size_t i = 1; i < drawn.x.size(); ++i) {
+    area += (drawn.x[i] - drawn.x[i - 1]) * (drawn.y[i] + drawn.y[i - 1]) / 2;
+  }
+  double impulse = 0;
+  for (const Impact& impact : coarse.response.impacts) impulse += impact.point == 3 ? impact.impulse : 0;
+  EXPECT_NEAR(area, impulse, 1e-3 * impulse);
+}
+
+/// Where no course is kept, no force is drawn that was not computed: each impact by its peak.
+TEST(PlanPictures, WithoutACourseForcesAreTheirPeaks) {
+  PlanRun run = twisting();
+  run.response.course = {};
+  FigureOptions window;
+  window.from = 0;
+  window.to = 3;
+  const Curve drawn = make_figure(run, "force", window).panels.front().curves.front();
+  EXPECT_EQ(drawn.line, Line::none);
+  for (const double force : drawn.y) {
+    const auto& all = run.response.impacts;
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Impact& one) { return one.peak_force == force; }));
+  }
 }
 
 /// A corner is nowhere beyond its neighbour at rest by more than that has moved and been pressed in, and both panels

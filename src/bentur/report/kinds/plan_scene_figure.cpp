@@ -11,6 +11,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/story_text.h"
@@ -31,7 +32,9 @@ class PlanPicture {
       const auto b = std::ssize(floors_);
       floors_.push_back(nearest_floor(building.model, level));
       motions_.push_back(building.is_rigid() ? Eigen::Vector3d(0, 0, 0)
-                                             : floor_motion(run.response.histories, b, floors_.back(), time_));
+                                             : floor_motion(run.response.course.time.empty() ? run.response.histories
+                                                                                             : run.response.course,
+                                                            b, floors_.back(), time_));
     }
     for (const Impact& impact : run.response.impacts) {
       const bool is_on = instant.impact && impact.start <= time_ && impact.end >= time_;
@@ -107,8 +110,27 @@ class PlanPicture {
           name.room = room;
         }
       }
-      panel_.texts.push_back(std::move(name));
+      if (fits(name)) {
+        panel_.texts.push_back(std::move(name));
+      } else if (has_centres()) {
+        for (Curve& curve : panel_.curves) curve.in_legend = curve.in_legend || curve.label == building.name;
+      }
     }
+  }
+
+  /// Whether the words of a name have room for each of them, about.
+  [[nodiscard]] bool fits(const PlaceText& name) const {
+    constexpr double margins = 0.6, wide = 12, share = 0.5;  // [cm], [cm], of a figure with panels side by side [-]
+    const double width = options_.width >= wide ? share * options_.width : options_.width - margins;
+    const PlanPoint size = scene_.upper() - scene_.lower();
+    const double scale = std::min(width / size.x(), panel_.height / size.y());  // cm to a length
+    double longest = 0;
+    for (std::size_t at = 0; at < name.text.size();) {
+      const std::size_t end = std::min(name.text.find(' ', at), name.text.size());
+      longest = std::max(longest, text_width(name.text.substr(at, end - at)));
+      at = end + 1;
+    }
+    return longest < scale * name.room;
   }
 
   /// What the hardest blow at a contact was: its force, or where impacts take no time its impulse.

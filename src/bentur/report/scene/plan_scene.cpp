@@ -31,13 +31,14 @@ PlanInstant telling_instant(const PlanResponse& response, const std::vector<Inde
     return instant;
   }
   double least = std::numeric_limits<double>::infinity();
+  const PlanHistories& course = response.course.time.empty() ? response.histories : response.course;
   for (const Index point : points) {
     Index nearest = 0;
-    const double opening = response.histories.opening.row(point).minCoeff(&nearest);
+    const double opening = course.opening.row(point).minCoeff(&nearest);
     if (!(opening < least)) continue;
     least = opening;
     instant.point = point;
-    instant.time = response.histories.time[nearest];
+    instant.time = course.time[nearest];
   }
   return instant;
 }

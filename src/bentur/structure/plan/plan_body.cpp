@@ -192,8 +192,9 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
   add({.count = 6 * floors,
        .rows = stacked({u_x, u_y, movements(model, low, x), movements(model, high, x), movements(model, low, y),
                         movements(model, high, y)},
-                       dofs)});
-  add({.count = floors, .rows = theta});
+                       dofs),
+       .course = Outputs::Course::followed});
+  add({.count = floors, .rows = theta, .course = Outputs::Course::followed});
   const auto of_ground = [&](Index coordinate) -> MatrixXd { return axes.row(coordinate).replicate(floors, 1); };
   add({.count = 2 * floors,
        .absolute = stacked({u_x, u_y}, dofs),

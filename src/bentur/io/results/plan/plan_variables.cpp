@@ -63,6 +63,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     }
     for (Index b = 0; b < std::ssize(buildings); ++b) of_building(b);
     of_points();
+    course();
     of_links();
     quantities(Owner::run, {}, {QuantityPlace{}});
     of_impacts();
@@ -354,6 +355,34 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
           force_,
           "contact force along the joint, as it acts against the left building"},
          histories.force_along);
+  }
+
+  /// The exact course, in a group of its own, whose time has no even steps.
+  void course() {
+    auto& course = run_.response.course;
+    const ResultDimension time = file_.dimension({"exact/time", course.time.size()});
+    if (time.size == 0) return;
+    pass({"exact/time", {time}, "s", "instants joined by straight lines; two where a force jumps", {{"axis", "T"}}},
+         course.time);
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
+      const PlanBuilding& building = run_.problem.buildings[b];
+      const std::string number = fmt::format("_{}", b + 1);
+      const ResultDimension floors{"elevation" + number, building.model.elevations.size()};
+      const auto curves = [&](const char* name, auto& list, const std::string& units, const char* what) {
+        fit(list, run_.problem.buildings.size());
+        pass({fmt::format("exact/{}{}", name, number),
+              {time, floors},
+              units,
+              fmt::format("{} of the floors of building \"{}\"", what, building.name)},
+             list[b]);
+      };
+      curves("displacement_x", course.x, length_, "displacement along x of the centres of mass, from the own base,");
+      curves("displacement_y", course.y, length_, "displacement along y of the centres of mass, from the own base,");
+      curves("rotation", course.rotation, "rad", "rotation, counter-clockwise from above,");
+    }
+    pass({"exact/opening", {time, points_}, length_, "opening of the contact points, negative in contact"},
+         course.opening);
+    pass({"exact/force", {time, points_}, force_, "contact force"}, course.force);
   }
 
   void point_places() {

@@ -37,7 +37,7 @@ const Impact* hardest_impact(const HistoryPlace& place) {
   const Impact* found = nullptr;
   for (const Impact& impact : *place.impacts) {
     const bool here = impact.point == place.point;
-    if (here && (found == nullptr || impact.peak_force > found->peak_force)) found = &impact;
+    if (here && (found == nullptr || is_harder(impact, *found))) found = &impact;
   }
   return found;
 }
@@ -220,8 +220,19 @@ Figure force_history_figure(const HistoryPlace& place, const FigureOptions& opti
     for (double& one : forces) one *= factor;
     const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
     if (*least >= -round_off * *most) panel.y.from = 0;
+    constexpr double above = 1.15;  // room for the number at the peak
+    panel.y.least = {0, above * *most};
   }
   return figure;
+}
+
+void name_value(std::vector<Panel>& panels, double x, double y, const std::string& text) {
+  const auto shows = [&](const Panel& panel) { return x >= *panel.x.from && x <= *panel.x.to; };
+  const auto found = std::find_if(panels.rbegin(), panels.rend(), shows);
+  if (found == panels.rend()) return;
+  const bool is_early = x < (*found->x.from + *found->x.to) / 2;
+  const std::string shown = text.starts_with("-") ? "−" + text.substr(1) : text;
+  found->texts.push_back({x, y, shown, is_early ? PlaceText::Side::right : PlaceText::Side::left});
 }
 
 Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& asked, const FigureOptions& options,

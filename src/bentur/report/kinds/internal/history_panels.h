@@ -68,6 +68,9 @@ struct HistoryPanels {
                                           const std::vector<double>& time, const std::vector<double>& force,
                                           const std::string& label, double factor);
 
+/// Writes a value at its place, in the last panel that shows it, on the side where there is more room.
+void name_value(std::vector<Panel>& panels, double x, double y, const std::string& text);
+
 /// Where the energy is, in `unit` after `factor`, within a window.
 [[nodiscard]] Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& asked,
                                            const FigureOptions& options, double factor, const std::string& unit);

@@ -9,19 +9,13 @@
 #include <set>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/text.h"
 
 namespace bentur {
 
-const Impact* hardest_impact(const RunResults& run, Eigen::Index point) {
-  const Impact* found = nullptr;
-  for (const Impact& impact : run.response.impacts) {
-    const bool here = impact.point == point;
-    if (here && (found == nullptr || impact.peak_force > found->peak_force)) found = &impact;
-  }
-  return found;
-}
+const Impact* hardest_impact(const RunResults& run, Eigen::Index point) { return hardest_impact(run.response, point); }
 
 bool is_at(const FigureOptions& options, double elevation) {
   return !options.elevation || std::abs(elevation - *options.elevation) <= 1e-6 * std::max(1.0, std::abs(elevation));
@@ -68,7 +62,7 @@ Eigen::Index chosen_point(const RunResults& run, const FigureOptions& options) {
   const Impact* hard = nullptr;
   for (const Eigen::Index i : candidates) {
     const Impact* one = hardest_impact(run, i);
-    if (one != nullptr && (hard == nullptr || one->peak_force > hard->peak_force)) {
+    if (one != nullptr && (hard == nullptr || is_harder(*one, *hard))) {
       hard = one;
       best = i;
     }
