@@ -9,8 +9,8 @@
 
 namespace bentur::html {
 
-/// What is told of each of several things, under its name. Of many it is an appendix: folded away, each by itself, and
-/// on paper only where it is open.
+/// What a page shows of each of several things, under its name. Of many it is an appendix: folded away, each by itself,
+/// and on paper only where it is open.
 class EachOf {
  public:
   static constexpr std::size_t most_open = 6;

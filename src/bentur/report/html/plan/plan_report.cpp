@@ -125,7 +125,6 @@ class PlanPage {
     return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size(), sorted)};
   }
 
-
  private:
   void add_places(HtmlTable& table, const std::vector<Index>& points) const {
     std::vector<double> elevation, x, y;
