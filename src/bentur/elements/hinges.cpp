@@ -344,6 +344,7 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     const VectorXd y = weakens_ ? borne(now, motion.deformation) : borne_after(*flow(state), now, motion.deformation);
     const std::vector<char> free = moving_freely(now);
     for (const bool of_free : {false, true}) {
+      if (of_free && !weakens_) break;
       for (Index h = 0; h < size(); ++h) {
         if (nothing_left(now, h) != of_free || (of_free && free[h] == 0)) continue;
         double s = of_free ? 1.0 : now.memory(h, side);

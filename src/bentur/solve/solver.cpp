@@ -108,7 +108,9 @@ const TimeGrid& affordable(const TimeGrid& grid, double duration, const RunLimit
 
 /// In the order in which each part is made of those before. Gaps have no width here: what is found serves all widths.
 struct FreeParts {
-  FreeParts(System s, const Solver& by, const RunLimits& most) : system(std::move(s)), solver(by), limits(most) {}
+  FreeParts(System s, const Solver& by, const RunLimits& most) : system(std::move(s)), solver(by), limits(most) {
+    laws.sets = std::make_shared<SetsOverModes>();
+  }
   FreeParts(const FreeParts&) = delete;  // its members point to one another
   FreeParts& operator=(const FreeParts&) = delete;
 
@@ -273,7 +275,8 @@ Solution FreeSolution::solve(const std::vector<Contact>& contacts, const std::ve
 
   engine::Elements::Scales scales{parts.largest_displacement, parts.largest_speed};
   for (std::size_t i = 0; i < widths.size(); ++i) scales.displacement[i] += widths[i];
-  const engine::Elements::Laws laws = engine::laws_of(parts.system, parts.modal, contacts, rubbing);
+  engine::Elements::Laws laws = engine::laws_of(parts.system, parts.modal, contacts, rubbing);
+  laws.sets = parts.laws.sets;
   engine::PoundingRun run({parts.modal, parts.system, laws, parts.solver, parts.grid, parts.plan, options.limits},
                           scales, first_contact, options);
   if (options.course) {

@@ -16,14 +16,32 @@ Expansion::Expansion(const ModalSystem& system, std::vector<double> offsets)
       c_(Eigen::MatrixXd::Zero(system.size, highest_degree + 1)),
       rise_(Eigen::VectorXd::Zero(system.size)),
       acceleration_rise_(Eigen::VectorXd::Zero(system.size)),
-      moving_(static_cast<std::size_t>(system.size) / 4, 0),
+      used_(static_cast<std::size_t>(system.size) / 4, 0),
+      moving_(used_),
       resting_force_(system.elements.size()),
       deformations_(system.elements.size()),
       deformation_known_(system.elements.size(), 0) {}
 
 Eigen::MatrixXd& Expansion::coefficients() {
+  std::fill(used_.begin(), used_.end(), 1);
+  return moving_coefficients();
+}
+
+Eigen::MatrixXd& Expansion::moving_coefficients() {
   std::fill(deformation_known_.begin(), deformation_known_.end(), 0);
   return c_;
+}
+
+void Expansion::hold_forces(std::size_t first, std::size_t end) {
+  constexpr Index four = 4;
+  for (std::size_t b = first; b < end; ++b) {
+    const ModalSystem::Block& block = system_->blocks[b];
+    for (Index j = block.begin + block.moving_size; j < block.begin + block.padded_size; j += four) {
+      char& used = used_[static_cast<std::size_t>(j / four)];
+      for (Index k = 2; used != 0 && k <= highest_degree; ++k) c_.block<four, 1>(j, k).setZero();
+      used = 0;
+    }
+  }
 }
 
 Polynomial& Expansion::fill_deformation(Index element) {

@@ -17,6 +17,13 @@ struct Curves {
   double h, end;
 };
 
+/// Powers of s of all coordinates, coordinates × powers, and per four coordinates whether forces among them may have
+/// powers beyond the first two that are not zero.
+struct Coefficients {
+  Eigen::MatrixXd values;
+  std::vector<char> used;
+};
+
 /// The motion over one step as a polynomial in s = (time − start)/h ∈ [0, 1]. Every solver makes its next step known in
 /// this form, and everything else (events, impacts, peaks, histories, energy) reads it.
 class Expansion {
@@ -30,6 +37,9 @@ class Expansion {
   void begin(Eigen::Index first, Eigen::Index count, double h, int degree);
   /// Coefficients: coordinates × powers of s.
   [[nodiscard]] Eigen::MatrixXd& coefficients();
+  /// The same for those who fill what moves alone, and say of some bodies that their forces are constant.
+  [[nodiscard]] Eigen::MatrixXd& moving_coefficients();
+  void hold_forces(std::size_t first, std::size_t end);
   /// δ of an element, for a solver that finds it on the way.
   [[nodiscard]] Polynomial& fill_deformation(Eigen::Index element);
   /// Force of a resting element [force].
@@ -45,7 +55,10 @@ class Expansion {
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] const Eigen::MatrixXd& coefficients() const { return c_; }
   /// Gives its coefficients away, for others of that size: what is asked of it before begin() is no more than rises.
-  void give_coefficients(Eigen::MatrixXd& to) { c_.swap(to); }
+  void give_coefficients(Coefficients& to) {
+    c_.swap(to.values);
+    used_.swap(to.used);
+  }
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, double end = 1.0) const {
     return {c_.data() + block.begin, c_.rows(), degree_, h_, end};
   }
@@ -63,7 +76,10 @@ class Expansion {
 
  private:
   void fill_coupled(const ElementForces::Coupled& of);
-  void note_moving(Eigen::Index force) { moving_[static_cast<std::size_t>(force) / 4] = 1; }
+  void note_moving(Eigen::Index force) {
+    const std::size_t of = static_cast<std::size_t>(force) / 4;
+    moving_[of] = used_[of] = 1;
+  }
   template <class Take>
   void in_ranges(const Take& take) const;
 
@@ -74,6 +90,7 @@ class Expansion {
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd rise_, acceleration_rise_, end_acceleration_;
+  std::vector<char> used_;    ///< as Coefficients
   std::vector<char> moving_;  ///< per four coordinates: whether one is a force that is no constant
   std::vector<Polynomial> resting_force_;
   mutable std::vector<Polynomial> deformations_;  ///< those asked for

@@ -52,7 +52,7 @@ void Series::note_ground(std::size_t b, const GroundInput* input, double h) {
 
 void Series::begin(Index first, Index count, const State& state, double h, double rate, Expansion& motion) {
   h_ = h;
-  c_ = &motion.coefficients();
+  c_ = &motion.moving_coefficients();
   motion.begin(first, count, h, needed_degree(rate * h));
   kernels::begin_series(count, {system_->omega_squared.data() + first, system_->two_sigma.data() + first},
                         state.q.data() + first, state.v.data() + first, h, system_->size, stiff_.data() + first,
@@ -117,17 +117,6 @@ void Series::hold(const std::vector<Index>& resting, int k) {
   c_->col(k + 2) = force_;
 }
 
-/// Force coordinates of some bodies as they are while all forces are constant.
-void Series::hold_forces(std::size_t first, std::size_t end, int degree) {
-  for (std::size_t b = first; b < end; ++b) {
-    const auto& block = system_->blocks[b];
-    const Index count = block.padded_size - block.moving_size;
-    for (int k = 2; k <= degree && count > 0; ++k) {
-      std::fill_n(c_->col(k).data() + block.begin + block.moving_size, count, 0.0);
-    }
-  }
-}
-
 void Series::expand(const State& state, const std::vector<GroundInput>& inputs, double h, const ElementForces& forces,
                     Expansion& motion) {
   begin(0, system_->size, state, h, forces.rate, motion);
@@ -147,7 +136,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
                        of.steady.data(), h * h});
     }
     // First, as what ties bodies looks at what lies between them.
-    hold_forces(0, system_->blocks.size(), motion.degree());
+    motion.hold_forces(0, system_->blocks.size());
     kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load, further_}, grounds_, pressing_, tied_,
                     motion.degree(), system_->size, c_->data());
   }
@@ -227,7 +216,7 @@ void Series::expand_block(std::size_t b, const State& state, const GroundInput* 
   }
   kernels::expand({stiff_.data(), damp_.data(), system_->gamma.data(), load, further_}, grounds_, {}, {},
                   motion.degree(), system_->size, c_->data());
-  hold_forces(b, b + 1, motion.degree());
+  motion.hold_forces(b, b + 1);
 }
 
 }  // namespace bentur::engine

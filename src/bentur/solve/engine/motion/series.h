@@ -49,7 +49,6 @@ class Series {
   [[nodiscard]] const double* scaled(const double* load, Eigen::Index first, Eigen::Index count);
   void expand_term_by_term(Eigen::Index first, Eigen::Index count, const double* load, const ElementForces& forces,
                            Expansion& motion);
-  void hold_forces(std::size_t first, std::size_t end, int degree);
   void add_full_damping(const ModalSystem::Block& block, int k);
   void add_pressing(Eigen::Index element, const ElementForces::Linear& force, int k);
   void add_coupled(const ElementForces::Coupled& of, int k);

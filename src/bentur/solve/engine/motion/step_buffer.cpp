@@ -168,7 +168,10 @@ void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
   note_inputs(taken.inputs);
   steps_[last_] = {segment,   nullptr,         0,          taken.cut * motion.h(), offset, motion.h(),
                    taken.cut, motion.degree(), kept_count_};
-  if (kept_count_ == kept_.size()) kept_.emplace_back(system_->size, highest_degree + 1);
+  if (kept_count_ == kept_.size()) {
+    kept_.push_back({Eigen::MatrixXd(system_->size, highest_degree + 1),
+                     std::vector<char>(static_cast<std::size_t>(system_->size) / 4, 1)});
+  }
   motion.give_coefficients(kept_[kept_count_++]);
   const double part = taken.cut * taken.cut;
   note(rise_, motion.rise().data(), part);

@@ -90,7 +90,7 @@ class StepBuffer {
   /// Of a power series.
   [[nodiscard]] Curves curves(const ModalSystem::Block& block, Eigen::Index n) const {
     const Step& at = step(n);
-    return {kept_[at.kept].data() + block.begin, system_->size, at.degree, at.h, at.end};
+    return {kept_[at.kept].values.data() + block.begin, system_->size, at.degree, at.h, at.end};
   }
   // Columns of all coordinates, of instants and of steps; their stride is the `size` of the system.
   [[nodiscard]] const double* q(Eigen::Index n) const { return q_.col(n).data(); }
@@ -112,7 +112,7 @@ class StepBuffer {
   bool joined_ = false;
   std::vector<Step> steps_;
   std::vector<GroundInput> inputs_;
-  std::vector<Eigen::MatrixXd> kept_;  ///< coefficients of power series
+  std::vector<Coefficients> kept_;  ///< coefficients of power series
   std::size_t kept_count_ = 0;
   Eigen::MatrixXd q_, v_, acceleration_, rise_, acceleration_rise_;
   const double* load_ = nullptr;

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double soon_part = 1e-7;       // of 1/ω of the fastest mode: an instant after an event
-constexpr std::size_t most_known = 512;  // sets at a time
+constexpr std::size_t most_known = 512;  // sets at a time of what rubs
 constexpr double begins_band = 0x1p-40;  // of a guard's coefficients, where it has been divided by powers of time
 
 /// The deformation that is all a guard depends on; −1: there are others.
@@ -63,11 +63,12 @@ std::vector<Branch> CoupledElements::first_branches(const ModalSystem& system, c
 }
 
 CoupledElements::CoupledElements(const ModalSystem& system, const Laws& laws, const std::vector<double>& offsets,
-                                 const State& state)
+                                 const State& state, std::shared_ptr<SetsOverModes> sets)
     : system_(&system),
       laws_(laws),
       own_(system.coupled.size() - system.rubbing),
       offsets_(offsets),
+      sets_(sets ? std::move(sets) : std::make_shared<SetsOverModes>()),
       now_(laws.size()) {
   double fastest = 0.0;
   for (const ModalSystem::Block& block : system.blocks) fastest = std::max(fastest, block.omega_max);
@@ -96,30 +97,16 @@ void CoupledElements::watch(GuardMonitor& monitor) {
   for (std::size_t e = 0; e < states_.size(); ++e) enter(e);
 }
 
-std::shared_ptr<const CoupledElements::Known> CoupledElements::known(std::size_t e,
-                                                                     const std::shared_ptr<const CoupledSet>& of) {
+std::shared_ptr<const SetOverModes> CoupledElements::known(std::size_t e, const std::shared_ptr<const CoupledSet>& of) {
+  if (e < own_) return sets_->of(*system_, e, rows_[e], of);
   if (const auto found = known_.find({e, of.get()}); found != known_.end()) return found->second;
   const std::pair<std::size_t, const CoupledSet*> first{e, nullptr};
-  for (auto at = known_.lower_bound(first); e >= own_ && at != known_.end() && at->first.first == e; ++at) {
+  for (auto at = known_.lower_bound(first); at != known_.end() && at->first.first == e; ++at) {
     if (alike(*at->second->set, *of)) return at->second;
   }
   if (known_.size() >= most_known) known_.clear();
-  const CoupledSet& set = *of;
-  const auto result = std::make_shared<Known>();
-  result->set = of;
-  for (const Index n : set.moving) result->at.push_back(system_->coupled[e].first + n);
-  const MatrixXd moving = rows_[e](Eigen::all, set.moving);
-  result->rows = moving * set.over.transpose();
-  for (std::size_t r = 0; r < set.own.size(); ++r) {
-    if (set.own[r] >= 0) result->rows.col(static_cast<Index>(r)) += rows_[e].col(set.own[r]);
-  }
-  result->packed = kernels::PackedRows(result->rows.transpose(), result->rows.rows());
-  if (!result->at.empty()) {
-    result->modal = std::make_shared<const ElementForces::Coupled::Modal>(
-        system_->modal_of(result->at, set.stiffness, set.damping));
-  }
-  known_.emplace(std::pair{e, of.get()}, result);
-  return result;
+  return known_.emplace(std::pair{e, of.get()}, std::make_shared<const SetOverModes>(*system_, e, rows_[e], of))
+      .first->second;
 }
 
 /// Works out the branch of a state.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bentur/solve/engine/motion/expansion.h"
+#include "bentur/solve/engine/motion/sets_over_modes.h"
 #include "bentur/solve/engine/run/watch/guard_monitor.h"
 
 namespace bentur::engine {
@@ -18,7 +19,9 @@ class CoupledElements {
  public:
   using Laws = std::vector<std::shared_ptr<const CoupledLaw>>;
   /// Brought to `state` from rest in one go. Those beyond the last law do nothing.
-  CoupledElements(const ModalSystem& system, const Laws& laws, const std::vector<double>& offsets, const State& state);
+  /// `sets`: what other runs of the system have met; null: nothing.
+  CoupledElements(const ModalSystem& system, const Laws& laws, const std::vector<double>& offsets, const State& state,
+                  std::shared_ptr<SetsOverModes> sets);
 
   /// What a monitor is to know of each deformation, beginning with the first, where nothing has happened.
   [[nodiscard]] static std::vector<Branch> first_branches(const ModalSystem& system, const Laws& laws);
@@ -73,17 +76,9 @@ class CoupledElements {
   [[nodiscard]] double lost_energy(const State& state) const;
 
  private:
-  /// What a set of an element's law is over the coordinates.
-  struct Known {
-    std::shared_ptr<const CoupledSet> set;
-    Eigen::MatrixXd rows;          ///< what guards look at, over what moves of the bodies: a column each
-    kernels::PackedRows packed;    ///< the same
-    std::vector<Eigen::Index> at;  ///< of ModalSystem::elements, those that move
-    std::shared_ptr<const ElementForces::Coupled::Modal> modal;  ///< of these; none where none moves
-  };
   struct Now {
     CoupledBranch branch;  ///< constants of its guards with the offsets of δ
-    std::shared_ptr<const Known> known;
+    std::shared_ptr<const SetOverModes> known;
     bool may_fly = false;
     bool begins = true;
     // What guards of deformations alone say of each row, least ≤ row ≤ most, and which of the guards say it (−1: none);
@@ -106,7 +101,8 @@ class CoupledElements {
   [[nodiscard]] bool keeps_speed(std::size_t element, const CoupledGuard& guard, const State& from,
                                  const State& to) const;
   void sort_guards(Now& now) const;
-  [[nodiscard]] std::shared_ptr<const Known> known(std::size_t element, const std::shared_ptr<const CoupledSet>& set);
+  [[nodiscard]] std::shared_ptr<const SetOverModes> known(std::size_t element,
+                                                          const std::shared_ptr<const CoupledSet>& set);
   void enter(std::size_t element);
   void tell_monitor(std::size_t element);
 
@@ -120,8 +116,8 @@ class CoupledElements {
   std::vector<kernels::PackedRows> sizes_;  ///< |δ| likewise, a row each …
   std::vector<Eigen::VectorXd> largest_;    ///< … and the largest so far
   std::vector<Eigen::VectorXd> shifts_;     ///< offsets of each δ
-  /// Of sets that have been met, per element: two may share a law.
-  std::map<std::pair<std::size_t, const CoupledSet*>, std::shared_ptr<const Known>> known_;
+  std::shared_ptr<SetsOverModes> sets_;     ///< of the bodies' own; of what rubs:
+  std::map<std::pair<std::size_t, const CoupledSet*>, std::shared_ptr<const SetOverModes>> known_;
   std::vector<CoupledState> states_;
   std::vector<Now> now_;
   GuardMonitor* monitor_ = nullptr;

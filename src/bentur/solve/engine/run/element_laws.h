@@ -6,6 +6,7 @@
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/elements/coupled_law.h"
 #include "bentur/solve/engine/motion/modal_system.h"
+#include "bentur/solve/engine/motion/sets_over_modes.h"
 
 namespace bentur::engine {
 
@@ -17,6 +18,8 @@ struct ElementLaws {
   std::vector<std::shared_ptr<const CoupledLaw>> coupled = {};
   std::vector<std::shared_ptr<const Rubbing>> rubbing = {};
   std::vector<MeetingPlace> places = {};  ///< of points: contacts, then those that rub
+  /// What runs of the system share; null: nothing.
+  std::shared_ptr<SetsOverModes> sets = nullptr;
 };
 
 /// How large the numbers are whose difference δ is, and how fast they change, per point of contact.

@@ -80,7 +80,7 @@ Elements::Elements(const ModalSystem& system, const Laws& laws, Index idle, cons
       rubbing_(laws.rubbing),
       meetings_(laws.places),
       along_(rubbing_.size(), 0.0),
-      coupled_(system, laws.coupled, offsets_, state),
+      coupled_(system, laws.coupled, offsets_, state, laws.sets),
       monitor_(watched(system, laws), system.size),
       touches_(laws_.size() + rubbing_.size()),
       leaves_band_(laws_.size(), 0),
