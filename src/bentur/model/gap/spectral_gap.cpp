@@ -72,7 +72,10 @@ struct PlanFaces {
     const std::vector<Eigen::Index> places = places_of(problem);
     std::vector<const Interface*> contacts(places.size());
     std::size_t n = 0;
-    for (const Contact& one : system.contacts) contacts[places[n++]] = &one.at;
+    for (const Contact& one : system.contacts) {
+      const Eigen::Index place = places[n++];
+      if (place >= 0) contacts[static_cast<std::size_t>(place)] = &one.at;  // none of a seam
+    }
     for (const RubbingContact& one : system.rubbing) contacts[places[n++]] = &one.at;
     std::size_t contact = 0, watches = 0;
     for (const PlanGap& gap : problem.gaps) {
