@@ -93,8 +93,11 @@ def test_histories(result, folder):
     histories = result.histories
     assert histories["displacement_x"][0].shape == (1501, 2) == histories["rotation"][1].shape
     assert histories["slip"].shape == histories["force"].shape == (1501, 4)
-    with pytest.raises(ValueError, match="in plan have no exact course"):
-        result.exact
+    exact = result.exact
+    assert exact["force"].shape == exact["opening"].shape == (len(exact["time"]), 4)
+    assert exact["displacement_x"][0].shape == exact["rotation"][1].shape == (len(exact["time"]), 2)
+    peak = max(point["peak_force"] for gap in result.summary["gaps"] for point in gap["points"])
+    assert exact["force"].max() == pytest.approx(peak, rel=1e-12)
 
 
 def test_what_is_told(result, program):

@@ -209,7 +209,7 @@ class Blocks(Makers):
         "height_tiny": "has storeys of 0.75 m, must be in [1.5, 30] m",
         "nullgeom": 'features without geometry are left out: "way/101"',
         "poly_unclosed": "must end where it begins (RFC 7946, 3.1.6)",
-        "bowtie": "coordinates[0] must have an area",
+        "bowtie": "must go round once",
         "same_twice": 'overlaps "way/100" by 10 m',
         "part": 'overlaps "way/100" by 10 m',
         "utm": "must be WGS 84 (CRS84), in degrees; give --metres where coordinates are metres",

@@ -221,7 +221,8 @@ class Result:
         ``force``: instants × contact points. ``displacement``: a list with instants × floors for each building.
         ``drift_ratio``, ``storey_shear`` (of buildings that can yield) and ``node_displacement`` (of columns that are
         struck): likewise, None for the others, and left out where no building has any; of links and foundations as
-        ``histories``. How close the lines follow: docs/result-files.md.
+        ``histories``. How close the lines follow: docs/result-files.md. In plan ``displacement_x``, ``displacement_y``
+        and ``rotation``, of at most six buildings.
 
         :raises ValueError: for a run with ``histories=False``, and where the motion is so fast that to follow it would
             take too many steps.
@@ -230,7 +231,7 @@ class Result:
         if not found:
             self.histories  # noqa: B018  # says so where there are none at all
             if self._in_plan:
-                raise ValueError("runs of buildings in plan have no exact course; histories has samples")
+                raise ValueError("more than six buildings in plan have no exact course; histories has samples")
             raise ValueError("this run has no exact course: the motion is too fast to be followed; histories has samples")
         return found
 

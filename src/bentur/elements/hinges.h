@@ -121,8 +121,8 @@ class HingeLaw : public CoupledLaw {
   }
   [[nodiscard]] bool has_nothing_left(const CoupledState& state, Eigen::Index hinge) const;
   [[nodiscard]] std::vector<char> moving_freely(const CoupledState& state) const;
-  [[nodiscard]] double line(const CoupledState& state, Eigen::Index hinge, double way) const {
-    return weakens_ ? weakened_line(state, hinge, way) : way > 0 ? of_.upper(hinge) : of_.lower(hinge);
+  [[nodiscard]] double line(const CoupledState& state, Eigen::Index hinge, double sign) const {
+    return weakens_ ? weakened_line(state, hinge, sign) : sign > 0 ? of_.upper(hinge) : of_.lower(hinge);
   }
   [[nodiscard]] double weakened_line(const CoupledState& state, Eigen::Index hinge, double side) const;
   [[nodiscard]] Eigen::VectorXd borne(const CoupledState& state, const Eigen::VectorXd& deformation) const;

@@ -69,7 +69,10 @@ std::vector<std::vector<Eigen::Index>> indeterminate_joints(const Hinges& hinges
     for (const Eigen::Index h : ends) {
       moments += hinges.stiffness.col(h);
       size = std::max(size, hinges.stiffness(h, h));
-      flows = flows && peaks.hinges[h].first_yield.has_value() && hinges.hardening(h) == 0.0;
+      // One that has come to its capacity may rest while the others of the joint turn for it.
+      const double capacity = std::min(hinges.clockwise(h), hinges.anticlockwise(h));
+      const bool yields = peaks.hinges[h].first_yield || peaks.hinges[h].peak_moment >= (1 - round_off) * capacity;
+      flows = flows && yields && hinges.hardening(h) == 0.0;
     }
     // Where nothing else holds the joint it turns back as all its ends turn.
     if (!flows || moments.cwiseAbs().maxCoeff() > round_off * size) continue;

@@ -17,7 +17,7 @@ Expansion::Expansion(const ModalSystem& system, std::vector<double> offsets)
       rise_(Eigen::VectorXd::Zero(system.size)),
       acceleration_rise_(Eigen::VectorXd::Zero(system.size)),
       used_(static_cast<std::size_t>(system.size) / 4, 0),
-      moving_(used_),
+      moving_(used_.begin(), used_.end()),
       resting_force_(system.elements.size()),
       deformations_(system.elements.size()),
       deformation_known_(system.elements.size(), 0) {}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <boost/container/small_vector.hpp>
 #include <vector>
 
 #include "bentur/solve/engine/motion/modal_system.h"
@@ -17,11 +18,14 @@ struct Curves {
   double h, end;
 };
 
+/// One for each four coordinates, within the object for those of ordinary systems.
+using FlagsOfFours = boost::container::small_vector<char, 64>;
+
 /// Powers of s of all coordinates, coordinates × powers, and per four coordinates whether forces among them may have
 /// powers beyond the first two that are not zero.
 struct Coefficients {
   Eigen::MatrixXd values;
-  std::vector<char> used;
+  FlagsOfFours used;
 };
 
 /// The motion over one step as a polynomial in s = (time − start)/h ∈ [0, 1]. Every solver makes its next step known in
@@ -90,7 +94,7 @@ class Expansion {
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd rise_, acceleration_rise_, end_acceleration_;
-  std::vector<char> used_;    ///< as Coefficients
+  FlagsOfFours used_;         ///< as Coefficients
   std::vector<char> moving_;  ///< per four coordinates: whether one is a force that is no constant
   std::vector<Polynomial> resting_force_;
   mutable std::vector<Polynomial> deformations_;  ///< those asked for

@@ -170,7 +170,7 @@ void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
                    taken.cut, motion.degree(), kept_count_};
   if (kept_count_ == kept_.size()) {
     kept_.push_back({Eigen::MatrixXd(system_->size, highest_degree + 1),
-                     std::vector<char>(static_cast<std::size_t>(system_->size) / 4, 1)});
+                     FlagsOfFours(static_cast<std::size_t>(system_->size) / 4, 1)});
   }
   motion.give_coefficients(kept_[kept_count_++]);
   const double part = taken.cut * taken.cut;
