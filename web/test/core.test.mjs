@@ -37,13 +37,16 @@ for (const file of files) {
     const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["run", "--json", file]));
     // Not compared: how long it took, and the energy that is not accounted for, which is round-off and nothing else.
     // In plan the linear law's losses, which are that too.
-    const isLoss = (path) => plans.includes(file) && /\/energy_lost$/.test(path);
+    const isLinear = plans.includes(file) && readFileSync(file, "utf8").includes('law = "linear"');
+    const isLoss = (path) => isLinear && /\/energy_lost$/.test(path);
     const unlike = (path) => /\/wall_time$|\/energy_residual$/.test(path) || isLoss(path);
-    if (plans.includes(file)) for (const impact of mine.impacts) assert.ok(Math.abs(impact.energy_lost) < 1e-20);
+    if (isLinear) for (const impact of mine.impacts) assert.ok(Math.abs(impact.energy_lost) < 1e-20);
     if (exact.has(name)) {
       assert.deepEqual(difference(mine, theirs, "", unlike), { size: 0, path: "" });
     } else {
-      const values = difference(mine, theirs, "", (path) => unlike(path) || isLoose(path));
+      // In plan a loss is a small difference of what went in and what came back.
+      const isSmall = (path) => plans.includes(file) && /\/energy_lost$/.test(path);
+      const values = difference(mine, theirs, "", (path) => unlike(path) || isLoose(path) || isSmall(path));
       assert.ok(values.size < tolerance(name), `${values.path} ${values.size}`);
       const all = difference(mine, theirs, "", unlike);
       assert.ok(all.size < 1e-9, `${all.path} ${all.size}`);
@@ -117,7 +120,7 @@ for (const file of drawn) {
     const mine = figuresOf(one.report("en"));
     const theirs = figuresOf(execFileSync(process.env.BENTUR, ["report", file, "-o", "-"], { maxBuffer: 1e8 }).toString());
     assert.equal(mine.length, theirs.length);
-    assert.ok(theirs.length > 2);
+    assert.ok(theirs.length > 1);
     theirs.forEach((elements, i) => isDrawnAs(mine[i], elements, exact.has(name)));
   });
 
