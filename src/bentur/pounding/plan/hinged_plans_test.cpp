@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <random>
@@ -20,6 +19,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 #include "bentur/structure/frame/frame_hinges.h"
+#include "tests/support/random_numbers.h"
 
 namespace bentur::hinged_plans {
 namespace {
@@ -227,17 +227,7 @@ void expect_alike(const PlanResponse& one, const PlanResponse& other, const Told
 }
 
 /// BENTUR_HINGED_PLANS=FIRST:COUNT runs others than those that the test always runs.
-std::pair<unsigned, unsigned> seeds() {
-#ifdef BENTUR_SANITIZED
-  unsigned first = 1, count = 4;
-#else
-  unsigned first = 1, count = 8;
-#endif
-  if (const char* text = std::getenv("BENTUR_HINGED_PLANS")) {
-    EXPECT_EQ(std::sscanf(text, "%u:%u", &first, &count), 2) << text;  // NOLINT(cert-err34-c)
-  }
-  return {first, count};
-}
+std::pair<unsigned, unsigned> seeds() { return test::seeds_of("BENTUR_HINGED_PLANS", {1, 8}, {1, 4}); }
 
 /// What an elastic building would hold at the largest displacements over the energy put in: what members hold that lose
 /// strength is the difference between numbers of this size.

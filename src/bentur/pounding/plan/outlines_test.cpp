@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -18,6 +17,7 @@
 #include "bentur/contact/laws/restitution.h"
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/pounding/plan/plan_pounding.h"
+#include "tests/support/random_numbers.h"
 
 namespace bentur::outlines {
 namespace {
@@ -344,17 +344,7 @@ class Blocks {
 };
 
 /// First and last seed; of BENTUR_RANDOM_OUTLINES "FROM:TO" where that is set.
-std::pair<unsigned, unsigned> seeds() {
-#ifdef BENTUR_SANITIZED
-  unsigned first = 1, last = 8;
-#else
-  unsigned first = 1, last = 50;
-#endif
-  if (const char* text = std::getenv("BENTUR_RANDOM_OUTLINES")) {
-    EXPECT_EQ(std::sscanf(text, "%u:%u", &first, &last), 2) << text;
-  }
-  return {first, last};
-}
+std::pair<unsigned, unsigned> seeds() { return test::seeds_of("BENTUR_RANDOM_OUTLINES", {1, 50}, {1, 8}); }
 
 // No overlap is deeper than a contact tells, and no force acts where there is none, but for what products of rotations
 // and displacements make, which the equations leave out, and for rotation times d where corners are merged.

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <random>
@@ -21,6 +20,7 @@
 #include "bentur/contact/laws/linear.h"
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/pounding/plan/plan_pounding.h"
+#include "tests/support/random_numbers.h"
 
 namespace bentur::random_plans {
 namespace {
@@ -401,17 +401,7 @@ Apart apart(const PlanProblem& problem, const PlanResponse& wanted, const PlanPr
 }
 
 /// First and last seed; of BENTUR_RANDOM_PLANS "FROM:TO" where that is set.
-std::pair<unsigned, unsigned> seeds() {
-#ifdef BENTUR_SANITIZED
-  unsigned first = 1, last = 8;
-#else
-  unsigned first = 1, last = 30;
-#endif
-  if (const char* text = std::getenv("BENTUR_RANDOM_PLANS")) {
-    EXPECT_EQ(std::sscanf(text, "%u:%u", &first, &last), 2) << text;
-  }
-  return {first, last};
-}
+std::pair<unsigned, unsigned> seeds() { return test::seeds_of("BENTUR_RANDOM_PLANS", {1, 30}, {1, 8}); }
 
 constexpr double moved_by = 1e-12;
 

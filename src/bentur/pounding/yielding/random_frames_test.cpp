@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "bentur/pounding/pounding.h"
 #include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/support.h"
+#include "tests/support/random_numbers.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::random_frames {
@@ -254,16 +254,10 @@ double held_at_peak(const Problem& problem, const Response& response) {
 
 /// BENTUR_RANDOM_FRAMES=FIRST:COUNT runs others than those that the tests always run.
 std::pair<unsigned, unsigned> seeds(Kind kind) {
-#ifdef BENTUR_SANITIZED
-  unsigned first = 1, count = kind == Kind::yields || kind == Kind::breaks ? 4 : 2;
-#else
-  unsigned first = 1, count = kind == Kind::yields || kind == Kind::breaks ? 20 : 12;
-#endif
-  if (kind == Kind::wears) first = 4, count = std::min(count, 4U);
-  if (const char* text = std::getenv("BENTUR_RANDOM_FRAMES")) {
-    EXPECT_EQ(std::sscanf(text, "%u:%u", &first, &count), 2) << text;  // NOLINT(cert-err34-c)
-  }
-  return {first, count};
+  const char* const variable = "BENTUR_RANDOM_FRAMES";
+  if (kind == Kind::wears) return test::seeds_of(variable, {4, 4}, {4, 2});
+  if (kind == Kind::yields || kind == Kind::breaks) return test::seeds_of(variable, {1, 20}, {1, 4});
+  return test::seeds_of(variable, {1, 12}, {1, 2});
 }
 
 class RandomFrames : public testing::TestWithParam<Kind> {

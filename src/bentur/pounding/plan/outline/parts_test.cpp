@@ -10,7 +10,6 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -25,6 +24,7 @@
 #include "bentur/pounding/plan/outline/common_area.h"
 #include "bentur/pounding/plan/outline/edges.h"
 #include "bentur/pounding/plan/plan_pounding.h"
+#include "tests/support/random_numbers.h"
 
 namespace bentur::outline_parts {
 namespace {
@@ -316,17 +316,7 @@ PlanProblem block(unsigned seed, bool bounces = false) {
 }
 
 /// First and last seed; of BENTUR_RANDOM_OUTLINES "FROM:TO" where that is set.
-std::pair<unsigned, unsigned> seeds() {
-#ifdef BENTUR_SANITIZED
-  unsigned first = 1, last = 6;
-#else
-  unsigned first = 1, last = 50;
-#endif
-  if (const char* text = std::getenv("BENTUR_RANDOM_OUTLINES")) {
-    EXPECT_EQ(std::sscanf(text, "%u:%u", &first, &last), 2) << text;
-  }
-  return {first, last};
-}
+std::pair<unsigned, unsigned> seeds() { return test::seeds_of("BENTUR_RANDOM_OUTLINES", {1, 50}, {1, 6}); }
 
 /// All rings of a floor where it is, with all second-order parts of its rotation left out as in (P-1).
 std::vector<std::vector<PlanPoint>> displaced(const PlanModel& model, const PlanPoint& by, double theta) {
