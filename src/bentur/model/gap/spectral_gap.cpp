@@ -10,6 +10,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/core/require.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_row.h"
 
 namespace bentur {
@@ -69,14 +70,7 @@ struct PlanFaces {
       const BodyRow &left = in_order ? at.left : at.right, &right = in_order ? at.right : at.left;
       return std::pair<Eigen::VectorXd, Eigen::VectorXd>(left.row, -right.row);
     };
-    const std::vector<Eigen::Index> places = places_of(problem);
-    std::vector<const Interface*> contacts(places.size());
-    std::size_t n = 0;
-    for (const Contact& one : system.contacts) {
-      const Eigen::Index place = places[n++];
-      if (place >= 0) contacts[static_cast<std::size_t>(place)] = &one.at;  // none of a seam
-    }
-    for (const RubbingContact& one : system.rubbing) contacts[places[n++]] = &one.at;
+    const std::vector<const Interface*> contacts = contact_interfaces(problem, system);
     std::size_t contact = 0, watches = 0;
     for (const PlanGap& gap : problem.gaps) {
       for (const PlanContact& one : gap.contacts) {

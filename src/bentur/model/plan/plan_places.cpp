@@ -80,6 +80,19 @@ Index first_contact(const PlanProblem& problem, std::size_t gap) {
 
 Index contact_count(const PlanProblem& problem) { return first_contact(problem, problem.gaps.size()); }
 
+std::vector<const Interface*> contact_interfaces(const PlanProblem& problem, const System& system) {
+  const std::vector<Index> places = places_of(problem);
+  std::vector<const Interface*> found(static_cast<std::size_t>(contact_count(problem)));
+  std::size_t n = 0;
+  const auto take = [&](const Interface& at) {
+    const Index place = places[n++];
+    if (place >= 0) found[static_cast<std::size_t>(place)] = &at;  // none of a seam
+  };
+  for (const Contact& one : system.contacts) take(one.at);
+  for (const RubbingContact& one : system.rubbing) take(one.at);
+  return found;
+}
+
 std::vector<std::string> gap_names(const PlanProblem& problem) {
   std::vector<std::string> names;
   for (const PlanGap& gap : problem.gaps) names.push_back(gap_name(problem, gap));

@@ -33,6 +33,9 @@ struct PlanContactPlace {
 /// How many contacts all gaps have.
 [[nodiscard]] Eigen::Index contact_count(const PlanProblem& problem);
 
+/// Of each contact of all gaps its deformation, in the system_of() the problem.
+[[nodiscard]] std::vector<const Interface*> contact_interfaces(const PlanProblem& problem, const System& system);
+
 /// Those that an owner has in a building.
 [[nodiscard]] std::vector<QuantityPlace> places_in(const PlanProblem& problem, Owner owner, Eigen::Index building);
 

@@ -78,39 +78,35 @@ void check_modes(const Case& c, const Problem& problem, List& list) {
   }
 }
 
-/// How far each contact point of a joint overlaps at the start [length].
+/// How far each contact point of a joint overlaps at the start [length]; empty where no building starts displaced.
 std::vector<double> overlaps(const Problem& problem) {
-  std::vector<double> found(problem.points.size(), 0.0);
-  if (problem.initial_displacement.empty()) return found;
+  std::vector<double> found;
   const auto& start = problem.initial_displacement;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const ContactPoint& point = problem.points[i];
-    found[i] = start[point.left](point.left_floor) - start[point.right](point.right_floor) - point.width;
+  if (start.empty()) return found;
+  for (const ContactPoint& point : problem.points) {
+    found.push_back(start[point.left](point.left_floor) - start[point.right](point.right_floor) - point.width);
   }
   return found;
 }
 
 std::vector<double> overlaps(const PlanProblem& problem) {
-  std::vector<double> found, all(static_cast<std::size_t>(contact_count(problem)), 0.0);
-  if (!problem.initial_displacement.empty()) {
-    const System system = system_of(problem);
-    const std::vector<Index> places = places_of(problem);
-    const auto of = [&](const BodyRow& row) { return row.row.dot(problem.initial_displacement[row.body]); };
-    std::size_t n = 0;
-    for (const Contact& one : system.contacts) {
-      const Index at = places[n++];
-      if (at >= 0) all[at] = of(one.at.left) + of(one.at.right) - one.width;  // none of a seam
+  std::vector<double> found;
+  if (problem.initial_displacement.empty()) return found;
+  const System system = system_of(problem);
+  const std::vector<const Interface*> contacts = contact_interfaces(problem, system);
+  const auto of = [&](const BodyRow& row) { return row.row.dot(problem.initial_displacement[row.body]); };
+  std::size_t i = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& one : gap.contacts) {
+      const Interface& at = *contacts[i++];
+      if (one.is_of_joint()) found.push_back(of(at.left) + of(at.right) - gap.width_at(one));
     }
-    for (const RubbingContact& one : system.rubbing) all[places[n++]] = of(one.at.left) + of(one.at.right) - one.width;
-  }
-  for (Index i = 0; i < contact_count(problem); ++i) {
-    if (contact_at(problem, i).contact->is_of_joint()) found.push_back(all[i]);
   }
   return found;
 }
 
 /// Level after level of every gap, with all contacts of its joint together. @param row the problem, of buildings in
-/// plan row_of() it @param overlaps of its points
+/// plan row_of() it @param overlaps overlaps()
 void check_levels(const Case& c, const Problem& row, const std::vector<double>& overlaps, List& list) {
   for (std::size_t i = 0; i < row.points.size();) {
     const ContactPoint& first = row.points[i];
@@ -128,7 +124,7 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
       const std::string law = gap < c.gaps.size() ? c.gaps[gap].contact.law : "";
       const auto stiffness = stiffness_of(law, row.points[i].law->parameters());
       if (stiffness) look.stiffness = look.stiffness.value_or(0) + *stiffness;
-      look.overlap = std::max(look.overlap, overlaps[i]);
+      if (!overlaps.empty()) look.overlap = std::max(look.overlap, overlaps[i]);
     }
     for (const auto& [b, at] : {std::pair(first.left, first.left_floor), std::pair(first.right, first.right_floor)}) {
       const StructuralModel& model = row.buildings[b].model;
@@ -248,9 +244,16 @@ ResponseLook look_of(const PlanBuilding& building, const PlanResponse& response,
   return look;
 }
 
-Index gap_of(const Problem& problem, std::size_t point) { return problem.points[point].gap; }
-Index gap_of(const PlanProblem& problem, std::size_t point) {
-  return static_cast<Index>(contact_at(problem, static_cast<Index>(point)).gap);
+/// Of each contact its gap.
+std::vector<Index> gaps_of_contacts(const Problem& problem) {
+  std::vector<Index> gaps;
+  for (const ContactPoint& point : problem.points) gaps.push_back(point.gap);
+  return gaps;
+}
+std::vector<Index> gaps_of_contacts(const PlanProblem& problem) {
+  std::vector<Index> gaps;
+  for (const PlanGap& gap : problem.gaps) gaps.insert(gaps.end(), gap.contacts.size(), &gap - problem.gaps.data());
+  return gaps;
 }
 
 template <class AnyProblem, class AnyResponse>
@@ -262,9 +265,10 @@ std::vector<Remark> remarks_of(const Case& c, const AnyProblem& problem, const A
     check_response(look_of(problem.buildings[b], response, b, c.units.gravity), list);
   }
   const std::vector<std::string> names = gap_names(problem);
+  const std::vector<Index> gaps = gaps_of_contacts(problem);
   std::vector<std::pair<double, int>> found(names.size(), {0, 0});
   for (std::size_t point = 0; point < response.points.size(); ++point) {
-    auto& [deepest, slow_starts] = found[gap_of(problem, point)];
+    auto& [deepest, slow_starts] = found[gaps[point]];
     deepest = std::max(deepest, response.points[point].peak_penetration);
     slow_starts += response.points[point].slow_starts;
   }
