@@ -21,16 +21,13 @@ std::optional<Fall> fall_of(const std::optional<Collapse>& collapse, const Build
   return Fall{building.name, building.model.storey_number(collapse->storey), collapse->time};
 }
 
-bool bears_gravity(const Building& building) { return building.has_gravity_loads; }
-bool bears_gravity(const PlanBuilding& building) { return building.has_gravity_loads(); }
-
 /// Drifts beyond collapse of those buildings in which nothing looks for it.
 /// @param drifts largest one of each building
 template <class Buildings>
 std::vector<Beyond> beyond(const std::vector<LargestDrift>& drifts, const Buildings& buildings, double limit) {
   std::vector<Beyond> found;
   for (std::size_t b = 0; b < buildings.size() && b < drifts.size(); ++b) {
-    if (bears_gravity(buildings[b]) || !(drifts[b].ratio > limit)) continue;
+    if (has_gravity(buildings[b]) || !(drifts[b].ratio > limit)) continue;
     found.push_back({buildings[b].name, buildings[b].model.storey_number(drifts[b].storey), drifts[b].ratio});
   }
   return found;

@@ -10,6 +10,10 @@
 // Buildings in plan seen along their gaps, as a row is, for what is reported of gaps of rows and plans alike.
 namespace bentur {
 
+/// Whether gravity acts on a building of a row, or in plan.
+[[nodiscard]] inline bool has_gravity(const Building& building) { return building.has_gravity_loads; }
+[[nodiscard]] inline bool has_gravity(const PlanBuilding& building) { return building.has_gravity_loads(); }
+
 /// The gaps of a problem in their order, each between its L and R, with the contact points of its joint and what it
 /// watches. Known of the buildings are names, levels, masses and, where they move, circular frequencies; of their
 /// damping nothing, as modes of floors that turn are of no one direction.

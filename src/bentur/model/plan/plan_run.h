@@ -49,6 +49,8 @@ struct PlanRun {
   PlanResponse response;
   std::vector<Remark> remarks = {};
   std::shared_ptr<const RunResults> row = {};  ///< row_of() it, where that has been made
+
+  [[nodiscard]] const PlanRun& view() const { return *this; }  ///< as RunResults::view(), where quantities are read
 };
 
 /// As those of a row (remarks.h): of the case alone, and of what came out.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/suite/suite.h"
 
 namespace bentur::story {
@@ -66,8 +67,6 @@ void tell_records(const Case& c, std::vector<Statement>& statements) {
   }
 }
 
-bool has_gravity(const Building& building) { return building.has_gravity_loads; }
-bool has_gravity(const PlanBuilding& building) { return building.has_gravity_loads(); }
 bool is_on_soil(const Building& building) { return building.model.foundation || building.model.slab; }
 bool is_on_soil(const PlanBuilding& building) { return building.model.soil || building.model.slab; }
 

@@ -32,9 +32,6 @@ void tell_collapse(const AnyRun& run, std::vector<Statement>& statements) {
   if (without) tell(*without, with ? "collapse_also_alone" : "collapse_alone");
 }
 
-bool has_gravity(const Building& building) { return building.has_gravity_loads; }
-bool has_gravity(const PlanBuilding& building) { return building.has_gravity_loads(); }
-
 /// The storey of a building that drifts the most, with contact or without; nothing of one that does not move, or that
 /// gravity acts on, whose collapse is looked for.
 template <class AnyRun>

@@ -163,9 +163,6 @@ std::string refusal_of(const Case& c, const PlanProblem& /*problem*/, const Effo
   return beyond_limits(c, effort);
 }
 
-RunView seen(const RunResults& run) { return run.view(); }
-const PlanRun& seen(const PlanRun& run) { return run; }
-
 const RunResults& as_row(const RunResults& run) { return run; }
 const RunResults& as_row(const PlanRun& run) { return *run.row; }
 
@@ -174,7 +171,7 @@ template <class AnyRun>
 void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::vector<RowPart>& all, std::size_t size,
               SuiteRecordRun& result) {
   std::vector<double> row(size);
-  fill_row(all, seen(run), row);
+  fill_row(all, run.view(), row);
   for (const RowPart& part : parts) {
     result.values.push_back(part.name == "gap_needed" ? needed_both_ways(as_row(run)) : reduced(part, row));
   }

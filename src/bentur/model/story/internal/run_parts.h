@@ -89,9 +89,6 @@ struct LargestOfFloors {
 /// "peak_displacement_x_no_contact"; without an axis the key itself.
 [[nodiscard]] std::string key_along(const std::string& key, const std::string& axis);
 
-[[nodiscard]] inline RunView seen(const RunResults& run) { return run.view(); }
-[[nodiscard]] inline const PlanRun& seen(const PlanRun& run) { return run; }
-
 template <class AnyRun>
 constexpr bool is_in_plan = std::is_same_v<AnyRun, PlanRun>;
 
@@ -104,7 +101,7 @@ template <class AnyRun>
     const Quantity& quantity = quantity_named(key_along(key, axis), Owner::floor, is_in_plan<AnyRun>);
     for (Eigen::Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
       for (const QuantityPlace& at : floors_of(run.problem, b)) {
-        const double value = value_of(quantity, seen(run), at);
+        const double value = value_of(quantity, run.view(), at);
         if (!std::isnan(value) && !(value <= most.value)) most = {value, at, axis};
       }
     }
@@ -116,7 +113,7 @@ template <class AnyRun>
 template <class AnyRun>
 [[nodiscard]] double value_at(const AnyRun& run, const std::string& key, const LargestOfFloors& found) {
   const Quantity& quantity = quantity_named(key_along(key, found.axis), Owner::floor, is_in_plan<AnyRun>);
-  return value_of(quantity, seen(run), found.at);
+  return value_of(quantity, run.view(), found.at);
 }
 
 /// {building} and {level}, in plan with the axis.
