@@ -36,34 +36,26 @@ struct GapArguments {
 std::string peaks_text(const Building& building, const SpectralPeaks& peaks, const std::string& length,
                        const Words& say) {
   if (building.is_rigid() && !building.given) return building.name + ": " + say("cli.moves") + "\n";
-  std::vector<double> elevations, srss, cqc;
-  for (Eigen::Index floor = building.model.floors() - 1; floor >= 0; --floor) {
-    elevations.push_back(building.model.elevations[floor]);
-    srss.push_back(peaks.srss(floor));
-    cqc.push_back(peaks.cqc(floor));
-  }
+  const auto from_top = [](const auto& floors) {
+    return std::vector<double>(std::make_reverse_iterator(floors.end()), std::make_reverse_iterator(floors.begin()));
+  };
   Table table;
-  table.add(say("column.elevation"), length, elevations);
+  table.add(say("column.elevation"), length, from_top(building.model.elevations));
   if (const auto& given = building.given) {
-    std::vector<double> as_given(given->displacement.begin(), given->displacement.end());
-    std::reverse(as_given.begin(), as_given.end());
-    table.add("u", length, as_given);
+    table.add("u", length, from_top(given->displacement));
     const bool amplifies = given->amplification != 1;
-    if (amplifies) table.add(say("spectral.amplified"), length, srss);
+    if (amplifies) table.add(say("spectral.amplified"), length, from_top(peaks.srss));
     return say("cli.peaks_given",
                {{"building", building.name},
                 {"amplified", amplifies ? say("cli.amplified", {{"factor", number(given->amplification)}}) : ""}}) +
            "\n\n" + table.text();
   }
   if (peaks.srss_y.size() == 0) {
-    table.add("SRSS", length, srss);
-    table.add("CQC", length, cqc);
+    table.add("SRSS", length, from_top(peaks.srss));
+    table.add("CQC", length, from_top(peaks.cqc));
   } else {
-    const auto from_top = [](const Eigen::VectorXd& list) {
-      return std::vector<double>(std::make_reverse_iterator(list.end()), std::make_reverse_iterator(list.begin()));
-    };
-    table.add("x, SRSS", length, srss);
-    table.add("x, CQC", length, cqc);
+    table.add("x, SRSS", length, from_top(peaks.srss));
+    table.add("x, CQC", length, from_top(peaks.cqc));
     table.add("y, SRSS", length, from_top(peaks.srss_y));
     table.add("y, CQC", length, from_top(peaks.cqc_y));
   }
