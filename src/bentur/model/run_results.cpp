@@ -52,8 +52,18 @@ double applied_pga(const Case& c) {
 RunResults run_results(Case c, Problem problem, Response response) {
   if (response.duration > 0) problem.duration = response.duration;
   problem.goes_on = false;
-  std::vector<Remark> found = remarks(c, problem, response);
+  std::vector<Remark> found = remarks(c, problem, &response);
   return {std::move(c), std::move(problem), std::move(response), std::move(found), {}};
+}
+
+Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks) {
+  Proportions result;
+  if (building.is_rigid()) return result;
+  for (const double mass : building.model.floor_masses) result.weight += mass * units.gravity;
+  const auto storeys = static_cast<double>(building.model.floors() - building.model.first_storey());
+  result.period_per_storey = 2 * std::numbers::pi / building.first_omega() / storeys;
+  if (peaks != nullptr && result.weight > 0) result.base_shear_coefficient = peaks->storey_shear(0) / result.weight;
+  return result;
 }
 
 }  // namespace bentur

@@ -51,4 +51,13 @@ struct RunResults {
 /// Those of a run that has been solved, without data for figures; the problem has the duration that the run came to.
 [[nodiscard]] RunResults run_results(Case c, Problem problem, Response response);
 
+/// What one compares first. A building's weight is that of its floors' lumped masses: half of a frame's lowest columns
+/// stands on the ground.
+struct Proportions {
+  double weight = 0;                             ///< [force]; 0 where masses are not known
+  double period_per_storey = 0;                  ///< first period over the number of storeys [s]
+  std::optional<double> base_shear_coefficient;  ///< peak shear of the first storey over the weight [-]
+};
+[[nodiscard]] Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks);
+
 }  // namespace bentur

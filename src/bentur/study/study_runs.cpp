@@ -251,7 +251,7 @@ std::optional<RunResult> StudyRuns::row_of(std::size_t run, const Case& c, const
                                            const Response& response) const {
   return result_of(run, response, row_size(quantities_), [&](std::span<double> row) {
     RunView view(problem, response, facts_.units);
-    const std::vector<Remark> found = remarks(c, problem, response);
+    const std::vector<Remark> found = remarks(c, problem, &response);
     view.remarks = &found;
     fill_row(quantities_, view, row);
   });

@@ -20,7 +20,7 @@
 #include "bentur/io/schema/table_view.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/model/plan/plan_run.h"
-#include "bentur/model/story/remarks.h"
+#include "bentur/model/run_results.h"
 #include "bentur/model/suite/suite.h"
 
 namespace bentur {

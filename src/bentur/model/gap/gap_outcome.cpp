@@ -106,31 +106,39 @@ bool is_harder(const Impact& a, const Impact& b) {
   return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.closing_speed > b.closing_speed;
 }
 
-const Impact* hardest_impact(const Response& response, Eigen::Index point) {
+const Impact* hardest_impact(const std::vector<Impact>& impacts, Eigen::Index point) {
   const Impact* hardest = nullptr;
-  for (const Impact& impact : response.impacts) {
+  for (const Impact& impact : impacts) {
     if (impact.point == point && (hardest == nullptr || is_harder(impact, *hardest))) hardest = &impact;
   }
   return hardest;
+}
+
+Hit hit_of(const std::vector<PointSummary>& points, const std::vector<Impact>& impacts,
+           const std::vector<Eigen::Index>& of_gap) {
+  Hit hit{.point = of_gap.front()};
+  long settling = 0;
+  const auto hardness = [&](Eigen::Index i) { return std::pair(points[i].peak_force, points[i].peak_closing_speed); };
+  for (const Eigen::Index i : of_gap) {
+    hit.impacts += points[i].impacts;
+    settling += points[i].settling;
+    hit.touched += points[i].impacts + points[i].settling > 0 ? 1 : 0;
+    if (hardness(i) > hardness(hit.point)) hit.point = i;
+  }
+  if (hit.impacts == 0) hit.impacts = settling;
+  hit.hardest = hardest_impact(impacts, hit.point);
+  return hit;
 }
 
 GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::Index gap) {
   GapOutcome outcome{.gap = gap_at(problem, gap),
                      .governing = governing_level(problem, response, gap),
                      .unmodelled = unmodelled_contacts(problem, response, gap)};
-  const auto harder = [&](Eigen::Index i, Eigen::Index than) {
-    const PointSummary &a = response.points[i], &b = response.points[than];
-    return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.peak_closing_speed > b.peak_closing_speed;
-  };
-  int settling = 0;
-  for (auto i = outcome.gap.points.rbegin(); i != outcome.gap.points.rend(); ++i) {
-    const PointSummary& point = response.points[*i];
-    outcome.impacts += point.impacts;
-    settling += point.settling;
-    outcome.touched += point.impacts + point.settling > 0 ? 1 : 0;
-    if (!outcome.hardest || harder(*i, *outcome.hardest)) outcome.hardest = *i;
-  }
-  if (outcome.impacts == 0) outcome.impacts = settling;  // nothing but a contact that comes to rest
+  if (outcome.gap.points.empty()) return outcome;
+  const Hit hit = hit_of(response.points, response.impacts, {outcome.gap.points.rbegin(), outcome.gap.points.rend()});
+  outcome.impacts = static_cast<int>(hit.impacts);
+  outcome.touched = static_cast<int>(hit.touched);
+  outcome.hardest = hit.point;
   return outcome;
 }
 

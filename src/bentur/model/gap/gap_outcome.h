@@ -52,7 +52,18 @@ struct GoverningLevel {
 /// By peak force, then, as where no force is known, by closing speed.
 [[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
 /// The hardest impact of a contact point, the first of those that are alike; nothing where it has none.
-[[nodiscard]] const Impact* hardest_impact(const Response& response, Eigen::Index point);
+[[nodiscard]] const Impact* hardest_impact(const std::vector<Impact>& impacts, Eigen::Index point);
+
+/// Contact in a gap.
+struct Hit {
+  long impacts = 0;                 ///< where there are none, contacts that come to rest
+  long touched = 0;                 ///< contact points hit
+  Eigen::Index point = 0;           ///< with the largest force, else the fastest impact; of those alike the first
+  const Impact* hardest = nullptr;  ///< there; null where it is not known
+};
+/// @param of_gap its points, at least one
+[[nodiscard]] Hit hit_of(const std::vector<PointSummary>& points, const std::vector<Impact>& impacts,
+                         const std::vector<Eigen::Index>& of_gap);
 
 /// What is reported first of a gap.
 struct GapOutcome {

@@ -9,7 +9,7 @@ struct SeparationInput {
   double damping_ratio = 0;  ///< ζ₁ [-]
 };
 
-/// u_A + u_B: the absolute sum, always safe.
+/// u_A + u_B: the absolute sum; two free responses never need more.
 [[nodiscard]] double separation_abs(const SeparationInput& a, const SeparationInput& b);
 /// √(u_A² + u_B²).
 [[nodiscard]] double separation_srss(const SeparationInput& a, const SeparationInput& b);

@@ -14,6 +14,10 @@ namespace bentur {
 [[nodiscard]] inline bool has_gravity(const Building& building) { return building.has_gravity_loads; }
 [[nodiscard]] inline bool has_gravity(const PlanBuilding& building) { return building.has_gravity_loads(); }
 
+/// Whether it stands on soil.
+[[nodiscard]] inline bool has_soil(const Building& building) { return building.model.foundation.has_value(); }
+[[nodiscard]] inline bool has_soil(const PlanBuilding& building) { return building.model.soil.has_value(); }
+
 /// The gaps of a problem in their order, each between its L and R, with the contact points of its joint and what it
 /// watches. Known of the buildings are names, levels, masses and, where they move, circular frequencies; of their
 /// damping nothing, as modes of floors that turn are of no one direction.

@@ -188,7 +188,7 @@ PlanProblem make_plan_problem(const Case& c, std::vector<PlanBuilding> buildings
 PlanRun run_results(Case c, PlanProblem problem, PlanResponse response) {
   if (response.duration > 0) problem.duration = response.duration;
   problem.goes_on = false;
-  std::vector<Remark> found = remarks(c, problem, response);
+  std::vector<Remark> found = remarks(c, problem, &response);
   PlanRun run{std::move(c), std::move(problem), std::move(response), std::move(found)};
   run.row = row_of(run);
   return run;

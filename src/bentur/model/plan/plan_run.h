@@ -53,9 +53,9 @@ struct PlanRun {
   [[nodiscard]] const PlanRun& view() const { return *this; }  ///< as RunResults::view(), where quantities are read
 };
 
-/// As those of a row (remarks.h): of the case alone, and of what came out.
-[[nodiscard]] std::vector<Remark> remarks(const Case& c, const PlanProblem& problem);
-[[nodiscard]] std::vector<Remark> remarks(const Case& c, const PlanProblem& problem, const PlanResponse& response);
+/// As those of a row (remarks.h).
+[[nodiscard]] std::vector<Remark> remarks(const Case& c, const PlanProblem& problem,
+                                          const PlanResponse* response = nullptr);
 
 /// The same as those of a row (run_results.h).
 [[nodiscard]] PlanRun run_results(Case c, PlanProblem problem, PlanResponse response);

@@ -44,7 +44,7 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
 }
 
 const Judgement& judged_of(const GapView& facts, Eigen::Index gap) {
-  return facts.judged.at(static_cast<std::size_t>(gap));
+  return facts.gaps.at(static_cast<std::size_t>(gap)).judgement;
 }
 
 /// "to spare" is said of what is judged enough alone.
@@ -58,7 +58,7 @@ const char* need_kind(const GoverningLevel& level, const Judgement& judged) {
 void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
                    std::vector<Statement>& statements) {
   const auto level = governing_reversed(levels, facts.scale(gap));
-  const GapFacts& known = facts.facts.at(static_cast<std::size_t>(gap));
+  const GapFacts& known = facts.gaps.at(static_cast<std::size_t>(gap)).facts;
   const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
                                     [](const LevelFacts& one) { return one.reversed.need.has_value(); });
   if (level && is_known) {
@@ -118,7 +118,7 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     elevation.numbers.push_back(level.elevation);
     place_columns.add(facts, &level);
     given.numbers.push_back(level.width);
-    const LevelFacts& facts_of_level = facts.facts.at(static_cast<std::size_t>(gap)).levels.at(place);
+    const LevelFacts& facts_of_level = facts.gaps.at(static_cast<std::size_t>(gap)).facts.levels.at(place);
     needed.numbers.push_back(facts_of_level.given.need ? shown(one->gap_needed) : none);
     const std::optional<double>& other = facts_of_level.reversed.need;
     reversed.numbers.push_back(other ? shown(*other) : none);
@@ -303,7 +303,7 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
                                                          : "spectral_need"));
     return;
   }
-  const GapFacts& known = facts.facts.at(static_cast<std::size_t>(gap));
+  const GapFacts& known = facts.gaps.at(static_cast<std::size_t>(gap)).facts;
   const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
                                     [](const LevelFacts& one) { return one.given.need.has_value(); });
   if (is_known) {

@@ -1,4 +1,5 @@
 #include "bentur/model/story/hand_in.h"
+#include "bentur/model/contact/worst_column.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,14 +57,14 @@ class Checks {
 void check_columns(const RunResults& run, Checks& checks) {
   for (const bool shear : {true, false}) {
     for (const Gap& gap : gaps_of(run.problem)) {
-      const std::optional<story::WorstColumn> worst = story::worst_column(run, gap, shear);
+      const std::optional<WorstColumn> worst = worst_column(run, gap, shear);
       if (!worst) continue;
       const std::string& building = run.problem.buildings[worst->building].name;
       const double level = run.problem.points[worst->point].elevation;
       checks.add(shear ? "check.column_shear" : "check.column_moment", "column_capacity",
                  building + ", " + with_unit(level, run.c.units.length), with_unit(worst->demand, worst->unit),
                  worst->ratio > 0 ? with_unit(worst->demand / worst->ratio, worst->unit) : "–",
-                 !(worst->ratio > 1 - story::reached));
+                 !(worst->ratio > 1 - reached));
     }
   }
 }
@@ -139,8 +140,8 @@ void check_storeys(const RunResults& run, Checks& checks) {
 
 /// What is judged of a gap that this alone would let pass: "met" is said of a gap that is enough alone.
 const char* passing_word(const GapView& facts, Index gap) {
-  if (facts.judged.empty()) return "check.met";
-  return facts.judged.at(static_cast<std::size_t>(gap)).is_enough() ? "check.met" : "gap.asks_less";
+  if (facts.gaps.empty()) return "check.met";
+  return facts.gaps.at(static_cast<std::size_t>(gap)).judgement.is_enough() ? "check.met" : "gap.asks_less";
 }
 
 void add_against(const GapView& facts, Index gap, bool is_short, Checks& checks, const std::string& check,
@@ -151,9 +152,9 @@ void add_against(const GapView& facts, Index gap, bool is_short, Checks& checks,
 /// Contact in the run and in that of the motion reversed, and where no contact is modelled.
 void check_contact(const GapView& view, Index gap, Checks& checks) {
   if (view.response == nullptr) return;
-  const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
+  const GapFacts& facts = view.gaps.at(static_cast<std::size_t>(gap)).facts;
   if (facts.levels.empty()) return;
-  const Judgement& judged = view.judged.at(static_cast<std::size_t>(gap));
+  const Judgement& judged = view.gaps.at(static_cast<std::size_t>(gap)).judgement;
   for (const auto& [kind, check] :
        {std::pair(Reason::Kind::contact, "check.contact"), std::pair(Reason::Kind::unmodelled, "check.unmodelled")}) {
     const auto found = std::find_if(judged.reasons.begin(), judged.reasons.end(),
@@ -191,7 +192,7 @@ void check_need(const GapView& facts, Index gap, Checks& checks) {
   };
   if (is_known_by_peaks(facts.problem, gap)) return;  // rules alone say what peaks are held against
   if (facts.response == nullptr) return add("check.gap_spectrum", true);
-  const GapFacts& of = facts.facts.at(static_cast<std::size_t>(gap));
+  const GapFacts& of = facts.gaps.at(static_cast<std::size_t>(gap)).facts;
   const auto is_known = [&](Way way) {
     return std::all_of(of.levels.begin(), of.levels.end(),
                        [&](const LevelFacts& one) { return one.in(way).need.has_value(); });
@@ -311,8 +312,7 @@ HandIn hand_in(const PlanRun& run) {
   check_shears(frames, checks);
   check_hinges(frames, checks);
   check_planes(run, checks);
-  const auto row = row_of(run);
-  const GapView facts = story::judged_view_of(run, *row);
+  const GapView facts = story::judged_view_of(run);
   check_gaps(facts, checks);
   const bool needs_seismicity = check_screenings(facts, checks);
   check_solution(run.response.discrepancies, checks);

@@ -51,7 +51,7 @@ std::string reason_key(const Reason& reason) {
 }  // namespace
 
 std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason& reason) {
-  const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
+  const GapFacts& facts = view.gaps.at(static_cast<std::size_t>(gap)).facts;
   const std::string& length = view.c.units.length;
   std::vector<StoryValue> item;
   if (reason.level) {
@@ -105,8 +105,8 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
 
 void tell_judgement(const GapView& view, Index gap, const std::function<void(Statement)>& hit,
                     std::vector<Statement>& statements) {
-  const Judgement& judged = view.judged.at(static_cast<std::size_t>(gap));
-  const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
+  const Judgement& judged = view.gaps.at(static_cast<std::size_t>(gap)).judgement;
+  const GapFacts& facts = view.gaps.at(static_cast<std::size_t>(gap)).facts;
   const auto has = [&](Reason::Kind kind) {
     return std::any_of(judged.reasons.begin(), judged.reasons.end(),
                        [&](const Reason& one) { return one.kind == kind && one.way == Way::given; });
@@ -160,53 +160,56 @@ double lacking(const GoverningNeed& need) {
   return std::max(need.given.needed.value_or(0), need.reversed.needed.value_or(0)) - need.at.width;
 }
 
+/// The largest contact force [force]; 0: none.
+double peak_force_of(const GapFacts& facts) {
+  double most = 0;
+  for (const LevelFacts& level : facts.levels) most = std::max(most, level.given.peak_force);
+  return most;
+}
+
 /// The places of the gaps, the worst first: as they are judged, by how much they fall short, by the hardest impact.
-std::vector<std::size_t> worst_first(const std::vector<GapLine>& gaps) {
+std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) {
   std::vector<std::size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t g) {
-    return gaps[g].judged == Sufficiency::too_small ? 0 : gaps[g].judged == Sufficiency::unknown ? 1 : 2;
+    const Sufficiency judged = gaps[g].judgement.value;
+    return judged == Sufficiency::too_small ? 0 : judged == Sufficiency::unknown ? 1 : 2;
   };
   std::vector<double> lacks;
-  for (const GapLine& one : gaps) lacks.push_back(lacking(governing_need(*one.facts).value_or(GoverningNeed{})));
+  for (const JudgedGap& one : gaps) lacks.push_back(lacking(governing_need(one.facts).value_or(GoverningNeed{})));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
-    return lacks[a] != lacks[b] ? lacks[a] > lacks[b] : gaps[a].peak_force > gaps[b].peak_force;
+    return lacks[a] != lacks[b] ? lacks[a] > lacks[b] : peak_force_of(gaps[a].facts) > peak_force_of(gaps[b].facts);
   });
   return order;
 }
 
-/// Those in the table: all in their order, or of many the worst.
-std::vector<std::size_t> shown_gaps(const std::vector<GapLine>& gaps, std::vector<std::size_t> order) {
-  if (gaps.size() <= most_lines) {
-    std::iota(order.begin(), order.end(), std::size_t{0});
-  } else {
-    order.resize(worst_lines);
-  }
-  return order;
-}
-
-StoryTable table_of_gaps(const std::vector<GapLine>& gaps, const std::vector<std::size_t>& order,
-                         const ShownUnits& shown, const std::string& length) {
+/// Of all in their order, or of many of the worst. @param order worst_first()
+StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, const ShownUnits& shown) {
+  const std::string& length = view.c.units.length;
+  if (order.size() <= most_lines) std::iota(order.begin(), order.end(), std::size_t{0});
+  order.resize(order.size() <= most_lines ? order.size() : worst_lines);
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn given{"column.given", length}, needed{"column.simulated", length}, reversed{"column.reversed", length};
   StoryColumn lacks{"column.short_by", length};
   StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
-  StoryTable table{.kind = order.size() == gaps.size() ? "row" : "row_worst",
-                   .values = {count_of("shown", std::ssize(order)), count_of("count", std::ssize(gaps))}};
+  StoryTable table{.kind = order.size() == view.gaps.size() ? "row" : "row_worst",
+                   .values = {count_of("shown", std::ssize(order)), count_of("count", std::ssize(view.gaps))}};
   for (const std::size_t g : order) {
-    const GapLine& one = gaps[g];
-    const GoverningNeed need = governing_need(*one.facts).value_or(GoverningNeed{});
-    if (one.judged == Sufficiency::too_small) table.marked.push_back(name.texts.size());
-    name.texts.push_back(one.name);
-    verdict.texts.emplace_back(judgement_word(one.judged));
+    const auto& [facts, judgement] = view.gaps[g];
+    const GoverningNeed need = governing_need(facts).value_or(GoverningNeed{});
+    if (judgement.value == Sufficiency::too_small) table.marked.push_back(name.texts.size());
+    name.texts.push_back(gap_name(view.problem, static_cast<Index>(g)));
+    verdict.texts.emplace_back(judgement_word(judgement.value));
     given.numbers.push_back(need.at.width);
     needed.numbers.push_back(need.given.needed.value_or(not_there));
     reversed.numbers.push_back(need.reversed.needed.value_or(not_there));
     const bool is_short = need.given.is_short || need.reversed.is_short;
     lacks.numbers.push_back(is_short ? lacking(need) : not_there);
-    impacts.texts.push_back(std::to_string(one.impacts));
-    hardest.numbers.push_back(one.peak_force > 0 ? shown.force * one.peak_force : not_there);
+    long count = 0;
+    for (const LevelFacts& level : facts.levels) count += level.given.impacts;
+    impacts.texts.push_back(std::to_string(count));
+    hardest.numbers.push_back(peak_force_of(facts) > 0 ? shown.force * peak_force_of(facts) : not_there);
   }
   table.columns = {name, verdict, given, needed, reversed, lacks, impacts, hardest};
   return table;
@@ -214,16 +217,16 @@ StoryTable table_of_gaps(const std::vector<GapLine>& gaps, const std::vector<std
 
 }  // namespace
 
-std::optional<Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const std::string& length,
-                               Story& told) {
-  if (gaps.size() < 2) return std::nullopt;
-  const std::vector<std::size_t> order = worst_first(gaps);
-  told.tables.push_back(table_of_gaps(gaps, shown_gaps(gaps, order), shown, length));
+std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Story& told) {
+  if (view.gaps.size() < 2) return std::nullopt;
+  const std::vector<std::size_t> order = worst_first(view.gaps);
+  told.tables.push_back(table_of_gaps(view, order, shown));
   const auto judged = [&](Sufficiency as) {
-    return static_cast<long>(
-        std::count_if(gaps.begin(), gaps.end(), [&](const GapLine& one) { return one.judged == as; }));
+    return std::count_if(view.gaps.begin(), view.gaps.end(),
+                         [&](const JudgedGap& one) { return one.judgement.value == as; });
   };
-  const long count = std::ssize(gaps), small = judged(Sufficiency::too_small), unknown = judged(Sufficiency::unknown);
+  const long count = std::ssize(view.gaps), small = judged(Sufficiency::too_small),
+             unknown = judged(Sufficiency::unknown);
   Statement statement{.kind = small == count ? "row_all"
                               : small > 0    ? "row_some"
                               : unknown > 0  ? "row_unknown"
@@ -242,12 +245,12 @@ namespace {
 
 ToldJudgement told(const story::GapView& view, Eigen::Index gap) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const GapFacts& facts = view.facts.at(static_cast<std::size_t>(gap));
+  const GapFacts& facts = view.gaps.at(static_cast<std::size_t>(gap)).facts;
   const GapPair sides = sides_of(view.problem, gap);
   ToldJudgement made{.left = sides.left,
                      .right = sides.right,
                      .width = none,
-                     .judgement = view.judged.at(static_cast<std::size_t>(gap))};
+                     .judgement = view.gaps.at(static_cast<std::size_t>(gap)).judgement};
   for (const LevelFacts& level : facts.levels) {
     made.width = made.width == made.width ? std::min(made.width, level.at.width) : level.at.width;
   }
@@ -260,7 +263,7 @@ ToldJudgement told(const story::GapView& view, Eigen::Index gap) {
 
 std::vector<ToldJudgement> told(const story::GapView& view) {
   std::vector<ToldJudgement> all;
-  for (Eigen::Index gap = 0; gap < std::ssize(view.judged); ++gap) all.push_back(told(view, gap));
+  for (Eigen::Index gap = 0; gap < std::ssize(view.gaps); ++gap) all.push_back(told(view, gap));
   return all;
 }
 
@@ -278,10 +281,7 @@ std::vector<ToldJudgement> told_judgements(const Case& c, const Problem& problem
   return told(story::judged_view_of(c, problem, spectral));
 }
 
-std::vector<ToldJudgement> told_judgements(const PlanRun& run) {
-  const auto row = row_of(run);
-  return told(story::judged_view_of(run, *row));
-}
+std::vector<ToldJudgement> told_judgements(const PlanRun& run) { return told(story::judged_view_of(run)); }
 
 std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index gap) {
   using story::count_of;

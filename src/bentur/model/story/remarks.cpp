@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/remark_checks.h"
+#include "bentur/model/story/internal/storeys.h"
 #include "bentur/model/suite/suite.h"
 
 // What is unusual of a case and a run of it, of a row as in plan: what only one of both has stands in a function of its
@@ -19,28 +21,24 @@ namespace {
 using Eigen::Index;
 using namespace remarking;
 
-double first_omega(const Building& building) { return building.first_omega(); }
-double first_omega(const PlanBuilding& building) { return building.is_rigid() ? 0 : building.modes.omega(0); }
-
 template <class AnyProblem>
 void check_buildings(const Case& c, const AnyProblem& problem, List& list) {
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const auto& building = problem.buildings[b];
     if (building.is_rigid()) continue;
     const auto& model = building.model;
-    static const std::vector<double> unknown;
-    const bool is_given = b < c.buildings.size();  // not of results read back
-    BuildingLook look{.name = building.name,
-                      .omega = first_omega(building),
-                      .damping_rate = building.modal_damping(0, 0),
-                      .on_bearings = model.slab.has_value(),
-                      .storeys = static_cast<std::size_t>(model.floors() - model.first_storey()),
-                      .heights = is_given ? model.storey_heights : unknown,
-                      .masses = model.floor_masses,
-                      .width = is_given ? width_of(c.buildings[b]) : 0};
-    if constexpr (requires { model.stiffness_factor; }) look.stiffness_factor = model.stiffness_factor;
-    if (is_given) look.frames = frames_in(c.buildings[b]);
-    check_building(look, c.units, list);
+    const double omega = building.first_omega();
+    if (omega > 0 && !model.slab) {  // which is there to change both
+      const auto storeys = static_cast<double>(model.floors() - model.first_storey());
+      list.check("period_per_storey", building.name, 2 * std::numbers::pi / omega / storeys);
+      list.check("damping", building.name, building.modal_damping(0, 0) / (2 * omega));
+    }
+    if constexpr (requires { model.stiffness_factor; }) {
+      if (model.stiffness_factor) list.check("stiffness_factor", building.name, *model.stiffness_factor);
+    }
+    for (const double mass : model.floor_masses) list.check("storey_weight", building.name, mass * c.units.gravity);
+    // Of results read back no more is known.
+    if (b < c.buildings.size()) check_given(c.buildings[b], model.storey_heights, model.floor_masses, list);
   }
 }
 
@@ -54,9 +52,9 @@ void check_blows(const Problem& problem, List& list) {
     const Eigen::VectorXd shape = building.modes.shapes.row(building.model.floors() + struck->node);
     for (Eigen::Index mode = 0; mode < shape.size(); ++mode) {
       const double omega = building.modes.omega(mode);
-      if (shape(mode) * shape(mode) < share_of_blow * shape.squaredNorm() || !(omega > 0)) continue;
-      list.most("impact_damping", building.name, building.modal_damping(mode, mode) / (2 * omega), "",
-                damping_range.most, damping_range.usual_to);
+      constexpr double least_share = 0.1;  // of the energy of a blow, that makes a mode matter
+      if (shape(mode) * shape(mode) < least_share * shape.squaredNorm() || !(omega > 0)) continue;
+      list.check("impact_damping", building.name, building.modal_damping(mode, mode) / (2 * omega));
     }
   }
 }
@@ -66,14 +64,11 @@ void check_modes(const Case& c, const Problem& problem, List& list) {
   for (const ContactPoint& point : problem.points) {
     for (const auto& [b, floor] :
          {std::pair(point.left, point.left_floor), std::pair(point.right, point.right_floor)}) {
-      const auto place = static_cast<std::size_t>(b);
-      if (place >= c.buildings.size()) continue;
-      const auto* modal = std::get_if<ModalBuilding>(&c.buildings[place].structure);
-      if (modal == nullptr) continue;
-      const Building& building = problem.buildings[place];
+      if (b >= std::ssize(c.buildings) || !std::holds_alternative<ModalBuilding>(c.buildings[b].structure)) continue;
+      const Building& building = problem.buildings[b];
       // M φ is m_i φ_i, since M is diagonal.
-      const double share = building.model.mass(floor, floor) * building.modes.shapes.row(floor).squaredNorm();
-      if (share < least_share) list.add({"modal_mass", building.name, share, "", least_share, std::nullopt});
+      list.check("modal_mass", building.name,
+                 building.model.mass(floor, floor) * building.modes.shapes.row(floor).squaredNorm());
     }
   }
 }
@@ -108,30 +103,42 @@ std::vector<double> overlaps(const PlanProblem& problem) {
 /// Level after level of every gap, with all contacts of its joint together. @param row the problem, of buildings in
 /// plan row_of() it @param overlaps overlaps()
 void check_levels(const Case& c, const Problem& row, const std::vector<double>& overlaps, List& list) {
+  const double metre = 1 / list.si("L");
   for (std::size_t i = 0; i < row.points.size();) {
     const ContactPoint& first = row.points[i];
     const std::string name = gap_name(row, first.gap);
+    const std::string law = first.gap < std::ssize(c.gaps) ? c.gaps[first.gap].contact.law : "";
     const StructuralModel &left = row.buildings[first.left].model, &right = row.buildings[first.right].model;
-    LevelLook look{.gap = name, .width = first.width - first.beyond};
     if (first.left_floor < left.floors() && first.right_floor < right.floors()) {
+      // Floors meet though the beam of the upper one ends above the lower one.
       const double above = left.elevations[first.left_floor] - right.elevations[first.right_floor];
-      look.apart = std::abs(above);
-      look.beam_depth = above > 0 ? beam_depth(c, first.left, first.left_floor - left.first_storey())
-                                  : beam_depth(c, first.right, first.right_floor - right.first_storey());
+      const double depth = (above > 0 ? beam_depth(c, first.left, first.left_floor - left.first_storey())
+                                      : beam_depth(c, first.right, first.right_floor - right.first_storey()))
+                               .value_or(0.6 * metre);
+      list.check("level_tolerance", name, std::abs(above), depth, depth);
     }
+    double overlap = 0, stiffness = 0;  // that at the start; 0: no law has one that is constant
     for (; i < row.points.size() && row.points[i].gap == first.gap && row.points[i].elevation == first.elevation; ++i) {
-      const auto gap = static_cast<std::size_t>(first.gap);
-      const std::string law = gap < c.gaps.size() ? c.gaps[gap].contact.law : "";
-      const auto stiffness = stiffness_of(law, row.points[i].law->parameters());
-      if (stiffness) look.stiffness = look.stiffness.value_or(0) + *stiffness;
-      if (!overlaps.empty()) look.overlap = std::max(look.overlap, overlaps[i]);
+      stiffness += stiffness_of(law, row.points[i].law->parameters()).value_or(0);
+      if (!overlaps.empty()) overlap = std::max(overlap, overlaps[i]);
     }
+    const double width = first.width - first.beyond;
+    list.check("initial_overlap", name, overlap);
+    list.check("gap_width", name, width);
+    if (!(stiffness > 0)) continue;
+    list.check("contact_stiffness", name, stiffness);
+    if (width > 0) continue;
+    double shorter = std::numeric_limits<double>::infinity(), compliance = 0;  // first periods; 1/m of what moves
     for (const auto& [b, at] : {std::pair(first.left, first.left_floor), std::pair(first.right, first.right_floor)}) {
       const StructuralModel& model = row.buildings[b].model;
       const Index floors = model.floors();
-      look.take(at < floors ? model.floor_masses[at] : model.node_masses[at - floors], row.buildings[b].first_omega());
+      if (!(row.buildings[b].first_omega() > 0)) continue;
+      shorter = std::min(shorter, 2 * std::numbers::pi / row.buildings[b].first_omega());
+      compliance += 1 / (at < floors ? model.floor_masses[at] : model.node_masses[at - floors]);
     }
-    check_level(look, c.units, list);
+    // Buildings that touch at rest through something soft.
+    if (compliance > 0)
+      list.check("soft_contact", name, std::numbers::pi / std::sqrt(stiffness * compliance) / shorter);
   }
 }
 
@@ -159,7 +166,7 @@ void check_gaps(const Case& c, const PlanProblem& problem, List& list) {
   for (const PlanGap& gap : problem.gaps) {
     const auto is_convex = [&](Index b) { return problem.buildings[b].model.footprint.is_convex(); };
     if (!is_convex(gap.left) || !is_convex(gap.right)) continue;  // of which other corners are other pairs' of parts
-    list.most("merged_corners", gap_name(problem, gap), merged_corners(gap), "", 0, 0);
+    list.check("merged_corners", gap_name(problem, gap), merged_corners(gap));
   }
 }
 
@@ -179,7 +186,7 @@ void check_motions(const Case& c, const AnyProblem& problem, List& list) {
     const char* const subject = moving > 1 ? axes[i] : "";
     const ExcitationSpec& excitation = *c.excitations()[i];
     if (excitation.record) check_record(*excitation.record, subject, list);
-    check_motion(*motions[i], excitation, subject, problem.duration, c.units, list);
+    check_motion(*motions[i], excitation, subject, problem.duration, list);
   }
   if (!c.excitation.suite) return;
   for (const SuiteRecord& record : c.excitation.suite->records) {
@@ -193,187 +200,72 @@ void check_before(const Case& c, const AnyProblem& problem, List& list) {
   check_buildings(c, problem, list);
   check_gaps(c, problem, list);
   check_motions(c, problem, list);
-  std::vector<std::string> names;
-  std::vector<double> omegas;
-  for (const auto& building : problem.buildings) {
-    names.push_back(building.name);
-    omegas.push_back(first_omega(building));
+  double shortest = problem.duration;
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const auto& building = problem.buildings[b];
+    if (building.first_omega() > 0) shortest = std::min(shortest, 2 * std::numbers::pi / building.first_omega());
+    if (b >= problem.delays.size() || problem.delays[b] < problem.duration) continue;
+    list.add("delay", building.name, problem.delays[b], std::nullopt, problem.duration);
   }
-  check_delays(names, problem.delays, problem.duration, list);
   if (!c.excitation.spectrum) check_codes(c.code, list);
-  check_output(c.analysis.output_step, omegas, problem.duration, list);
-}
-
-double over_weight(double shear, const std::vector<double>& masses, double gravity) {
-  const double weight = gravity * std::accumulate(masses.begin(), masses.end(), 0.0);
-  return weight > 0 ? shear / weight : 0;
-}
-
-long broken_of(const BuildingPeaks& peaks) {
-  return std::count_if(peaks.columns.begin(), peaks.columns.end(),
-                       [](const BuildingPeaks::Breaking& column) { return column.break_time; });
-}
-
-/// The largest shear of the lowest storey, with contact and without, and the largest drift; what yields and what broke.
-ResponseLook look_of(const Building& building, const Response& response, std::size_t b, double gravity) {
-  const BuildingPeaks& peaks = response.buildings.at(b);
-  const Eigen::VectorXd& alone = peaks.storey_shear_no_contact;
-  const double shear = std::max(peaks.storey_shear(0), alone.size() > 0 ? alone(0) : 0.0);
-  return {.name = building.name,
-          .drift = std::max(largest_drift(peaks.drift_ratio).ratio, largest_drift(peaks.drift_ratio_no_contact).ratio),
-          .base_shear = over_weight(shear, building.model.floor_masses, gravity),
-          .yields = building.storeys_yield() || !building.model.hinges.places.empty(),
-          .broken_columns = broken_of(peaks)};
-}
-
-ResponseLook look_of(const PlanBuilding& building, const PlanResponse& response, std::size_t b, double gravity) {
-  const PlanPeaks &with = response.buildings.at(b), &alone = response.buildings_no_contact.at(b);
-  ResponseLook look{.name = building.name, .drift = std::max(with.largest_drift().ratio, alone.largest_drift().ratio)};
-  const Index storey = building.model.first_storey();
-  double shear = 0;
-  for (const PlanPeaks* const peaks : {&with, &alone}) {
-    for (const Eigen::VectorXd* const list : {&peaks->shear_x, &peaks->shear_y}) {
-      if (storey < list->size()) shear = std::max(shear, (*list)(storey));
-    }
-    for (const PlanPeaks::Plane& plane : peaks->planes) {
-      look.yields = look.yields || plane.yielding.ductility.size() > 0 || !plane.frame.hinges.empty();
-    }
-  }
-  for (const PlanPeaks::Plane& plane : with.planes) look.broken_columns += broken_of(plane.frame);
-  look.base_shear = over_weight(shear, building.model.floor_masses, gravity);
-  return look;
-}
-
-/// Of each contact its gap.
-std::vector<Index> gaps_of_contacts(const Problem& problem) {
-  std::vector<Index> gaps;
-  for (const ContactPoint& point : problem.points) gaps.push_back(point.gap);
-  return gaps;
-}
-std::vector<Index> gaps_of_contacts(const PlanProblem& problem) {
-  std::vector<Index> gaps;
-  for (const PlanGap& gap : problem.gaps) gaps.insert(gaps.end(), gap.contacts.size(), &gap - problem.gaps.data());
-  return gaps;
+  list.check("output_step", "", c.analysis.output_step, shortest / 4, shortest / 20);  // fewer samples draw no curve
 }
 
 template <class AnyProblem, class AnyResponse>
-std::vector<Remark> remarks_of(const Case& c, const AnyProblem& problem, const AnyResponse& response) {
-  List list(c.units);
-  check_before(c, problem, list);
-  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
-    if (!(first_omega(problem.buildings[b]) > 0)) continue;  // it moves with the ground, or freely
-    check_response(look_of(problem.buildings[b], response, b, c.units.gravity), list);
+void check_response(const AnyProblem& problem, const AnyResponse& response, std::size_t b, List& list) {
+  const auto& building = problem.buildings[b];
+  if (!(building.first_omega() > 0)) return;  // it moves with the ground, or freely
+  bool yields = false;
+  double drift = 0, shear = 0;
+  std::ptrdiff_t broken = 0;
+  for (const story::Storeys& all : story::storeys_of(problem, response, static_cast<Index>(b))) {
+    drift = std::max({drift, largest_drift(all.drift).ratio, largest_drift(all.drift_alone).ratio});
+    shear = std::max(shear, all.base_shear);
+    yields = yields || all.yielding->ductility.size() > 0 || !all.frame->hinges.empty();
+    broken += std::count_if(all.frame->columns.begin(), all.frame->columns.end(),
+                            [](const BuildingPeaks::Breaking& column) { return column.break_time.has_value(); });
   }
-  const std::vector<std::string> names = gap_names(problem);
-  const std::vector<Index> gaps = gaps_of_contacts(problem);
-  std::vector<std::pair<double, int>> found(names.size(), {0, 0});
-  for (std::size_t point = 0; point < response.points.size(); ++point) {
-    auto& [deepest, slow_starts] = found[gaps[point]];
-    deepest = std::max(deepest, response.points[point].peak_penetration);
-    slow_starts += response.points[point].slow_starts;
-  }
-  for (std::size_t gap = 0; gap < names.size(); ++gap) {
-    check_impacts(names[gap], found[gap].first, found[gap].second, list);
-  }
-  check_discrepancies(response.discrepancies, list);
-  return list.take();
+  list.check("broken_columns", building.name, static_cast<double>(broken));
+  if (yields) return;  // both say what the linear elastic model overlooks
+  list.check("drift", building.name, 100 * drift);
+  const auto& masses = building.model.floor_masses;
+  const double weight = list.units().gravity * std::accumulate(masses.begin(), masses.end(), 0.0);
+  if (weight > 0) list.check("base_shear", building.name, shear / weight);
 }
 
-template <class AnyProblem>
-std::vector<Remark> remarks_before(const Case& c, const AnyProblem& problem) {
+template <class AnyProblem, class AnyResponse>
+std::vector<Remark> remarks_of(const Case& c, const AnyProblem& problem, const AnyResponse* response) {
   List list(c.units);
   check_before(c, problem, list);
+  if (response == nullptr) return list.take();
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) check_response(problem, *response, b, list);
+  const std::vector<std::string> names = gap_names(problem);
+  for (std::size_t gap = 0; gap < names.size(); ++gap) {
+    double slow_starts = 0;
+    for (const Index i : story::points_from_top(problem, gap)) {
+      list.check("penetration", names[gap], response->points[i].peak_penetration);
+      slow_starts += static_cast<double>(response->points[i].slow_starts);
+    }
+    list.check("slow_starts", names[gap], slow_starts);
+  }
+  for (const Discrepancy& one : response->discrepancies) list.add(one.key, "", one.size, std::nullopt, 1e-9, false);
   return list.take();
 }
 
 }  // namespace
 
-std::vector<Remark> remarks(const Case& c, const Problem& problem) { return remarks_before(c, problem); }
-std::vector<Remark> remarks(const Case& c, const PlanProblem& problem) { return remarks_before(c, problem); }
-
-std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response) {
+std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response* response) {
   return remarks_of(c, problem, response);
 }
-std::vector<Remark> remarks(const Case& c, const PlanProblem& problem, const PlanResponse& response) {
+std::vector<Remark> remarks(const Case& c, const PlanProblem& problem, const PlanResponse* response) {
   return remarks_of(c, problem, response);
 }
 
 std::vector<Remark> remarks(const RecordEcho& record, const Units& units) {
   List list(units);
   check_record(record, "", list);
-  if (record.pga == 0) {
-    list.add({"motion_of_zeros", "", 0, "g", pga_range.usual_from, pga_range.usual_to, true});
-  } else {
-    list.check("pga", "", record.pga / units.gravity, "g", pga_range);
-  }
+  list.check(record.pga == 0 ? "motion_of_zeros" : "pga", "", record.pga / units.gravity);
   return list.take();
-}
-
-Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks) {
-  Proportions result;
-  if (building.is_rigid()) return result;
-  for (const double mass : building.model.floor_masses) result.weight += mass * units.gravity;
-  const auto storeys = static_cast<double>(building.model.floors() - building.model.first_storey());
-  result.period_per_storey = 2 * std::numbers::pi / building.first_omega() / storeys;
-  if (peaks != nullptr && result.weight > 0) result.base_shear_coefficient = peaks->storey_shear(0) / result.weight;
-  return result;
-}
-
-const std::vector<std::string_view>& remark_keys() {
-  static const std::vector<std::string_view> keys = {"period_per_storey",
-                                                     "stiffness_factor",
-                                                     "storey_weight",
-                                                     "storey_weight_per_width",
-                                                     "impact_damping",
-                                                     "damping",
-                                                     "storey_height",
-                                                     "elastic_modulus",
-                                                     "density",
-                                                     "section",
-                                                     "line_load",
-                                                     "gap_width",
-                                                     "level_tolerance",
-                                                     "soft_contact",
-                                                     "code_on_record",
-                                                     "broken_columns",
-                                                     "initial_overlap",
-                                                     "contact_stiffness",
-                                                     "record_step",
-                                                     "record_length",
-                                                     "motion_of_zeros",
-                                                     "pga",
-                                                     "pga_without_unit",
-                                                     "delay",
-                                                     "duration",
-                                                     "output_step",
-                                                     "modal_mass",
-                                                     "drift",
-                                                     "base_shear",
-                                                     "penetration",
-                                                     "check_first_contact",
-                                                     "check_without_impact",
-                                                     "check_momentum",
-                                                     "check_opening",
-                                                     "check_peaks",
-                                                     "check_forces",
-                                                     "check_energy",
-                                                     "slow_starts",
-                                                     "merged_corners"};
-  return keys;
-}
-
-std::uint64_t remark_kinds(const std::vector<Remark>& remarks) {
-  std::uint64_t kinds = 0;
-  for (const Remark& one : remarks) {
-    const auto& keys = remark_keys();
-    const auto found = std::find(keys.begin(), keys.end(), one.key);
-    if (found != keys.end()) kinds |= std::uint64_t{1} << static_cast<unsigned>(found - keys.begin());
-  }
-  return kinds;
-}
-
-long count_of_doubts(const std::vector<Remark>& remarks) {
-  return std::count_if(remarks.begin(), remarks.end(), [](const Remark& one) { return one.is_doubt; });
 }
 
 }  // namespace bentur

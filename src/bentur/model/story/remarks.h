@@ -23,12 +23,10 @@ struct Remark {
   bool is_doubt = false;  ///< so far from usual that what was put in may not be meant: nothing that follows is known
 };
 
-/// Of the case alone: sections, stiffness, periods, motion, delays, gaps, output.
-[[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem);
-
-/// And of what came out: drift, base shear and penetration beyond what linear elastic buildings stand for, and numbers
-/// that two ways lead to and that are not quite the same (Response::discrepancies).
-[[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response& response);
+/// Of the case: sections, stiffness, periods, motion, delays, gaps, output. And, where there is a response, of what
+/// came out: drift, base shear and penetration beyond what linear elastic buildings stand for, and numbers that two
+/// ways lead to and that are not quite the same (Response::discrepancies).
+[[nodiscard]] std::vector<Remark> remarks(const Case& c, const Problem& problem, const Response* response = nullptr);
 
 /// Of a record alone, as its file has it: how far apart its values are and how long it is, which say whether its times
 /// are seconds; and its peak as applied, `pga`, in `units`.
@@ -39,14 +37,5 @@ struct Remark {
 /// What some remarks are about: bit i for key i.
 [[nodiscard]] std::uint64_t remark_kinds(const std::vector<Remark>& remarks);
 [[nodiscard]] long count_of_doubts(const std::vector<Remark>& remarks);
-
-/// What one compares first. A building's weight is that of its floors' lumped masses: half of a frame's lowest columns
-/// stands on the ground.
-struct Proportions {
-  double weight = 0;                             ///< [force]; 0 where masses are not known
-  double period_per_storey = 0;                  ///< first period over the number of storeys [s]
-  std::optional<double> base_shear_coefficient;  ///< peak shear of the first storey over the weight [-]
-};
-[[nodiscard]] Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks);
 
 }  // namespace bentur

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/run_results.h"
 #include "bentur/model/suite/suite.h"
 
 namespace bentur {
@@ -311,13 +312,13 @@ TEST(Remarks, OfAResponseBeyondElasticBuildings) {
     peaks.storey_shear = Eigen::Vector3d(0.399, 0.5, 0.6) * weight;  // of the first storey alone
   }
   response.points[2].peak_penetration = 0.049;
-  EXPECT_EQ(list(remarks(c, problem, response)), Names{});
+  EXPECT_EQ(list(remarks(c, problem, &response)), Names{});
   response.buildings[1].drift_ratio(2) = 0.0101;
   response.buildings[0].storey_shear(0) = 0.401 * weight;
   response.points[2].peak_penetration = 0.051;
   response.points[0].slow_starts = 1;
   response.points[1].slow_starts = 3;
-  const std::vector<Remark> found = remarks(c, problem, response);
+  const std::vector<Remark> found = remarks(c, problem, &response);
   EXPECT_EQ(list(found), (Names{"base_shear A", "drift B", "penetration A | B", "slow_starts A | B"}));
   EXPECT_NEAR(found[0].value, 0.401, 1e-12);
   EXPECT_NEAR(found[1].value, 1.01, 1e-12);

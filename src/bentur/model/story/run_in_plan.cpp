@@ -1,14 +1,12 @@
 #include <algorithm>
-#include <cmath>
-#include <set>
+#include <numeric>
 #include <utility>
 
-#include "bentur/model/plan/plan_frames.h"
+#include "bentur/model/plan/plan_pairs.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_screening.h"
 #include "bentur/model/story/internal/run_parts.h"
 #include "bentur/model/story/internal/small_movements.h"
-#include "bentur/pounding/plan/outline/near.h"
 
 // What the story of a run asks of buildings in plan.
 namespace bentur::story {
@@ -27,40 +25,19 @@ const char* corner_word(const Footprint& footprint, const PlanPoint& at) {
   return side(0) < 0 || side(1) < 0 ? nullptr : words[side(0)][side(1)];
 }
 
-/// Whether two buildings could meet by how far both move: along every direction in which they are apart.
-bool could_meet(const PlanRun& run, Index left, Index right, const Stretch& joint) {
-  const auto reaches = [&](const PlanPoint& n, double width) {
-    return reach_of(run.response.buildings[left], n) + reach_of(run.response.buildings[right], n) >= width;
-  };
-  if (!reaches(joint.n, joint.width)) return false;
-  const std::vector<FamilyBeside> apart = families_beside(run.problem.buildings[left].model.footprint,
-                                                          run.problem.buildings[right].model.footprint, joint, 0);
-  return std::all_of(apart.begin(), apart.end(), [&](const FamilyBeside& one) {
-    return reaches(one.places.front().normal, joint.width + one.places.front().beyond);
-  });
-}
-
-/// "A, south wall".
-std::string plane_name(const PlanRun& run, Index b, std::size_t plane) {
-  return run.problem.buildings[b].name + ", " + run.problem.buildings[b].model.planes[plane].name;
-}
-
-/// The floor that contact turns the most of those that do not turn alone.
-std::optional<LargestOfFloors> turned_by_contact(const PlanRun& run) {
+/// The floor that contact turns the most of those that do not turn alone; with the value 0 none.
+LargestOfFloors turned_by_contact(const PlanRun& run) {
   constexpr double round_off = 1e-9;
-  LargestOfFloors most;
+  LargestOfFloors most{.value = 0};
   for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    const PlanPeaks &with = run.response.buildings[b], &alone = run.response.buildings_no_contact[b];
-    const double side = run.problem.buildings[b].model.footprint.size.maxCoeff();
+    const PlanPeaks &in_contact = run.response.buildings[b], &alone = run.response.buildings_no_contact[b];
+    const double unseen = round_off / run.problem.buildings[b].model.footprint.size.maxCoeff();
     for (const QuantityPlace& at : floors_of(run.problem, b)) {
-      const double moves = round_off * std::max(with.x(at.floor), with.y(at.floor));
-      const double value = with.rotation(at.floor);
-      if (side * alone.rotation(at.floor) > moves || !(side * value > moves) || value <= most.value) continue;
-      most.value = value;
-      most.at = at;
+      const double still = unseen * std::max(in_contact.x(at.floor), in_contact.y(at.floor));
+      const double turns = in_contact.rotation(at.floor);
+      if (alone.rotation(at.floor) <= still && turns > std::max(still, most.value)) most = {turns, at, {}};
     }
   }
-  if (std::isnan(most.value)) return std::nullopt;
   return most;
 }
 
@@ -72,14 +49,13 @@ std::vector<std::vector<ScreeningFinding>> screened(const Case& c, const PlanPro
   return all;
 }
 
-GapView judged_view_of(const PlanRun& run, const RunResults& row) {
-  GapView view = view_of(row);
+GapView judged_view_of(const PlanRun& run) {
+  const std::shared_ptr<const RunResults> row = row_of(run);
+  GapView view = view_of(*row);
   view.plan = &run.problem;
   view.screened = screened(run.c, run.problem);
-  for (JudgedGap& one : judged_gaps(run)) {
-    view.facts.push_back(std::move(one.facts));
-    view.judged.push_back(std::move(one.judgement));
-  }
+  view.gaps = judged_gaps(run);
+  view.row = row;
   return view;
 }
 
@@ -103,90 +79,53 @@ void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, In
   values.push_back(word_of("level", corner != nullptr ? "story.place_at_corner" : "story.place"));
 }
 
-Statement model_statement(const PlanRun& run) {
-  bool yields = false;
-  std::size_t counted = 0, loaded = 0,
-              moved = 0;  // buildings that move, those with gravity loads, those on soil or bearings
-  for (const PlanBuilding& building : run.problem.buildings) {
-    counted += building.is_rigid() ? 0 : 1;
-    loaded += building.has_gravity_loads() ? 1 : 0;
-    moved += building.model.soil || building.model.slab ? 1 : 0;
-  }
-  const bool by_axes = std::any_of(run.problem.buildings.begin(), run.problem.buildings.end(), [](const auto& one) {
+bool has_bearings_by_axes(const PlanProblem& problem) {
+  return std::any_of(problem.buildings.begin(), problem.buildings.end(), [](const PlanBuilding& one) {
     const auto& bearings = one.model.bearings;
     return std::any_of(bearings.begin(), bearings.end(), [](const auto& bearing) { return bearing.elements() > 0; });
   });
-  std::vector<std::vector<StoryValue>> left_out = gravity_left_out(loaded, counted);
-  if (by_axes) left_out.push_back({word_of("what", "remarks.bearings_by_axes")});
-  if (moved < counted) left_out.push_back({word_of("what", moved == 0 ? "remarks.no_soil" : "remarks.soil_of")});
-  for (const PlanPeaks& peaks : run.response.buildings) {
-    for (const PlanPeaks::Plane& plane : peaks.planes) yields = yields || plane.yielding.ductility.size() > 0;
-  }
-  for (const PlanBuilding& building : run.problem.buildings) {
+}
+
+bool some_building_yields(const PlanProblem& problem, const PlanResponse& response) {
+  for (const PlanBuilding& building : problem.buildings) {
     for (const PlanModel::Plane& plane : building.model.planes) {
-      yields =
-          yields || std::any_of(plane.laws.begin(), plane.laws.end(), [](const auto& law) { return law != nullptr; });
+      const auto is_law = [](const auto& law) { return law != nullptr; };
+      if (plane.hinges.size() > 0 || std::any_of(plane.laws.begin(), plane.laws.end(), is_law)) return true;
     }
   }
-  yields = yields || !frames_that_yield(run.problem).empty();
-  return {.kind = "model_plan",
-          .severity = Severity::remark,
-          .values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")},
-          .items = std::move(left_out)};
+  return std::any_of(response.buildings.begin(), response.buildings.end(), [](const PlanPeaks& peaks) {
+    const auto yields = [](const PlanPeaks::Plane& plane) { return plane.yielding.ductility.size() > 0; };
+    return std::any_of(peaks.planes.begin(), peaks.planes.end(), yields);  // of results read back
+  });
 }
 
-Hit hit_of(const PlanRun& run, std::size_t gap) {
-  const Index first = first_contact(run.problem, gap);
-  Hit hit{.points = std::ssize(run.problem.gaps[gap].contacts), .point = first};
-  for (Index i = first; i < first + hit.points; ++i) {
-    const PointSummary& point = run.response.points[i];
-    hit.impacts += point.impacts + point.settling;
-    hit.touched += point.impacts + point.settling > 0 ? 1 : 0;
-  }
-  if (hit.touched == 0) return hit;
-  for (const Impact& one : run.response.impacts) {  // of equal ones that of the first point
-    if (one.point < first || one.point >= first + hit.points) continue;
-    const bool is_first = hit.hardest == nullptr || is_harder(one, *hit.hardest) ||
-                          (one.point < hit.point && !is_harder(*hit.hardest, one));
-    if (!is_first) continue;
-    hit.hardest = &one;
-    hit.point = one.point;
-  }
-  return hit;
+std::vector<Index> points_from_top(const PlanProblem& problem, std::size_t gap) {
+  const std::vector<PlanContact>& contacts = problem.gaps[gap].contacts;
+  std::vector<Index> points(contacts.size());
+  const Index first = first_contact(problem, gap);
+  std::iota(points.begin(), points.end(), first);
+  std::stable_sort(points.begin(), points.end(),
+                   [&](Index a, Index b) { return contacts[a - first].elevation > contacts[b - first].elevation; });
+  return points;
 }
 
-void put_place(const PlanRun& run, std::size_t gap, const Hit& hit, Statement& statement) {
-  statement.level = contact_at(run.problem, hit.point).contact->elevation;
-  statement.values.push_back(count_of("n", hit.points));
-  statement.values.push_back(word_of("points", "story.count.contact_points.many"));
-  add_place(run.problem, run.problem.gaps[gap], true, hit.point - first_contact(run.problem, gap), run.c.units.length,
-            statement.values);
+void put_place(const PlanRun& run, std::size_t gap, Index point, long points, Statement& statement) {
+  const PlanGap& of = run.problem.gaps[gap];
+  const Index place = point - first_contact(run.problem, gap);
+  statement.level = of.contacts[place].elevation;
+  statement = with(std::move(statement), count_of("n", points), word_of("points", "story.count.contact_points.many"));
+  add_place(run.problem, of, true, place, run.c.units.length, statement.values);
 }
 
 void tell_pairs_without_contact(const PlanRun& run, std::vector<Statement>& statements) {
-  const std::vector<PlanBuilding>& buildings = run.problem.buildings;
-  std::set<std::pair<Index, Index>> modelled;
-  for (const PlanGap& gap : run.problem.gaps) modelled.insert(std::minmax({gap.left, gap.right}));
-  std::vector<Footprint> footprints;
-  double furthest = 0;  // of a building, in any direction
-  for (std::size_t b = 0; b < buildings.size(); ++b) {
-    footprints.push_back(buildings[b].model.footprint);
-    furthest = std::max(furthest, reach_of(run.response.buildings[b], {1, 1}));
-  }
-  for (const auto& [first, second] : pairs_near(footprints, 2 * furthest)) {
-    const auto a = static_cast<Index>(first), b = static_cast<Index>(second);
-    if (modelled.contains({a, b}) || (buildings[a].is_rigid() && buildings[b].is_rigid())) continue;
-    const auto stretch = joint_between(footprints[first], footprints[second]);
-    if (!stretch) continue;
-    const double reach =
-        reach_of(run.response.buildings[a], stretch->n) + reach_of(run.response.buildings[b], stretch->n);
-    if (!(stretch->swapped ? could_meet(run, b, a, *stretch) : could_meet(run, a, b, *stretch))) continue;
-    const std::string& length = run.c.units.length;
+  const std::string& length = run.c.units.length;
+  const auto name = [&](Index b) -> const std::string& { return run.problem.buildings[b].name; };
+  for (const PairWithoutContact& pair : pairs_without_contact(run)) {
     statements.push_back({.kind = "pair_without_contact",
                           .severity = Severity::danger,
-                          .buildings = {a, b},
-                          .values = {text_of("left", buildings[a].name), text_of("right", buildings[b].name),
-                                     value_in("width", stretch->width, length), value_in("reach", reach, length)}});
+                          .buildings = {pair.first, pair.second},
+                          .values = {text_of("left", name(pair.first)), text_of("right", name(pair.second)),
+                                     value_in("width", pair.width, length), value_in("reach", pair.reach, length)}});
   }
 }
 
@@ -227,18 +166,16 @@ bool tell_turning(const PlanRun& run, std::vector<Statement>& statements) {
     return 1e3 * value_of(quantity_named(key, Owner::floor, true), run, turns.at);
   };
   if (turns.value > more) {
-    statements.push_back(of_floor(run, turns, "turned"));
-    auto& values = statements.back().values;
-    values.push_back(value_in("factor", turns.value));
-    values.push_back(value_in("with", milliradians("peak_rotation"), "mrad"));
-    values.push_back(value_in("without", milliradians("peak_rotation_no_contact"), "mrad"));
+    statements.push_back(with(of_floor(run, turns, "turned"), value_in("factor", turns.value),
+                              value_in("with", milliradians("peak_rotation"), "mrad"),
+                              value_in("without", milliradians("peak_rotation_no_contact"), "mrad")));
   }
-  const std::optional<LargestOfFloors> starts = turned_by_contact(run);
-  if (starts) {
-    statements.push_back(of_floor(run, *starts, "turned_by_contact"));
-    statements.back().values.push_back(value_in("with", 1e3 * starts->value, "mrad"));
+  const LargestOfFloors starts = turned_by_contact(run);
+  if (starts.value > 0) {
+    statements.push_back(
+        with(of_floor(run, starts, "turned_by_contact"), value_in("with", 1e3 * starts.value, "mrad")));
   }
-  return turns.value > more || starts;
+  return turns.value > more || starts.value > 0;
 }
 
 void tell_left_out(const PlanRun& run, std::vector<Statement>& statements) {
@@ -257,14 +194,23 @@ double ductility_of_bearings(const PlanRun& run, Index b) {
   return ductility;
 }
 
-std::vector<Storeys> storeys_of(const PlanRun& run, Index b) {
-  const PlanPeaks &with = run.response.buildings[b], &alone = run.response.buildings_no_contact[b];
+std::vector<Storeys> storeys_of(const PlanProblem& problem, const PlanResponse& response, Index b) {
+  static const BuildingPeaks none;
+  const PlanPeaks &with = response.buildings[b], &alone = response.buildings_no_contact[b];
+  const std::string& name = problem.buildings[b].name;
   std::vector<Storeys> all;
   for (std::size_t p = 0; p < with.planes.size(); ++p) {
-    all.push_back({plane_name(run, b, p), with.planes[p].drift_ratio, alone.planes[p].drift_ratio,
-                   with.planes[p].yielding, alone.planes[p].yielding});
+    const PlanPeaks::Plane &one = with.planes[p], &other = alone.planes[p];
+    all.push_back({name + ", " + problem.buildings[b].model.planes[p].name, one.drift_ratio, other.drift_ratio,
+                   &one.yielding, &other.yielding, &one.frame});
   }
-  all.push_back({run.problem.buildings[b].name, with.edge_drift_ratio(), alone.edge_drift_ratio(), {}, {}});
+  const Index lowest = problem.buildings[b].model.first_storey();
+  double shear = 0;
+  for (const Eigen::VectorXd* const one : {&with.shear_x, &with.shear_y, &alone.shear_x, &alone.shear_y}) {
+    if (lowest < one->size()) shear = std::max(shear, (*one)(lowest));
+  }
+  all.push_back({name, with.edge_drift_ratio(), alone.edge_drift_ratio(), &none.yielding, &none.yielding_no_contact,
+                 &none, shear});
   return all;
 }
 

@@ -6,6 +6,35 @@
 
 // The story of a run, of a row as of buildings in plan.
 namespace bentur {
+namespace story {
+
+template <class AnyRun>
+Statement model_statement(const AnyRun& run) {
+  std::size_t counted = 0, loaded = 0, moved = 0;  // buildings, those with gravity loads, those on soil or bearings
+  Statement statement{.kind = "model_plan", .severity = Severity::remark};
+  for (const auto& building : run.problem.buildings) {
+    counted += building.is_rigid() ? 0 : 1;
+    loaded += has_gravity(building) ? 1 : 0;
+    moved += has_soil(building) || building.model.slab ? 1 : 0;
+  }
+  const auto leave_out = [&](const char* key) { statement.items.push_back({word_of("what", key)}); };
+  const bool yields = some_building_yields(run.problem, run.response);
+  if (loaded < counted) leave_out(loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of");
+  if constexpr (is_in_plan<AnyRun>) {
+    statement.values = {word_of("planes", yields ? "remarks.planes_yield" : "remarks.planes_elastic")};
+    if (has_bearings_by_axes(run.problem)) leave_out("remarks.bearings_by_axes");
+  } else {
+    statement.kind = yields ? "model_yielding" : "model";
+    leave_out("remarks.no_torsion");
+  }
+  if (moved < counted) leave_out(moved == 0 ? "remarks.no_soil" : "remarks.soil_of");
+  return statement;
+}
+template Statement model_statement(const RunResults& run);
+template Statement model_statement(const PlanRun& run);
+
+}  // namespace story
+
 namespace {
 
 using Eigen::Index;
@@ -24,90 +53,10 @@ void tell_collapse(const AnyRun& run, std::vector<Statement>& statements) {
                                      value_in("time", collapse.time, "s"),
                                      value_in("limit", percent * run.problem.collapse_drift, "%")}});
   };
-  const auto &with = run.response.collapse, &without = run.response.collapse_no_contact;
-  if (with) {
-    tell(*with, "collapse");
-    if (!without) statements.push_back({.kind = "collapse_by_contact", .severity = Severity::danger});
-  }
-  if (without) tell(*without, with ? "collapse_also_alone" : "collapse_alone");
-}
-
-/// The storey of a building that drifts the most, with contact or without; nothing of one that does not move, or that
-/// gravity acts on, whose collapse is looked for.
-template <class AnyRun>
-std::optional<WorstDrift> worst_drift(const AnyRun& run, Index b) {
-  const auto& building = run.problem.buildings[b];
-  if (building.is_rigid() || has_gravity(building)) return std::nullopt;
-  WorstDrift most{.name = building.name};
-  for (const bool is_alone : {false, true}) {
-    for (const Storeys& all : storeys_of(run, b)) {
-      const Eigen::VectorXd& ratios = is_alone ? all.drift_alone : all.drift;
-      for (Index storey = 0; storey < ratios.size(); ++storey) {
-        if (ratios(storey) > most.ratio) most = {all.name, storey, ratios(storey), is_alone};
-      }
-    }
-  }
-  return most;
-}
-
-/// A storey that yields, or the bearings of a building.
-struct Yields {
-  std::string name;                  ///< of the building, or of the plane of it
-  double ductility = 1;              ///< > 1 [-]
-  std::optional<double> alone = {};  ///< without contact, where that is known
-  std::optional<Index> storey = {};  ///< its number, for people; nothing: bearings
-};
-
-/// Of a building those of the largest ductility.
-template <class AnyRun>
-std::vector<Yields> yields_of(const AnyRun& run, Index b) {
-  const auto& model = run.problem.buildings[b].model;
-  std::optional<Yields> most;
-  for (const Storeys& all : storeys_of(run, b)) {
-    const Eigen::VectorXd &with = all.yielding.ductility, &alone = all.yielding_alone.ductility;
-    for (Index storey = 0; storey < with.size(); ++storey) {
-      if (!(with(storey) > (most ? most->ductility : 1))) continue;
-      most = Yields{.name = all.name, .ductility = with(storey)};
-      if (storey < alone.size() && !std::isnan(alone(storey))) most->alone = alone(storey);
-      if (storey >= model.first_storey()) most->storey = model.storey_number(storey);
-    }
-  }
-  std::vector<Yields> found;
-  if (most) found.push_back(*most);
-  const double bearings = ductility_of_bearings(run, b);
-  if (bearings > 1) found.push_back({.name = run.problem.buildings[b].name, .ductility = bearings});
-  return found;
-}
-
-/// The storeys of a building with the one that has least of its strength left, where some has softened.
-template <class AnyRun>
-std::optional<std::pair<Storeys, Index>> softened_of(const AnyRun& run, Index b) {
-  std::optional<std::pair<Storeys, Index>> worst;
-  for (Storeys& all : storeys_of(run, b)) {
-    const Index storey = most_softened(all.yielding);
-    if (storey < 0) continue;
-    const double left = all.yielding.strength_left(storey);
-    if (!worst || left < worst->first.yielding.strength_left(worst->second)) worst.emplace(std::move(all), storey);
-  }
-  return worst;
-}
-
-/// Buildings that drift beyond what counts as collapse, where nothing looks for that since no gravity acts.
-template <class AnyRun>
-void tell_drifts(const AnyRun& run, std::vector<Statement>& statements) {
-  const double limit = run.problem.collapse_drift;
-  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    const std::optional<WorstDrift> worst = worst_drift(run, b);
-    if (!worst || !(worst->ratio > limit)) continue;
-    const auto& model = run.problem.buildings[b].model;
-    statements.push_back(
-        {.kind = worst->is_alone ? "drift_beyond_alone" : "drift_beyond",
-         .severity = Severity::danger,
-         .buildings = {b},
-         .level = model.elevations[worst->storey],
-         .values = {text_of("building", worst->name), count_of("storey", model.storey_number(worst->storey)),
-                    value_in("drift", percent * worst->ratio, "%"), value_in("limit", percent * limit, "%")}});
-  }
+  const auto &in_contact = run.response.collapse, &alone = run.response.collapse_no_contact;
+  if (in_contact) tell(*in_contact, "collapse");
+  if (in_contact && !alone) statements.push_back({.kind = "collapse_by_contact", .severity = Severity::danger});
+  if (alone) tell(*alone, in_contact ? "collapse_also_alone" : "collapse_alone");
 }
 
 /// An entry of a list that results leave out where nothing of it is known.
@@ -115,73 +64,129 @@ double known(const Eigen::VectorXd& list, Index i) {
   return i < list.size() ? list(i) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// What storeys have lost of their strength: of each building the one with least left.
+/// Of each building what is said of the storey with the largest value beyond `least`.
+/// @param value of (building, its storeys, storey); NaN: there is none @param say the statement, of the same
+template <class AnyRun, class Value, class Say>
+void tell_worst_storeys(const AnyRun& run, double least, Value value, Say say, std::vector<Statement>& statements) {
+  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+    double most = least;
+    std::optional<Statement> worst;
+    for (const Storeys& all : storeys_of(run.problem, run.response, b)) {
+      for (Index storey = 0; storey < run.problem.buildings[b].model.floors(); ++storey) {
+        const double found = value(b, all, storey);
+        if (!(found > most)) continue;
+        most = found;
+        worst = say(b, all, storey);
+      }
+    }
+    if (worst) statements.push_back(std::move(*worst));
+  }
+}
+
+/// Buildings that drift beyond what counts as collapse, where nothing looks for that since no gravity acts.
+template <class AnyRun>
+void tell_drifts(const AnyRun& run, std::vector<Statement>& statements) {
+  const double limit = run.problem.collapse_drift;
+  const auto drift = [&](Index b, const Storeys& all, Index storey) {
+    const auto& building = run.problem.buildings[b];
+    if (building.is_rigid() || has_gravity(building)) return std::numeric_limits<double>::quiet_NaN();
+    return std::fmax(known(all.drift, storey), known(all.drift_alone, storey));
+  };
+  const auto say = [&](Index b, const Storeys& all, Index storey) {
+    const double most = drift(b, all, storey);
+    return Statement{.kind = known(all.drift, storey) == most ? "drift_beyond" : "drift_beyond_alone",
+                     .severity = Severity::danger,
+                     .buildings = {b},
+                     .level = run.problem.buildings[b].model.elevations[storey],
+                     .values = {text_of("building", all.name),
+                                count_of("storey", run.problem.buildings[b].model.storey_number(storey)),
+                                value_in("drift", percent * most, "%"), value_in("limit", percent * limit, "%")}};
+  };
+  tell_worst_storeys(run, limit, drift, say, statements);
+}
+
+/// What storeys have lost of their strength: of each building the one with least left of those that have softened.
 template <class AnyRun>
 void tell_lost_strength(const AnyRun& run, std::vector<Statement>& statements) {
-  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    const auto found = softened_of(run, b);
-    if (!found) continue;
+  const auto lost = [&](Index /*b*/, const Storeys& all, Index storey) {
+    const BuildingPeaks::Yielding& of = *all.yielding;
+    const bool softened = !std::isnan(known(of.capped_time, storey)) || !std::isnan(known(of.failed_time, storey));
+    return softened ? 1 - known(of.strength_left, storey) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto say = [&](Index b, const Storeys& all, Index storey) {
     const auto& model = run.problem.buildings[b].model;
-    const BuildingPeaks::Yielding& yielding = found->first.yielding;
-    const Index storey = found->second;
-    const double failed = known(yielding.failed_time, storey);
-    const double residual = known(yielding.residual_time, storey);
-    const bool has_failed = !std::isnan(failed), to_residual = !std::isnan(residual);
-    const double capped = known(yielding.capped_time, storey);
-    const double time = has_failed ? failed : to_residual ? residual : capped;
-    statements.push_back(
-        {.kind = has_failed    ? "storey_fails"
-                 : to_residual ? "storey_at_residual"
-                               : "storey_softens",
-         .severity = has_failed ? Severity::danger : Severity::warning,
-         .buildings = {b},
-         .level = model.elevations[storey],
-         .values = {value_in("time", time, "s"), value_in("left", percent * yielding.strength_left(storey), "%"),
-                    text_of("building", found->first.name), count_of("storey", model.storey_number(storey))}});
-  }
+    const BuildingPeaks::Yielding& of = *all.yielding;
+    const double failed = known(of.failed_time, storey), residual = known(of.residual_time, storey);
+    const bool has_failed = !std::isnan(failed), to_residual = !has_failed && !std::isnan(residual);
+    const double time = has_failed ? failed : to_residual ? residual : known(of.capped_time, storey);
+    return Statement{.kind = has_failed    ? "storey_fails"
+                             : to_residual ? "storey_at_residual"
+                                           : "storey_softens",
+                     .severity = has_failed ? Severity::danger : Severity::warning,
+                     .buildings = {b},
+                     .level = model.elevations[storey],
+                     .values = {value_in("time", time, "s"), value_in("left", percent * of.strength_left(storey), "%"),
+                                text_of("building", all.name), count_of("storey", model.storey_number(storey))}};
+  };
+  tell_worst_storeys(run, -1, lost, say, statements);
+}
+
+/// @param storey nothing: of bearings @param alone without contact; NaN: not known
+Statement yields(Index b, const std::string& name, double ductility, std::optional<long> storey, double alone) {
+  Statement statement{.kind = storey ? "storey_yields" : "bearings_yield",
+                      .buildings = {b},
+                      .values = {text_of("building", name), value_in("ductility", ductility)}};
+  if (storey) statement.values.push_back(count_of("storey", *storey));
+  if (std::isnan(alone)) return with(std::move(statement), text_of("comparison", ""));
+  return with(std::move(statement), value_in("alone", alone), word_of("comparison", "story.ductility_alone"));
 }
 
 /// The largest ductility of each building that can yield.
 template <class AnyRun>
 void tell_yielding(const AnyRun& run, std::vector<Statement>& statements) {
-  for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
-    for (const Yields& one : yields_of(run, b)) {
-      Statement statement{.kind = one.storey ? "storey_yields" : "bearings_yield", .buildings = {b}};
-      statement.values = {text_of("building", one.name), value_in("ductility", one.ductility)};
-      if (one.storey) statement.values.push_back(count_of("storey", *one.storey));
-      if (one.alone) statement.values.push_back(value_in("alone", *one.alone));
-      statement.values.push_back(one.alone ? word_of("comparison", "story.ductility_alone")
-                                           : text_of("comparison", ""));
-      statements.push_back(std::move(statement));
+  const auto ductility = [](Index /*b*/, const Storeys& all, Index i) { return known(all.yielding->ductility, i); };
+  const auto say = [&](Index b, const Storeys& all, Index i) {
+    const auto& model = run.problem.buildings[b].model;
+    const bool is_storey = i >= model.first_storey();  // else a row's bearings
+    return yields(b, all.name, ductility(b, all, i),
+                  is_storey ? std::optional<long>(model.storey_number(i)) : std::nullopt,
+                  known(all.yielding_alone->ductility, i));
+  };
+  tell_worst_storeys(run, 1, ductility, say, statements);
+  if constexpr (is_in_plan<AnyRun>) {
+    for (Index b = 0; b < std::ssize(run.problem.buildings); ++b) {
+      const double bearings = ductility_of_bearings(run, b);
+      if (!(bearings > 1)) continue;
+      statements.push_back(yields(b, run.problem.buildings[b].name, bearings, {}, known({}, 0)));
     }
   }
 }
 
-/// Completes what is said of buildings that collide.
+/// Completes what is said of buildings that collide: the force and how long it lasts, or of contacts without force the
+/// speed.
 template <class AnyRun>
 void tell_hit(const AnyRun& run, std::size_t gap, Statement statement, std::vector<Statement>& statements) {
-  const Hit hit = hit_of(run, gap);
+  const std::vector<Index> points = points_from_top(run.problem, gap);
+  const Hit hit = hit_of(run.response.points, run.response.impacts, points);
+  const PointSummary& point = run.response.points[hit.point];
+  const ShownUnits shown = shown_units(run);
   statement.severity = Severity::warning;
-  statement.values.push_back(count_of("times", hit.impacts));
-  statement.values.push_back(count_of("touched", hit.touched));
-  put_place(run, gap, hit, statement);
-  tell_blow(run.response.points[hit.point], hit.hardest, shown_units(run), statement);
-  statements.push_back(std::move(statement));
-}
-
-/// Of many gaps the headline and the table. @return the worst of them; nothing where there is one alone
-std::optional<Index> tell_all_gaps(const GapView& view, const ShownUnits& shown, Story& told) {
-  std::vector<GapLine> lines;
-  for (std::size_t g = 0; g < view.facts.size(); ++g) {
-    GapLine line{
-        .name = gap_name(view.problem, static_cast<Index>(g)), .facts = &view.facts[g], .judged = view.judged[g].value};
-    for (const LevelFacts& level : view.facts[g].levels) {
-      line.impacts += level.given.impacts;
-      line.peak_force = std::max(line.peak_force, level.given.peak_force);
-    }
-    lines.push_back(std::move(line));
+  statement = with(std::move(statement), count_of("times", hit.impacts), count_of("touched", hit.touched));
+  put_place(run, gap, hit.point, std::ssize(points), statement);
+  if (!(point.peak_force > 0)) {
+    statement.kind = "pounding_impulse";
+    statement = with(std::move(statement), value_in("speed", point.peak_closing_speed, shown.units.length + "/s"),
+                     value_in("time", hit.hardest != nullptr ? hit.hardest->start : 0, "s"));
+  } else {
+    statement.kind = "pounding";
+    statement = with(std::move(statement), value_in("force", shown.force * point.peak_force, shown.units.force),
+                     value_in("time", point.peak_force_time.value_or(0), "s"));
+    statement = hit.hardest == nullptr ? with(std::move(statement), text_of("lasting", ""))
+                                       : with(std::move(statement),
+                                              value_in("contact", 1e3 * (hit.hardest->end - hit.hardest->start), "ms"),
+                                              word_of("lasting", "story.lasting"));
   }
-  return tell_gaps(lines, shown, view.c.units.length, told);
+  statements.push_back(std::move(statement));
 }
 
 /// Contact, the need, the rules of one of the run's gaps.
@@ -195,45 +200,35 @@ void tell_gap(const AnyRun& run, const GapView& view, std::size_t gap, std::vect
   tell_rules(view, number, statements);
 }
 
-void put_tables(const GapView& view, std::size_t gap, std::vector<StoryTable>& tables) {
-  for (StoryTable& table : gap_tables(view, static_cast<Index>(gap))) tables.push_back(std::move(table));
-}
-
 /// What contact does to displacements, accelerations and shears.
 template <class AnyRun>
 void tell_effects(const AnyRun& run, std::vector<Statement>& statements) {
-  constexpr double round_off = 1e-9;
+  constexpr double round_off = 1e-9, seen = 1.005;  // with three digits
+  const std::string& length = run.c.units.length;
   if (!run.response.impacts.empty()) {
     const LargestOfFloors moves = largest_of_floors(run, "amplification");
     const bool is_amplified = moves.value > 1 + round_off;
     if (is_amplified) {
-      statements.push_back(of_floor(run, moves, "amplified"));
-      auto& values = statements.back().values;
-      const std::string& length = run.c.units.length;
-      values.push_back(value_in("factor", moves.value));
-      values.push_back(value_in("with", value_at(run, "peak_displacement", moves), length));
-      values.push_back(value_in("without", value_at(run, "peak_displacement_no_contact", moves), length));
+      const double alone = value_at(run, "peak_displacement_no_contact", moves);
+      statements.push_back(with(of_floor(run, moves, "amplified"), value_in("factor", moves.value),
+                                value_in("with", value_at(run, "peak_displacement", moves), length),
+                                value_in("without", alone, length)));
     }
-    const bool turns = tell_turning(run, statements);
+    bool turns = false;
+    if constexpr (is_in_plan<AnyRun>) turns = tell_turning(run, statements);
     if (!is_amplified && !turns && !std::isnan(moves.value)) statements.push_back({.kind = "not_amplified"});
-    for (const char* const key : {"acceleration_ratio", "storey_shear_ratio"}) {
+    for (const std::string key : {"acceleration_ratio", "storey_shear_ratio"}) {
       const LargestOfFloors most = largest_of_floors(run, key);
       if (!(most.value > 0)) continue;
-      constexpr double seen = 1.005;  // with three digits
-      if (most.value < seen) {
-        statements.push_back({.kind = std::string(key) + "_none"});
-        continue;
-      }
-      statements.push_back(of_floor(run, most, key));
-      statements.back().values.push_back(value_in("factor", most.value));
+      statements.push_back(most.value < seen ? Statement{.kind = key + "_none"}
+                                             : with(of_floor(run, most, key), value_in("factor", most.value)));
     }
   }
   const LargestOfFloors fastest = largest_of_floors(run, "peak_acceleration");
   if (std::isnan(fastest.value)) return;
-  statements.push_back(of_floor(run, fastest, "acceleration"));
-  auto& values = statements.back().values;
-  values.push_back(value_in("acceleration", fastest.value, run.c.units.length + "/s²"));
-  values.push_back(value_in("in_g", fastest.value / run.c.units.gravity, "g"));
+  statements.push_back(with(of_floor(run, fastest, "acceleration"),
+                            value_in("acceleration", fastest.value, length + "/s²"),
+                            value_in("in_g", fastest.value / run.c.units.gravity, "g")));
 }
 
 std::vector<double> peaks_of_ground(const RunResults& run) { return {applied_pga(run.c)}; }
@@ -250,9 +245,8 @@ void tell_motion(const AnyRun& run, std::vector<Statement>& statements) {
       statement.kind = run.c.angle == 0 ? "pga_along" : "pga_along_turned";
       statement.values = {text_of("axis", i == 0 ? "x" : "y"), value_in("angle", run.c.angle)};
     }
-    statement.values.push_back(value_in("pga", peaks[i], run.c.units.length + "/s²"));
-    statement.values.push_back(value_in("in_g", peaks[i] / run.c.units.gravity, "g"));
-    statements.push_back(std::move(statement));
+    statements.push_back(with(std::move(statement), value_in("pga", peaks[i], run.c.units.length + "/s²"),
+                              value_in("in_g", peaks[i] / run.c.units.gravity, "g")));
   }
 }
 
@@ -285,23 +279,28 @@ void tell_remarks(const AnyRun& run, Story& told) {
   sort_by_severity(told.statements);
   tell_quotations(run.c.code, told.statements);
   put_remarks(run.remarks, told.statements);
-  tell_left_out(run, told.statements);
+  if constexpr (is_in_plan<AnyRun>) tell_left_out(run, told.statements);
   told.statements.push_back(model_statement(run));
 }
 
 template <class AnyRun>
 Story story_of(const AnyRun& run) {
-  const ToldGaps gaps(run);
+  const GapView view = judged_view_of(run);
   Story told;
   tell_collapse(run, told.statements);
-  tell_columns(run, told.statements);
+  if constexpr (!is_in_plan<AnyRun>) tell_columns(run, told.statements);
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
-  tell_failures(run, told);
-  const std::optional<Index> worst = tell_all_gaps(gaps.view(), shown_units(run), told);
-  for (std::size_t g = 0; g < gaps.count(); ++g) tell_gap(run, gaps.view(), g, told.statements);
-  tell_slips(run, told.statements);
-  tell_pairs_without_contact(run, told.statements);
+  if constexpr (!is_in_plan<AnyRun>) {  // in plan with the frames' hinges
+    tell_breaking(run, told);
+    tell_infill(run, told.statements);
+  }
+  const std::optional<Index> worst = tell_gaps(view, shown_units(run), told);
+  for (std::size_t g = 0; g < view.gaps.size(); ++g) tell_gap(run, view, g, told.statements);
+  if constexpr (is_in_plan<AnyRun>) {
+    tell_slips(run, told.statements);
+    tell_pairs_without_contact(run, told.statements);
+  }
   tell_effects(run, told.statements);
   tell_yielding(run, told.statements);
   story::tell_hinges(run, told);
@@ -314,16 +313,16 @@ Story story_of(const AnyRun& run) {
 
 template <class AnyRun>
 Story story_of_gaps(const AnyRun& run) {
-  const ToldGaps gaps(run);
+  const GapView view = judged_view_of(run);
   Story told;
   tell_collapse(run, told.statements);
   tell_drifts(run, told.statements);
-  const std::optional<Index> worst = tell_all_gaps(gaps.view(), shown_units(run), told);
-  for (std::size_t g = 0; g < gaps.count(); ++g) {
-    tell_gap(run, gaps.view(), g, told.statements);
-    put_tables(gaps.view(), g, told.tables);
+  const std::optional<Index> worst = tell_gaps(view, shown_units(run), told);
+  for (std::size_t g = 0; g < view.gaps.size(); ++g) {
+    tell_gap(run, view, g, told.statements);
+    for (StoryTable& one : gap_tables(view, static_cast<Index>(g))) told.tables.push_back(std::move(one));
   }
-  tell_pairs_without_contact(run, told.statements);
+  if constexpr (is_in_plan<AnyRun>) tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
   leave_to_tables(worst, told.statements);
   leave_to_gap_tables(told.statements);
@@ -333,9 +332,8 @@ Story story_of_gaps(const AnyRun& run) {
 
 template <class AnyRun>
 std::vector<StoryTable> tables_of_gaps(const AnyRun& run) {
-  const ToldGaps gaps(run);
-  std::vector<StoryTable> tables;
-  for (std::size_t g = 0; g < gaps.count(); ++g) put_tables(gaps.view(), g, tables);
+  std::vector<StoryTable> tables = story_of_gaps(run).tables;
+  std::erase_if(tables, [](const StoryTable& one) { return !one.gap; });
   return tables;
 }
 
@@ -348,29 +346,6 @@ std::string key_along(const std::string& key, const std::string& axis) {
   if (axis.empty()) return key;
   const bool has_end = key.ends_with(end);
   return (has_end ? key.substr(0, key.size() - end.size()) : key) + "_" + axis + (has_end ? end : "");
-}
-
-void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement) {
-  if (point.peak_force > 0) {
-    statement.kind = "pounding";
-    statement.values.push_back(value_in("force", shown.force * point.peak_force, shown.units.force));
-    statement.values.push_back(value_in("time", point.peak_force_time.value_or(0), "s"));
-    if (hardest != nullptr) {
-      statement.values.push_back(value_in("contact", 1e3 * (hardest->end - hardest->start), "ms"));
-      statement.values.push_back(word_of("lasting", "story.lasting"));
-    } else {
-      statement.values.push_back(text_of("lasting", ""));
-    }
-  } else {
-    statement.kind = "pounding_impulse";
-    statement.values.push_back(value_in("speed", point.peak_closing_speed, shown.units.length + "/s"));
-    statement.values.push_back(value_in("time", hardest != nullptr ? hardest->start : 0, "s"));
-  }
-}
-
-std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted) {
-  if (loaded == counted) return {};
-  return {{word_of("what", loaded == 0 ? "remarks.no_gravity" : "remarks.gravity_of")}};
 }
 
 }  // namespace story

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/model/plan/plan_pairs.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur::story {
 
 using Eigen::Index;
-
-double reach_of(const PlanPeaks& peaks, const PlanPoint& direction) {
-  return std::abs(direction.x()) * std::max(peaks.south.maxCoeff(), peaks.north.maxCoeff()) +
-         std::abs(direction.y()) * std::max(peaks.west.maxCoeff(), peaks.east.maxCoeff());
-}
 
 void tell_rotations(const PlanRun& run, std::vector<Statement>& statements) {
   constexpr double share = 0.1;  // of the largest penetration

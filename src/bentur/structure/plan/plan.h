@@ -184,6 +184,8 @@ struct PlanBuilding {
   /// Hinges of frames, plane by plane, then bearings that yield within a polygon.
   std::vector<CoupledElement> coupled = {};
   [[nodiscard]] bool is_rigid() const { return modes.omega.size() == 0; }
+  /// ω₁ [rad/s]; 0 of a free body and of what has no modes.
+  [[nodiscard]] double first_omega() const { return is_rigid() ? 0.0 : modes.omega(0); }
   /// Gravity loads act (P-Δ), so that it may collapse.
   [[nodiscard]] bool has_gravity_loads() const { return model.softening.size() > 0; }
 };

@@ -8,9 +8,6 @@
 // What small displacements leave out of a run of buildings in plan.
 namespace bentur::story {
 
-/// Not less than any edge of a building moves along a direction [length]; along x or y the most it does.
-[[nodiscard]] double reach_of(const PlanPeaks& peaks, const PlanPoint& direction);
-
 /// ½θ² times the arm, which is left out of every opening (docs/theory/plan.md), where it counts.
 void tell_rotations(const PlanRun& run, std::vector<Statement>& statements);
 

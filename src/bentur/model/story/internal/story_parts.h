@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,7 +18,6 @@
 namespace bentur::story {
 
 inline constexpr double percent = 100;
-inline constexpr double reached = 1e-9;  ///< of a capacity: what is so near it has come to it
 
 /// What the story of gaps is made from, of a run or by a spectrum.
 struct GapView {
@@ -28,8 +28,8 @@ struct GapView {
   bool collapsed = false;                                    ///< the free response
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
   const PlanProblem* plan = nullptr;                         ///< of row_of() buildings in plan: where its levels are
-  std::vector<GapFacts> facts = {};                          ///< per gap; empty: nothing is judged
-  std::vector<Judgement> judged = {};                        ///< likewise
+  std::vector<JudgedGap> gaps = {};                          ///< empty: nothing is judged
+  std::shared_ptr<const RunResults> row = {};                ///< row_of() a run in plan, which `problem` is of
   [[nodiscard]] double scale(Eigen::Index gap) const;        ///< displacement_scale() [length]; 0 by a spectrum
 };
 
@@ -44,9 +44,13 @@ struct GapView {
   return {std::move(name), std::move(key), {}, true};
 }
 
-/// What reports a hit, and the kind of statement that does: the force and how long it lasts, or of contacts without
-/// force the speed. `hardest`: of the point; null where it is not known.
-void tell_blow(const PointSummary& point, const Impact* hardest, const ShownUnits& shown, Statement& statement);
+/// A statement with more values.
+template <class... Values>
+[[nodiscard]] Statement with(Statement statement, Values... values) {
+  (statement.values.push_back(std::move(values)), ...);
+  return statement;
+}
+
 /// The word for what moves the buildings.
 [[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
@@ -75,17 +79,6 @@ void tell_levels_once(Statement& statement);
 /// What has to be read of a code's text with the number of its rule.
 void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements);
 
-/// The column of those struck in a gap that carries the most of what it can.
-struct WorstColumn {
-  Eigen::Index point = 0, building = 0;
-  double ratio = 0;              ///< demand over capacity [-] ≥ 0
-  double demand = 0, alone = 0;  ///< with contact and without, in `unit`
-  std::string unit = {};
-  long beyond = 0;  ///< how many of the gap have come to more than they bear
-};
-/// Nothing where no capacity is known. @param shear or moment
-[[nodiscard]] std::optional<WorstColumn> worst_column(const RunResults& run, const Gap& gap, bool shear);
-
 /// Of frames with hinges: a mechanism, how many have formed and which turned furthest, limits passed, with a table.
 void tell_hinges(const RunResults& run, Story& told);
 /// The same of the frames of buildings in plan, and of their columns as tell_breaking().
@@ -109,31 +102,11 @@ void tell_breaking(const RunResults& run, Story& told);
 [[nodiscard]] GapView judged_view_of(const RunResults& run);
 /// Of gaps by a spectrum.
 [[nodiscard]] GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps& spectral);
-/// The same of buildings in plan. @param row row_of() the run, which must outlive it as the run must
-[[nodiscard]] GapView judged_view_of(const PlanRun& run, const RunResults& row);
-/// The storey of a building that drifts the most.
-struct WorstDrift {
-  std::string name;         ///< of the building, or of the plane of it
-  Eigen::Index storey = 0;  ///< from 0
-  double ratio = 0;
-  bool is_alone = false;  ///< without contact
-};
-/// A gap among others.
-struct GapLine {
-  std::string name;
-  const GapFacts* facts = nullptr;
-  Sufficiency judged = Sufficiency::unknown;
-  long impacts = 0;       ///< slow ones too
-  double peak_force = 0;  ///< [force]; 0: none
-};
+/// The same of buildings in plan.
+[[nodiscard]] GapView judged_view_of(const PlanRun& run);
 /// Of more than one gap: how many are too small, of how many that is not known, and a table; of many gaps of the worst.
 /// @return the worst gap, nothing where there is one alone
-std::optional<Eigen::Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown,
-                                      const std::string& length, Story& told);
-/// The item of model_statement() where gravity acts on `loaded` of so many buildings.
-[[nodiscard]] std::vector<std::vector<StoryValue>> gravity_left_out(std::size_t loaded, std::size_t counted);
-/// The storey that has least of its strength left of those that have softened, from 0; −1: none has.
-[[nodiscard]] Eigen::Index most_softened(const BuildingPeaks::Yielding& yielding);
+std::optional<Eigen::Index> tell_gaps(const GapView& view, const ShownUnits& shown, Story& told);
 /// What links carry and by how much they stroke, which they are bought by: of every two buildings the most of all.
 /// @param problem of a row or of buildings in plan @param found likewise, one per link
 template <class AnyProblem>
@@ -194,10 +167,9 @@ void tell_links(const AnyProblem& problem, const std::vector<LinkSummary>& found
   }
 }
 
-/// What the model of buildings in plan is and leaves out.
-[[nodiscard]] Statement model_statement(const PlanRun& run);
-/// What the model leaves out.
-[[nodiscard]] Statement model_statement(const RunResults& run);
+/// What the model of a row or of buildings in plan is, and what it leaves out.
+template <class AnyRun>
+[[nodiscard]] Statement model_statement(const AnyRun& run);
 
 /// {level} of a contact point (else of what is watched) of a gap in plan: its elevation, its place, and whose corner is
 /// there.
