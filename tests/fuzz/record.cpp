@@ -9,9 +9,9 @@
 namespace bentur::fuzz {
 namespace {
 
-void read(const std::filesystem::path& file, const RecordOptions& options) {
+void read(const std::string& input, const RecordOptions& options) {
   Diagnostics diagnostics;
-  const auto record = read_record(file, options, diagnostics);
+  const auto record = record_of(input, "fuzzed.txt", options, diagnostics);
   demand(record.has_value() == diagnostics.ok(), "a record is refused without a message, or read with one");
   if (!record) return;
   accepted();
@@ -25,11 +25,10 @@ void read(const std::filesystem::path& file, const RecordOptions& options) {
 }  // namespace
 
 void feed(const std::string& input) {
-  const std::filesystem::path file = as_file(input, "fuzzed.txt");
-  read(file, {});
+  read(input, {});
   const auto& formats = record_formats();
-  read(file, {.format = formats[input.size() % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
-  read(file, {.time_step = 0.01, .component = input.size() % 2 == 0 ? "N-S" : "Up", .unit = "g"});
+  read(input, {.format = formats[input.size() % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
+  read(input, {.time_step = 0.01, .component = input.size() % 2 == 0 ? "N-S" : "Up", .unit = "g"});
 }
 
 }  // namespace bentur::fuzz

@@ -318,8 +318,9 @@ class ColumnReader {
   void settle_unit(const ColumnLabel& label, StrongMotionRecord& record) {
     std::vector<Statement> said = found_.heading.units;
     if (label.unit) {  // the headings of other columns are of those
-      std::erase_if(said, [&](const Statement& other) { return other.line == label.line; });
-      said.insert(said.begin(), {.unit = label.unit->unit, .factor = label.unit->factor, .line = label.line});
+      const int line = label.unit_line > 0 ? label.unit_line : label.line;
+      std::erase_if(said, [&](const Statement& other) { return other.line == line; });
+      said.insert(said.begin(), {.unit = label.unit->unit, .factor = label.unit->factor, .line = line});
     }
     if (said.empty()) return;
     const Statement* unit = &said.front();

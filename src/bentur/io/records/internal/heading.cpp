@@ -172,7 +172,7 @@ void say_steps(const HeadingPhrase& phrase, const Spoken& spoken, int line, std:
   if (!seconds_of(unit) && !is_rate_unit(unit) && phrase.number_before) unit = phrase.fact == Fact::rate ? "HZ" : "S";
   for (Statement said : spoken.values) {
     const auto seconds = seconds_of(unit);
-    if (phrase.needs_unit && !seconds) continue;
+    if (phrase.needs_unit && !(phrase.fact == Fact::rate ? is_rate_unit(unit) : seconds.has_value())) continue;
     const bool by_rate = is_rate_unit(unit) || (phrase.fact == Fact::rate && !seconds && said.value >= 1);
     said.vague = !seconds && !by_rate && said.value >= 1;
     said.value = by_rate ? 1 / said.value : said.value * seconds.value_or(1);
@@ -250,6 +250,19 @@ void say_acceleration(std::string_view text, std::size_t at, int line, std::vect
   }
 }
 
+/// A line that is a unit and nothing else, "# Gal", "[cm/s2]", "gal (cm/s/s)".
+void say_lone_unit(std::string_view text, int line, std::vector<Statement>& units) {
+  constexpr std::string_view marks = " \t#%*()[]\"";
+  text.remove_prefix(std::min(text.find_first_not_of(marks), text.size()));
+  const std::size_t last = text.find_last_not_of(marks);
+  if (last == std::string_view::npos) return;
+  const std::string_view whole = text.substr(0, last + 1);
+  const std::size_t open = whole.find_first_of("([");
+  auto unit = file_unit(whole.substr(0, open));
+  if (open != std::string_view::npos && !file_unit(whole.substr(open + 1))) unit.reset();
+  if (unit) say_unit(*unit, line, 0, units);
+}
+
 /// The numbers that words are about: before them, behind them, or in the line below where theirs ends with them.
 Spoken spoken_of(const HeadingPhrase& phrase, std::string_view text, const std::string& below) {
   const bool counts = phrase.fact == Fact::count;
@@ -286,11 +299,15 @@ void say_component(const Line& line, std::string_view text, std::size_t at, std:
 /// One line. @param below the number that is the next line, for words without one
 void say_line(const Line& line, const std::string& below, Heading& heading) {
   const std::string text = folded(line.text);
+  say_lone_unit(text, line.number, heading.units);
   for (const HeadingPhrase& phrase : phrases_of(text)) {
     const auto spoken = [&] { return spoken_of(phrase, text, below); };
     switch (phrase.fact) {
       case Fact::count:
         say_counts(spoken(), line.number, heading.counts);
+        if (phrase.number_before && is_link(first_word(std::string_view(text).substr(phrase.end)))) {
+          say_acceleration(text, phrase.end, line.number, heading.units);  // "4000 VALUES IN GAL"
+        }
         break;
       case Fact::step:
       case Fact::rate:

@@ -49,6 +49,7 @@ struct ColumnLabel {
   std::optional<FileUnit> unit = {};  ///< of accelerations
   double seconds = 1;                 ///< of its unit of time [s]
   int line = 0, column = 0;
+  int unit_line = 0;  ///< of the unit, where it stands below the names; else 0
 };
 
 /// The headings of columns, as many as there are: of the last line that has one for each. Empty where none has.
