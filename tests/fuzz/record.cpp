@@ -1,4 +1,4 @@
-// Any bytes as a record, of the format that is found and of one that is said, a different one by the length, and as the
+// Any bytes as a record, of the format that is found and, by the length, of one that is said, each in turn, or as the
 // component of a name.
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,12 @@ void read(const std::string& input, const RecordOptions& options) {
 void feed(const std::string& input) {
   read(input, {});
   const auto& formats = record_formats();
-  read(input, {.format = formats[input.size() % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
-  read(input, {.time_step = 0.01, .component = input.size() % 2 == 0 ? "N-S" : "Up", .unit = "g"});
+  const std::size_t which = input.size() / 2;
+  if (input.size() % 2 == 0) {
+    read(input, {.format = formats[which % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
+  } else {
+    read(input, {.time_step = 0.01, .component = which % 2 == 0 ? "N-S" : "Up", .unit = "g"});
+  }
 }
 
 }  // namespace bentur::fuzz

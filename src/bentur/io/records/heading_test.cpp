@@ -295,6 +295,8 @@ TEST_F(UnderstoodColumns, TimesOfTheDay) {
 TEST_F(UnderstoodColumns, TheFirstRowThatCouldNotBeReadIsNamed) {
   EXPECT_FALSE(read("# of a station\ntime,a,b\n01.01.2024 15:00,0.1,0.2\n01.01.2024 15:01,0.2,0.2\n").has_value());
   EXPECT_EQ(messages(), ":3:1: error: \"01.01.2024 15:00\" is not a number, and no line holds nothing but numbers\n");
+  EXPECT_FALSE(read(" , ,\nof nothing\n").has_value());
+  EXPECT_EQ(messages(), ": error: holds no numbers\n");
   EXPECT_FALSE(read("t,a\n0.00s,0.1g\n0.01s,0.2g\n").has_value());
   EXPECT_EQ(messages(), ":2:1: error: \"0.00s\" is not a number, and no line holds nothing but numbers\n");
 }

@@ -246,8 +246,9 @@ std::nullopt_t no_rows(const std::vector<Line>& lines, RecordErrors& errors) {
         std::size_t size = 0;
         return heading_number(word.text, false, size).has_value();
       };
-      if (std::all_of(words.begin(), words.end(), begins_so)) nearest = {words.size(), words.front()};
-      if (nearest.numbers > 0) break;
+      if (words.empty() || !std::all_of(words.begin(), words.end(), begins_so)) continue;
+      nearest = {words.size(), words.front()};
+      break;
     }
   }
   if (nearest.numbers == 0) return errors.error("holds no numbers");
