@@ -244,6 +244,15 @@ TEST_F(UnderstoodColumns, UnitsMayStandInALineOfTheirOwn) {
     EXPECT_EQ(contradictions(*record, {.unit = "g"}).size(), 1U) << head;
   }
   EXPECT_TRUE(read("block G\nof 3 rows\n0 1\n0.01 2\n")->unit.empty());
+  // In prose one is too little to go by, and enough to hold another one against.
+  const RecordOptions in_g{.unit = "g"}, in_gal{.unit = "cm/s2"};
+  const std::string prose = "El Centro NS component gal dt 0.01\n0 1\n0.01 2\n";
+  EXPECT_TRUE(read(prose)->unit.empty());
+  EXPECT_TRUE(read(prose, in_gal)->unit.empty());
+  EXPECT_EQ(contradictions(read(prose, in_g).value(), in_g).at(0).said, "\"cm/s2\" in line 1");
+  for (const std::string head : {"sensor of 2000 gal\n", "from gal to g\n", "RMS velocity 3 (gal)\n"}) {
+    EXPECT_TRUE(contradictions(read(head + "0 1\n0.01 2\n", in_g).value(), in_g).empty()) << head;
+  }
   EXPECT_EQ(read("Fs = 200 Hz\n.1\n.2\n")->time_step, 0.005);
   EXPECT_FALSE(read("Station FS 200\n.1\n.2\n").has_value());
 }

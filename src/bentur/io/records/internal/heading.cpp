@@ -263,6 +263,21 @@ void say_lone_unit(std::string_view text, int line, std::vector<Statement>& unit
   if (unit) say_unit(*unit, line, 0, units);
 }
 
+/// "El Centro NS gal dt 0.01": a unit but for the letter g, which is not that of a number before it.
+void say_mentions(std::string_view text, int line, std::vector<Statement>& mentions) {
+  std::vector<Statement> found;
+  bool number_before = false;
+  for (HeadingScan scan(text, 0); !scan.done();) {
+    scan.skip(" \t,;:=()[]\"");
+    const std::string_view word = scan.word();
+    if (word == "G") return;  // "from gal to g"
+    const auto unit = file_unit(word);
+    if (unit && unit->unit != "g" && !number_before) say_unit(*unit, line, 0, found);
+    number_before = !word.empty() && is_number_start(word, 0);
+  }
+  mentions.insert(mentions.end(), found.begin(), found.end());
+}
+
 /// The numbers that words are about: before them, behind them, or in the line below where theirs ends with them.
 Spoken spoken_of(const HeadingPhrase& phrase, std::string_view text, const std::string& below) {
   const bool counts = phrase.fact == Fact::count;
@@ -300,7 +315,12 @@ void say_component(const Line& line, std::string_view text, std::size_t at, std:
 void say_line(const Line& line, const std::string& below, Heading& heading) {
   const std::string text = folded(line.text);
   say_lone_unit(text, line.number, heading.units);
-  for (const HeadingPhrase& phrase : phrases_of(text)) {
+  const std::vector<HeadingPhrase> phrases = phrases_of(text);
+  const bool of_amounts = std::any_of(phrases.begin(), phrases.end(), [](const HeadingPhrase& one) {
+    return one.fact != Fact::step && one.fact != Fact::rate && one.fact != Fact::count && one.fact != Fact::component;
+  });
+  if (!of_amounts) say_mentions(text, line.number, heading.mentions);
+  for (const HeadingPhrase& phrase : phrases) {
     const auto spoken = [&] { return spoken_of(phrase, text, below); };
     switch (phrase.fact) {
       case Fact::count:

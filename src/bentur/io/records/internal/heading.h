@@ -30,6 +30,7 @@ struct Statement {
 struct Heading {
   std::vector<Statement> steps, counts, units, peaks, components;
   std::vector<Statement> other_units;  ///< that are none of accelerations, in `text`
+  std::vector<Statement> mentions;     ///< units in prose: too little to go by, enough to hold another one against
 };
 
 /// What the lines say, each of them by itself, or by the number that is the line below.
