@@ -24,8 +24,8 @@ BEYOND = {
             modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
             plan-footprints-overlap plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
-            plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
-            plan-polygon-crosses plan-polygon-link plan-polygon-not-convex plan-polygon-overlap""",
+            plan-accidental plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
+            plan-polygon-court plan-polygon-crosses plan-polygon-link plan-polygon-overlap""",
         "order of numbers": """
             column-elevations-order gap-elevations-order matrices-elevations-order
             modal-elevations-order rayleigh-equal-periods rigid-elevations-order
@@ -59,7 +59,8 @@ BEYOND = {
             isolation-of-plan-in-row plan-isolation-of-row plan-soil-twist soil-of-plan-in-row
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             contact-spread-in-row plan-friction-of-law plan-gap-width plan-link-without-place
-            plan-size-without-corner matrices-damping-none
+            plan-size-without-corner plan-suite-kinds plan-suite-pairs plan-suite-same plan-suite-y-record
+            matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice
             spectrum-damping-of-code spectrum-long-period spectrum-with-bearings-that-yield
