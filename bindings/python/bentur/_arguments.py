@@ -64,8 +64,9 @@ def accelerations(name: str, value: Any) -> tuple[NDArray[np.float64] | None, st
     found = np.asanyarray(value)
     if np.iscomplexobj(found):
         raise TypeError(f"{name} is complex, must be numbers")
-    if isinstance(found, np.ma.MaskedArray) and np.ma.is_masked(found):
-        return None, f"{np.ma.count_masked(found)} masked values", "must be one list of accelerations: fill them in"
+    masked = int(np.count_nonzero(getattr(found, "mask", False)))  # of a MaskedArray
+    if masked:
+        return None, f"{masked} masked values", "must be one list of accelerations: fill them in"
     given = np.asarray(found, dtype=np.float64)
     if given.ndim == 2 and given.shape[1] == 1:
         given = given[:, 0]  # a column
