@@ -197,6 +197,8 @@ TEST(Displacements, SayWhatIsWrong) {
   EXPECT_TRUE(has(errors_of(changed(case_text(9), "u = [10, 20, 30]", "u = [10, -20, 30]")), "u[1] = -20"));
   EXPECT_TRUE(has(errors_of(case_text(9, ", period = 1")), "damping_ratio is missing"));
   EXPECT_TRUE(has(errors_of(case_text(9, ", damping_ratio = 0.05")), "goes with period"));
+  EXPECT_TRUE(has(errors_of(changed(case_text(9), "[excitation]\nkind = \"displacements\"", "")),
+                  "excitation is missing (kind = \"displacements\" where nothing is to be computed)"));
   EXPECT_TRUE(has(errors_of(changed(case_text(9), "name = \"Low\"", "name = \"Low\"\ndamping = 0.05")),
                   "damping is not for a building known by its displacements"));
   EXPECT_TRUE(has(

@@ -1,4 +1,4 @@
-// Any bytes as a record, of the format that is found and of one that is said, a different one by the length, and as the
+// Any bytes as a record, of the format that is found and, by the length, of one that is said, each in turn, or as the
 // component of a name.
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace bentur::fuzz {
 namespace {
 
-void read(const std::filesystem::path& file, const RecordOptions& options) {
+void read(const std::string& input, const RecordOptions& options) {
   Diagnostics diagnostics;
-  const auto record = read_record(file, options, diagnostics);
+  const auto record = record_of(input, "fuzzed.txt", options, diagnostics);
   demand(record.has_value() == diagnostics.ok(), "a record is refused without a message, or read with one");
   if (!record) return;
   accepted();
@@ -25,11 +25,14 @@ void read(const std::filesystem::path& file, const RecordOptions& options) {
 }  // namespace
 
 void feed(const std::string& input) {
-  const std::filesystem::path file = as_file(input, "fuzzed.txt");
-  read(file, {});
+  read(input, {});
   const auto& formats = record_formats();
-  read(file, {.format = formats[input.size() % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
-  read(file, {.time_step = 0.01, .component = input.size() % 2 == 0 ? "N-S" : "Up", .unit = "g"});
+  const std::size_t which = input.size() / 2;
+  if (input.size() % 2 == 0) {
+    read(input, {.format = formats[which % formats.size()], .time_step = 0.01, .column = 1, .channel = 1});
+  } else {
+    read(input, {.time_step = 0.01, .component = which % 2 == 0 ? "N-S" : "Up", .unit = "g"});
+  }
 }
 
 }  // namespace bentur::fuzz

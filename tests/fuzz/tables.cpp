@@ -1,4 +1,5 @@
-// Any bytes as a table of mode shapes, by floors and as ETABS and SAP2000 write it, and as the hazard curve of a site.
+// Any bytes as a table of mode shapes, by the length by floors or as ETABS or SAP2000 write it, and as the hazard curve
+// of a site.
 #include <algorithm>
 #include <cmath>
 
@@ -43,11 +44,14 @@ void read_curve(const std::string& input, const HazardOptions& options) {
 }  // namespace
 
 void feed(const std::string& input) {
-  read_shapes(input, {.elevations = floors, .modes = 2});
-  read_shapes(input, {.elevations = floors, .modes = 2, .component = "UX"});
-  read_shapes(input, {.elevations = floors, .modes = 1, .names = {"1", "2", "3"}, .component = "U1", .numbers = {2}});
-  read_curve(input, {});
-  read_curve(input, {.site = 2, .unit = "g"});
+  const std::size_t which = input.size();
+  if (which % 3 == 0) read_shapes(input, {.elevations = floors, .modes = 2});
+  if (which % 3 == 1) read_shapes(input, {.elevations = floors, .modes = 2, .component = "UX"});
+  if (which % 3 == 2) {
+    read_shapes(input, {.elevations = floors, .modes = 1, .names = {"1", "2", "3"}, .component = "U1", .numbers = {2}});
+  }
+  if (which % 2 == 0) read_curve(input, {});
+  if (which % 2 == 1) read_curve(input, {.site = 2, .unit = "g"});
 }
 
 }  // namespace bentur::fuzz

@@ -35,6 +35,12 @@ CALLS = {
     "time_step is a str": lambda: bentur.read_record("a.txt", time_step="0.01"),
     "format is a int": lambda: bentur.read_record("a.txt", format=2),
     r"periods\[1\] is a str": lambda: bentur.response_spectrum(record(), [1.0, "two"], unit="g", time_step=0.01),
+    r"record is 50 × 2, must be one list of accelerations: give one column, as record\[:, 1\]":
+        lambda: bentur.response_spectrum(np.zeros((50, 2)), unit="g", time_step=0.01),
+    "record is a single number": lambda: bentur.response_spectrum(np.array(0.1), unit="g", time_step=0.01),
+    "record is complex": lambda: bentur.response_spectrum(np.ones(9) * 1j, unit="g", time_step=0.01),
+    "record is 2 masked values": lambda: bentur.response_spectrum(np.ma.masked_less(np.arange(9.0), 2), unit="g", time_step=0.01),
+    "error: excitation.values is 2 masked values": lambda: bentur.example().replace({"excitation.values": np.ma.masked_less(np.arange(9.0), 2)}),
     "damping is a str": lambda: bentur.response_spectrum(record(), [1.0], unit="g", time_step=0.01, damping="5 %"),
     "first is a None": lambda: bentur.logarithmic_periods(None),
     "count = 0": lambda: bentur.logarithmic_periods(count=0),

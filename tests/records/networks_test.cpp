@@ -243,7 +243,12 @@ TEST_F(NetworkRecords, KnetAsCsv) {
   expect_refused(text, column, "has accelerations from column 3 to 5, excitation.column = 2 is not one of them");
   expect_refused(with(text, "#100\n", "#50\n"), channel(1), "but the heading says 1.23 s of 0.02 s each");
   expect_refused(with(with(text, "#100\n", "#50\n"), "#1.23\n", "#2.46\n"), channel(1),
-                 "says 0.02 s from value to value, but the last of 123 values stands at 1.22 s");
+                 ":19:1: error: stands at \"0.02\" s, but values every 0.02 s have reached 0.04 s");
+  // A row that is missing, and one that is damaged.
+  const std::size_t row = text.find("2024/01/01 00:00:15.50"), next = text.find("2024/01/01 00:00:15.51");
+  expect_refused(text.substr(0, row) + text.substr(next), channel(1),
+                 ":67:1: error: stands at \"0.51\" s, but values every 0.01 s have reached 0.5 s");
+  expect_refused(with(text, "15.50,0.50,", "15.50,half,"), channel(1), "stands at \"half\" s");
   expect_refused(with(text, "E-W(gal),U-D(gal)\n2024", "E-W(m/s2),U-D(gal)\n2024"), channel(1),
                  "must be the name of a component in gal");
   // The borehole and the surface of KiK-net, by number.

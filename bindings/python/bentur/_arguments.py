@@ -7,6 +7,9 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 
 def path(name: str, value: Any) -> str:
     """The name of a file or folder."""
@@ -48,6 +51,30 @@ def listed(name: str, value: Any) -> list[float]:
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise TypeError(f"{name} is a {_kind(value)}, must be a list of numbers")
     return [number(f"{name}[{i}]", one) for i, one in enumerate(value)]
+
+
+def accelerations(name: str, value: Any) -> tuple[NDArray[np.float64] | None, str, str]:
+    """The numbers of a record, straight from an array, or nothing, what they are and the rule that this breaks.
+
+    A table is none: which of its columns is meant is not known, and read row by row it would be another record.
+
+    :raises TypeError: where they are no numbers.
+    :raises ValueError: where texts are no numbers.
+    """
+    found = np.asanyarray(value)
+    if np.iscomplexobj(found):
+        raise TypeError(f"{name} is complex, must be numbers")
+    masked = int(np.count_nonzero(getattr(found, "mask", False)))  # of a MaskedArray
+    if masked:
+        return None, f"{masked} masked values", "must be one list of accelerations: fill them in"
+    given = np.asarray(found, dtype=np.float64)
+    if given.ndim == 2 and given.shape[1] == 1:
+        given = given[:, 0]  # a column
+    if given.ndim != 1:
+        shape = " × ".join(map(str, given.shape)) or "a single number"
+        hint = f": give one column, as {name.rpartition('.')[2]}[:, 1]" if given.ndim == 2 else ""
+        return None, shape, "must be one list of accelerations" + hint
+    return np.ascontiguousarray(given), "", ""
 
 
 def text(name: str, value: Any) -> str:

@@ -281,7 +281,10 @@ def response_spectrum(
     elif time_step is None:
         raise ValueError("time_step is needed for accelerations that are no Record")
     else:
-        values, step = np.asarray(record, dtype=float), time_step
+        given, what, rule = _arguments.accelerations("record", record)
+        if given is None:
+            raise ValueError(f"record is {what}, {rule}")
+        values, step = given, time_step
     if not unit:
         raise ValueError("the unit of the accelerations is not known: give unit")
     at = logarithmic_periods() if periods is None else np.array(_arguments.listed("periods", periods))

@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _arguments
 from ._errors import CaseError
 
 _Pointer: Any = ctypes.CFUNCTYPE(None).__mro__[1]  # the class of all functions of ctypes
@@ -126,19 +127,14 @@ class Samples:
 
 def _samples(value: Any, key: str) -> Any:
     """Of a key that ends in ``values``, of which the case has one: a record's."""
+    name = key if "." in key else f"excitation.{key}"
     try:
-        given = np.asarray(value, dtype=np.float64)
+        given, what, rule = _arguments.accelerations(name, value)
     except (TypeError, ValueError):
         return value if isinstance(value, list) else np.asarray(value).tolist()  # the case says what is wrong
-    if given.ndim == 2 and given.shape[1] == 1:
-        given = given[:, 0]  # a column
-    if given.ndim != 1:
-        name = key if "." in key else f"excitation.{key}"
-        shape = " × ".join(map(str, given.shape)) or "a single number"
-        rule = "must be one list of accelerations"
-        hint = ": give one column, as values[:, 1]" if given.ndim == 2 else ""
-        raise CaseError([("", 0, 0, f"{name} is {shape}, {rule}{hint}", name, shape, rule + hint, "")])
-    return Samples(np.ascontiguousarray(given))
+    if given is None:
+        raise CaseError([("", 0, 0, f"{name} is {what}, {rule}", name, what, rule, "")])
+    return Samples(given)
 
 
 def table_of(value: Any, key: str = "") -> Any:

@@ -263,6 +263,12 @@ void read_motion(const TableView& view, const Units& units, const std::filesyste
 void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buildings, const CaseFiles& files,
                      bool in_plan, Case& c) {
   ExcitationSpec& spec = c.excitation;
+  const bool of_displacements =
+      std::any_of(buildings.begin(), buildings.end(), [](const ReadBuilding& one) { return one.has_displacements(); });
+  if (of_displacements && !root.has("excitation")) {
+    root.error_missing("excitation", "kind = \"displacements\" where nothing is to be computed");
+    return;
+  }
   const auto given = root.get("excitation");
   const auto view = given ? TableView::of(*given, excitation_keys()) : std::nullopt;
   if (!view) return;

@@ -22,6 +22,7 @@ namespace {
 using Shapes = std::vector<std::vector<double>>;
 constexpr double same_level = 1e-6;     // of the highest: levels that are written alike
 constexpr double rounded_level = 1e-3;  // of the highest: as tables of programs round them
+constexpr double most_modes = 1e6;      // a step beyond is the number of none
 
 /// In capitals, without blanks and signs: "Step Num" and "StepNum" are one.
 std::string plain_word(std::string_view text) {
@@ -207,7 +208,11 @@ class ShapesReader {
       }
       if (type && plain_word(cell(*type)) != "MODE") continue;
       const auto value = number(component->second);
-      if (!value || !std::isfinite(*value) || *mode != std::floor(*mode)) {
+      if (!(*mode >= 0 && *mode <= most_modes && *mode == std::floor(*mode))) {
+        return complain(lines[i].number, fmt::format("has the step {}, must be the number of a mode",
+                                                     in_quotes(std::string(cell(step)))));
+      }
+      if (!value || !std::isfinite(*value)) {
         return complain(lines[i].number, fmt::format("{} = {}, must be a number", component->first,
                                                      in_quotes(std::string(cell(component->second)))));
       }

@@ -92,6 +92,13 @@ TEST(ModeShapes, RowsThatAreThereTwiceOrNotAtAllAreErrors) {
             std::string::npos);
   EXPECT_NE(error_of(changed(storeys_and_modes, "0.0009", "much"), along("UX")).find("UX = \"much\", must be a number"),
             std::string::npos);
+  for (const std::string step : {"1.5", "-1", "4E780", "3E9", "nan"}) {
+    const std::string odd = "Story2,D1,Modal,LinModEigen,Mode," + step + ",0.0009,0.3,0,2,5,5,7\n";
+    EXPECT_NE(error_of(changed(storeys_and_modes, row, odd), along("UX"))
+                  .find("has the step \"" + step + "\", must be the number of a mode"),
+              std::string::npos)
+        << step;
+  }
 }
 
 TEST(ModeShapes, OfJointsAsSap2000HasThem) {

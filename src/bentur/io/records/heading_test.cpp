@@ -221,6 +221,42 @@ TEST_F(UnderstoodColumns, ByTheirHeadings) {
   EXPECT_EQ(otherwise[0].said, "\"cm/s2\" in line 1");
 }
 
+// Names of columns above, their units below.
+TEST_F(UnderstoodColumns, UnitsMayStandInALineOfTheirOwn) {
+  const std::string rows = "0,1.5,9\n0.01,-2.5,8\n0.02,0.5,7\n";
+  for (const std::string units :
+       {"s,cm/s2,cm/s\n", "(sec),(gal),(cm/s)\n", "# s;Gal;cm/s\n", "[s]  [cm/s^2]  [cm/s]\n"}) {
+    const auto record = read("Time,Acc,Vel\n" + units + rows);
+    ASSERT_TRUE(record.has_value()) << messages();
+    EXPECT_EQ(record->unit, "cm/s2");
+    EXPECT_EQ(record->unit_line, 2);
+    EXPECT_EQ(record->channel, "column 2 of 3 (Acc)");  // the only accelerations
+  }
+  EXPECT_EQ(read("ms,gal,gal\n0,1.5,9\n10,-2.5,8\n", {.column = 2})->time_step, 0.01);
+  EXPECT_EQ(read("t,N-S,E-W\ns,gal,gal\n" + rows, {.component = "E-W"})->values, (Values{9, 8, 7}));
+  EXPECT_EQ(read("t,N,V\n0,1.5,9\n0.01,-2.5,8\n", {.component = "V"})->values, (Values{9, 8}));  // no volts
+  for (const std::string head :
+       {"# Gal\n", "[cm/s^2]\n", "values in gal\n", "data in Gal, of a station\n", "3 points in cm/s/s\n",
+        "t,accel (in gal)\n", "t,a_cms2\n", "registro (gales)\n(gales)\n"}) {
+    const auto record = read(head + "0,94\n0.01,2\n0.02,7\n");
+    ASSERT_TRUE(record.has_value()) << head << messages();
+    EXPECT_EQ(record->unit, "cm/s2") << head;
+    EXPECT_EQ(contradictions(*record, {.unit = "g"}).size(), 1U) << head;
+  }
+  EXPECT_TRUE(read("block G\nof 3 rows\n0 1\n0.01 2\n")->unit.empty());
+  // In prose one is too little to go by, and enough to hold another one against.
+  const RecordOptions in_g{.unit = "g"}, in_gal{.unit = "cm/s2"};
+  const std::string prose = "El Centro NS component gal dt 0.01\n0 1\n0.01 2\n";
+  EXPECT_TRUE(read(prose)->unit.empty());
+  EXPECT_TRUE(read(prose, in_gal)->unit.empty());
+  EXPECT_EQ(contradictions(read(prose, in_g).value(), in_g).at(0).said, "\"cm/s2\" in line 1");
+  for (const std::string head : {"sensor of 2000 gal\n", "from gal to g\n", "RMS velocity 3 (gal)\n"}) {
+    EXPECT_TRUE(contradictions(read(head + "0 1\n0.01 2\n", in_g).value(), in_g).empty()) << head;
+  }
+  EXPECT_EQ(read("Fs = 200 Hz\n.1\n.2\n")->time_step, 0.005);
+  EXPECT_FALSE(read("Station FS 200\n.1\n.2\n").has_value());
+}
+
 // pandas writes the number of each row before it.
 TEST_F(UnderstoodColumns, RowNumbersAreNoTimes) {
   std::string many;
@@ -268,6 +304,10 @@ TEST_F(UnderstoodColumns, TimesOfTheDay) {
 TEST_F(UnderstoodColumns, TheFirstRowThatCouldNotBeReadIsNamed) {
   EXPECT_FALSE(read("# of a station\ntime,a,b\n01.01.2024 15:00,0.1,0.2\n01.01.2024 15:01,0.2,0.2\n").has_value());
   EXPECT_EQ(messages(), ":3:1: error: \"01.01.2024 15:00\" is not a number, and no line holds nothing but numbers\n");
+  EXPECT_FALSE(read(" , ,\nof nothing\n").has_value());
+  EXPECT_EQ(messages(), ": error: holds no numbers\n");
+  EXPECT_FALSE(read("t,a\n0.00s,0.1g\n0.01s,0.2g\n").has_value());
+  EXPECT_EQ(messages(), ":2:1: error: \"0.00s\" is not a number, and no line holds nothing but numbers\n");
 }
 
 TEST_F(UnderstoodColumns, WhatIsSaidTwiceAndDifferentlyTheUserSays) {

@@ -318,10 +318,19 @@ class ColumnReader {
   void settle_unit(const ColumnLabel& label, StrongMotionRecord& record) {
     std::vector<Statement> said = found_.heading.units;
     if (label.unit) {  // the headings of other columns are of those
-      std::erase_if(said, [&](const Statement& other) { return other.line == label.line; });
-      said.insert(said.begin(), {.unit = label.unit->unit, .factor = label.unit->factor, .line = label.line});
+      const int line = label.unit_line > 0 ? label.unit_line : label.line;
+      std::erase_if(said, [&](const Statement& other) { return other.line == line; });
+      said.insert(said.begin(), {.unit = label.unit->unit, .factor = label.unit->factor, .line = line});
     }
-    if (said.empty()) return;
+    if (said.empty()) {  // a unit in prose is held against the user's, and not taken
+      const auto& mentions = found_.heading.mentions;
+      const auto same = [&](const Statement& one) { return one.unit == options_.unit; };
+      if (!options_.unit.empty() && !mentions.empty() && std::none_of(mentions.begin(), mentions.end(), same)) {
+        record.unit = mentions.front().unit;
+        record.unit_line = mentions.front().line;
+      }
+      return;
+    }
     const Statement* unit = &said.front();
     for (const Statement& other : said) {
       if (other.unit == options_.unit) unit = &other;

@@ -151,12 +151,17 @@ const std::vector<std::string>& record_formats() {
 
 std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file, const RecordOptions& options,
                                               Diagnostics& diagnostics) {
-  using namespace records;
-  RecordErrors errors(file.string(), diagnostics);
   std::string problem;
   auto bytes = read_input(file, record_input, problem);
-  if (!bytes) return errors.error(problem);
-  const std::string text = decoded(*std::move(bytes));
+  if (!bytes) return records::RecordErrors(file.string(), diagnostics).error(problem);
+  return record_of(*std::move(bytes), file.string(), options, diagnostics);
+}
+
+std::optional<StrongMotionRecord> record_of(std::string bytes, const std::string& name, const RecordOptions& options,
+                                            Diagnostics& diagnostics) {
+  using namespace records;
+  RecordErrors errors(name, diagnostics);
+  const std::string text = decoded(std::move(bytes));
   std::vector<Line> lines = lines_of(text);
   const auto skipped = std::min(static_cast<std::size_t>(options.skip_lines), lines.size());
   lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(skipped));
@@ -167,7 +172,7 @@ std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
     if (line.text.size() <= longest_line) continue;
     return errors.error(line, fmt::format("is a line of more than {} MiB, which no record has", longest_line >> 20));
   }
-  problem = not_text(text);
+  const std::string problem = not_text(text);
   if (!problem.empty()) return errors.error(problem);
   const bool blank = std::all_of(lines.begin(), lines.end(), [](const Line& line) {
     return line.text.find_first_not_of(" \t") == std::string_view::npos;

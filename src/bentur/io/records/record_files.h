@@ -59,6 +59,9 @@ struct RecordContradiction {
 /// @return two values or more, or nothing where there was an error.
 [[nodiscard]] std::optional<StrongMotionRecord> read_record(const std::filesystem::path& file,
                                                             const RecordOptions& options, Diagnostics& diagnostics);
+/// The same of the bytes of one, which messages call `name`.
+[[nodiscard]] std::optional<StrongMotionRecord> record_of(std::string bytes, const std::string& name,
+                                                          const RecordOptions& options, Diagnostics& diagnostics);
 
 /// What was read, as users see it; `unit` is the file's own or the one that the user gives. Not yet scaled: pga 0.
 [[nodiscard]] RecordEcho echo_of(const StrongMotionRecord& record, const std::string& file, const std::string& unit);

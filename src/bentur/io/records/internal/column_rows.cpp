@@ -239,6 +239,18 @@ std::nullopt_t no_rows(const std::vector<Line>& lines, RecordErrors& errors) {
       nearest = {numbers, cells[bad]};
     }
   }
+  if (nearest.numbers == 0) {  // "0.01s 0.35g"
+    for (const Line& line : lines) {
+      const auto words = words_of(line, " \t,;");
+      const auto begins_so = [](const Token& word) {
+        std::size_t size = 0;
+        return heading_number(word.text, false, size).has_value();
+      };
+      if (words.empty() || !std::all_of(words.begin(), words.end(), begins_so)) continue;
+      nearest = {words.size(), words.front()};
+      break;
+    }
+  }
   if (nearest.numbers == 0) return errors.error("holds no numbers");
   return errors.error(
       nearest.bad, fmt::format("{} is not a number, and no line holds nothing but numbers", shown(nearest.bad.text)));

@@ -172,7 +172,7 @@ void say_steps(const HeadingPhrase& phrase, const Spoken& spoken, int line, std:
   if (!seconds_of(unit) && !is_rate_unit(unit) && phrase.number_before) unit = phrase.fact == Fact::rate ? "HZ" : "S";
   for (Statement said : spoken.values) {
     const auto seconds = seconds_of(unit);
-    if (phrase.needs_unit && !seconds) continue;
+    if (phrase.needs_unit && !(phrase.fact == Fact::rate ? is_rate_unit(unit) : seconds.has_value())) continue;
     const bool by_rate = is_rate_unit(unit) || (phrase.fact == Fact::rate && !seconds && said.value >= 1);
     said.vague = !seconds && !by_rate && said.value >= 1;
     said.value = by_rate ? 1 / said.value : said.value * seconds.value_or(1);
@@ -250,6 +250,34 @@ void say_acceleration(std::string_view text, std::size_t at, int line, std::vect
   }
 }
 
+/// A line that is a unit and nothing else, "# Gal", "[cm/s2]", "gal (cm/s/s)".
+void say_lone_unit(std::string_view text, int line, std::vector<Statement>& units) {
+  constexpr std::string_view marks = " \t#%*()[]\"";
+  text.remove_prefix(std::min(text.find_first_not_of(marks), text.size()));
+  const std::size_t last = text.find_last_not_of(marks);
+  if (last == std::string_view::npos) return;
+  const std::string_view whole = text.substr(0, last + 1);
+  const std::size_t open = whole.find_first_of("([");
+  auto unit = file_unit(whole.substr(0, open));
+  if (open != std::string_view::npos && !file_unit(whole.substr(open + 1))) unit.reset();
+  if (unit) say_unit(*unit, line, 0, units);
+}
+
+/// "El Centro NS gal dt 0.01": a unit but for the letter g, which is not that of a number before it.
+void say_mentions(std::string_view text, int line, std::vector<Statement>& mentions) {
+  std::vector<Statement> found;
+  bool number_before = false;
+  for (HeadingScan scan(text, 0); !scan.done();) {
+    scan.skip(" \t,;:=()[]\"");
+    const std::string_view word = scan.word();
+    if (word == "G") return;  // "from gal to g"
+    const auto unit = file_unit(word);
+    if (unit && unit->unit != "g" && !number_before) say_unit(*unit, line, 0, found);
+    number_before = !word.empty() && is_number_start(word, 0);
+  }
+  mentions.insert(mentions.end(), found.begin(), found.end());
+}
+
 /// The numbers that words are about: before them, behind them, or in the line below where theirs ends with them.
 Spoken spoken_of(const HeadingPhrase& phrase, std::string_view text, const std::string& below) {
   const bool counts = phrase.fact == Fact::count;
@@ -286,11 +314,20 @@ void say_component(const Line& line, std::string_view text, std::size_t at, std:
 /// One line. @param below the number that is the next line, for words without one
 void say_line(const Line& line, const std::string& below, Heading& heading) {
   const std::string text = folded(line.text);
-  for (const HeadingPhrase& phrase : phrases_of(text)) {
+  say_lone_unit(text, line.number, heading.units);
+  const std::vector<HeadingPhrase> phrases = phrases_of(text);
+  const bool of_amounts = std::any_of(phrases.begin(), phrases.end(), [](const HeadingPhrase& one) {
+    return one.fact != Fact::step && one.fact != Fact::rate && one.fact != Fact::count && one.fact != Fact::component;
+  });
+  if (!of_amounts) say_mentions(text, line.number, heading.mentions);
+  for (const HeadingPhrase& phrase : phrases) {
     const auto spoken = [&] { return spoken_of(phrase, text, below); };
     switch (phrase.fact) {
       case Fact::count:
         say_counts(spoken(), line.number, heading.counts);
+        if (phrase.number_before && is_link(first_word(std::string_view(text).substr(phrase.end)))) {
+          say_acceleration(text, phrase.end, line.number, heading.units);  // "4000 VALUES IN GAL"
+        }
         break;
       case Fact::step:
       case Fact::rate:

@@ -30,6 +30,7 @@ struct Statement {
 struct Heading {
   std::vector<Statement> steps, counts, units, peaks, components;
   std::vector<Statement> other_units;  ///< that are none of accelerations, in `text`
+  std::vector<Statement> mentions;     ///< units in prose: too little to go by, enough to hold another one against
 };
 
 /// What the lines say, each of them by itself, or by the number that is the line below.
@@ -49,6 +50,7 @@ struct ColumnLabel {
   std::optional<FileUnit> unit = {};  ///< of accelerations
   double seconds = 1;                 ///< of its unit of time [s]
   int line = 0, column = 0;
+  int unit_line = 0;  ///< of the unit, where it stands below the names; else 0
 };
 
 /// The headings of columns, as many as there are: of the last line that has one for each. Empty where none has.

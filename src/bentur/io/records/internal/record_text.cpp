@@ -206,13 +206,13 @@ std::optional<FileUnit> file_unit(std::string_view spelling) {
     if (c != ' ' && c != '.' && c != '^' && c != '*') plain += c;
   }
   static const std::map<std::string, FileUnit> known = [] {
-    std::map<std::string, FileUnit> all = {{"G", {"g"}},         {"GS", {"g"}},       {"G'S", {"g"}},
-                                           {"GAL", {"cm/s2"}},   {"GALS", {"cm/s2"}}, {"MG", {"g", 1e-3}},
-                                           {"G/10", {"g", 0.1}}, {"%G", {"g", 0.01}}};
+    std::map<std::string, FileUnit> all = {{"G", {"g"}},        {"GS", {"g"}},        {"G'S", {"g"}},
+                                           {"GAL", {"cm/s2"}},  {"GALS", {"cm/s2"}},  {"GALES", {"cm/s2"}},
+                                           {"MG", {"g", 1e-3}}, {"G/10", {"g", 0.1}}, {"%G", {"g", 0.01}}};
     for (const auto& [length, unit] : {std::pair("M", "m/s2"), std::pair("CM", "cm/s2"), std::pair("CMS", "cm/s2"),
                                        std::pair("MM", "mm/s2"), std::pair("IN", "in/s2"), std::pair("FT", "ft/s2")}) {
       for (const char* const time :
-           {"/S2", "/S/S", "/SEC2", "/SEC/SEC", "/SN2", "/SN/SN", "/SEG2", "/SEG/SEG", "S-2"}) {
+           {"/S2", "/S/S", "/SEC2", "/SEC/SEC", "/SN2", "/SN/SN", "/SEG2", "/SEG/SEG", "S-2", "S2"}) {
         all[std::string(length) + time] = {unit};
       }
     }
