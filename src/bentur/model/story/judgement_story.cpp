@@ -151,8 +151,7 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
 // What is said of several gaps together, of rows and of blocks in plan.
 namespace {
 
-constexpr std::size_t most_lines = 12;   ///< of a table; of more gaps it has the worst alone
-constexpr std::size_t worst_lines = 10;  ///< of those
+constexpr std::size_t most_lines = 12;  ///< of a table; of more gaps it has the worst alone
 constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
 /// By how much a gap falls short of what it needs, as given or reversed [length]; below zero where it does not.
@@ -160,8 +159,8 @@ double lacking(const GoverningNeed& need) {
   return std::max(need.given.needed.value_or(0), need.reversed.needed.value_or(0)) - need.at.width;
 }
 
-/// The places of the gaps, the worst first: as they are judged, by how much they fall short, by the hardest impact.
-std::vector<std::size_t> worst_first(const std::vector<GapLine>& gaps) {
+/// As worst_first().
+std::vector<std::size_t> ordered(const std::vector<GapLine>& gaps) {
   std::vector<std::size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t g) {
@@ -181,7 +180,7 @@ std::vector<std::size_t> shown_gaps(const std::vector<GapLine>& gaps, std::vecto
   if (gaps.size() <= most_lines) {
     std::iota(order.begin(), order.end(), std::size_t{0});
   } else {
-    order.resize(worst_lines);
+    order.resize(worst_gaps_shown);
   }
   return order;
 }
@@ -214,10 +213,19 @@ StoryTable table_of_gaps(const std::vector<GapLine>& gaps, const std::vector<std
 
 }  // namespace
 
+GapLine gap_line(const GapFacts& facts, Sufficiency judged, std::string name) {
+  GapLine line{.name = std::move(name), .facts = &facts, .judged = judged};
+  for (const LevelFacts& level : facts.levels) {
+    line.impacts += level.given.impacts;
+    line.peak_force = std::max(line.peak_force, level.given.peak_force);
+  }
+  return line;
+}
+
 std::optional<Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown, const std::string& length,
                                Story& told) {
   if (gaps.size() < 2) return std::nullopt;
-  const std::vector<std::size_t> order = worst_first(gaps);
+  const std::vector<std::size_t> order = ordered(gaps);
   told.tables.push_back(table_of_gaps(gaps, shown_gaps(gaps, order), shown, length));
   const auto judged = [&](Sufficiency as) {
     return static_cast<long>(
@@ -236,8 +244,17 @@ std::optional<Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnit
   return static_cast<Index>(order.front());
 }
 
+std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) {
+  std::vector<GapLine> lines;
+  for (const JudgedGap& one : gaps) lines.push_back(gap_line(one.facts, one.judgement.value));
+  return ordered(lines);
+}
+
 }  // namespace bentur::story
 namespace bentur {
+
+std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) { return story::worst_first(gaps); }
+
 namespace {
 
 ToldJudgement told(const story::GapView& view, Eigen::Index gap) {

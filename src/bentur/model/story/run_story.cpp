@@ -173,13 +173,7 @@ void tell_hit(const AnyRun& run, std::size_t gap, Statement statement, std::vect
 std::optional<Index> tell_all_gaps(const GapView& view, const ShownUnits& shown, Story& told) {
   std::vector<GapLine> lines;
   for (std::size_t g = 0; g < view.facts.size(); ++g) {
-    GapLine line{
-        .name = gap_name(view.problem, static_cast<Index>(g)), .facts = &view.facts[g], .judged = view.judged[g].value};
-    for (const LevelFacts& level : view.facts[g].levels) {
-      line.impacts += level.given.impacts;
-      line.peak_force = std::max(line.peak_force, level.given.peak_force);
-    }
-    lines.push_back(std::move(line));
+    lines.push_back(gap_line(view.facts[g], view.judged[g].value, gap_name(view.problem, static_cast<Index>(g))));
   }
   return tell_gaps(lines, shown, view.c.units.length, told);
 }

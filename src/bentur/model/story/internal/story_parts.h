@@ -126,6 +126,8 @@ struct GapLine {
   long impacts = 0;       ///< slow ones too
   double peak_force = 0;  ///< [force]; 0: none
 };
+[[nodiscard]] GapLine gap_line(const GapFacts& facts, Sufficiency judged, std::string name = {});
+[[nodiscard]] std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps);
 /// Of more than one gap: how many are too small, of how many that is not known, and a table; of many gaps of the worst.
 /// @return the worst gap, nothing where there is one alone
 std::optional<Eigen::Index> tell_gaps(const std::vector<GapLine>& gaps, const ShownUnits& shown,
