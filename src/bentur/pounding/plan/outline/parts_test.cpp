@@ -15,6 +15,7 @@
 
 #include "bentur/pounding/plan/outline/common_area.h"
 #include "bentur/pounding/plan/plan_pounding.h"
+#include "bentur/structure/plan/footprint_parts.h"
 #include "tests/support/outlines/block.h"
 #include "tests/support/random_numbers.h"
 
@@ -200,6 +201,46 @@ TEST(OutlineParts, GeometryIsTheJudgeOfRandomBlocks) {
   EXPECT_GT(deep, 0);
   EXPECT_GT(of_pairs, 0);
   EXPECT_GT(seams, 0);
+}
+
+/// A house between two wings, of which nothing but the outline is what they are joined by.
+PlanResponse between_wings(const Footprint& wings) {
+  Plan plan{
+      .footprint = wings, .storey_heights = {3}, .masses = {300}, .centres_of_mass = {{9, 12}}, .inertias = {3e4}};
+  plan.rigidity = PlanRigidity{.centres = {{8, 15}}, .x = {2e4}, .y = {3e4}, .torsion = {2e6}};
+  Plan house{.footprint = {.corner = {5.01, 2}, .size = {7.97, 7}}, .storey_heights = {3}, .masses = {100}};
+  house.rigidity = PlanRigidity{.centres = {{4, 3}}, .x = {3e4}, .y = {2e4}, .torsion = {3e5}};
+  PlanProblem problem;
+  problem.buildings = {make_plan_building("wings", plan_model(plan), ModalDamping{{0.03}}),
+                       make_plan_building("house", plan_model(house), ModalDamping{{0.05}})};
+  problem.gaps = {test::gap_between(problem, 0, 1, nullptr, 4e5, 0.2)};
+  problem.motions = {HarmonicMotion{.period = 0.6, .displacement_amplitude = 0.02},
+                     HarmonicMotion{.period = 0.45, .displacement_amplitude = 0.01}};
+  problem.duration = 5;
+  PlanResponse response = solve(problem, ExactSolver{}, {.energy_audit = true});
+  EXPECT_EQ(response.status, Status::done) << response.message;
+  EXPECT_LE(response.energy->relative_residual(), 1e-12);
+  return response;
+}
+
+// Two wings are a U whose bottom is far away: all is alike to the round-off.
+TEST(OutlineParts, PartsThatStandApartMoveAsOne) {
+  const PlanResponse apart =
+      between_wings(with_parts(told({{0, 0}, {5, 0}, {5, 35}, {0, 35}}), {{{13, 0}, {18, 0}, {18, 35}, {13, 35}}}));
+  const PlanResponse whole =
+      between_wings(told({{0, 0}, {5, 0}, {5, 30}, {13, 30}, {13, 0}, {18, 0}, {18, 35}, {0, 35}}));
+  ASSERT_EQ(apart.impacts.size(), whole.impacts.size());
+  EXPECT_GT(apart.impacts.size(), 10U);
+  double left = 0, right = 0, most = 0;
+  ASSERT_EQ(apart.points.size(), whole.points.size());
+  for (std::size_t i = 0; i < apart.points.size(); ++i) most = std::max(most, whole.points[i].peak_force);
+  for (std::size_t i = 0; i < apart.points.size(); ++i) {
+    EXPECT_NEAR(apart.points[i].peak_force, whole.points[i].peak_force, 1e-9 * most);
+    (i < apart.points.size() / 2 ? left : right) += apart.points[i].peak_force;
+  }
+  EXPECT_GT(left, 0);
+  EXPECT_GT(right, 0);  // both wings are struck
+  EXPECT_NEAR(apart.buildings[0].rotation(0), whole.buildings[0].rotation(0), 1e-9 * whole.buildings[0].rotation(0));
 }
 
 TEST(OutlineParts, ImpactsWithoutTimeKeepThemApart) {
