@@ -79,6 +79,7 @@ BENTUR_NETCDF(nc_inq_grps)
 BENTUR_NETCDF(nc_inq_nvars)
 BENTUR_NETCDF(nc_inq_var)
 BENTUR_NETCDF(nc_inq_vardimid)
+BENTUR_NETCDF(nc_inq_varid)
 BENTUR_NETCDF(nc_inq_varndims)
 BENTUR_NETCDF(nc_inq_vartype)
 BENTUR_NETCDF(nc_open)
@@ -112,6 +113,30 @@ std::string in_words(int status, bool open) {
   return (open ? "" : "cannot be read as NetCDF: ") + std::string(nc_strerror(status));
 }
 
+/// Status of a process of its own, as waitpid() has it, that works on a file of so many bytes, which the library may
+/// die of where it is damaged.
+int status_of_child(const std::string& name, std::uintmax_t bytes, const std::function<int()>& work) {
+  // Of a processor: damage may also make the library go round for ever. A megabyte packed as tightly as can be takes
+  // some two seconds.
+  constexpr ::rlim_t least_seconds = 10, seconds_a_megabyte = 10, longest = 300;
+  const ::rlim_t most_seconds = std::min<::rlim_t>(longest, least_seconds + seconds_a_megabyte * (bytes >> 20U));
+  const ::pid_t child = ::fork();
+  if (child < 0) throw NetcdfError(name, "cannot be examined: " + std::generic_category().message(errno));
+  if (child == 0) {
+    const ::rlimit no_core{0, 0}, time{most_seconds, most_seconds};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    ::setrlimit(RLIMIT_CPU, &time);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
+    ::signal(SIGINT, SIG_IGN);  // which ends the parent, or is its to answer
+    ::close(STDERR_FILENO);     // what the C library says when it gives up
+    ::_exit(work());
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
 /// A type of the library.
 nc_type type_of(const ResultValues& values) {
   static constexpr nc_type types[] = {NC_DOUBLE, NC_DOUBLE, NC_INT, NC_BYTE, NC_STRING};  // in their order
@@ -127,6 +152,31 @@ void require_netcdf() {
 #ifdef BENTUR_NETCDF_FILE
   function_of_library("nc_open");
 #endif
+}
+
+bool NetcdfNames::has(const std::string& variable) const {
+  int id = 0;
+  return nc_inq_varid(file_, variable.c_str(), &id) == NC_NOERR;
+}
+
+std::string NetcdfNames::attribute(const std::string& name) const {
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  if (nc_inq_att(file_, NC_GLOBAL, name.c_str(), &type, &length) != NC_NOERR || type != NC_CHAR) return "";
+  std::string text(length, '\0');
+  return nc_get_att_text(file_, NC_GLOBAL, name.c_str(), text.data()) == NC_NOERR ? text : "";
+}
+
+bool ask_netcdf(const std::filesystem::path& file, const std::function<bool(const NetcdfNames&)>& question) {
+  if (!input_problem(file, result_input).empty()) return false;
+  std::error_code unknown;
+  require_netcdf();
+  constexpr int yes = 42;
+  const int status = status_of_child(file.string(), std::filesystem::file_size(file, unknown), [&] {
+    int id = -1;
+    return nc_open(file.c_str(), NC_NOWRITE, &id) == NC_NOERR && question(NetcdfNames(id)) ? yes : 0;
+  });
+  return WIFEXITED(status) && WEXITSTATUS(status) == yes;
 }
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& file) : NetcdfReader(file, Examined::no) {}
@@ -160,28 +210,13 @@ void NetcdfReader::check(int status) const {
 /// The child ends with 0 where the library has come through everything, errors of its own among it: those are met again
 /// by whoever reads the file. Any other end, by a signal or a sanitizer, is damage.
 void NetcdfReader::examine() const {
-  // Of a processor: damage may also make the library go round for ever. A megabyte packed as tightly as can be takes
-  // some two seconds.
-  constexpr ::rlim_t least_seconds = 10, seconds_a_megabyte = 10, longest = 300;
-  const ::rlim_t most_seconds = std::min<::rlim_t>(longest, least_seconds + seconds_a_megabyte * (size_ >> 20U));
-  const ::pid_t child = ::fork();
-  if (child < 0) throw NetcdfError(name_, "cannot be examined: " + std::generic_category().message(errno));
-  if (child == 0) {
-    const ::rlimit no_core{0, 0}, time{most_seconds, most_seconds};
-    ::setrlimit(RLIMIT_CORE, &no_core);
-    ::setrlimit(RLIMIT_CPU, &time);
-    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL}) ::signal(signal, SIG_DFL);
-    ::signal(SIGINT, SIG_IGN);  // which ends the parent, or is its to answer
-    ::close(STDERR_FILENO);     // what the C library says when it gives up
+  const int status = status_of_child(name_, size_, [&] {
     try {
       NetcdfReader(name_, Examined::yes).read_all();
     } catch (const std::exception&) {
     }
-    ::_exit(0);
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+    return 0;
+  });
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     throw NetcdfError(name_, "is damaged, so that it cannot be read as NetCDF");
   }

@@ -24,6 +24,24 @@ struct NetcdfError : std::runtime_error {
 /// @throws std::runtime_error where it is not there, as whatever is done with a file does: better before hours of work.
 void require_netcdf();
 
+/// An open file by its names alone.
+class NetcdfNames {
+ public:
+  explicit NetcdfNames(int file) : file_(file) {}
+  /// Whether there is a variable of this name that is in no group.
+  [[nodiscard]] bool has(const std::string& variable) const;
+  /// A text attribute of the file; empty where there is none.
+  [[nodiscard]] std::string attribute(const std::string& name) const;
+
+ private:
+  int file_;  ///< the library's number
+};
+
+/// Asks what a file is without reading it, in a process of its own. @return the answer; false of what cannot be opened
+/// @throws std::runtime_error as require_netcdf(); NetcdfError where there can be no such process
+[[nodiscard]] bool ask_netcdf(const std::filesystem::path& file,
+                              const std::function<bool(const NetcdfNames&)>& question);
+
 /// Reads what bentur has written, a variable at a time; those of a group are called "group/variable". A missing or
 /// broken file, and a variable that is not there or of another type, are NetcdfError. The library dies of some damaged
 /// files, so a file is first read in a process of its own.

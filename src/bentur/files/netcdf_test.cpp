@@ -65,6 +65,24 @@ TEST(NetcdfReaderTest, AFileOnDiskIsTheSame) {
   EXPECT_EQ(disk.numbers("force"), memory.numbers("force"));
 }
 
+TEST(NetcdfNamesTest, SayWhatAFileIsWithoutReadingIt) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "a.nc";
+  const std::string bytes = example_histories();
+  const auto is_ours = [](const NetcdfNames& names) {
+    return names.attribute("Conventions") == "CF-1.8" && names.attribute("nothing").empty() &&
+           names.has("displacement_1") && !names.has("nothing");
+  };
+  std::ofstream(file, std::ios::binary) << bytes;
+  EXPECT_TRUE(ask_netcdf(file, is_ours));
+  EXPECT_FALSE(ask_netcdf(file, [](const NetcdfNames& names) { return names.has("nothing"); }));
+  EXPECT_FALSE(ask_netcdf(folder.path() / "nothing.nc", is_ours));
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes.substr(0, bytes.size() / 2);
+  EXPECT_FALSE(ask_netcdf(file, is_ours));
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << "no NetCDF";
+  EXPECT_FALSE(ask_netcdf(file, is_ours));
+}
+
 TEST(NetcdfReaderTest, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "a.nc") << "no results";

@@ -1,5 +1,6 @@
 #include "bentur/elements/hysteretic_laws.h"
 #include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/footprint_keys.h"
 
 namespace bentur {
 namespace {
@@ -39,15 +40,30 @@ Key courts_of_footprint() {
       .optional("none");
 }
 
+Key parts_of_footprint() {
+  return Key::sub_table("part", part_keys(), {"Parts", "Bagian"},
+                        "further parts of the same floors, which stand beside the polygon and move with it")
+      .list()
+      .goes_with("polygon")
+      .optional("none");
+}
+
+Key ring() {
+  return Key::number("polygon", dimension::length, Range::level, {"Polygon", "Poligon"},
+                     "x and y of its corners, round it, from the `corner` of the footprint")
+      .matrix()
+      .up_to(most_corners);
+}
+
 }  // namespace
 
 const KeyTable& court_keys() {
-  static const KeyTable table = {"building.plan.court",
-                                 "a court within a footprint",
-                                 {Key::number("polygon", dimension::length, Range::level, {"Polygon", "Poligon"},
-                                              "x and y of its corners, round it, from the `corner` of the footprint")
-                                      .matrix()
-                                      .up_to(most_corners)}};
+  static const KeyTable table = {"building.plan.court", "a court within a footprint", {ring()}};
+  return table;
+}
+
+const KeyTable& part_keys() {
+  static const KeyTable table = {"building.plan.part", "a part of a footprint beside its polygon", {ring()}};
   return table;
 }
 
@@ -71,7 +87,7 @@ const KeyTable& building_plan_keys() {
   static const KeyTable table = {
       "building.plan",
       "a building in plan",
-      {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(), courts_of_footprint(),
+      {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(), courts_of_footprint(), parts_of_footprint(),
        Key::number("storey_heights", dimension::length, Range::size, {"Storey heights", "Tinggi tingkat"},
                    "bottom to top")
            .list("one per storey")
@@ -97,10 +113,10 @@ const KeyTable& building_plan_keys() {
 }
 
 const KeyTable& wall_plan_keys() {
-  static const KeyTable table = {
-      "building.plan",
-      "the footprint of a wall",
-      {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(), courts_of_footprint()}};
+  static const KeyTable table = {"building.plan",
+                                 "the footprint of a wall",
+                                 {corner_of_footprint(), size_of_footprint(), polygon_of_footprint(),
+                                  courts_of_footprint(), parts_of_footprint()}};
   return table;
 }
 

@@ -148,11 +148,12 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
   statements.push_back(std::move(statement));
 }
 
+}  // namespace bentur::story
+
 // What is said of several gaps together, of rows and of blocks in plan.
+namespace bentur {
 namespace {
 
-constexpr std::size_t most_lines = 12;   ///< of a table; of more gaps it has the worst alone
-constexpr std::size_t worst_lines = 10;  ///< of those
 constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
 /// By how much a gap falls short of what it needs, as given or reversed [length]; below zero where it does not.
@@ -167,7 +168,8 @@ double peak_force_of(const GapFacts& facts) {
   return most;
 }
 
-/// The places of the gaps, the worst first: as they are judged, by how much they fall short, by the hardest impact.
+}  // namespace
+
 std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) {
   std::vector<std::size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -184,11 +186,16 @@ std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) {
   return order;
 }
 
+namespace story {
+namespace {
+
+constexpr std::size_t most_lines = 12;  ///< of a table; of more gaps it has the worst alone
+
 /// Of all in their order, or of many of the worst. @param order worst_first()
 StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, const ShownUnits& shown) {
   const std::string& length = view.c.units.length;
   if (order.size() <= most_lines) std::iota(order.begin(), order.end(), std::size_t{0});
-  order.resize(order.size() <= most_lines ? order.size() : worst_lines);
+  order.resize(order.size() <= most_lines ? order.size() : worst_gaps_shown);
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn given{"column.given", length}, needed{"column.simulated", length}, reversed{"column.reversed", length};
   StoryColumn lacks{"column.short_by", length};
@@ -239,8 +246,8 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
   return static_cast<Index>(order.front());
 }
 
-}  // namespace bentur::story
-namespace bentur {
+}  // namespace story
+
 namespace {
 
 ToldJudgement told(const story::GapView& view, Eigen::Index gap) {

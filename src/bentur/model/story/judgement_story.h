@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bentur/model/judgement/judge.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/story.h"
 
@@ -24,6 +24,11 @@ struct ToldJudgement {
 [[nodiscard]] std::vector<ToldJudgement> told_judgements(const PlanRun& run);
 [[nodiscard]] std::vector<ToldJudgement> told_judgements(const Case& c, const Problem& problem,
                                                          const SpectralGaps& spectral);
+
+/// The places of the gaps, the worst first: as they are judged, by how much they fall short, by the hardest impact. Of
+/// many a table has the first of them.
+[[nodiscard]] std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps);
+constexpr std::size_t worst_gaps_shown = 10;
 
 /// The word for what a gap, or a level of it, is judged to be.
 [[nodiscard]] const char* judgement_word(Sufficiency value);

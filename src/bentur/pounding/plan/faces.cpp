@@ -201,6 +201,32 @@ std::vector<StretchCorner> first_touches(const Footprint& left, const Footprint&
   return {before(nearest, edge.edge, !edge.of_left, t)};
 }
 
+/// One edge of each direction that is not the joint's, in their order: of those that are nearly parallel the one that
+/// separates the two the most, whichever of them has it.
+std::vector<const EdgeOfTwo*> edges_beside(const std::vector<EdgeOfTwo>& all, const Stretch& joint, double reach) {
+  std::vector<std::pair<const EdgeOfTwo*, const EdgeOfTwo*>> found;  // by the first of two that are parallel
+  for (const EdgeOfTwo& edge : all) {
+    if (edge.width > -reach && !joint.includes({.normal = edge.n})) found.emplace_back(&edge, &edge);
+  }
+  std::stable_sort(found.begin(), found.end(), [](auto& a, auto& b) { return a.second->width > b.second->width; });
+  std::vector<PlanPoint> known;
+  std::erase_if(found, [&](auto& one) {
+    const PlanPoint n = one.second->n;
+    if (std::any_of(known.begin(), known.end(), [&](auto& at) { return is_one_direction(at, n); })) return true;
+    known.push_back(n);
+    const EdgeOfTwo* const opposite = opposite_of(*one.second, all);
+    if (opposite == nullptr) return false;
+    known.push_back(opposite->n);
+    one.first = std::min(one.first, opposite);
+    if (is_one_direction(opposite->n, n)) one.second = one.first;
+    return false;
+  });
+  std::sort(found.begin(), found.end());
+  std::vector<const EdgeOfTwo*> edges;
+  for (const auto& one : found) edges.push_back(one.second);
+  return edges;
+}
+
 }  // namespace
 
 PlanPoint Stretch::tangent(double along) const {
@@ -366,16 +392,8 @@ std::vector<FamilyBeside> families_beside(const Footprint& left, const Footprint
   const PlanPoint axis = axis_of(joint);
   const std::vector<EdgeOfTwo> all = edges_between(left, right);
   std::vector<FamilyBeside> families;
-  std::vector<PlanPoint> known;
-  for (const EdgeOfTwo& edge : all) {
-    const auto is_known = [&](const PlanPoint& n) { return is_one_direction(n, edge.n); };
-    if (edge.width <= -reach || joint.includes({.normal = edge.n}) ||
-        std::any_of(known.begin(), known.end(), is_known)) {
-      continue;
-    }
-    known.push_back(edge.n);
-    if (const EdgeOfTwo* const opposite = opposite_of(edge, all)) known.push_back(opposite->n);
-    FamilyBeside& family = families.emplace_back(FamilyBeside{first_touches(left, right, edge, all, least)});
+  for (const EdgeOfTwo* const edge : edges_beside(all, joint, reach)) {
+    FamilyBeside& family = families.emplace_back(FamilyBeside{first_touches(left, right, *edge, all, least)});
     for (StretchCorner& place : family.places) {
       place.beyond -= joint.width;
       place.along = axis.dot(0.5 * (place.left + place.right));

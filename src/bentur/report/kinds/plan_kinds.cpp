@@ -58,7 +58,12 @@ bool has_bearings(const PlanRun& run) {
 }
 bool has_energy(const PlanRun& run) { return run.response.energy && run.response.energy->histories.input.size() > 0; }
 
+/// So many that a list of them says little of where they stand.
+bool has_a_block(const PlanRun& run) { return run.problem.buildings.size() > 6 && run.problem.gaps.size() > 1; }
+
 const PlanKind plan_kinds[] = {
+    {"map", "houses of a block and what lies between them from above, by what is judged of it", has_a_block, map_figure,
+     tells_above},
     {"overview", "the buildings from above at the hardest impact, and the opening over time", has_points,
      overview_figure, tells_above},
     {"scene", "the buildings from above at the hardest impact, else where they come closest", has_points, scene_figure,

@@ -196,7 +196,7 @@ TEST(PlanScene, GapsOfBothAxesAreMagnified) {
   const double m = scene.magnification();
   EXPECT_NEAR(scene.place({5, 18.03}).y() - scene.place({5, 18}).y(), m * 0.03, 1e-12);
   EXPECT_NEAR(scene.place({22, 20}).x() - scene.place({4, 20}).x(), 18 + (m - 1) * 0.04, 1e-12);
-  const std::vector<PlanPoint> outline = scene.outline(run.problem.buildings.back().model.footprint);
+  const std::vector<PlanPoint> outline = scene.outlines(run.problem.buildings.back().model.footprint).front();
   EXPECT_EQ(outline.size(), 5U + 4U);  // the gap between the others begins and ends along two of its edges
   EXPECT_EQ(outline.front(), outline.back());
 }
@@ -215,7 +215,7 @@ TEST(PlanScene, PolygonsAreDrawnAsTheyAre) {
   const PlanPoint apart = scene.place(stretch.on_edge(1, along)) - scene.place(stretch.on_edge(0, along));
   EXPECT_GT(m, 1);
   EXPECT_NEAR(stretch.normal(along).dot(apart), m * stretch.width, 1e-12);
-  const std::vector<PlanPoint> outline = scene.outline(footprint);
+  const std::vector<PlanPoint> outline = scene.outlines(footprint).front();
   for (const PlanPoint& corner : footprint.corners()) {
     EXPECT_NE(std::find(outline.begin(), outline.end(), corner), outline.end()) << corner.transpose();
   }

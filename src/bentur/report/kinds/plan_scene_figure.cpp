@@ -65,17 +65,17 @@ class PlanPicture {
   void add_footprint(Index b, bool at_rest) {
     const PlanBuilding& building = run_.problem.buildings[b];
     if (at_rest && building.is_rigid()) return;
-    Curve curve{.tone = building_tone(b), .width = 1.5, .complete = true};
-    if (at_rest) {
-      curve = {.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
-    } else {
-      curve.label = building.name;
-      curve.in_legend = false;
+    for (const std::vector<PlanPoint>& ring : scene_.outlines(building.model.footprint)) {
+      Curve curve{.tone = building_tone(b), .width = 1.5, .complete = true};
+      if (at_rest) {
+        curve = {.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
+      } else {
+        curve.label = building.name;
+        curve.in_legend = false;
+      }
+      for (const PlanPoint& at : ring) add(curve, at_rest ? scene_.place(at) : moved(b, at));
+      panel_.curves.push_back(std::move(curve));
     }
-    for (const PlanPoint& at : scene_.outline(building.model.footprint)) {
-      add(curve, at_rest ? scene_.place(at) : moved(b, at));
-    }
-    panel_.curves.push_back(std::move(curve));
   }
 
   /// Of more buildings there is room for names alone.
@@ -85,31 +85,12 @@ class PlanPicture {
   void add_names() {
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       const PlanBuilding& building = run_.problem.buildings[b];
-      std::vector<PlanPoint> corners;
-      for (const PlanPoint& at : scene_.outline(building.model.footprint)) corners.push_back(moved(b, at));
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (const PlanPoint& at : corners) {
-        low = std::min(low, at.y());
-        high = std::max(high, at.y());
+      std::vector<std::vector<PlanPoint>> rings = scene_.outlines(building.model.footprint);
+      for (std::vector<PlanPoint>& ring : rings) {
+        for (PlanPoint& at : ring) at = moved(b, at);
       }
-      PlaceText name{.text = building.name, .side = PlaceText::Side::middle};
-      for (const double part : has_centres() ? std::array{0.75, 0.25, 0.5} : std::array{0.5, 0.75, 0.25}) {
-        const double y = low + part * (high - low);
-        std::vector<double> crossings;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-          const PlanPoint &from = corners[i], &to = corners[(i + 1) % corners.size()];
-          if ((from.y() > y) == (to.y() > y)) continue;
-          crossings.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
-        }
-        std::sort(crossings.begin(), crossings.end());
-        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-          const double room = 0.94 * (crossings[i + 1] - crossings[i]);
-          if (room < 1.05 * name.room) continue;
-          name.x = (crossings[i] + crossings[i + 1]) / 2;
-          name.y = y;
-          name.room = room;
-        }
-      }
+      PlaceText name = place_of_name(building.name, rings,
+                                     has_centres() ? std::array{0.75, 0.25, 0.5} : std::array{0.5, 0.85, 0.15});
       if (fits(name)) {
         panel_.texts.push_back(std::move(name));
       } else if (has_centres()) {
@@ -322,6 +303,38 @@ std::string instant_text(const PlanRun& run, const PlanInstant& instant, const F
 }
 
 }  // namespace
+
+PlaceText place_of_name(const std::string& name, const std::vector<std::vector<PlanPoint>>& rings,
+                        const std::array<double, 3>& parts) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const std::vector<PlanPoint>& ring : rings) {
+    for (const PlanPoint& at : ring) {
+      low = std::min(low, at.y());
+      high = std::max(high, at.y());
+    }
+  }
+  PlaceText placed{.text = name, .side = PlaceText::Side::middle};
+  for (const double part : parts) {
+    const double y = low + part * (high - low);
+    std::vector<double> crossings;
+    for (const std::vector<PlanPoint>& ring : rings) {
+      for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+        const PlanPoint &from = ring[i], &to = ring[i + 1];
+        if ((from.y() > y) == (to.y() > y)) continue;
+        crossings.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+      }
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      const double room = 0.94 * (crossings[i + 1] - crossings[i]);
+      if (room < 1.05 * placed.room) continue;
+      placed.x = (crossings[i] + crossings[i + 1]) / 2;
+      placed.y = y;
+      placed.room = room;
+    }
+  }
+  return placed;
+}
 
 Figure scene_figure(const PlanRun& run, const FigureOptions& options) {
   const PlanInstant instant = telling_instant(run.response, asked_points(run, options));

@@ -113,9 +113,11 @@ PlanScene::PlanScene(const PlanRun& run) {
   lower_ = PlanPoint::Constant(infinite);
   upper_ = -lower_;
   for (const PlanBuilding& building : run.problem.buildings) {
-    for (const PlanPoint& at : outline(building.model.footprint)) {
-      lower_ = lower_.cwiseMin(place(at));
-      upper_ = upper_.cwiseMax(place(at));
+    for (const std::vector<PlanPoint>& ring : outlines(building.model.footprint)) {
+      for (const PlanPoint& at : ring) {
+        lower_ = lower_.cwiseMin(place(at));
+        upper_ = upper_.cwiseMax(place(at));
+      }
     }
   }
 }
@@ -132,8 +134,13 @@ PlanPoint PlanScene::place(const PlanPoint& at, const PlanPoint& moved) const {
   return place(at) + magnification_ * moved;
 }
 
-std::vector<PlanPoint> PlanScene::outline(const Footprint& footprint) const {
-  const std::vector<PlanPoint> corners = footprint.corners();
+std::vector<std::vector<PlanPoint>> PlanScene::outlines(const Footprint& footprint) const {
+  std::vector<std::vector<PlanPoint>> all;
+  for (const std::vector<PlanPoint>& ring : footprint.all_rings()) all.push_back(outline(ring));
+  return all;
+}
+
+std::vector<PlanPoint> PlanScene::outline(const std::vector<PlanPoint>& corners) const {
   std::vector<PlanPoint> points;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const PlanPoint &from = corners[i], &to = corners[(i + 1) % corners.size()];

@@ -48,9 +48,9 @@ class PlanScene {
   /// The corners of all there is to see at rest.
   [[nodiscard]] const PlanPoint& lower() const { return lower_; }
   [[nodiscard]] const PlanPoint& upper() const { return upper_; }
-  /// The edges of a footprint, from its lower left corner round and back, with every point at which a line of a gap
-  /// begins or ends.
-  [[nodiscard]] std::vector<PlanPoint> outline(const Footprint& footprint) const;
+  /// The edges of each ring of a footprint, that of its lower left corner first, round and back, with every point at
+  /// which a line of a gap begins or ends.
+  [[nodiscard]] std::vector<std::vector<PlanPoint>> outlines(const Footprint& footprint) const;
 
  private:
   /// What lies between two buildings that face each other: all of the plan with from < n · at < to [length].
@@ -58,6 +58,8 @@ class PlanScene {
     PlanPoint n;
     double from = 0, to = 0;
   };
+  [[nodiscard]] std::vector<PlanPoint> outline(const std::vector<PlanPoint>& corners) const;
+
   std::vector<Line> lines_;  ///< those of one direction together, ascending, and none on another
   double magnification_ = 1, largest_ = 0;
   PlanPoint lower_, upper_;

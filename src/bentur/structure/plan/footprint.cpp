@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bentur/structure/plan/footprint_parts.h"
+
 namespace bentur {
 namespace {
 
@@ -58,6 +60,15 @@ bool edges_meet(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, cons
     return along >= 0 && along <= edge.squaredNorm();
   };
   return edges_cross(a, b, c, d) || is_on(a, b, c) || is_on(a, b, d) || is_on(c, d, a) || is_on(c, d, b);
+}
+
+bool rings_meet(const std::vector<PlanPoint>& one, const std::vector<PlanPoint>& other) {
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    for (std::size_t j = 0; j < other.size(); ++j) {
+      if (edges_meet(one[i], corner_at(one, i + 1), other[j], corner_at(other, j + 1))) return true;
+    }
+  }
+  return false;
 }
 
 /// The rule that lists of corners break of whatever shape: too few, or one after the other the same.
@@ -131,7 +142,12 @@ double area_of(const std::vector<PlanPoint>& corners) {
   return twice / 2;
 }
 
-PlanPoint Footprint::lower() const { return polygon.empty() ? corner : PlanPoint(corner + low_of(polygon)); }
+PlanPoint Footprint::lower() const {
+  if (polygon.empty()) return corner;
+  PlanPoint low = low_of(polygon);
+  for (const std::vector<PlanPoint>& ring : rings) low = low.cwiseMin(low_of(ring));
+  return corner + low;
+}
 
 std::vector<PlanPoint> Footprint::corners() const {
   if (polygon.empty()) return {corner, corner + PlanPoint(size.x(), 0), corner + size, corner + PlanPoint(0, size.y())};
@@ -251,23 +267,51 @@ Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corn
   return {.corner = corner, .size = extent_of(kept), .polygon = kept, .rings = std::move(courts)};
 }
 
+Footprint with_parts(Footprint footprint, std::vector<std::vector<PlanPoint>> parts) {
+  PlanPoint low = low_of(footprint.polygon), high = low + extent_of(footprint.polygon);
+  for (std::vector<PlanPoint>& part : parts) {
+    if (area_of(part) < 0) std::reverse(part.begin(), part.end());
+    footprint.rings.push_back(without_straight_ones(part));
+    low = low.cwiseMin(low_of(part));
+    high = high.cwiseMax(low_of(part) + extent_of(part));
+  }
+  footprint.size = high - low;
+  return footprint;
+}
+
 std::optional<std::string> fault_of_court(const Footprint& footprint, std::size_t ring) {
   const std::vector<PlanPoint>& court = footprint.rings[ring];
-  const auto meet = [&](const std::vector<PlanPoint>& other) {
-    for (std::size_t i = 0; i < court.size(); ++i) {
-      for (std::size_t j = 0; j < other.size(); ++j) {
-        if (edges_meet(court[i], corner_at(court, i + 1), other[j], corner_at(other, j + 1))) return true;
-      }
-    }
-    return false;
-  };
-  if (meet(footprint.polygon) || !goes_round(footprint.polygon, court.front())) return "must lie in the outline";
+  bool within = goes_round(footprint.polygon, court.front()), is_cut = rings_meet(court, footprint.polygon);
+  for (const std::vector<PlanPoint>& part : footprint.rings) {
+    if (!(area_of(part) > 0)) continue;
+    within = within || goes_round(part, court.front());
+    is_cut = is_cut || rings_meet(court, part);
+  }
+  if (is_cut || !within) return "must lie in the outline";
   for (std::size_t other = 0; other < ring; ++other) {
     const std::vector<PlanPoint>& before = footprint.rings[other];
-    if (meet(before) || goes_round(before, court.front()) || goes_round(court, before.front())) {
+    if (area_of(before) > 0) continue;
+    if (rings_meet(court, before) || goes_round(before, court.front()) || goes_round(court, before.front())) {
       return fmt::format("must not meet court {}", other + 1);
     }
   }
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_part(const Footprint& footprint, std::size_t ring) {
+  const std::vector<PlanPoint>& part = footprint.rings[ring];
+  bool within = false, meets = false;
+  const auto look_at = [&](const std::vector<PlanPoint>& other) {
+    within = within != goes_round(other, part.front());  // in a court of another part it is beside that
+    meets = meets || rings_meet(part, other) || (area_of(other) > 0 && goes_round(part, other.front()));
+  };
+  look_at(footprint.polygon);
+  for (std::size_t other = 0; other < footprint.rings.size(); ++other) {
+    const std::vector<PlanPoint>& one = footprint.rings[other];
+    const bool is_own_court = area_of(one) < 0 && goes_round(part, one.front());
+    if (other != ring && !is_own_court) look_at(one);
+  }
+  if (within || meets) return "must stand beside the polygon and all other parts";
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bentur/structure/plan/footprint_parts.h"
 #include "bentur/structure/plan/plan.h"
 
 namespace bentur {
@@ -55,6 +56,40 @@ TEST(Footprint, CourtsAndNotchesAreNoPartOfTheArea) {
   EXPECT_EQ(fault({court, {{6, 6}, {7, 6}, {7, 7}}}), "must not meet court 1");
   EXPECT_EQ(fault({court, {{15, 7}, {17, 7}, {17, 9}}}), "must not meet court 1");
   EXPECT_EQ(fault({court, {{6, 16}, {7, 16}, {7, 17}}}), "none");
+}
+
+// Two squares of 4 and of 2, by hand from both.
+TEST(Footprint, PartsStandBesideItAndCount) {
+  const std::vector<PlanPoint> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const Footprint both =
+      with_parts(polygon_footprint({100, 50}, square, {}), {{{-4, 6}, {-6, 6}, {-6, 8}, {-4, 8}}});  // clockwise
+  EXPECT_FALSE(both.is_convex());
+  EXPECT_EQ(both.lower(), PlanPoint(94, 50));
+  EXPECT_EQ(both.far_corner(), PlanPoint(104, 58));
+  EXPECT_DOUBLE_EQ(both.area(), 20);
+  const PlanPoint middle = (16 * PlanPoint(2, 2) + 4 * PlanPoint(-5, 7)) / 20;
+  EXPECT_LE((both.middle() - middle).norm(), 1e-14 * middle.norm());
+  const double moment = 16 * (32 / 12.0 + (middle - PlanPoint(2, 2)).squaredNorm()) +
+                        4 * (8 / 12.0 + (middle - PlanPoint(-5, 7)).squaredNorm());
+  EXPECT_NEAR(both.radius2(), moment / 20, 1e-13 * moment);
+  EXPECT_TRUE(both.contains({-2, 5}));  // between both
+  EXPECT_EQ(fault_of_part(both, 0), std::nullopt);
+}
+
+TEST(Footprint, PartsThatStandInOneAnotherAreNone) {
+  const auto fault = [](std::vector<std::vector<PlanPoint>> parts) {
+    Footprint square = polygon_footprint({0, 0}, {{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {{{5, 5}, {15, 5}, {15, 15}}});
+    square = with_parts(std::move(square), std::move(parts));
+    EXPECT_EQ(fault_of_court(square, 0), std::nullopt);
+    return fault_of_part(square, square.rings.size() - 1).value_or("none");
+  };
+  const std::string beside = "must stand beside the polygon and all other parts";
+  EXPECT_EQ(fault({{{20, 5}, {25, 5}, {25, 10}}}), beside);                               // it touches
+  EXPECT_EQ(fault({{{1, 1}, {2, 1}, {2, 2}}}), beside);                                   // within
+  EXPECT_EQ(fault({{{-5, -5}, {30, -5}, {30, 30}, {-5, 30}}}), beside);                   // round it
+  EXPECT_EQ(fault({{{25, 0}, {35, 0}, {35, 10}}, {{30, 1}, {31, 1}, {31, 2}}}), beside);  // within another part
+  EXPECT_EQ(fault({{{25, 0}, {35, 0}, {35, 10}}, {{36, 1}, {37, 1}, {37, 2}}}), "none");
+  EXPECT_EQ(fault({{{12, 6}, {14, 6}, {14, 8}}}), "none");  // in the court, joined by a bridge
 }
 
 TEST(Footprint, WhatIsNoConvexPolygon) {

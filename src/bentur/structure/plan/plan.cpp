@@ -14,6 +14,7 @@
 #include "bentur/core/require.h"
 #include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/structure/modes.h"
+#include "bentur/structure/plan/footprint_parts.h"
 #include "bentur/structure/plan/plan_support.h"
 #include "bentur/structure/sway.h"
 
@@ -115,8 +116,9 @@ void check_footprint(const Footprint& footprint) {
   if (const auto fault = fault_of_outline(footprint.polygon)) throw InvalidParameter("polygon", "", *fault);
   for (std::size_t i = 0; i < footprint.rings.size(); ++i) {
     auto fault = fault_of_outline(footprint.rings[i]);
-    if (!fault) fault = fault_of_court(footprint, i);
-    if (fault) throw InvalidParameter(indexed("courts", i), "", *fault);
+    const bool is_part = area_of(footprint.rings[i]) > 0;
+    if (!fault) fault = is_part ? fault_of_part(footprint, i) : fault_of_court(footprint, i);
+    if (fault) throw InvalidParameter(indexed(is_part ? "parts" : "courts", i), "", *fault);
   }
 }
 

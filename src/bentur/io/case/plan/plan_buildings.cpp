@@ -8,7 +8,9 @@
 #include "bentur/core/errors.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/footprint_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/structure/plan/footprint_parts.h"
 
 namespace bentur {
 namespace {
@@ -40,24 +42,38 @@ std::vector<PlanPoint> read_ring(const TableView& table) {
   return corners;
 }
 
+/// Rings of a list of tables, and where each stands.
+struct Rings {
+  std::vector<std::vector<PlanPoint>> corners;
+  std::vector<TomlView> places;
+  bool known = true;
+};
+
+Rings read_rings(const TableView& table, const char* key, const KeyTable& keys) {
+  Rings rings;
+  const auto list = table.find(key);
+  rings.known = !list || list->is_list_of("tables");
+  for (const TomlView& entry : list&& rings.known ? list->items() : std::vector<TomlView>()) {
+    const auto one = TableView::of(entry, keys);
+    rings.corners.push_back(one ? read_ring(*one) : std::vector<PlanPoint>());
+    rings.places.push_back(entry);
+    rings.known = rings.known && !rings.corners.back().empty();
+  }
+  return rings;
+}
+
 bool read_polygon(const TableView& table, Footprint& footprint) {
   std::vector<PlanPoint> corners = read_ring(table);
   const auto origin = table.has("corner") ? read_pair(table, "corner") : std::optional(PlanPoint(0, 0));
-  std::vector<std::vector<PlanPoint>> courts;
-  std::vector<TomlView> places;
-  const auto list = table.find("court");
-  bool known = !corners.empty() && origin && (!list || list->is_list_of("tables"));
-  for (const TomlView& entry : list&& known ? list->items() : std::vector<TomlView>()) {
-    const auto court = TableView::of(entry, court_keys());
-    courts.push_back(court ? read_ring(*court) : std::vector<PlanPoint>());
-    places.push_back(entry);
-    known = known && !courts.back().empty();
-  }
-  if (!known) return false;
-  footprint = polygon_footprint(*origin, std::move(corners), std::move(courts));
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto fault = fault_of_court(footprint, i);
-    if (fault) places[i].error(*fault);
+  Rings courts = read_rings(table, "court", court_keys()), parts = read_rings(table, "part", part_keys());
+  if (corners.empty() || !origin || !courts.known || !parts.known) return false;
+  footprint = polygon_footprint(*origin, std::move(corners), std::move(courts.corners));
+  footprint = with_parts(std::move(footprint), std::move(parts.corners));
+  bool known = true;
+  const std::size_t count = courts.places.size();
+  for (std::size_t i = 0; i < footprint.rings.size(); ++i) {
+    const auto fault = i < count ? fault_of_court(footprint, i) : fault_of_part(footprint, i);
+    if (fault) (i < count ? courts.places[i] : parts.places[i - count]).error(*fault);
     known = known && !fault;
   }
   return known;

@@ -18,16 +18,26 @@ using At = boost::geometry::model::d2::point_xy<double>;
 using Polygon = boost::geometry::model::polygon<At, false>;  // counter-clockwise
 using Polygons = boost::geometry::model::multi_polygon<Polygon>;
 
-Polygon polygon_of(const Footprint& footprint) {
-  Polygon polygon;
+/// Its parts, each with its courts.
+Polygons polygons_of(const Footprint& footprint) {
+  Polygons polygons;
   const auto put = [](const std::vector<PlanPoint>& from, auto& ring) {
     for (const PlanPoint& at : from) ring.emplace_back(at.x(), at.y());
   };
   const std::vector<std::vector<PlanPoint>> rings = footprint.all_rings();
-  put(rings.front(), polygon.outer());
-  for (std::size_t i = 1; i < rings.size(); ++i) put(rings[i], polygon.inners().emplace_back());
-  boost::geometry::correct(polygon);
-  return polygon;
+  for (const std::vector<PlanPoint>& ring : rings) {
+    if (area_of(ring) > 0) put(ring, polygons.emplace_back().outer());
+  }
+  boost::geometry::correct(polygons);
+  for (const std::vector<PlanPoint>& ring : rings) {
+    if (area_of(ring) > 0) continue;
+    const At corner(ring.front().x(), ring.front().y());
+    const auto around = std::find_if(polygons.begin(), polygons.end(),
+                                     [&](const Polygon& one) { return boost::geometry::within(corner, one.outer()); });
+    put(ring, (around == polygons.end() ? polygons.front() : *around).inners().emplace_back());
+  }
+  boost::geometry::correct(polygons);
+  return polygons;
 }
 
 template <class Ring>
@@ -60,13 +70,13 @@ double common_area(const Footprint& one, const Footprint& other) {
     return area_of(part);
   }
   Polygons common;
-  boost::geometry::intersection(polygon_of(one), polygon_of(other), common);
+  boost::geometry::intersection(polygons_of(one), polygons_of(other), common);
   return boost::geometry::area(common);
 }
 
 std::optional<Footprint> largest_rest(const Footprint& cut, const Footprint& kept) {
   Polygons rest;
-  boost::geometry::difference(polygon_of(cut), polygon_of(kept), rest);
+  boost::geometry::difference(polygons_of(cut), polygons_of(kept), rest);
   const auto largest = std::max_element(rest.begin(), rest.end(), [](const Polygon& a, const Polygon& b) {
     return boost::geometry::area(a) < boost::geometry::area(b);
   });

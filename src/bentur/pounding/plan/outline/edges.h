@@ -11,6 +11,7 @@ namespace bentur {
 
 struct Edge {
   PlanPoint from, to, normal;  ///< normal outwards
+  [[nodiscard]] double length() const { return (to - from).norm(); }
 };
 
 /// Lengths that differ by less are one: 1e-9 of the largest side [length].

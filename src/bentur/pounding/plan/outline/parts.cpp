@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -61,7 +62,11 @@ class Parting {
   std::vector<OutlinePart> all() {
     std::vector<OutlinePart> parts;
     std::vector<std::vector<std::size_t>> behind;  // of each corner of each part the edge of the outline that is there
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
+    std::vector<std::size_t> longest_first(edges_.size());
+    std::iota(longest_first.begin(), longest_first.end(), 0U);
+    std::stable_sort(longest_first.begin(), longest_first.end(),
+                     [&](std::size_t a, std::size_t b) { return edges_[a].length() > edges_[b].length(); });
+    for (const std::size_t e : longest_first) {
       if (owner_[e] != none) continue;
       const std::vector<PlanPoint> region = region_behind(e);
       std::vector<std::size_t>& edges = behind.emplace_back(region.size(), none);

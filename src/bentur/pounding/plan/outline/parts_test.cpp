@@ -3,38 +3,30 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <numbers>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bentur/contact/laws/kelvin_voigt.h"
-#include "bentur/contact/laws/linear.h"
-#include "bentur/contact/laws/restitution.h"
-#include "bentur/contact/laws/rubbing.h"
 #include "bentur/pounding/plan/outline/common_area.h"
-#include "bentur/pounding/plan/outline/edges.h"
 #include "bentur/pounding/plan/plan_pounding.h"
+#include "bentur/structure/plan/footprint_parts.h"
+#include "tests/support/outlines/block.h"
 #include "tests/support/random_numbers.h"
 
 namespace bentur::outline_parts {
 namespace {
 
 using Eigen::Index;
+using test::box, test::drawn_block, test::l_shape, test::outlines_problem, test::Shapes, test::told;
 using At = boost::geometry::model::d2::point_xy<double>;
 using Polygon = boost::geometry::model::polygon<At, false>;
 using Line = boost::geometry::model::linestring<At>;
-
-constexpr double reach = 0.6;
 
 Polygon polygon_of(const std::vector<std::vector<PlanPoint>>& rings) {
   Polygon polygon;
@@ -60,64 +52,6 @@ double depth_in(const std::vector<std::vector<PlanPoint>>& rings, const Polygon&
   }
   return least;
 }
-
-Footprint told(std::vector<PlanPoint> corners, std::vector<std::vector<PlanPoint>> courts = {}) {
-  return polygon_footprint({0, 0}, std::move(corners), std::move(courts));
-}
-
-/// `x` by `y` with its lower left corner at `at`, turned about that.
-Footprint box(const PlanPoint& at, double x, double y) {
-  return told({at, at + PlanPoint(x, 0), at + PlanPoint(x, y), at + PlanPoint(0, y)});
-}
-
-/// An L, of which the upper right is left out.
-Footprint l_shape(const PlanPoint& at, double x, double y, double arm, double leg) {
-  return told({at, at + PlanPoint(x, 0), at + PlanPoint(x, arm), at + PlanPoint(leg, arm), at + PlanPoint(leg, y),
-               at + PlanPoint(0, y)});
-}
-
-class Shapes {
- public:
-  explicit Shapes(unsigned seed) : engine_(seed) {}
-
-  double any(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
-  int among(int from, int to) { return std::uniform_int_distribution<int>(from, to)(engine_); }
-
-  /// A star with so many arms, by chance with a court.
-  Footprint star() {
-    std::vector<PlanPoint> corners, court;
-    const int count = among(5, 14);
-    for (int i = 0; i < count; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + any(0, 0.5)) / count;
-      corners.push_back(any(4, 12) * PlanPoint(std::cos(angle), std::sin(angle)));
-    }
-    for (int i = 0, n = among(3, 6); i < n; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + any(0, 0.5)) / n;
-      court.push_back(any(0.3, 1.2) * PlanPoint(std::cos(angle), std::sin(angle)));
-    }
-    if (fault_of_outline(corners)) return star();
-    Footprint made = told(corners);
-    if (any(0, 1) < 0.5) return made;
-    Footprint with = told(corners, {court});
-    return fault_of_outline(court) || fault_of_court(with, 0) ? made : with;
-  }
-
-  Footprint turned(const Footprint& from, double angle) {
-    Footprint made = from;
-    const PlanPoint middle = from.corner + from.middle();
-    const auto turn = [&](std::vector<PlanPoint>& ring) {
-      for (PlanPoint& at : ring) at = middle + Eigen::Rotation2Dd(angle) * (at - middle);
-    };
-    made.polygon = from.corners();
-    made.corner = {0, 0};
-    turn(made.polygon);
-    for (auto& ring : made.rings) turn(ring);
-    return told(made.polygon, made.rings);
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 void expect_parts(const Footprint& outline, Shapes by) {
   const std::vector<OutlinePart> parts = parts_of(outline);
@@ -180,141 +114,6 @@ TEST(OutlineParts, AConvexOutlineIsOnePart) {
   EXPECT_EQ(parts_of({.corner = {1, 2}, .size = {3, 4}}).size(), 1U);
 }
 
-PlanBuilding house(Shapes& by, const std::string& name, const Footprint& footprint) {
-  Plan plan{.footprint = footprint, .storey_heights = {3}, .masses = {by.any(50, 200)}};
-  const double k = plan.masses[0] * std::pow(2 * std::numbers::pi / by.any(0.2, 0.8), 2);
-  const PlanPoint middle = footprint.middle(), size = footprint.size;
-  plan.rigidity = PlanRigidity{.centres = {middle + by.any(-0.15, 0.15) * size},
-                               .x = {k},
-                               .y = {by.any(0.5, 2) * k},
-                               .torsion = {by.any(0.1, 0.3) * k * size.squaredNorm()}};
-  return make_plan_building(name, plan_model(plan), ModalDamping{{0.03}});
-}
-
-/// Houses around one that turns inwards, some of them in its notch, its court or between its wings.
-std::vector<Footprint> footprints(Shapes& by) {
-  const auto joint = [&] { return by.any(0.004, 0.03); };
-  const double x = by.any(16, 24), y = by.any(14, 20), arm = by.any(4, 6), leg = by.any(4, 6);
-  const double g = joint(), h = joint();
-  const int kind = by.among(0, 5);
-  std::vector<Footprint> all;
-  if (kind == 0) {  // a house in the notch of an L, and one before it
-    all = {l_shape({0, 0}, x, y, arm, leg), box({leg + g, arm + h}, by.any(4, 8), by.any(4, 7)),
-           box({x + joint(), by.any(-2, 3)}, by.any(6, 9), by.any(6, 9)),
-           box({by.any(-9, 3), -8 - joint()}, by.any(6, 9), 8)};
-  } else if (kind == 1) {  // between the wings of a U
-    const double wide = by.any(5, 8);
-    all = {told({{0, 0},
-                 {2 * leg + wide, 0},
-                 {2 * leg + wide, y},
-                 {leg + wide, y},
-                 {leg + wide, arm},
-                 {leg, arm},
-                 {leg, y},
-                 {0, y}}),
-           box({leg + g, arm + h}, wide - g - joint(), by.any(4, 7))};
-  } else if (kind == 2) {  // in a court
-    all = {told({{0, 0}, {x, 0}, {x, y}, {0, y}}, {{{leg, arm}, {x - leg, arm}, {x - leg, y - arm}, {leg, y - arm}}}),
-           box({leg + g, arm + h}, x - 2 * leg - g - joint(), y - 2 * arm - h - joint()),
-           box({-8 - joint(), by.any(-3, 3)}, 8, by.any(6, 9))};
-  } else if (kind == 3) {  // on both sides of the stem of a T
-    const double from = 0.5 * (x - leg);
-    all = {told({{from, 0},
-                 {from + leg, 0},
-                 {from + leg, y - arm},
-                 {x, y - arm},
-                 {x, y},
-                 {0, y},
-                 {0, y - arm},
-                 {from, y - arm}}),
-           box({from - g - 6, y - arm - h - 7}, 6, 7), box({from + leg + joint(), y - arm - joint() - 8}, 5, 8)};
-  } else if (kind == 4) {  // four L's around a crossing
-    const auto mirrored = [](const Footprint& from, double sx, double sy) {
-      std::vector<PlanPoint> corners = from.corners();
-      for (PlanPoint& at : corners) at = {sx * at.x(), sy * at.y()};
-      return told(corners);
-    };
-    const double w = 0.5 * by.any(0.002, 0.03);
-    for (const double sx : {1.0, -1.0}) {
-      for (const double sy : {1.0, -1.0}) {
-        all.push_back(
-            mirrored(l_shape({w, 0.5 * g}, by.any(9, 14), by.any(9, 14), by.any(3, 5), by.any(3, 5)), sx, sy));
-      }
-    }
-  } else {  // steps of a façade before a long house, with a bay that is round
-    std::vector<PlanPoint> corners = {{0, 0}, {x, 0}, {x, 6}};
-    const double step = by.any(0.01, 0.08);
-    for (int i = 0; i <= 8; ++i) {
-      const double angle = std::numbers::pi * i / 8;
-      corners.emplace_back(0.5 * x + 2 + 2 * std::cos(angle), 6 + step * std::sin(angle));
-    }
-    corners.insert(corners.end(), {{0.3 * x, 6}, {0.3 * x, 6 - step}, {0, 6 - step}});
-    all = {told(corners), box({by.any(-3, 3), 6 + step + g}, x, 7)};
-  }
-  if (by.any(0, 1) < 0.4) {
-    for (Footprint& one : all) one = by.turned(one, by.any(-0.001, 0.001));
-  }
-  std::vector<Footprint> apart;
-  for (const Footprint& one : all) {
-    if (std::none_of(apart.begin(), apart.end(), [&](const Footprint& other) { return overlap(one, other); })) {
-      apart.push_back(one);
-    }
-  }
-  return apart;
-}
-
-/// As a case makes it.
-PlanGap gap_between(const PlanProblem& problem, Index one, Index other, const ContactLaw* law, double k,
-                    double friction) {
-  const auto &a = problem.buildings[one].model.footprint, &b = problem.buildings[other].model.footprint;
-  const auto joint = joint_between(a, b);
-  EXPECT_TRUE(joint);
-  PlanGap gap{.left = one, .right = other, .stretch = *joint};
-  if (joint->swapped) std::swap(gap.left, gap.right);
-  for (const StretchPoint& point : points_between(joint->swapped ? b : a, joint->swapped ? a : b, *joint, 2, reach)) {
-    if (point.seam) {
-      gap.seams.push_back({.elevation = 3,
-                           .family = point.family,
-                           .pair = point.pair,
-                           .at = point.beside ? *point.beside : joint->at(point.along)});
-      continue;
-    }
-    PlanContact contact{.elevation = 3, .along = point.along, .law = nullptr};
-    if (dynamic_cast<const Restitution*>(law) != nullptr) {
-      contact.law = std::make_shared<Restitution>(0.7);
-    } else {
-      contact.law = std::make_shared<Linear>(point.share * k);
-      if (friction > 0) contact.rubbing = std::make_shared<Rubbing>(contact.law, friction, point.share * k);
-    }
-    contact.family = point.family;
-    contact.beside = point.beside;
-    contact.pair = point.pair;
-    gap.contacts.push_back(contact);
-  }
-  return gap;
-}
-
-PlanProblem block(unsigned seed, bool bounces = false) {
-  Shapes by(seed);
-  PlanProblem problem;
-  for (const Footprint& one : footprints(by)) {
-    problem.buildings.push_back(house(by, "B" + std::to_string(problem.buildings.size()), one));
-  }
-  const double k = std::pow(10, by.any(5, 6.2)), friction = by.any(0, 1) < 0.2 ? by.any(0.1, 0.5) : 0;
-  const Restitution bounce(0.7);
-  for (Index a = 0; a < std::ssize(problem.buildings); ++a) {
-    for (Index b = a + 1; b < std::ssize(problem.buildings); ++b) {
-      PlanGap gap = gap_between(problem, a, b, bounces ? &bounce : nullptr, k, bounces ? 0 : friction);
-      if (gap.stretch.width < 1) problem.gaps.push_back(std::move(gap));
-    }
-  }
-  for (GroundMotion& motion : problem.motions) {
-    motion = HarmonicMotion{.period = by.any(0.3, 0.9), .displacement_amplitude = by.any(0.006, 0.02)};
-  }
-  problem.duration = 4;
-  return problem;
-}
-
 /// First and last seed; of BENTUR_RANDOM_OUTLINES "FROM:TO" where that is set.
 std::pair<unsigned, unsigned> seeds() { return test::seeds_of("BENTUR_RANDOM_OUTLINES", {1, 50}, {1, 6}); }
 
@@ -350,7 +149,7 @@ TEST(OutlineParts, GeometryIsTheJudgeOfRandomBlocks) {
   long impacts = 0, slips = 0, deep = 0, of_pairs = 0, seams = 0;
   for (unsigned seed = first; seed <= last; ++seed) {
     SCOPED_TRACE("BENTUR_RANDOM_OUTLINES=" + std::to_string(seed) + ":" + std::to_string(seed));
-    const PlanProblem problem = block(seed);
+    const PlanProblem problem = outlines_problem(drawn_block(seed));
     const PlanResponse response = solve(problem, ExactSolver{}, {.output_step = 0.004, .energy_audit = true});
     ASSERT_EQ(response.status, Status::done) << response.message;
     EXPECT_TRUE(response.discrepancies.empty());
@@ -404,10 +203,50 @@ TEST(OutlineParts, GeometryIsTheJudgeOfRandomBlocks) {
   EXPECT_GT(seams, 0);
 }
 
+/// A house between two wings, of which nothing but the outline is what they are joined by.
+PlanResponse between_wings(const Footprint& wings) {
+  Plan plan{
+      .footprint = wings, .storey_heights = {3}, .masses = {300}, .centres_of_mass = {{9, 12}}, .inertias = {3e4}};
+  plan.rigidity = PlanRigidity{.centres = {{8, 15}}, .x = {2e4}, .y = {3e4}, .torsion = {2e6}};
+  Plan house{.footprint = {.corner = {5.01, 2}, .size = {7.97, 7}}, .storey_heights = {3}, .masses = {100}};
+  house.rigidity = PlanRigidity{.centres = {{4, 3}}, .x = {3e4}, .y = {2e4}, .torsion = {3e5}};
+  PlanProblem problem;
+  problem.buildings = {make_plan_building("wings", plan_model(plan), ModalDamping{{0.03}}),
+                       make_plan_building("house", plan_model(house), ModalDamping{{0.05}})};
+  problem.gaps = {test::gap_between(problem, 0, 1, nullptr, 4e5, 0.2)};
+  problem.motions = {HarmonicMotion{.period = 0.6, .displacement_amplitude = 0.02},
+                     HarmonicMotion{.period = 0.45, .displacement_amplitude = 0.01}};
+  problem.duration = 5;
+  PlanResponse response = solve(problem, ExactSolver{}, {.energy_audit = true});
+  EXPECT_EQ(response.status, Status::done) << response.message;
+  EXPECT_LE(response.energy->relative_residual(), 1e-12);
+  return response;
+}
+
+// Two wings are a U whose bottom is far away: all is alike to the round-off.
+TEST(OutlineParts, PartsThatStandApartMoveAsOne) {
+  const PlanResponse apart =
+      between_wings(with_parts(told({{0, 0}, {5, 0}, {5, 35}, {0, 35}}), {{{13, 0}, {18, 0}, {18, 35}, {13, 35}}}));
+  const PlanResponse whole =
+      between_wings(told({{0, 0}, {5, 0}, {5, 30}, {13, 30}, {13, 0}, {18, 0}, {18, 35}, {0, 35}}));
+  ASSERT_EQ(apart.impacts.size(), whole.impacts.size());
+  EXPECT_GT(apart.impacts.size(), 10U);
+  double left = 0, right = 0, most = 0;
+  ASSERT_EQ(apart.points.size(), whole.points.size());
+  for (std::size_t i = 0; i < apart.points.size(); ++i) most = std::max(most, whole.points[i].peak_force);
+  for (std::size_t i = 0; i < apart.points.size(); ++i) {
+    EXPECT_NEAR(apart.points[i].peak_force, whole.points[i].peak_force, 1e-9 * most);
+    (i < apart.points.size() / 2 ? left : right) += apart.points[i].peak_force;
+  }
+  EXPECT_GT(left, 0);
+  EXPECT_GT(right, 0);  // both wings are struck
+  EXPECT_NEAR(apart.buildings[0].rotation(0), whole.buildings[0].rotation(0), 1e-9 * whole.buildings[0].rotation(0));
+}
+
 TEST(OutlineParts, ImpactsWithoutTimeKeepThemApart) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
-    const PlanProblem problem = block(seed, true);
+    const PlanProblem problem = outlines_problem(drawn_block(seed), {}, true);
     const PlanResponse response = solve(problem, ExactSolver{}, {.output_step = 0.004, .energy_audit = true});
     ASSERT_EQ(response.status, Status::done) << response.message;
     EXPECT_LE(response.energy->relative_residual(), 1e-9);

@@ -27,7 +27,8 @@ function benturPlanMovement(scene, motion, b, floor, x, y) {
 function benturPlan(data, buildings, svg, number) {
   "use strict";
   const { scene, points } = data;
-  const corners = scene.outlines.flat();
+  const rings = scene.outlines.map((line, b) => [line, ...scene.rings[b]]);
+  const corners = rings.flat(2);
   const size = [0, 1].map((axis) => Math.max(...corners.map((at) => at[axis])) - Math.min(...corners.map((at) => at[axis])));
   const unit = Math.min(320 / size[1], 620 / size[0]);
   const rest = buildings.map(() => []);
@@ -40,7 +41,8 @@ function benturPlan(data, buildings, svg, number) {
     return [unit * x, -unit * y];
   };
   const text = (numbers) => numbers.map((one) => one.toFixed(2)).join(" ");
-  const outline = (b, floor) => `M${scene.outlines[b].map((point) => text(shown(b, floor, point))).join("L")}Z`;
+  const ring = (b, floor, line) => `M${line.map((point) => text(shown(b, floor, point))).join("L")}Z`;
+  const outline = (b, floor) => rings[b].map((line) => ring(b, floor, line)).join("");
 
   function build(stage) {
     drawn.ghost = svg("path", { class: "ghost" }, stage);
@@ -55,7 +57,7 @@ function benturPlan(data, buildings, svg, number) {
   function frame(magnified) {
     magnification = magnified;
     place = benturPlanPlaces(scene, magnification, rest);
-    const all = buildings.flatMap((_, b) => scene.outlines[b].map((point) => shown(b, 0, point)));
+    const all = buildings.flatMap((_, b) => rings[b].flat().map((point) => shown(b, 0, point)));
     const [x, y] = [0, 1].map((axis) => all.map((at) => at[axis]));
     const margin = unit * Math.max(1.05 * magnification * scene.largest, 0.04 * Math.max(...size)); // as far as all may move
     drawn.ghost.setAttribute("d", buildings.map((_, b) => outline(b, 0)).join(""));

@@ -45,12 +45,18 @@ double arm_of(const PlanProblem& problem) {
 }
 
 Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<double>& levels, Index shown) {
-  Json outlines = Json::array(), centres = Json::array(), marks = Json::array(), told = Json::array();
+  Json outlines = Json::array(), further = Json::array(), centres = Json::array(), marks = Json::array(),
+       told = Json::array();
   Json gaps = Json::array(), links = Json::array();
   for (const PlanBuilding& building : run.problem.buildings) {
     const PlanModel& model = building.model;
-    Json& outline = outlines.emplace_back(Json::array());
-    for (const PlanPoint& at : scene.outline(model.footprint)) outline.push_back(point_json(scene, at));
+    std::vector<Json> rings;
+    for (const std::vector<PlanPoint>& ring : scene.outlines(model.footprint)) {
+      Json& line = rings.emplace_back(Json::array());
+      for (const PlanPoint& at : ring) line.push_back(point_json(scene, at));
+    }
+    outlines.push_back(rings.front());
+    further.push_back(Json(std::vector<Json>(rings.begin() + 1, rings.end())));
     Json& about = centres.emplace_back(Json::array());
     for (const PlanPoint& centre : model.centres) {
       const PlanPoint at = model.footprint.corner + centre;
@@ -81,6 +87,7 @@ Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<do
           {point_json(scene, stretch.on_edge(0, link.along)), point_json(scene, stretch.on_edge(1, link.along))}}});
   }
   return {{"outlines", outlines},
+          {"rings", further},
           {"centres", centres},
           {"arm", arm_of(run.problem)},
           {"marks", marks},

@@ -274,10 +274,11 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
       [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(run, kind, drawn); }, "figure.",
       options.language);
   html::PageSection verdict = sections.verdict();
-  if (!run.response.points.empty()) {
+  for (const FigureKind& kind : figure_kinds(run)) {
+    if (kind.name != "map" && kind.name != "overview") continue;
     verdict.content +=
-        html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, "overview", drawn); },
-                             say(caption_key("overview", true)), options.language);
+        html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, kind.name, drawn); },
+                             say(caption_key(kind.name, true)), options.language);
   }
   std::vector<const RecordEcho*> records;
   for (const ExcitationSpec* const one : run.c.excitations()) {
