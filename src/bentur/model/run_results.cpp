@@ -16,6 +16,7 @@ FigureData figure_data(const RunResults& run, const GroundMotion& of_known, Figu
   const bool is_same = motion != nullptr && other != nullptr && *other == *motion;
   FigureData data = is_same ? std::move(known) : FigureData{};
   data.close_up = close_up(run.problem, run.response, run.c.analysis.solver);
+  data.nearest = run.figures.nearest;
   if (motion == nullptr) return data;
   double longest = 5;  // or of a building, with room to be seen [s]
   for (const Building& building : run.problem.buildings) {
@@ -53,7 +54,8 @@ RunResults run_results(Case c, Problem problem, Response response) {
   if (response.duration > 0) problem.duration = response.duration;
   problem.goes_on = false;
   std::vector<Remark> found = remarks(c, problem, response);
-  return {std::move(c), std::move(problem), std::move(response), std::move(found), {}};
+  FigureData figures{.nearest = nearest_floor(problem, response)};
+  return {std::move(c), std::move(problem), std::move(response), std::move(found), std::move(figures)};
 }
 
 }  // namespace bentur

@@ -5,6 +5,7 @@
 
 #include "bentur/model/case.h"
 #include "bentur/model/close_up.h"
+#include "bentur/model/closer/nearest_floor.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
@@ -13,10 +14,11 @@ namespace bentur {
 
 /// What figures show beyond the histories; kept with them so that the figures can be drawn again.
 struct FigureData {
-  std::optional<CloseUp> close_up;
-  double spectrum_damping = 0.05;         ///< ζ [-]
-  std::vector<double> spectrum_periods;   ///< T [s]; empty: no spectrum
-  std::vector<OscillatorPeaks> spectrum;  ///< one per period
+  std::optional<CloseUp> close_up = {};
+  double spectrum_damping = 0.05;              ///< ζ [-]
+  std::vector<double> spectrum_periods = {};   ///< T [s]; empty: no spectrum
+  std::vector<OscillatorPeaks> spectrum = {};  ///< one per period
+  std::optional<NearestFloor> nearest = {};    ///< where a gap has watched floors
 };
 
 /// The mode shapes at the floors, floors × modes, each with its largest sway 1 [-].
@@ -48,7 +50,8 @@ struct RunResults {
 /// Largest |a_g| as applied [length/s²]; of results read back the record says it, whose values they do not hold.
 [[nodiscard]] double applied_pga(const Case& c);
 
-/// Those of a run that has been solved, without data for figures; the problem has the duration that the run came to.
+/// Those of a run that has been solved, of the data for figures the nearest floor alone; the problem has the duration
+/// that the run came to.
 [[nodiscard]] RunResults run_results(Case c, Problem problem, Response response);
 
 }  // namespace bentur

@@ -8,6 +8,7 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/kinds/internal/scene_panel.h"
 
 namespace bentur {
 namespace {
@@ -17,7 +18,9 @@ bool stands_above(const RunResults&) { return false; }
 using RunKind = KindOf<RunResults>;
 
 bool has_histories(const RunResults& run) { return !run.response.histories.time.empty(); }
-bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
+bool has_points(const RunResults& run) {
+  return !run.problem.points.empty() || asked_inside(run, FigureOptions{}) != nullptr;
+}
 bool has_force(const RunResults& run) {
   const std::vector<Impact>& impacts = run.response.impacts;
   return std::any_of(impacts.begin(), impacts.end(), [](const Impact& impact) { return impact.peak_force > 0; });
