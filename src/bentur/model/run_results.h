@@ -5,6 +5,7 @@
 
 #include "bentur/model/case.h"
 #include "bentur/model/close_up.h"
+#include "bentur/model/closer/dense_run.h"
 #include "bentur/model/closer/nearest_floor.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/remarks.h"
@@ -19,6 +20,8 @@ struct FigureData {
   std::vector<double> spectrum_periods = {};   ///< T [s]; empty: no spectrum
   std::vector<OscillatorPeaks> spectrum = {};  ///< one per period
   std::optional<NearestFloor> nearest = {};    ///< where a gap has watched floors
+  FloorSpectra floor_spectra = {};             ///< without floors: none
+  std::vector<FrameForces> frames = {};        ///< of the buildings that are frames whose members are known
 };
 
 /// The mode shapes at the floors, floors × modes, each with its largest sway 1 [-].
@@ -39,7 +42,8 @@ struct RunResults {
   }
 };
 
-/// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
+/// The hardest impact in close-up, the 5 % spectrum of a recorded ground motion and those of floors, and what members
+/// of frames carry.
 [[nodiscard]] FigureData figure_data(const RunResults& run);
 /// The same where `known` is that of a run before: of the same motion it has the spectrum already.
 [[nodiscard]] FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -14,7 +16,7 @@ namespace bentur {
 template <class File, class Data>
 class FigureList : private VariablePass<File> {
   using Pass = VariablePass<File>;
-  using Pass::each, Pass::file_, Pass::fit, Pass::made, Pass::pass, Pass::single;
+  using Pass::each, Pass::file_, Pass::fit, Pass::made, Pass::named, Pass::pass, Pass::single;
 
  public:
   FigureList(File& file, Data& figures, const std::vector<Building>& buildings, std::string length, std::string force)
@@ -29,6 +31,8 @@ class FigureList : private VariablePass<File> {
     close_up();
     spectrum();
     nearest_floor();
+    floor_spectra();
+    frames();
   }
 
  private:
@@ -89,6 +93,103 @@ class FigureList : private VariablePass<File> {
     const ResultDimension time = file_.dimension({"watched_time", nearest->time.size()});
     pass({"watched_time", {time}, "s", "instants joined by straight lines of the opening of" + which}, nearest->time);
     pass({"watched_opening", {time}, length_, "opening, negative inside what it faces, of" + which}, nearest->opening);
+  }
+
+  void floor_spectra() {
+    auto& spectra = figures_.floor_spectra;
+    if (!file_.has("floor_spectrum_period", !spectra.floors.empty())) return;
+    const ResultDimension period = file_.dimension({"floor_spectrum_period", spectra.periods.size()});
+    const ResultDimension floor = file_.dimension({"floor_spectrum", spectra.floors.size()});
+    fit(spectra.floors, floor.size);
+    pass({"floor_spectrum_period", {period}, "s", "period of linear oscillators on floors"}, spectra.periods);
+    single({"floor_spectrum_damping", {}, "1", "damping ratio of linear oscillators on floors"}, spectra.damping);
+    named({"floor_spectrum_building", {floor}, "", "buildings of the floors with a spectrum"}, spectra.floors,
+          &FloorSpectra::Floor::building, buildings_);
+    std::vector<int> floors;
+    for (const auto& one : spectra.floors) floors.push_back(static_cast<int>(one.floor));
+    made({"floor_spectrum_floor", {floor}, "", "their numbers, counted from 0"}, floors);
+    if constexpr (File::reads) {
+      for (std::size_t i = 0; i < floors.size(); ++i) spectra.floors[i].floor = floors[i];
+    }
+    const auto spectrum = [&](const std::string& suffix, const std::string& what, auto member) {
+      std::vector<double> values;
+      for (const auto& one : spectra.floors) {
+        values.insert(values.end(), (one.*member).begin(), (one.*member).end());
+      }
+      made({"floor_spectrum_acceleration" + suffix,
+            {floor, period},
+            length_ + " s-2",
+            "spectral pseudo-acceleration of floors" + what},
+           values);
+      if constexpr (File::reads) {
+        for (std::size_t i = 0; i < floors.size(); ++i) {
+          const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * period.size);
+          (spectra.floors[i].*member).assign(from, from + static_cast<std::ptrdiff_t>(period.size));
+        }
+      }
+    };
+    spectrum("", "", &FloorSpectra::Floor::with_contact);
+    spectrum("_no_contact", " without contact", &FloorSpectra::Floor::without_contact);
+  }
+
+  void frames() {
+    for (std::size_t b = 0; b < buildings_.size(); ++b) {
+      const Eigen::Index building = static_cast<Eigen::Index>(b);
+      const auto found = std::find_if(figures_.frames.begin(), figures_.frames.end(),
+                                      [&](const FrameForces& one) { return one.building == building; });
+      if (!file_.has(fmt::format("member_time_{}", b + 1), found != figures_.frames.end())) continue;
+      if constexpr (File::reads) {
+        frame(figures_.frames.emplace_back(FrameForces{.building = building}), fmt::format("_{}", b + 1));
+      } else {
+        frame(*found, fmt::format("_{}", b + 1));
+      }
+    }
+  }
+
+  template <class Frame>
+  void frame(Frame& of, const std::string& number) {
+    const std::string owner = fmt::format(" the members of building \"{}\"", buildings_[of.building].name);
+    const ResultDimension members = file_.dimension({"member" + number, of.members.size()});
+    fit(of.members, members.size);
+    const ResultDimension station = file_.dimension({"member_station", std::size(MemberForces::stations)});
+    single({"member_time" + number, {}, "s", "instant of the forces in" + owner}, of.time);
+    std::vector<std::string> kinds;
+    std::vector<int> levels, numbers;
+    for (const FrameMember& member : of.members) {
+      kinds.emplace_back(member.of_beam ? "beam" : "column");
+      levels.push_back(static_cast<int>(member.level));
+      numbers.push_back(static_cast<int>(member.number));
+    }
+    made({"member_kind" + number, {members}, "", "column or beam, of" + owner}, kinds);
+    made({"member_level" + number, {members}, "", "storeys of columns, floors of beams, of" + owner}, levels);
+    made({"member_number" + number, {members}, "", "lines of columns, bays of beams, of" + owner}, numbers);
+    if constexpr (File::reads) {
+      for (std::size_t n = 0; n < kinds.size(); ++n) {
+        of.members[n].of_beam = kinds[n] == "beam";
+        of.members[n].level = levels[n];
+        of.members[n].number = numbers[n];
+      }
+    }
+    each({"member_from" + number,
+          {members},
+          length_,
+          "lower ends above the base, left ends from the left line, of" + owner},
+         of.members, &FrameMember::from);
+    each({"member_to" + number, {members}, length_, "upper and right ends of" + owner}, of.members, &FrameMember::to);
+    each({"member_place" + number, {members}, length_, "columns from the left line, beams above the base, of" + owner},
+         of.members, &FrameMember::place);
+    const auto forces = [&](const std::string& suffix, const std::string& what, auto& one) {
+      const std::string name = suffix + number, all = what + owner;
+      pass({"member_moment" + name, {members, station}, moment_, "moment at quarters of the length" + all},
+           one.moments);
+      pass({"member_shear" + name, {members}, force_, "shear" + all}, one.shears);
+      pass({"member_axial" + name, {members}, force_, "compression, NaN of beams," + all}, one.axial);
+    };
+    forces("", " at that instant, of", of.instant);
+    forces("_max", ", largest over the run, of", of.most);
+    forces("_min", ", least over the run, of", of.least);
+    forces("_max_no_contact", ", largest without contact, of", of.most_without_contact);
+    forces("_min_no_contact", ", least without contact, of", of.least_without_contact);
   }
 
   Eigen::Index number_of(const std::string& name, const std::string& variable) const {
