@@ -85,6 +85,8 @@ bool has_column(const RunResults& run) {
   const std::vector<PointSummary>& points = run.response.points;
   return std::any_of(points.begin(), points.end(), [](const PointSummary& point) { return point.column.has_value(); });
 }
+bool has_floor_spectra(const RunResults& run) { return !run.figures.floor_spectra.floors.empty(); }
+bool has_frames(const RunResults& run) { return !run.figures.frames.empty(); }
 bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
@@ -122,6 +124,12 @@ const RunKind run_kinds[] = {
     {"energy", "where the energy is", has_energy, energy_figure, always<RunResults>, true},
     {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},
+    {"floor-spectrum", "response spectra of the motion of the floors that are hit and the roofs", has_floor_spectra,
+     floor_spectrum_figure},
+    {"frame-moment", "moments over the frames, at the hardest impact and the largest of the run", has_frames,
+     frame_moment_figure},
+    {"frame-shear", "shears over the frames, likewise", has_frames, frame_shear_figure},
+    {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure},
 };
 
 }  // namespace
