@@ -23,8 +23,9 @@ from figure_script import blocks  # noqa: E402
 
 EL_CENTRO = SOURCE / "examples/m12-el-centro.toml"
 SVG = "{http://www.w3.org/2000/svg}"
-WITH_AXES = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "drift", "modes", "spectrum"]
-WITH_IMPACTS = ["overview", "scene", *WITH_AXES]
+WITH_AXES = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "drift", "modes", "spectrum",
+             "floor-spectrum"]
+WITH_IMPACTS = ["overview", "scene", "frame-moment", "frame-shear", "frame-axial", *WITH_AXES]
 NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system('touch pwned') #", "`touch pwned`",
          "$(touch pwned)", "@touch ^a _b {/Bold c} \\042 %s", "]]></text><script/>", "a !touch pwned", "'.system('touch pwned').'"]
 
@@ -154,7 +155,8 @@ class Run(Figures):
         case = self.folder / "m12-el-centro.toml"
         case.write_text(case.read_text().replace("width = 0.2 ", "width = 5.0 "))
         self.bentur(0, "run", case, "-o", "out", "--figures", "svg")
-        quiet = ["overview", "scene", "displacement", "opening", "envelope", "drift", "modes", "spectrum"]
+        quiet = ["overview", "scene", "displacement", "opening", "envelope", "drift", "modes", "spectrum",
+                 "floor-spectrum", "frame-moment", "frame-shear", "frame-axial"]
         names = {file.name for file in (self.folder / "out/figures").iterdir()}
         self.assertEqual(names, {f"{kind}{ending}" for kind in quiet for ending in ("-data.csv", ".py", ".svg")} | {"mine.svg"})
 

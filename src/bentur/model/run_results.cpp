@@ -16,6 +16,14 @@ FigureData figure_data(const RunResults& run, const GroundMotion& of_known, Figu
   const bool is_same = motion != nullptr && other != nullptr && *other == *motion;
   FigureData data = is_same ? std::move(known) : FigureData{};
   data.close_up = close_up(run.problem, run.response, run.c.analysis.solver);
+  data.nearest = run.figures.nearest;
+  std::vector<const PlaneFrame*> frames(run.problem.buildings.size(), nullptr);
+  for (std::size_t b = 0; b < std::min(frames.size(), run.c.buildings.size()); ++b) {
+    frames[b] = std::get_if<PlaneFrame>(&run.c.buildings[b].structure);
+  }
+  DenseFindings dense = dense_findings(run.problem, run.response, run.c.analysis.solver, frames);
+  data.floor_spectra = std::move(dense.floors);
+  data.frames = std::move(dense.frames);
   if (motion == nullptr) return data;
   double longest = 5;  // or of a building, with room to be seen [s]
   for (const Building& building : run.problem.buildings) {
@@ -53,7 +61,8 @@ RunResults run_results(Case c, Problem problem, Response response) {
   if (response.duration > 0) problem.duration = response.duration;
   problem.goes_on = false;
   std::vector<Remark> found = remarks(c, problem, &response);
-  return {std::move(c), std::move(problem), std::move(response), std::move(found), {}};
+  FigureData figures{.nearest = nearest_floor(problem, response)};
+  return {std::move(c), std::move(problem), std::move(response), std::move(found), std::move(figures)};
 }
 
 Proportions proportions(const Building& building, const Units& units, const BuildingPeaks* peaks) {

@@ -5,6 +5,8 @@
 
 #include "bentur/model/case.h"
 #include "bentur/model/close_up.h"
+#include "bentur/model/closer/dense_run.h"
+#include "bentur/model/closer/nearest_floor.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
@@ -13,10 +15,13 @@ namespace bentur {
 
 /// What figures show beyond the histories; kept with them so that the figures can be drawn again.
 struct FigureData {
-  std::optional<CloseUp> close_up;
-  double spectrum_damping = 0.05;         ///< ζ [-]
-  std::vector<double> spectrum_periods;   ///< T [s]; empty: no spectrum
-  std::vector<OscillatorPeaks> spectrum;  ///< one per period
+  std::optional<CloseUp> close_up = {};
+  double spectrum_damping = 0.05;              ///< ζ [-]
+  std::vector<double> spectrum_periods = {};   ///< T [s]; empty: no spectrum
+  std::vector<OscillatorPeaks> spectrum = {};  ///< one per period
+  std::optional<NearestFloor> nearest = {};    ///< where a gap has watched floors
+  FloorSpectra floor_spectra = {};             ///< without floors: none
+  std::vector<FrameForces> frames = {};        ///< of the buildings that are frames whose members are known
 };
 
 /// The mode shapes at the floors, floors × modes, each with its largest sway 1 [-].
@@ -37,7 +42,8 @@ struct RunResults {
   }
 };
 
-/// The hardest impact in close-up, and the 5 % spectrum of a recorded ground motion.
+/// The hardest impact in close-up, the 5 % spectrum of a recorded ground motion and those of floors, and what members
+/// of frames carry.
 [[nodiscard]] FigureData figure_data(const RunResults& run);
 /// The same where `known` is that of a run before: of the same motion it has the spectrum already.
 [[nodiscard]] FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known);
@@ -48,7 +54,8 @@ struct RunResults {
 /// Largest |a_g| as applied [length/s²]; of results read back the record says it, whose values they do not hold.
 [[nodiscard]] double applied_pga(const Case& c);
 
-/// Those of a run that has been solved, without data for figures; the problem has the duration that the run came to.
+/// Those of a run that has been solved, of the data for figures the nearest floor alone; the problem has the duration
+/// that the run came to.
 [[nodiscard]] RunResults run_results(Case c, Problem problem, Response response);
 
 /// What one compares first. A building's weight is that of its floors' lumped masses: half of a frame's lowest columns

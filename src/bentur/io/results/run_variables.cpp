@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "bentur/io/results/internal/curve_names.h"
+#include "bentur/io/results/internal/figure_list.h"
 #include "bentur/io/results/internal/place_list.h"
 #include "bentur/pounding/pounding.h"
 
@@ -59,8 +60,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     quantities(Owner::link, links, first_places(static_cast<Eigen::Index>(links.size)));
     stretched("", time_, histories_.link_deformation, histories_.link_force);
     impacts();
-    close_up();
-    spectrum();
+    FigureList<File, PartOf<File, FigureData>>(file_, run_.figures, problem_.buildings, length_, force_).all();
     energy();
     course();
   }
@@ -341,30 +341,6 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
       }
     }
     quantities(Owner::impact, impact, first_places(std::ssize(all)), "", " of each impact");
-  }
-
-  void close_up() {
-    auto& found = run_.figures.close_up;
-    if (!file_.has("close_up_time", found.has_value())) return;
-    if constexpr (File::reads) found.emplace();
-    const ResultDimension time = file_.dimension({"close_up_time", found->time.size()});
-    single({"close_up_impact", {}, "", "number of the impact shown, counted from 0"}, found->impact);
-    pass({"close_up_time", {time}, "s", "time of the samples of one impact"}, found->time);
-    pass({"close_up_opening", {time}, length_, "opening of its contact point"}, found->opening);
-    pass({"close_up_force", {time}, force_, "force of its contact point"}, found->force);
-  }
-
-  void spectrum() {
-    auto& figures = run_.figures;
-    if (!file_.has("spectrum_period", !figures.spectrum.empty())) return;
-    const ResultDimension period = file_.dimension({"spectrum_period", figures.spectrum_periods.size()});
-    fit(figures.spectrum, period.size);
-    pass({"spectrum_period", {period}, "s", "period of linear oscillators"}, figures.spectrum_periods);
-    single({"spectrum_damping", {}, "1", "damping ratio of linear oscillators"}, figures.spectrum_damping);
-    each({"spectrum_displacement", {period}, length_, "spectral displacement of the ground motion"}, figures.spectrum,
-         &OscillatorPeaks::displacement);
-    each({"spectrum_acceleration", {period}, length_ + " s-2", "spectral pseudo-acceleration of the ground motion"},
-         figures.spectrum, &OscillatorPeaks::pseudo_acceleration);
   }
 
   void energy() {

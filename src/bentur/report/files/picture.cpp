@@ -20,6 +20,7 @@
 #include "bentur/core/text.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/report/files/pdf_title.h"
 
 namespace bentur {
 namespace {
@@ -145,6 +146,7 @@ std::string draw(const Figure& figure, const std::string& format) {
     const std::string_view reason = trimmed(outcome->output, " \t\r\n");
     throw std::runtime_error("rsvg-convert cannot draw: " + std::string(reason.empty() ? "no reason given" : reason));
   }
+  if (format == "pdf") return with_title(std::move(bytes), figure.title);
   return format == "png" && bytes.size() > 64 ? with_resolution(std::move(bytes), png_density) : bytes;
 }
 

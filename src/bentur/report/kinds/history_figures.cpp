@@ -7,6 +7,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/history_panels.h"
+#include "bentur/report/kinds/internal/scene_panel.h"
 
 namespace bentur {
 namespace {
@@ -62,9 +63,79 @@ std::string closest_text(const RunResults& run, const Moment& closest, Eigen::In
               seconds_text(closest.time), shown_value(run, run.problem.points[point].width, "L"));
 }
 
+/// What panels are of where a floor goes inside what it faces.
+HistoryPlace place_of(const RunResults& run, const NearestFloor& inside, const FigureOptions& options) {
+  const std::vector<double>& samples = run.response.histories.time;
+  const auto period = [&](Eigen::Index b) { return first_period(run.problem.buildings[b]).value_or(0); };
+  return {.title = gap_name(run.problem, inside.gap) + ", " +
+                   word(options, "level {}", number(inside.elevation) + " " + run.c.units.length),
+          .impacts = &run.response.impacts,
+          .point = -1,
+          .samples = {samples.front(), samples.back()},
+          .whole = {samples.front(), std::max(samples.back(), inside.time.back())},
+          .period = std::max(period(inside.left), period(inside.right)),
+          .closest = inside.least_time};
+}
+
+Figure inside_history(const RunResults& run, const NearestFloor& inside, const FigureOptions& options,
+                      const std::vector<Curve>& curves, const HistoryPanels& with) {
+  const HistoryPlace place = place_of(run, inside, options);
+  Figure figure = history_figure(place, options, curves, with);
+  figure.finding =
+      word(options, "{}, deepest at {}", inside_text(run, inside, options), seconds_text(inside.least_time));
+  figure.title = place.title + ": " + figure.finding;
+  if (figure.panels.size() > 1) figure.panels.back().title = word(options, "around the deepest");
+  return figure;
+}
+
+/// The opening at the level of a floor that goes inside what it faces.
+Figure inside_opening(const RunResults& run, const NearestFloor& inside, const FigureOptions& options) {
+  const Curve opening{.label = word(options, "opening"), .x = inside.time, .y = inside.opening};
+  const RuleLine closed{.at = 0, .tone = Tone::grey};
+  const RuleLine rest{.at = inside.width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dashed};
+  Figure figure =
+      inside_history(run, inside, options, {opening},
+                     {.label = with_unit(word(options, "Opening g"), run.c.units.length), .rules = {closed, rest}});
+  for (Panel& panel : figure.panels) {
+    if (inside.least_time < *panel.x.from || inside.least_time > *panel.x.to) continue;
+    panel.curves.push_back({.label = word(options, "deepest inside"),
+                            .x = {inside.least_time},
+                            .y = {inside.least_opening},
+                            .tone = Tone::red,
+                            .line = Line::none,
+                            .mark = Mark::circle});
+  }
+  return figure;
+}
+
+/// The displacements of that floor and of what it faces at its level, which the opening gives.
+Figure inside_displacement(const RunResults& run, const NearestFloor& inside, const FigureOptions& options) {
+  const std::vector<double> own = row_of(course_of(run).displacement[inside.floor_of], inside.floor);
+  const bool of_left = inside.floor_of == inside.left;
+  std::vector<Curve> curves;
+  for (const Eigen::Index b : {inside.left, inside.right}) {
+    Curve curve{.label = run.problem.buildings[b].name,
+                .x = inside.time,
+                .y = own,
+                .tone = building_tone(static_cast<std::size_t>(b)),
+                .line = b == inside.left ? Line::solid : Line::dashed};
+    for (std::size_t i = 0; b != inside.floor_of && i < own.size(); ++i) {
+      curve.y[i] -= (of_left ? 1 : -1) * (inside.width - inside.opening[i]);
+    }
+    curves.push_back(std::move(curve));
+  }
+  const RuleLine deepest{
+      .at = inside.least_time, .vertical = true, .label = word(options, "deepest inside"), .line = Line::dotted};
+  return inside_history(run, inside, options, curves,
+                        {.label = with_unit(word(options, "Displacement x"), run.c.units.length),
+                         .label_of_parts = with_unit("x", run.c.units.length),
+                         .rules = {deepest}});
+}
+
 }  // namespace
 
 Figure displacement_figure(const RunResults& run, const FigureOptions& options) {
+  if (const NearestFloor* inside = asked_inside(run, options)) return inside_displacement(run, *inside, options);
   const Eigen::Index i = chosen_point(run, options);
   const ContactPoint& point = run.problem.points[i];
   const auto curve = [&](Eigen::Index b, Eigen::Index floor) {
@@ -101,6 +172,7 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
 }
 
 Figure opening_figure(const RunResults& run, const FigureOptions& options) {
+  if (const NearestFloor* inside = asked_inside(run, options)) return inside_opening(run, *inside, options);
   const Eigen::Index i = chosen_point(run, options);
   const Curve opening{
       .label = word(options, "opening"), .x = course_of(run).time, .y = row_of(course_of(run).opening, i)};

@@ -22,23 +22,29 @@ std::string first_finding(const RunResults& run, const FigureOptions& options) {
 
 /// The opening of a contact point over the run, with the instant that the scene shows.
 Panel opening_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options) {
-  const ContactPoint& point = run.problem.points[*instant.point];
   FigureOptions there = options;
-  there.gap = static_cast<std::size_t>(point.gap);
-  there.elevation = point.elevation;
+  if (instant.point) {
+    const ContactPoint& point = run.problem.points[*instant.point];
+    there.gap = static_cast<std::size_t>(point.gap);
+    there.elevation = point.elevation;
+  }
   Panel panel = opening_figure(run, there).panels.front();
   panel.events = {};
+  panel.curves.resize(1);
   panel.curves.front().label = "";
-  panel.rules.front().label = word(options, "contact");
+  if (instant.point) panel.rules.front().label = word(options, "contact");
   panel.rules.push_back({.at = instant.histories->time[instant.column],
                          .vertical = true,
-                         .label = word(options, instant.impact ? "hardest impact" : "where they come closest"),
+                         .label = word(options, !instant.point   ? "deepest inside"
+                                                : instant.impact ? "hardest impact"
+                                                                 : "where they come closest"),
                          .tone = Tone::red,
                          .line = Line::dotted});
   panel.x.label = word(options, "Time t [s]");
   panel.height = 3.6;
-  panel.curves.push_back({.x = {instant.histories->time[instant.column]},
-                          .y = {instant.histories->opening(*instant.point, instant.column)},
+  panel.curves.push_back({.x = {instant.time},
+                          .y = {instant.point ? instant.histories->opening(*instant.point, instant.column)
+                                              : instant.nearest->least_opening},
                           .tone = Tone::red,
                           .line = Line::none,
                           .mark = Mark::disc});
@@ -150,7 +156,8 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
                 .columns = is_wide ? 2 : 1,
                 .width = options.width};
   figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 7 : 0.65 * options.width));
-  if (instant.point) figure.panels.push_back(opening_panel(run, instant, options));
+  if (instant.point || asked_inside(run, options) != nullptr)
+    figure.panels.push_back(opening_panel(run, instant, options));
   figure.panels.push_back(gap_panel(run, options));
   if (is_wide) {
     constexpr double height = 7, frames = 12.5;  // about [cm]

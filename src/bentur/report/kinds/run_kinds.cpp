@@ -8,6 +8,7 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/kinds/internal/scene_panel.h"
 
 namespace bentur {
 namespace {
@@ -17,7 +18,9 @@ bool stands_above(const RunResults&) { return false; }
 using RunKind = KindOf<RunResults>;
 
 bool has_histories(const RunResults& run) { return !run.response.histories.time.empty(); }
-bool has_points(const RunResults& run) { return !run.problem.points.empty(); }
+bool has_points(const RunResults& run) {
+  return !run.problem.points.empty() || asked_inside(run, FigureOptions{}) != nullptr;
+}
 bool has_force(const RunResults& run) {
   const std::vector<Impact>& impacts = run.response.impacts;
   return std::any_of(impacts.begin(), impacts.end(), [](const Impact& impact) { return impact.peak_force > 0; });
@@ -82,6 +85,8 @@ bool has_column(const RunResults& run) {
   const std::vector<PointSummary>& points = run.response.points;
   return std::any_of(points.begin(), points.end(), [](const PointSummary& point) { return point.column.has_value(); });
 }
+bool has_floor_spectra(const RunResults& run) { return !run.figures.floor_spectra.floors.empty(); }
+bool has_frames(const RunResults& run) { return !run.figures.frames.empty(); }
 bool has_spectrum(const RunResults& run) { return !run.figures.spectrum.empty(); }
 
 const RunKind run_kinds[] = {
@@ -119,6 +124,12 @@ const RunKind run_kinds[] = {
     {"energy", "where the energy is", has_energy, energy_figure, always<RunResults>, true},
     {"spectrum", "response spectra of the ground motion, with the buildings' periods", has_spectrum,
      run_spectrum_figure},
+    {"floor-spectrum", "response spectra of the motion of the floors that are hit and the roofs", has_floor_spectra,
+     floor_spectrum_figure},
+    {"frame-moment", "moments over the frames, at the hardest impact and the largest of the run", has_frames,
+     frame_moment_figure},
+    {"frame-shear", "shears over the frames, likewise", has_frames, frame_shear_figure},
+    {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure},
 };
 
 }  // namespace

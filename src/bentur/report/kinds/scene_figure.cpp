@@ -33,9 +33,34 @@ std::string impact_text(const RunResults& run, Eigen::Index index, const FigureO
 /// "t = 3.5722 s", what lies between, and what happens then.
 std::string instant_text(const RunResults& run, const SceneInstant& instant, const FigureOptions& options,
                          const std::string& between = ", ") {
-  return fmt::format(
-      "t = {:.4f} s{}{}", instant.time, between,
-      instant.impact ? impact_text(run, *instant.impact, options) : word(options, "closest, without contact"));
+  return fmt::format("t = {:.4f} s{}{}", instant.time, between,
+                     instant.impact ? impact_text(run, *instant.impact, options)
+                     : instant.nearest != nullptr && instant.nearest->closes
+                         ? inside_text(run, *instant.nearest, options)
+                         : word(options, "closest, without contact"));
+}
+
+/// A band of hatches where a floor is inside what it faces.
+Curve hatches(const Scene& scene, const ScenePlaces& places, const NearestFloor& nearest) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const bool of_left = nearest.floor_of == nearest.left;
+  const double offset = of_left ? scene.breadths[nearest.floor_of] : 0;
+  const auto [end, z] =
+      places({nearest.elevation, {{.building = nearest.floor_of, .row = nearest.floor, .offset = offset}}});
+  const double depth = -scene.magnification * nearest.least_opening, tall = 0.22 * scene.storey;
+  const double left = of_left ? end - depth : end;
+  Curve curve{.tone = Tone::red, .width = 0.9, .complete = true};
+  constexpr int lines = 7;
+  for (int line = 0; line < lines; ++line) {
+    const double x = left + depth * line / (lines - 1), lean = std::min(0.25 * depth, 0.5 * tall);
+    for (const double side : {-1.0, 1.0}) {
+      curve.x.push_back(x + side * lean);
+      curve.y.push_back(z + side * tall);
+    }
+    curve.x.push_back(none);
+    curve.y.push_back(none);
+  }
+  return curve;
 }
 
 }  // namespace
@@ -74,8 +99,36 @@ Curve curve_of(const SceneShape& shape, const ScenePlaces& places) {
 }
 
 SceneInstant chosen_instant(const RunResults& run, const FigureOptions& options) {
-  const bool asked = options.gap || options.elevation;
-  return telling_instant(run.response, asked ? std::optional(chosen_point(run, options)) : std::nullopt);
+  const NearestFloor* nearest = asked_nearest(run, options);
+  const bool asked = (options.gap || options.elevation) && !(nearest != nullptr && run.problem.points.empty());
+  return telling_instant(run.response, asked ? std::optional(chosen_point(run, options)) : std::nullopt, nearest);
+}
+
+const NearestFloor* asked_nearest(const RunResults& run, const FigureOptions& options) {
+  const std::optional<NearestFloor>& nearest = run.figures.nearest;
+  if (!nearest || options.elevation) return nullptr;
+  return !options.gap || static_cast<Eigen::Index>(*options.gap) == nearest->gap ? &*nearest : nullptr;
+}
+
+const NearestFloor* asked_inside(const RunResults& run, const FigureOptions& options) {
+  const NearestFloor* nearest = asked_nearest(run, options);
+  if (nearest == nullptr || !nearest->closes || nearest->time.empty()) return nullptr;
+  const auto counts = [&](const Impact& impact) {
+    return !options.gap || run.problem.points[impact.point].gap == nearest->gap;
+  };
+  const std::vector<Impact>& impacts = run.response.impacts;
+  return std::any_of(impacts.begin(), impacts.end(), counts) ? nullptr : nearest;
+}
+
+std::string inside_text(const RunResults& run, const NearestFloor& nearest, const FigureOptions& options) {
+  const std::vector<Building>& buildings = run.problem.buildings;
+  const Building& building = buildings[nearest.floor_of];
+  const std::string depth = shown_value(run, -nearest.least_opening, "L"), faced = buildings[nearest.faced()].name;
+  if (nearest.floor + 1 == building.model.floors()) {
+    return word(options, "roof of {} {} inside {}, contact not modelled", building.name, depth, faced);
+  }
+  return word(options, "floor of {} at level {} {} inside {}, contact not modelled", building.name,
+              shown_value(run, nearest.elevation, "L"), depth, faced);
 }
 
 Panel scene_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options, double height) {
@@ -125,6 +178,9 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
   if (instant.point && !instant.impact) {
     const auto [x, y] = places(scene.contacts[*instant.point]);
     panel.curves.push_back({.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle});
+  }
+  if (instant.nearest != nullptr && instant.nearest->closes) {
+    panel.curves.push_back(hatches(scene, places, *instant.nearest));
   }
   for (const Impact& impact : run.response.impacts) {
     if (!instant.impact || impact.start > instant.time || impact.end < instant.time) continue;

@@ -102,6 +102,77 @@ Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options) 
   return spectrum_figure(curves, options);
 }
 
+Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options) {
+  const FloorSpectra& spectra = run.figures.floor_spectra;
+  if (spectra.floors.empty()) {
+    throw NoFigure("the file has no spectra of floors: \"bentur run --figures\" adds them");
+  }
+  const bool has_impacts = !run.response.impacts.empty();  // else the motions with and without contact are one
+  const bool is_broad = spectra.floors.size() > 1;
+  Figure figure{.title = fmt::format("Response spectra of the motion of floors, damping ratio {}, S_a in g",
+                                     number(spectra.damping)),
+                .columns = is_broad ? 2 : 1,
+                .width = options.width * (is_broad ? page_over_column : 1),
+                .shared_legend = true};
+  const double gravity = standard_gravity(run.c.units.length);
+  double most = 0, most_ratio = 0;
+  std::string largest, raised;
+  for (const FloorSpectra::Floor& floor : spectra.floors) {
+    const Building& building = run.problem.buildings[floor.building];
+    const std::string place =
+        building.name + ", " + word(options, "level {}", shown_value(run, building.model.elevations[floor.floor], "L"));
+    const auto curve = [&](std::vector<double> values, Curve style) {
+      for (double& value : values) value /= gravity;
+      style.x = spectra.periods;
+      style.y = std::move(values);
+      return style;
+    };
+    Panel panel{.title = place,
+                .x = {.from = spectra.periods.front(), .to = spectra.periods.back(), .logarithmic = true},
+                .y = {.label = with_unit("Sa", "g"), .from = 0},
+                .height = 3.6};
+    if (has_impacts) {
+      panel.curves.push_back(
+          curve(floor.without_contact,
+                {.label = word(options, "without contact"), .tone = Tone::grey, .line = Line::dashed, .width = 1.2}));
+    }
+    panel.curves.push_back(curve(floor.with_contact,
+                                 {.label = word(options, has_impacts ? "with contact" : "acceleration of the floor")}));
+    if (const auto period = first_period(building); period && *period > *panel.x.from && *period < *panel.x.to) {
+      panel.rules.push_back({.at = *period,
+                             .vertical = true,
+                             .tone = building_tone(static_cast<std::size_t>(floor.building)),
+                             .line = Line::dotted});
+    }
+    for (std::size_t i = 0; i < spectra.periods.size(); ++i) {
+      const double with = floor.with_contact[i], without = floor.without_contact[i];
+      if (with > most) {
+        most = with;
+        largest =
+            word(options, "largest Sa {} at {}", number(with / gravity) + " g", seconds_text(spectra.periods[i])) +
+            ": " + place;
+      }
+      if (without > 0 && with > most_ratio * without) {
+        most_ratio = with / without;
+        raised = word(options, "up to {} times that without contact, at {}", number(most_ratio),
+                      seconds_text(spectra.periods[i])) +
+                 ": " + place;
+      }
+    }
+    const std::size_t column = figure.panels.size() % 2;
+    if (is_broad && column == 1) panel.y.label = "";
+    figure.panels.push_back(std::move(panel));
+  }
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    Panel& panel = figure.panels[i];
+    panel.y.least = {0, 1.08 * most / gravity};  // one scale, with room for names of periods
+    for (const RuleLine& rule : panel.rules) panel.texts.push_back({rule.at, 1.04 * most / gravity, "T₁"});
+    if (i + (is_broad ? 2 : 1) >= figure.panels.size()) panel.x.label = word(options, "Period T [s]");
+  }
+  figure.finding = largest + (has_impacts ? "; " + raised : "");
+  return figure;
+}
+
 Figure design_spectrum_figure(const Case& c, const Problem& problem, const SpectralGaps& spectral,
                               const FigureOptions& options) {
   const DesignSpectrum& spectrum = c.excitation.spectrum.value().spectrum;

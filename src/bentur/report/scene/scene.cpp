@@ -424,7 +424,7 @@ std::array<double, 2> ScenePlaces::operator()(const ScenePoint& point) const {
   return {x, point.height};
 }
 
-SceneInstant telling_instant(const Response& response, std::optional<Index> point) {
+SceneInstant telling_instant(const Response& response, std::optional<Index> point, const NearestFloor* nearest) {
   SceneInstant instant;
   for (Index k = 0; k < std::ssize(response.impacts); ++k) {
     const Impact& impact = response.impacts[k];
@@ -440,18 +440,17 @@ SceneInstant telling_instant(const Response& response, std::optional<Index> poin
     double least = std::numeric_limits<double>::infinity();
     for (Index i = 0; i < course.opening.rows(); ++i) {
       if (point && i != *point) continue;
-      Index nearest = 0;
-      const double opening = course.opening.row(i).minCoeff(&nearest);
+      Index closest = 0;
+      const double opening = course.opening.row(i).minCoeff(&closest);
       if (!(opening < least)) continue;
       least = opening;
       instant.point = i;
-      instant.time = course.time[nearest];
+      instant.time = course.time[closest];
     }
-    for (const WatchedSummary& floor : response.watched) {
-      if (point || !(floor.least_opening < least)) continue;
-      least = floor.least_opening;
+    if (nearest != nullptr && nearest->least_opening < least) {
       instant.point.reset();
-      instant.time = floor.least_time;
+      instant.time = nearest->least_time;
+      instant.nearest = nearest;
     }
   }
   instant.histories = &course;

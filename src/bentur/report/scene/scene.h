@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "bentur/model/closer/nearest_floor.h"
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
 #include "bentur/report/figures/figure.h"
@@ -117,8 +118,10 @@ struct SceneInstant {
   std::optional<Eigen::Index> point = {};   ///< contact point that is hit, or nearest to it
   const Histories* histories = nullptr;     ///< whose column shows it
   Eigen::Index column = 0;
+  const NearestFloor* nearest = nullptr;  ///< where no contact point is as near as this floor
 };
-/// Of one contact point, or of all.
-[[nodiscard]] SceneInstant telling_instant(const Response& response, std::optional<Eigen::Index> point = {});
+/// Of one contact point, or of all and the nearest watched floor.
+[[nodiscard]] SceneInstant telling_instant(const Response& response, std::optional<Eigen::Index> point = {},
+                                           const NearestFloor* nearest = nullptr);
 
 }  // namespace bentur

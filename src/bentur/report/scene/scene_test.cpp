@@ -197,10 +197,12 @@ TEST(Scene, AStillIsOfTheHardestImpactElseOfTheClosestApproach) {
   EXPECT_EQ(telling_instant(response).point, 1);
   EXPECT_EQ(telling_instant(response).time, 3);
   EXPECT_EQ(telling_instant(response, 0).column, 2);
-  response.watched.push_back({.least_opening = 0.1, .least_time = 1.4});
-  EXPECT_EQ(telling_instant(response).time, 1.4);
-  EXPECT_EQ(telling_instant(response).column, 1);
-  EXPECT_FALSE(telling_instant(response).point);
+  NearestFloor nearest{.least_opening = 0.1, .least_time = 1.4};
+  EXPECT_EQ(telling_instant(response, {}, &nearest).time, 1.4);
+  EXPECT_EQ(telling_instant(response, {}, &nearest).column, 1);
+  EXPECT_FALSE(telling_instant(response, {}, &nearest).point);
+  nearest.least_opening = 0.3;
+  EXPECT_EQ(telling_instant(response, {}, &nearest).point, 1);
   response.impacts = {{.point = 1, .start = 0.5, .peak_force = 3, .peak_force_time = 0.6},
                       {.point = 0, .start = 1.5, .peak_force = 9, .peak_force_time = 1.6}};
   EXPECT_EQ(telling_instant(response).impact, 1);

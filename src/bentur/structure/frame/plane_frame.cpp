@@ -11,13 +11,14 @@
 #include "bentur/core/require.h"
 #include "bentur/structure/frame/condensation.h"
 #include "bentur/structure/frame/element_stiffness.h"
+#include "bentur/structure/frame/frame_dofs.h"
 #include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/structure/frame/infill.h"
 
 namespace bentur {
 namespace {
 
-constexpr Eigen::Index fixed = -1;  // a degree of freedom that does not move
+constexpr Eigen::Index fixed = FrameDofs::fixed;
 
 // Element consistent mass (2-50) of a member of the given whole mass.
 Eigen::Matrix4d element_mass(double mass, double length) {
@@ -99,14 +100,6 @@ void check(const PlaneFrame& frame, double base_elevation) {
 namespace {
 
 constexpr double never_yields = std::numeric_limits<double>::infinity();
-constexpr double least_distance = 0.01;  // of a node from a joint, of the storey height
-
-/// One end of a piece of a column.
-struct ColumnEnd {
-  Eigen::Index sway, rotation;
-  double elevation;
-  Eigen::Index node;  // −1: a joint or the base
-};
 
 /// The shears and moments at the ends of the pieces below and above a node, as they are needed there.
 struct Piece {
@@ -145,16 +138,9 @@ void add_row(Eigen::MatrixXd& rows, Eigen::Index row, const Piece& piece, Eigen:
 
 StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevation) {
   check(frame, base_elevation);
-  const Eigen::Index floors = std::ssize(frame.storey_heights);
-  const Eigen::Index lines = std::ssize(frame.bay_widths) + 1;
-  const Eigen::Index nodes = std::ssize(frame.nodes);
-  const Eigen::Index sways = floors + nodes;
-  const Eigen::Index dofs = sways + floors * lines + nodes;
-  // Floor −1 is the base.
-  const auto sway = [&](Eigen::Index floor) { return floor < 0 ? fixed : floor; };
-  const auto rotation = [&](Eigen::Index floor, Eigen::Index line) {
-    return floor < 0 ? fixed : sways + floor * lines + line;
-  };
+  const FrameDofs freedoms(frame);
+  const auto [floors, lines, nodes] = freedoms;
+  const Eigen::Index sways = freedoms.sways(), dofs = freedoms.count();
   const bool consistent = frame.mass_matrix == MassMatrix::consistent;
   FrameHinges hinges;
 
@@ -172,30 +158,12 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   for (const ColumnNode& node : frame.nodes) model.node_elevations.push_back(base_elevation + node.elevation);
   if (nodes > 0) model.column_forces = Eigen::MatrixXd::Zero(6 * nodes, dofs);
 
-  // From bottom to top: the joint or the base, nodes in this column, the joint above.
-  const auto ends_of_column = [&](Eigen::Index floor, Eigen::Index line) {
-    std::vector<ColumnEnd> ends = {
-        {sway(floor - 1), rotation(floor - 1, line), floor > 0 ? levels[floor - 1] : 0.0, -1}};
-    const double height = frame.storey_heights[floor];
-    for (Eigen::Index n = 0; n < nodes; ++n) {
-      const ColumnNode& node = frame.nodes[n];
-      if (line != (node.left ? 0 : lines - 1)) continue;
-      const double above = node.elevation - ends.front().elevation;
-      if (above <= least_distance * height || above >= (1 - least_distance) * height) continue;
-      ends.push_back({floors + n, sways + floors * lines + n, node.elevation, n});
-    }
-    std::sort(ends.begin() + 1, ends.end(),
-              [](const ColumnEnd& a, const ColumnEnd& b) { return a.elevation < b.elevation; });
-    ends.push_back({sway(floor), rotation(floor, line), levels[floor], -1});
-    return ends;
-  };
-
   std::vector<char> placed(frame.nodes.size(), 0);
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
     const Section& column = frame.columns[floor];
     const double height = frame.storey_heights[floor];
     for (Eigen::Index line = 0; line < lines; ++line) {
-      const std::vector<ColumnEnd> ends = ends_of_column(floor, line);
+      const std::vector<ColumnEnd> ends = ends_of_column(frame, freedoms, floor, line);
       std::vector<Piece> pieces;
       for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const ColumnEnd& bottom = ends[i];
@@ -257,7 +225,7 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
     const Section& beam = frame.beams[floor];
     for (Eigen::Index bay = 0; bay + 1 < lines; ++bay) {
       const double width = frame.bay_widths[bay];
-      const ElementDofs ends = {fixed, rotation(floor, bay), fixed, rotation(floor, bay + 1)};
+      const ElementDofs ends = {fixed, freedoms.rotation(floor, bay), fixed, freedoms.rotation(floor, bay + 1)};
       const Eigen::Matrix4d stiffness = element_stiffness(frame.elastic_modulus * beam.inertia, width);
       add(model.stiffness, stiffness, ends);
       HingePlace place{.of_beam = true, .level = floor + 1, .number = bay + 1, .end = HingePlace::End::left};
@@ -297,8 +265,8 @@ StructuralModel assemble_plane_frame(const PlaneFrame& frame, double base_elevat
   model.stiffness.topLeftCorner(floors, floors) += infill_stiffness(model.infills, floors);
   model.left_joints = model.right_joints = Eigen::MatrixXd::Zero(floors, dofs);
   for (Eigen::Index floor = 0; floor < floors; ++floor) {
-    model.left_joints(floor, rotation(floor, 0)) = 1;
-    model.right_joints(floor, rotation(floor, lines - 1)) = 1;
+    model.left_joints(floor, freedoms.rotation(floor, 0)) = 1;
+    model.right_joints(floor, freedoms.rotation(floor, lines - 1)) = 1;
   }
   if (!model.stiffness.allFinite() || !model.mass.allFinite()) {
     throw InvalidParameter("elastic_modulus", fmt::format("{}", frame.elastic_modulus),

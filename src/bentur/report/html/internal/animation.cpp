@@ -75,7 +75,8 @@ Json hinges_json(const Report& report, const Scene& scene) {
 std::string animation_json(const Report& report, const std::vector<Eigen::Index>& listed) {
   const Histories& histories = report.response.histories;
   const MotionSampling sampling = motion_sampling(histories.time, report_output_step(report.problem));
-  const double instant = telling_instant(report.response).time;
+  const std::optional<NearestFloor> nearest = nearest_floor(report.problem, report.response);
+  const double instant = telling_instant(report.response, {}, nearest ? &*nearest : nullptr).time;
   const std::vector<double>& course = report.response.course.time;
   const std::vector<Eigen::Index> keys = key_columns(course, report.response.impacts, listed, instant);
   Json buildings = Json::array();

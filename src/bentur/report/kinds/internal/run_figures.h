@@ -84,6 +84,10 @@ template <class... Values>
 [[nodiscard]] Figure column_moment_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_moment_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_shear_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_axial_figure(const RunResults& run, const FigureOptions& options);
 
 /// Of widths: figures with more panels take a page's.
 constexpr double page_over_column = page_width / column_width;

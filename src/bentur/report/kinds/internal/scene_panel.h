@@ -9,6 +9,12 @@ namespace bentur {
 
 /// The instant that the options ask for: of the contact point they name, else of all.
 [[nodiscard]] SceneInstant chosen_instant(const RunResults& run, const FigureOptions& options);
+/// The floor that is nearest to what it faces, where the options ask for no other place.
+[[nodiscard]] const NearestFloor* asked_nearest(const RunResults& run, const FigureOptions& options);
+/// The same where it goes inside what it faces, nothing is struck there, and its opening is known over time.
+[[nodiscard]] const NearestFloor* asked_inside(const RunResults& run, const FigureOptions& options);
+/// "roof of Low 0.0714 m inside High, contact not modelled".
+[[nodiscard]] std::string inside_text(const RunResults& run, const NearestFloor& nearest, const FigureOptions& options);
 /// The lines of a shape as one curve, with a gap between each two.
 [[nodiscard]] Curve curve_of(const SceneShape& shape, const ScenePlaces& places);
 /// The buildings at that instant, at most so high [cm]; its title tells time, magnification and impact.

@@ -1,0 +1,107 @@
+#include "bentur/model/closer/floor_spectra.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/solve/spectrum/response_spectrum.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// What the ground gains in speed from the motion's start on. [length/s]
+class GroundSpeed {
+ public:
+  explicit GroundSpeed(const GroundMotion& motion) : motion_(&motion) {
+    const auto* sampled = std::get_if<SampledMotion>(&motion);
+    if (sampled == nullptr) return;
+    speeds_ = {0};
+    for (std::size_t i = 0; i + 1 < sampled->acceleration.size(); ++i) {
+      speeds_.push_back(speeds_.back() +
+                        sampled->time_step * (sampled->acceleration[i] + sampled->acceleration[i + 1]) / 2);
+    }
+  }
+
+  [[nodiscard]] double at(double t) const {
+    if (t <= 0) return 0;
+    if (const auto* harmonic = std::get_if<HarmonicMotion>(motion_)) {
+      const double omega = 2 * std::numbers::pi / harmonic->period, speed = harmonic->displacement_amplitude * omega;
+      return harmonic->phase == HarmonicMotion::Phase::sine ? speed * (std::cos(omega * t) - 1)
+                                                            : -speed * std::sin(omega * t);
+    }
+    const auto* sampled = std::get_if<SampledMotion>(motion_);
+    if (sampled == nullptr) return 0;
+    const auto before = static_cast<std::size_t>(t / sampled->time_step);
+    if (before + 1 >= speeds_.size()) return speeds_.back();
+    const double part = t / sampled->time_step - static_cast<double>(before);
+    const double from = sampled->acceleration[before], to = sampled->acceleration[before + 1];
+    return speeds_[before] + sampled->time_step * part * (from + part * (to - from) / 2);
+  }
+
+ private:
+  const GroundMotion* motion_;
+  std::vector<double> speeds_;  ///< at the samples
+};
+
+}  // namespace
+
+std::vector<FloorSpectra::Floor> spectrum_floors(const Problem& problem, const Response& response) {
+  constexpr std::size_t most = 6;
+  std::vector<FloorSpectra::Floor> floors;
+  const auto add = [&](Index building, Index floor) {
+    if (problem.buildings[building].is_rigid()) return;
+    const auto same = [&](const FloorSpectra::Floor& one) { return one.building == building && one.floor == floor; };
+    if (std::none_of(floors.begin(), floors.end(), same)) floors.push_back({.building = building, .floor = floor});
+  };
+  const auto roof = [&](Index building) { return problem.buildings[building].model.floors() - 1; };
+  const auto hardest = std::max_element(response.impacts.begin(), response.impacts.end(),
+                                        [](const Impact& a, const Impact& b) { return is_harder(b, a); });
+  if (hardest == response.impacts.end()) {
+    for (Index b = 0; b < std::ssize(problem.buildings) && floors.size() < most; ++b) add(b, roof(b));
+    return floors;
+  }
+  const ContactPoint& point = problem.points[hardest->point];
+  for (const auto& [building, floor] : {std::pair(point.left, point.left_floor), {point.right, point.right_floor}}) {
+    add(building, roof(building));
+    add(building, problem.buildings[building].model.floor_at_or_above(floor));
+  }
+  return floors;
+}
+
+SampledMotion floor_motion(const Histories& histories, const Problem& problem, Index building, Index floor,
+                           Index samples) {
+  const GroundSpeed ground(problem.motion);
+  const double delay = problem.delays.empty() ? 0 : problem.delays[building];
+  const auto& time = histories.time;
+  const auto speed = [&](Index i) {
+    return histories.velocity[building](floor, i) + ground.at(time[static_cast<std::size_t>(i)] - delay);
+  };
+  SampledMotion motion{.time_step = static_cast<double>(samples) * (time[1] - time[0]), .acceleration = {0}};
+  for (Index i = samples; i < std::ssize(time); i += samples) {
+    motion.acceleration.push_back((speed(i) - speed(i - samples)) / motion.time_step);
+  }
+  return motion;
+}
+
+std::vector<double> floor_spectrum(const Histories& histories, const Problem& problem, Index building, Index floor,
+                                   const std::vector<double>& periods, double damping) {
+  constexpr double to_a_period = 60;
+  const double step = histories.time[1] - histories.time[0];
+  std::vector<double> spectrum;
+  SampledMotion motion;
+  Index last = 0;
+  for (const double period : periods) {
+    Index samples = 1;
+    while (2 * to_a_period * static_cast<double>(samples) * step <= period) samples *= 2;
+    if (samples != last) motion = floor_motion(histories, problem, building, floor, samples);
+    last = samples;
+    spectrum.push_back(oscillator_peaks(motion, period, damping).pseudo_acceleration);
+  }
+  return spectrum;
+}
+
+}  // namespace bentur

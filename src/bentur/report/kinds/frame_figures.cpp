@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "bentur/core/number_text.h"
+#include "bentur/report/kinds/internal/hinge_marks.h"
+#include "bentur/report/kinds/internal/run_figures.h"
+
+namespace bentur {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// One of the three that members carry, along each member: at MemberForces::stations, or the same from end to end.
+struct Carried {
+  const char* form;  ///< of its unit
+  bool is_moment = false, is_axial = false;
+  const char* title;    ///< of the data
+  const char* largest;  ///< "largest moment {}: {}"
+
+  [[nodiscard]] std::vector<double> of(const FrameForces::Forces& forces, Eigen::Index member) const {
+    if (!is_moment) return std::vector(2, (is_axial ? forces.axial : forces.shears)(member));
+    const auto column = forces.moments.col(member);
+    return {column.begin(), column.end()};
+  }
+  [[nodiscard]] std::vector<double> stations() const {
+    if (!is_moment) return {0, 1};
+    return {std::begin(MemberForces::stations), std::end(MemberForces::stations)};
+  }
+};
+
+/// Where the largest of all is.
+struct LargestForce {
+  double value = 0;  ///< signed
+  Eigen::Index member = -1;
+  std::size_t station = 0;
+
+  void take(const Carried& carried, const FrameForces& frame, const FrameForces::Forces& forces) {
+    for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
+      const std::vector<double> values = carried.of(forces, n);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!(std::abs(values[k]) > std::abs(value) * (1 + 1e-9))) continue;  // of those that are alike the first
+        value = values[k];
+        member = n;
+        station = k;
+      }
+    }
+  }
+};
+
+/// Places of a diagram on its frame: columns to the right, beams downwards, by `scale` [length per unit].
+class Diagram {
+ public:
+  Diagram(const Carried& carried, const FrameForces& frame, double scale)
+      : carried_(&carried), frame_(&frame), scale_(scale) {}
+
+  [[nodiscard]] std::pair<double, double> at(Eigen::Index member, double station, double value) const {
+    const FrameMember& of = frame_->members[member];
+    const double along = of.from + station * of.length();
+    return of.of_beam ? std::pair(along, of.place - scale_ * value) : std::pair(of.place + scale_ * value, along);
+  }
+  /// Around the area between the members and the values, or hatches so far apart across it.
+  [[nodiscard]] Curve outline(const FrameForces::Forces& forces, Curve style, double apart = 0) const {
+    const std::vector<double> stations = carried_->stations();
+    for (Eigen::Index n = 0; n < std::ssize(frame_->members); ++n) {
+      const std::vector<double> values = carried_->of(forces, n);
+      if (std::isnan(values.front())) continue;
+      const auto add = [&](double station, double value) {
+        const auto [x, y] = at(n, station, value);
+        style.x.push_back(x);
+        style.y.push_back(y);
+      };
+      const auto stop = [&] { style.x.push_back(none), style.y.push_back(none); };
+      if (apart > 0) {
+        const int hatches = std::max(2, static_cast<int>(std::lround(frame_->members[n].length() / apart)));
+        for (int k = 1; k < hatches; ++k) {
+          const double station = static_cast<double>(k) / hatches;
+          add(station, 0);
+          add(station, values.front() + station * (values.back() - values.front()));
+          stop();
+        }
+      } else {
+        add(0, 0);
+        for (std::size_t k = 0; k < values.size(); ++k) add(stations[k], values[k]);
+        add(1, 0);
+        stop();
+      }
+    }
+    return style;
+  }
+
+ private:
+  const Carried* carried_;
+  const FrameForces* frame_;
+  double scale_;
+};
+
+/// "bottom of the column of line 2, storey 1", of shears and axial forces "column of line 2, storey 1".
+std::string member_text(const FigureOptions& options, const Carried& carried, const FrameForces& frame,
+                        const LargestForce& largest) {
+  const FrameMember& member = frame.members[largest.member];
+  const std::string number = std::to_string(member.number), level = std::to_string(member.level);
+  if (!carried.is_moment) {
+    return member.of_beam ? word(options, "beam of bay {}, floor {}", number, level)
+                          : word(options, "column of line {}, storey {}", number, level);
+  }
+  const bool second = largest.station > 0;
+  using End = HingePlace::End;
+  End end = member.of_beam ? (second ? End::right : End::left) : (second ? End::top : End::bottom);
+  const auto continues = [&](const FrameMember& other) {  // another piece of the same column
+    return !other.of_beam && other.level == member.level && other.number == member.number &&
+           (second ? other.from == member.to : other.to == member.from);
+  };
+  if (!member.of_beam && std::any_of(frame.members.begin(), frame.members.end(), continues)) end = End::node;
+  return hinge_name(options.say, {member.of_beam, member.level, member.number, end});
+}
+
+Figure frame_figure(const RunResults& run, const FigureOptions& options, const Carried& carried) {
+  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
+  std::vector<const FrameForces*> frames;
+  for (const FrameForces& one : run.figures.frames) {
+    if (std::find(shown.begin(), shown.end(), one.building) != shown.end()) frames.push_back(&one);
+  }
+  if (frames.empty()) {
+    throw NoFigure("nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame");
+  }
+  Figure figure{.title = carried.title, .columns = 2, .width = options.width * page_over_column};
+  const bool has_impacts = !run.response.impacts.empty();
+  double most = 0, storey = INFINITY;  // of all frames, so that they have one scale
+  for (const FrameForces* frame : frames) {
+    LargestForce largest;
+    for (const FrameForces::Forces* one :
+         {&frame->most, &frame->least, &frame->most_without_contact, &frame->least_without_contact}) {
+      largest.take(carried, *frame, *one);
+    }
+    most = std::max(most, std::abs(largest.value));
+    for (const FrameMember& member : frame->members) {
+      if (member.of_beam) storey = std::min(storey, member.length());
+    }
+    const StructuralModel& model = run.problem.buildings[frame->building].model;
+    for (Eigen::Index f = model.first_storey(); f < model.floors(); ++f) {
+      storey = std::min(storey, model.storey_heights[f]);
+    }
+  }
+  const double reach = 0.42 * storey;
+  const double factor = shown_factor(run, carried.form);
+  const std::string unit = shown_unit(run, carried.form);
+  for (const FrameForces* frame : frames) {
+    const Building& building = run.problem.buildings[frame->building];
+    double right = 0, top = 0;
+    for (const FrameMember& member : frame->members) {
+      right = std::max(right, member.of_beam ? member.to : member.place);
+      top = std::max(top, member.of_beam ? member.place : member.to);
+    }
+    const Diagram diagram(carried, *frame, most > 0 ? reach / most : 0);
+    Panel panel{.x = {.from = -1.15 * reach, .to = right + 1.15 * reach, .numbers = false},
+                .y = {.from = -0.05 * top, .to = top + 1.15 * reach, .numbers = false},
+                .height = 0.95 * options.width,
+                .to_scale = true};
+    Curve members{.tone = building_tone(static_cast<std::size_t>(frame->building)), .width = 1.2, .complete = true};
+    for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
+      for (const double station : {0.0, 1.0}) {
+        const auto [x, y] = diagram.at(n, station, 0);
+        members.x.push_back(x);
+        members.y.push_back(y);
+      }
+      members.x.push_back(none);
+      members.y.push_back(none);
+    }
+    panel.curves.push_back(std::move(members));
+    const auto named = [&](Panel& of, const LargestForce& largest) {
+      if (largest.member < 0) return;
+      const auto [x, y] = diagram.at(largest.member, carried.stations()[largest.station], largest.value);
+      const bool of_beam = frame->members[largest.member].of_beam;
+      const bool is_positive = largest.value > 0;
+      of.texts.push_back({x, y, number(factor * std::abs(largest.value)) + " " + unit,
+                          of_beam ? (is_positive ? PlaceText::Side::below : PlaceText::Side::above)
+                                  : (is_positive ? PlaceText::Side::right : PlaceText::Side::left)});
+    };
+    Panel instant = panel;
+    instant.title = building.name + ", " + word(options, "at {}", seconds_text(frame->time));
+    instant.curves.push_back(
+        diagram.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
+    instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
+    LargestForce then;
+    then.take(carried, *frame, frame->instant);
+    named(instant, then);
+    figure.panels.push_back(std::move(instant));
+
+    panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
+    if (has_impacts) {
+      for (const FrameForces::Forces* one : {&frame->most_without_contact, &frame->least_without_contact}) {
+        panel.curves.push_back(
+            diagram.outline(*one, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
+      }
+    }
+    LargestForce largest;
+    for (const FrameForces::Forces* one : {&frame->most, &frame->least}) {
+      panel.curves.push_back(diagram.outline(*one, {.width = 0.9, .complete = true}));
+      largest.take(carried, *frame, *one);
+    }
+    named(panel, largest);
+    figure.panels.push_back(std::move(panel));
+    if (largest.member < 0) continue;
+    figure.finding += (figure.finding.empty() ? "" : "; ") + building.name + ": " +
+                      word(options, carried.largest, number(factor * std::abs(largest.value)) + " " + unit,
+                           member_text(options, carried, *frame, largest));
+    if (!has_impacts) continue;
+    LargestForce alone;
+    alone.take(carried, *frame, frame->most_without_contact);
+    alone.take(carried, *frame, frame->least_without_contact);
+    figure.finding += ", " + word(options, "without contact {}", number(factor * std::abs(alone.value)) + " " + unit);
+  }
+  return figure;
+}
+
+}  // namespace
+
+Figure frame_moment_figure(const RunResults& run, const FigureOptions& options) {
+  return frame_figure(run, options,
+                      {.form = "F L",
+                       .is_moment = true,
+                       .title = "Moments in the members of frames, on the side in tension",
+                       .largest = "largest moment {}, {}"});
+}
+
+Figure frame_shear_figure(const RunResults& run, const FigureOptions& options) {
+  return frame_figure(run, options,
+                      {.form = "F", .title = "Shears in the members of frames", .largest = "largest shear {}, {}"});
+}
+
+Figure frame_axial_figure(const RunResults& run, const FigureOptions& options) {
+  return frame_figure(run, options,
+                      {.form = "F",
+                       .is_axial = true,
+                       .title = "Axial forces in the columns of frames by the motion, compression to the right",
+                       .largest = "largest axial force {}, {}"});
+}
+
+}  // namespace bentur

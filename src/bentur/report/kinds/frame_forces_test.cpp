@@ -1,0 +1,204 @@
+#include "bentur/model/closer/frame_forces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bentur/core/number_text.h"
+#include "bentur/report/kinds/kinds.h"
+#include "tests/support/drawn_run.h"
+#include "tests/support/hinged_case.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+/// Elastic frames on soil, on bearings that stand on soil, and calibrated to a period.
+constexpr const char* supported = R"(
+units = { length = "m", force = "kN" }
+excitation = { kind = "harmonic", period = 0.8, displacement_amplitude = 0.05 }
+analysis = { duration = 3.0 }
+[[building]]
+name = "Soil"
+damping = 0.03
+[building.frame]
+elastic_modulus = 2.5e7
+storey_heights = [3.5, 3.0, 3.0]
+bay_widths = [6.0, 4.0]
+columns = [{ width = 0.3, depth = 0.4, density = 2.5 }]
+beams = [{ width = 0.3, depth = 0.4, density = 2.5 }]
+floor_masses = [40.0, 40.0, 30.0]
+[building.soil]
+half_space = { shear_wave_velocity = 150.0, density = 1.9, poisson = 0.33, radius = 4.0 }
+foundation = { mass = 80.0, inertia = 600.0 }
+[[building]]
+name = "Bearings"
+damping = 0.03
+calibrate_period = 0.5
+isolation = { mass = 60.0, stiffness = 2e4 }
+[building.frame]
+elastic_modulus = 2.5e7
+storey_heights = [3.5, 3.0, 3.0]
+bay_widths = [5.0]
+columns = [{ width = 0.3, depth = 0.4, density = 2.5 }]
+beams = [{ width = 0.3, depth = 0.4, density = 2.5 }]
+floor_masses = [40.0, 40.0, 30.0]
+[[gap]]
+between = ["Soil", "Bearings"]
+width = 0.03
+contact = { law = "linear", stiffness = 2e5 }
+)";
+
+double sum_of_columns(const FrameForces& frame, Index storey, double height) {
+  double sum = 0;
+  for (Index n = 0; n < std::ssize(frame.members); ++n) {
+    const FrameMember& member = frame.members[n];
+    const bool is_cut = !member.of_beam && member.level == storey + 1 && member.from < height && member.to > height;
+    if (is_cut) sum += frame.instant.shears(n);
+  }
+  return sum;
+}
+
+/// The solver has the shear of a storey from all that acts above it, M ẍ and contact; columns carry as much.
+TEST(FrameForces, ColumnsCarryTheShearOfTheStorey) {
+  for (const char* text : {supported, test::hinged}) {
+    const RunResults run = test::drawn_run(text, 5e-4);  // samples at the instants of the dense run
+    ASSERT_FALSE(run.response.impacts.empty());
+    ASSERT_EQ(run.figures.frames.size(), 2U);
+    const std::vector<double>& time = run.response.histories.time;
+    for (const FrameForces& frame : run.figures.frames) {
+      const StructuralModel& model = run.problem.buildings[frame.building].model;
+      const Index column = std::lower_bound(time.begin(), time.end(), frame.time - 1e-9) - time.begin();
+      const auto shears = run.response.histories.storey_shear[frame.building].col(column);
+      double level = 0;
+      for (Index storey = 0; storey + model.first_storey() < model.floors(); ++storey) {
+        const Index floor = storey + model.first_storey();
+        const double expected = shears(floor), just_above_its_foot = level + 0.001 * model.storey_heights[floor];
+        level += model.storey_heights[floor];
+        EXPECT_NEAR(sum_of_columns(frame, storey, just_above_its_foot), expected,
+                    1e-6 * run.response.buildings[frame.building].storey_shear.maxCoeff())
+            << run.problem.buildings[frame.building].name << ", storey " << storey;
+      }
+    }
+  }
+}
+
+/// Of hinges the solver knows the moment by their own law and rows, and its peak between all samples.
+TEST(FrameForces, MomentsAreThoseOfTheHinges) {
+  const RunResults run = test::drawn_run(test::hinged);
+  for (const FrameForces& frame : run.figures.frames) {
+    const Hinges& hinges = run.problem.buildings[frame.building].model.hinges;
+    const std::vector<BuildingPeaks::Hinge>& peaks = run.response.buildings[frame.building].hinges;
+    ASSERT_EQ(peaks.size(), hinges.places.size());
+    int yielded = 0;
+    for (std::size_t h = 0; h < peaks.size(); ++h) {
+      const HingePlace& place = hinges.places[h];
+      const bool second = place.end == HingePlace::End::top || place.end == HingePlace::End::right ||
+                          place.end == HingePlace::End::node;
+      Index at = -1;
+      for (Index n = 0; n < std::ssize(frame.members); ++n) {
+        const FrameMember& member = frame.members[n];
+        const bool same =
+            member.of_beam == place.of_beam && member.level == place.level && member.number == place.number;
+        // Of pieces of a struck column the lowest has the bottom and the node, the highest the top.
+        if (same && (at < 0 || place.end == HingePlace::End::top)) at = n;
+      }
+      ASSERT_GE(at, 0);
+      const Index station = second ? 4 : 0;
+      const double largest = std::max(frame.most.moments(station, at), -frame.least.moments(station, at));
+      EXPECT_NEAR(largest, peaks[h].peak_moment, 1e-3 * peaks[h].peak_moment);
+      yielded += peaks[h].first_yield.has_value() ? 1 : 0;
+    }
+    EXPECT_GT(yielded, 0);
+  }
+}
+
+/// Of a column that is struck the solver has its own peaks at the ends of both pieces.
+TEST(FrameForces, PiecesOfAStruckColumnAreThoseOfTheSolver) {
+  const RunResults run = test::drawn_run(test::hinged);
+  int compared = 0;
+  for (const FrameForces& frame : run.figures.frames) {
+    const StructuralModel& model = run.problem.buildings[frame.building].model;
+    for (Index node = 0; node < model.nodes(); ++node) {
+      const double height = model.node_elevations[node] - (model.elevations[0] - model.storey_heights[0]);
+      const auto peaks = run.response.buildings[frame.building].column_forces.segment<6>(6 * node);
+      const auto alone = run.response.buildings[frame.building].column_forces_no_contact.segment<6>(6 * node);
+      for (Index n = 0; n < std::ssize(frame.members); ++n) {
+        const FrameMember& member = frame.members[n];
+        const bool below = std::abs(member.to - height) < 1e-9, above = std::abs(member.from - height) < 1e-9;
+        if (member.of_beam || !(below || above)) continue;
+        const double with = std::max(frame.most.shears(n), -frame.least.shears(n));
+        const double without = std::max(frame.most_without_contact.shears(n), -frame.least_without_contact.shears(n));
+        EXPECT_NEAR(with, peaks(below ? 0 : 1), 2e-3 * with);
+        EXPECT_NEAR(without, alone(below ? 0 : 1), 2e-3 * without);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GE(compared, 2);
+}
+
+/// One scale for all members of all frames: the moments at the stations, right of columns and below beams.
+TEST(FrameForces, PicturesDrawThemToOneScale) {
+  const RunResults run = test::drawn_run(test::hinged);
+  const Figure figure = make_figure(run, "frame-moment");
+  ASSERT_EQ(figure.panels.size(), 2 * run.figures.frames.size());
+  double scale = 0;
+  for (std::size_t f = 0; f < run.figures.frames.size(); ++f) {
+    const FrameForces& frame = run.figures.frames[f];
+    const Curve& drawn = figure.panels[2 * f].curves.back();
+    const std::size_t of_member = std::size(MemberForces::stations) + 3;  // back to the member at either end, and a gap
+    ASSERT_EQ(drawn.x.size(), of_member * frame.members.size());
+    double most = 0;
+    for (std::size_t n = 0; n < frame.members.size(); ++n) {
+      const FrameMember& member = frame.members[n];
+      for (std::size_t k = 0; k < std::size(MemberForces::stations); ++k) {
+        const double x = drawn.x[n * of_member + 1 + k], y = drawn.y[n * of_member + 1 + k];
+        const double offset = member.of_beam ? member.place - y : x - member.place;
+        const double moment = frame.instant.moments(static_cast<Index>(k), static_cast<Index>(n));
+        if (scale == 0 && std::abs(moment) > 10) scale = offset / moment;
+        EXPECT_NEAR(offset, scale * moment, scale > 0 ? 1e-9 : 10) << n << ", " << k;
+        most = std::max(most, std::abs(frame.most.moments(static_cast<Index>(k), static_cast<Index>(n))));
+        most = std::max(most, std::abs(frame.least.moments(static_cast<Index>(k), static_cast<Index>(n))));
+      }
+    }
+    const std::string& name = run.problem.buildings[frame.building].name;
+    EXPECT_NE(figure.finding.find(name + ": largest moment " + number(most) + " kN·m"), std::string::npos)
+        << figure.finding;
+  }
+  EXPECT_GT(scale, 0);
+}
+
+TEST(FrameForces, SpectraOfFloorsAreDrawnInG) {
+  const RunResults run = test::drawn_run(supported);
+  const Figure figure = make_figure(run, "floor-spectrum");
+  const FloorSpectra& spectra = run.figures.floor_spectra;
+  ASSERT_EQ(figure.panels.size(), spectra.floors.size());
+  for (std::size_t i = 0; i < spectra.floors.size(); ++i) {
+    const std::vector<Curve>& curves = figure.panels[i].curves;
+    ASSERT_EQ(curves.size(), 2U);
+    for (std::size_t k = 0; k < spectra.periods.size(); ++k) {
+      EXPECT_EQ(curves[0].x[k], spectra.periods[k]);
+      EXPECT_NEAR(curves[0].y[k], spectra.floors[i].without_contact[k] / 9.80665, 1e-12);
+      EXPECT_NEAR(curves[1].y[k], spectra.floors[i].with_contact[k] / 9.80665, 1e-12);
+    }
+  }
+  EXPECT_NE(figure.finding.find("times that without contact"), std::string::npos);
+}
+
+/// What is not known is not there: rotations with mass of their own, and columns that have slipped.
+TEST(FrameForces, AreLeftOutWhereTheyAreNotKnown) {
+  std::string text = supported;
+  text.insert(text.find("[building.soil]"), "condensation = \"none\"\n");
+  const RunResults run = test::drawn_run(text);
+  ASSERT_EQ(run.figures.frames.size(), 1U);
+  EXPECT_EQ(run.figures.frames.front().building, 1);
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bentur/report/kinds/kinds.h"
+#include "tests/support/drawn_run.h"
+
+// Where a floor goes inside what it faces, as no contact is modelled there, pictures show and say that.
+namespace bentur {
+namespace {
+
+/// The roof of five storeys beside the columns of eight; their first floors alone are near one level, and stay apart.
+const RunResults& unmodelled() {
+  static const RunResults run = test::drawn_run(R"(
+units = { length = "m", force = "kN" }
+excitation = { kind = "record", file = "../data/el-centro-1940-ns.csv", unit = "g" }
+analysis = { duration = 10.0 }
+[[building]]
+name = "High"
+damping = 0.05
+generic = { storeys = 8, storey_height = 3.2, floor_mass = 255.0, period = 0.95, stiffness_ratio = 30 }
+[[building]]
+name = "Low"
+damping = 0.05
+generic = { storeys = 5, storey_height = 3.5, floor_mass = 185.0, period = 0.43, stiffness_ratio = 30 }
+[[gap]]
+between = ["High", "Low"]
+width = 0.03
+contact = { law = "linear", stiffness = 1e6 }
+)");
+  return run;
+}
+
+const WatchedSummary& deepest() {
+  const std::vector<WatchedSummary>& all = unmodelled().response.watched;
+  return *std::min_element(all.begin(), all.end(), [](const WatchedSummary& a, const WatchedSummary& b) {
+    return a.least_opening < b.least_opening;
+  });
+}
+
+constexpr const char* roof_inside = "roof of Low 0.07143 m inside High, contact not modelled";
+
+TEST(InsidePictures, TheStillNamesTheFloorAndHatchesIt) {
+  ASSERT_TRUE(unmodelled().response.impacts.empty());
+  ASSERT_TRUE(deepest().closes);
+  for (const char* kind : {"scene", "overview"}) {
+    const Panel panel = make_figure(unmodelled(), kind).panels.front();
+    EXPECT_NE(panel.title.find(roof_inside), std::string::npos) << panel.title;
+    const auto red = std::find_if(panel.curves.begin(), panel.curves.end(),
+                                  [](const Curve& curve) { return curve.tone == Tone::red; });
+    ASSERT_NE(red, panel.curves.end()) << kind;
+    double low = INFINITY, high = -INFINITY, left = INFINITY, right = -INFINITY;
+    for (std::size_t i = 0; i < red->x.size(); ++i) {
+      if (std::isnan(red->x[i])) continue;
+      low = std::min(low, red->y[i]), high = std::max(high, red->y[i]);
+      left = std::min(left, red->x[i]), right = std::max(right, red->x[i]);
+    }
+    EXPECT_NEAR((low + high) / 2, 17.5, 1e-9);
+    EXPECT_GT(right - left, 20 * 0.0714);  // as much as displacements are magnified
+  }
+  EXPECT_NE(make_figure(unmodelled(), "scene").finding.find(roof_inside), std::string::npos);
+}
+
+/// The least opening is that of the continuous response, which the solver finds without any history.
+TEST(InsidePictures, TheOpeningIsThatOfItsLevel) {
+  const Figure figure = make_figure(unmodelled(), "opening");
+  EXPECT_NE(figure.finding.find(roof_inside), std::string::npos) << figure.finding;
+  EXPECT_NE(figure.panels.front().title.find("level 17.5 m"), std::string::npos);
+  const Curve& opening = figure.panels.front().curves.front();
+  const auto least = std::min_element(opening.y.begin(), opening.y.end());
+  const double scale = 0.2;  // displacements of both [m], of which a course leaves no curve by more than 1/1000
+  EXPECT_NEAR(*least, deepest().least_opening, 1e-3 * scale);
+  EXPECT_NEAR(opening.x[static_cast<std::size_t>(least - opening.y.begin())], deepest().least_time, 0.02);
+  EXPECT_NEAR(opening.y.front(), 0.03, 1e-12);
+  const Panel in_overview = make_figure(unmodelled(), "overview").panels.at(1);
+  EXPECT_EQ(in_overview.curves.back().y.front(), deepest().least_opening);
+}
+
+/// The column moves between the floors above and below it.
+TEST(InsidePictures, DisplacementsAreOfTheFloorAndOfWhatItFaces) {
+  const Figure figure = make_figure(unmodelled(), "displacement");
+  const Histories& course = unmodelled().response.course;
+  std::vector<Curve> curves;
+  for (const Panel& panel : figure.panels) {
+    if (panel.curves.size() == 1) curves.push_back(panel.curves.front());
+  }
+  if (curves.empty()) curves = figure.panels.front().curves;
+  ASSERT_EQ(curves.size(), 2U);
+  EXPECT_EQ(curves[0].label, "High");
+  for (std::size_t i = 0; i < course.time.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    EXPECT_EQ(curves[1].y[i], course.displacement[1](4, column));
+    const double below = course.displacement[0](4, column), above = course.displacement[0](5, column);
+    const double slack = 0.05 * std::abs(above - below) + 1e-4;  // of a column that bends
+    EXPECT_GT(curves[0].y[i], std::min(below, above) - slack);
+    EXPECT_LT(curves[0].y[i], std::max(below, above) + slack);
+  }
+}
+
+/// A level that is asked for is drawn as it is.
+TEST(InsidePictures, AnotherLevelMayBeAskedFor) {
+  FigureOptions options;
+  options.elevation = 3.35;
+  EXPECT_NE(make_figure(unmodelled(), "opening", options).finding.find("closest approach"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bentur
