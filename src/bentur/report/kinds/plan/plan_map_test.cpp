@@ -87,8 +87,11 @@ TEST(PlanMap, HasTheColourOfTheWorstThatIsJudged) {
   for (const Curve& curve : figure.panels.front().curves) named += curve.in_legend ? 1 : 0;
   EXPECT_EQ(named, std::ssize(all));
   for (const Curve& curve : figure.panels.front().curves) {
-    if (curve.label == "H9") EXPECT_EQ(curve.tone, Tone::grey);
-    if (curve.label == "H1") EXPECT_EQ(curve.tone, Tone::red);
+    if (curve.label == "H9") {
+      EXPECT_EQ(curve.tone, Tone::grey);
+    } else if (curve.label == "H1") {
+      EXPECT_EQ(curve.tone, Tone::red);
+    }
   }
   EXPECT_FALSE(figure.finding.empty());
 }
