@@ -71,7 +71,7 @@ def contents(file, group=""):
     found = {}
     for name, variable in file.variables.items():
         told = {key: np.asarray(variable.getncattr(key)).tolist() for key in variable.ncattrs()}
-        found[group + name] = variable.dimensions, str(variable.dtype), told, variable[...].tolist()
+        found[group + name] = variable.dimensions, str(variable.dtype), told, np.asarray(variable[...]).tolist()
     for name, inner in file.groups.items():
         found |= contents(inner, name + "/")
     return found
