@@ -25,7 +25,8 @@ BEYOND = {
         "places in plan": """
             plan-footprints-overlap plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
             plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
-            plan-accidental plan-polygon-court plan-polygon-crosses plan-polygon-link plan-polygon-overlap""",
+            plan-accidental plan-polygon-court plan-polygon-crosses plan-polygon-link plan-polygon-overlap
+            plan-polygon-part""",
         "order of numbers": """
             column-elevations-order gap-elevations-order matrices-elevations-order
             modal-elevations-order rayleigh-equal-periods rigid-elevations-order

@@ -174,11 +174,16 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     const auto named = [&](Panel& of, const LargestForce& largest) {
       if (largest.member < 0) return;
       const auto [x, y] = diagram.at(largest.member, carried.stations()[largest.station], largest.value);
-      const bool of_beam = frame->members[largest.member].of_beam;
+      const FrameMember& member = frame->members[largest.member];
       const bool is_positive = largest.value > 0;
-      of.texts.push_back({x, y, number(factor * std::abs(largest.value)) + " " + unit,
-                          of_beam ? (is_positive ? PlaceText::Side::below : PlaceText::Side::above)
-                                  : (is_positive ? PlaceText::Side::right : PlaceText::Side::left)});
+      const std::string text = number(factor * std::abs(largest.value)) + " " + unit;
+      if (member.of_beam) {
+        of.texts.push_back({x, y, text, is_positive ? PlaceText::Side::below : PlaceText::Side::above});
+      } else {  // towards the middle of the frame, where there is room: from the column, or from its diagram there
+        const bool leftwards = member.place > 0.5 * right;
+        of.texts.push_back({leftwards == is_positive ? member.place : x, y, text,
+                            leftwards ? PlaceText::Side::left : PlaceText::Side::right});
+      }
     };
     Panel instant = panel;
     instant.title = building.name + ", " + word(options, "at {}", seconds_text(frame->time));

@@ -15,7 +15,9 @@
 
 namespace bentur {
 
-const Impact* hardest_impact(const RunResults& run, Eigen::Index point) { return hardest_impact(run.response.impacts, point); }
+const Impact* hardest_impact(const RunResults& run, Eigen::Index point) {
+  return hardest_impact(run.response.impacts, point);
+}
 
 bool is_at(const FigureOptions& options, double elevation) {
   return !options.elevation || std::abs(elevation - *options.elevation) <= 1e-6 * std::max(1.0, std::abs(elevation));
