@@ -179,9 +179,10 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       const std::string text = number(factor * std::abs(largest.value)) + " " + unit;
       if (member.of_beam) {
         of.texts.push_back({x, y, text, is_positive ? PlaceText::Side::below : PlaceText::Side::above});
-      } else {  // towards the middle of the frame, where there is room: from the column, or from its diagram there
+      } else {  // towards the middle of the frame, where there is room, beside diagrams of either sign
         const bool leftwards = member.place > 0.5 * right;
-        of.texts.push_back({leftwards == is_positive ? member.place : x, y, text,
+        const double beside = std::abs(x - member.place);
+        of.texts.push_back({member.place + (leftwards ? -beside : beside), y, text,
                             leftwards ? PlaceText::Side::left : PlaceText::Side::right});
       }
     };
