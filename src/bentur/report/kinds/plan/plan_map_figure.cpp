@@ -30,6 +30,9 @@ class BlockMap {
       }
     }
     add_legend();
+    const double margin = 0.015 * (upper_ - lower_).maxCoeff();  // so that outer walls are drawn whole
+    panel_.x.from = lower_.x() - margin, panel_.x.to = upper_.x() + margin;
+    panel_.y.from = lower_.y() - margin, panel_.y.to = upper_.y() + margin;
     for (std::size_t i = 0; i < std::min(worst_gaps_shown, order_.size()); ++i) add_number(i);
     return std::move(panel_);
   }
@@ -110,11 +113,11 @@ class BlockMap {
     }
   }
 
-  /// Where the table of the worst has it.
+  /// Where the table of the worst has it; off the middle of the joint, where names of houses stand.
   void add_number(std::size_t place) {
     const Stretch& stretch = run_.problem.gaps[order_[place]].stretch;
     const std::vector<double> corners = stretch.corners_along();
-    const PlanPoint at = stretch.middle((corners.front() + corners.back()) / 2);
+    const PlanPoint at = stretch.middle(corners.front() + 0.85 * (corners.back() - corners.front()));
     const bool is_corner = stretch.is_corner();
     const double off = is_corner ? 0.012 * (upper_ - lower_).maxCoeff() : 0;  // beside the lines that meet there
     panel_.texts.push_back(
