@@ -3,7 +3,7 @@
 function(bentur_report_page_sources out)
   set(report ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
   file(GLOB sources CONFIGURE_DEPENDS ${report}/*.cpp ${report}/figures/*.cpp ${report}/figures/internal/*.cpp
-    ${report}/kinds/*.cpp ${report}/kinds/internal/*.cpp ${report}/scene/*.cpp ${report}/html/*.cpp ${report}/html/plan/*.cpp ${report}/html/internal/*.cpp)
+    ${report}/kinds/*.cpp ${report}/kinds/internal/*.cpp ${report}/kinds/plan/*.cpp ${report}/scene/*.cpp ${report}/html/*.cpp ${report}/html/plan/*.cpp ${report}/html/internal/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
