@@ -1,6 +1,7 @@
 #include "bentur/pounding/plan/outline/near.h"
 
 #include <algorithm>
+#include <boost/geometry.hpp>  // whole: what the tree needs of it differs from version to version
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
