@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "bentur/model/quantities.h"
 
@@ -108,11 +107,12 @@ void List::add(std::string_view key, const std::string& subject, double value, s
 }
 
 double List::si(std::string_view form) const {
-  std::istringstream words{std::string(form)};
   double factor = 1;
-  for (std::string word; words >> word;) {
-    const double one = word[0] == 'F' ? newtons(units_.force) : word[0] == 'L' ? metres(units_.length) : 1;
-    factor *= std::pow(one, word.size() > 1 ? std::atof(word.c_str() + 1) : 1);
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    if (form[i] != 'F' && form[i] != 'L') continue;
+    const double unit = form[i] == 'F' ? newtons_ : metres_;
+    const bool is_below = i + 2 < form.size() && form[i + 1] == '-';
+    for (int power = is_below ? form[i + 2] - '0' : 1; power > 0; --power) factor *= is_below ? 1 / unit : unit;
   }
   return factor;
 }

@@ -27,7 +27,7 @@ struct RemarkKind {
 /// Remarks with their usual ranges in the units of a case. Values are in those, too.
 class List {
  public:
-  explicit List(const Units& units) : units_(units) {}
+  explicit List(const Units& units) : units_(units), newtons_(newtons(units.force)), metres_(metres(units.length)) {}
 
   /// A value that may be outside of what is usual of its kind.
   void check(std::string_view key, const std::string& subject, double value);
@@ -37,13 +37,14 @@ class List {
   void add(std::string_view key, const std::string& subject, double value, std::optional<double> usual_from,
            std::optional<double> usual_to, bool is_doubt = true);
 
-  /// What one unit of a form has in SI units.
+  /// What one unit of a form, "F", "L" or "F L-2", has in SI units.
   [[nodiscard]] double si(std::string_view form) const;
   [[nodiscard]] const Units& units() const { return units_; }
   [[nodiscard]] std::vector<Remark> take() { return std::move(all_); }
 
  private:
   Units units_;
+  double newtons_, metres_;
   std::vector<Remark> all_;
 };
 
