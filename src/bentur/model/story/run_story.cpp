@@ -311,6 +311,14 @@ Story story_of(const AnyRun& run) {
   return told;
 }
 
+std::vector<StoryTable> tables_of(const GapView& view) {
+  std::vector<StoryTable> tables;
+  for (Index g = 0; g < std::ssize(view.gaps); ++g) {
+    for (StoryTable& one : gap_tables(view, g)) tables.push_back(std::move(one));
+  }
+  return tables;
+}
+
 template <class AnyRun>
 Story story_of_gaps(const AnyRun& run) {
   const GapView view = judged_view_of(run);
@@ -318,23 +326,14 @@ Story story_of_gaps(const AnyRun& run) {
   tell_collapse(run, told.statements);
   tell_drifts(run, told.statements);
   const std::optional<Index> worst = tell_gaps(view, shown_units(run), told);
-  for (std::size_t g = 0; g < view.gaps.size(); ++g) {
-    tell_gap(run, view, g, told.statements);
-    for (StoryTable& one : gap_tables(view, static_cast<Index>(g))) told.tables.push_back(std::move(one));
-  }
+  for (std::size_t g = 0; g < view.gaps.size(); ++g) tell_gap(run, view, g, told.statements);
+  for (StoryTable& one : tables_of(view)) told.tables.push_back(std::move(one));
   if constexpr (is_in_plan<AnyRun>) tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
   leave_to_tables(worst, told.statements);
   leave_to_gap_tables(told.statements);
   tell_remarks(run, told);
   return told;
-}
-
-template <class AnyRun>
-std::vector<StoryTable> tables_of_gaps(const AnyRun& run) {
-  std::vector<StoryTable> tables = story_of_gaps(run).tables;
-  std::erase_if(tables, [](const StoryTable& one) { return !one.gap; });
-  return tables;
 }
 
 }  // namespace
@@ -356,7 +355,7 @@ Story run_story(const PlanRun& run) { return story_of(run); }
 Story gap_story(const RunResults& run) { return story_of_gaps(run); }
 Story gap_story(const PlanRun& run) { return story_of_gaps(run); }
 
-std::vector<StoryTable> gap_tables_of(const RunResults& run) { return tables_of_gaps(run); }
-std::vector<StoryTable> gap_tables_of(const PlanRun& run) { return tables_of_gaps(run); }
+std::vector<StoryTable> gap_tables_of(const RunResults& run) { return tables_of(judged_view_of(run)); }
+std::vector<StoryTable> gap_tables_of(const PlanRun& run) { return tables_of(judged_view_of(run)); }
 
 }  // namespace bentur
