@@ -64,9 +64,7 @@ void raise(FrameForces::Forces& extremes, const AllForces& more, double sign) {
 
 /// The instant that is shown: of the hardest impact, else of the largest drift of a storey of the frame.
 Index shown_column(const Response& response, const Histories& histories, const StructuralModel& model, Index building) {
-  const auto hardest = std::max_element(response.impacts.begin(), response.impacts.end(),
-                                        [](const Impact& a, const Impact& b) { return is_harder(b, a); });
-  if (hardest != response.impacts.end()) {
+  if (const Impact* const hardest = hardest_impact(response.impacts)) {
     return column_at(histories.time, hardest->peak_force > 0 ? hardest->peak_force_time : hardest->start);
   }
   Index storey = 0, column = 0;

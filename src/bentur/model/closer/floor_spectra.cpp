@@ -58,9 +58,8 @@ std::vector<FloorSpectra::Floor> spectrum_floors(const Problem& problem, const R
     if (std::none_of(floors.begin(), floors.end(), same)) floors.push_back({.building = building, .floor = floor});
   };
   const auto roof = [&](Index building) { return problem.buildings[building].model.floors() - 1; };
-  const auto hardest = std::max_element(response.impacts.begin(), response.impacts.end(),
-                                        [](const Impact& a, const Impact& b) { return is_harder(b, a); });
-  if (hardest == response.impacts.end()) {
+  const Impact* const hardest = hardest_impact(response.impacts);
+  if (hardest == nullptr) {
     for (Index b = 0; b < std::ssize(problem.buildings) && floors.size() < most; ++b) add(b, roof(b));
     return floors;
   }

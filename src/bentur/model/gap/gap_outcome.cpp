@@ -106,10 +106,11 @@ bool is_harder(const Impact& a, const Impact& b) {
   return a.peak_force != b.peak_force ? a.peak_force > b.peak_force : a.closing_speed > b.closing_speed;
 }
 
-const Impact* hardest_impact(const std::vector<Impact>& impacts, Eigen::Index point) {
+const Impact* hardest_impact(const std::vector<Impact>& impacts, std::optional<Eigen::Index> point) {
   const Impact* hardest = nullptr;
   for (const Impact& impact : impacts) {
-    if (impact.point == point && (hardest == nullptr || is_harder(impact, *hardest))) hardest = &impact;
+    if (impact.point == point.value_or(impact.point) && (hardest == nullptr || is_harder(impact, *hardest)))
+      hardest = &impact;
   }
   return hardest;
 }

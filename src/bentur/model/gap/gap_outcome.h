@@ -51,8 +51,8 @@ struct GoverningLevel {
 
 /// By peak force, then, as where no force is known, by closing speed.
 [[nodiscard]] bool is_harder(const Impact& a, const Impact& b);
-/// The hardest impact of a contact point, the first of those that are alike; nothing where it has none.
-[[nodiscard]] const Impact* hardest_impact(const std::vector<Impact>& impacts, Eigen::Index point);
+/// The hardest impact of a contact point, or of all, the first of those that are alike; nothing where there is none.
+[[nodiscard]] const Impact* hardest_impact(const std::vector<Impact>& impacts, std::optional<Eigen::Index> point = {});
 
 /// Contact in a gap.
 struct Hit {
