@@ -12,7 +12,7 @@ import type { Overview } from "./solver";
 import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
 import { nameOf } from "./schema";
 import { isStill } from "./still";
-import { begin, complain, isOwn, load, pinned, stale, standing, startAnew } from "./state";
+import { begin, complain, isOwn, load, pinned, rough, stale, standing, startAnew } from "./state";
 import "./style.css";
 import { Tables } from "./tables";
 import { Take } from "./take";
@@ -76,7 +76,7 @@ function App() {
       }}>
       <Head />
       {dropping.value && <div class="drop">{say("drop")}</div>}
-      <main id="results" class={stale.value ? "stale" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
+      <main id="results" class={stale.value || rough.value ? "stale" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
         <Bar />
         <div class="lives">
           {still && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><RecordChoice suite={now.overview.suite} /><p class="still">{say(now.overview.spectral ? "motion.none" : "suite.still")}</p></section>}

@@ -2,7 +2,7 @@ import { main } from "./animation";
 import { gap, progress, result, slow } from "./case";
 import { nameOf } from "./schema";
 import { type GapOverview, type Overview, type Result, type Said, schema } from "./solver";
-import { cancel, pinned, stale } from "./state";
+import { cancel, pinned, rough, stale } from "./state";
 import { number, say } from "./texts";
 
 const unitOf = (overview: Overview) => overview.units.length;
@@ -14,12 +14,15 @@ export const widthsOf = (overview: Overview) => `${nameOf("gap", "width")} ${ove
 /** Of which case results are. */
 export const caseOf = (overview: Overview) => `${overview.title || "–"}, ${widthsOf(overview)}`;
 
-/** Where results are shown that are not of the case that stands there. */
+/** Where results are shown that are not of the case that stands there, or that are sampled coarsely. */
 export function Stale({ word = "stale" }: { word?: "stale" | "take.stale" }) {
-  return stale.value && result.value ? <p class="stale-note">{say(word, { name: caseOf(result.value.overview) })}</p> : null;
+  if (!result.value || !(stale.value || rough.value)) return null;
+  return <p class="stale-note">{stale.value ? say(word, { name: caseOf(result.value.overview) }) : say("rough")}</p>;
 }
 
-const isGrave = (one: Said) => one.severity === "danger" || one.severity === "warning";
+const grave = ["danger", "warning"];
+const gravity = (one: Said) => (grave.includes(one.severity) ? grave.indexOf(one.severity) : grave.length);
+const isGrave = (one: Said) => grave.includes(one.severity);
 
 /** Statements one below the other; a badge stands once above those that have it, `under` one already. In a row each that is
  *  of one gap begins with its name, where `gaps` are given. */
@@ -41,10 +44,10 @@ function Statements({ overview }: { overview: Overview }) {
   const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
   const isFolded = (one: Said) => one.shown !== "sentence" || (one.severity === "finding" && !one.badge);
-  const grave = told.some(isGrave);
+  const pounds = told.some(isGrave);
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   return (
-    <div class={`verdict${grave ? " pounds" : ""}`}>
+    <div class={`verdict${pounds ? " pounds" : ""}`}>
       <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
       {row && overview.gaps.map((each, i) => {
         const mine = told.filter((one) => ofGap(one) && one.gap === i);
@@ -54,16 +57,17 @@ function Statements({ overview }: { overview: Overview }) {
           <Sentences all={mine} under={badge?.badge} />
         </details>;
       })}
-      {folded.length > 0 && <details open={!grave}><summary>{say("verdict.more")}</summary><Sentences all={folded} gaps={overview.gaps} /></details>}
+      {folded.length > 0 && <details open={!pounds}><summary>{say("verdict.more")}</summary><Sentences all={folded} gaps={overview.gaps} /></details>}
     </div>
   );
 }
 
-/** The verdict's badges in one line: of what is told first, and of the gap that is looked at. */
+/** The verdict's badges in one line: the gravest of the whole run first, then those of the gap that is looked at. */
 export function Brief() {
-  const all = (result.value?.overview.statements ?? []).filter((one) => one.badge && (one.gap === null || one.gap === gap.value || one.severity === "danger"));
+  const badged = (result.value?.overview.statements ?? []).filter((one) => one.badge).sort((a, b) => gravity(a) - gravity(b));
+  const all = badged.filter((one, i) => i === 0 || one.gap === null || one.gap === gap.value || one.severity === "danger");
   const badges = new Map(all.map((one) => [one.badge, isGrave(one)]));
-  return <p class="brief" aria-hidden="true">{[...badges].map(([badge, grave]) => <span key={badge} class={`badge${grave ? " grave" : ""}`}>{badge}</span>)}</p>;
+  return <p class="brief" aria-hidden="true">{[...badges].map(([badge, is]) => <span key={badge} class={`badge${is ? " grave" : ""}`}>{badge}</span>)}</p>;
 }
 
 export function Verdict() {

@@ -31,6 +31,9 @@ const solvedWith = signal<Files>([]);
 export const stale = computed(() => result.value !== null && (errors.value.length > 0 || slow.value) &&
   (text.value !== solvedText.value || files.value !== solvedWith.value || (result.value.overview.suite?.record ?? 0) !== chosen.value));
 
+/** Whether they are of that case, but as it was sampled at once, since it could not be run as it asks to be. */
+export const rough = computed(() => result.value !== null && !stale.value && !result.value.fine && errors.value.length > 0);
+
 /** What is being typed in place of a text, and which run was asked for and answered last. */
 const typed = signal<{ base: string; next: string; timer: number } | null>(null);
 const asked = signal(0), answered = signal(0);

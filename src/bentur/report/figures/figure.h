@@ -53,6 +53,7 @@ struct Curve {
   double width = 1;               ///< of the line [-], 1 for 0.75 pt
   bool complete = false;          ///< every point is drawn; others are thinned to what can be seen
   double mark_size = 1;           ///< of its marks [-]; large discs have an edge that parts them from lines below
+  bool of_several = false;        ///< its label is of several that are alike, so that it stands in the legend
   bool in_legend = true;          ///< else its label stands in data alone, as what it is of is named where it is
 };
 
@@ -120,6 +121,8 @@ struct Panel {
   Events events = {};
   std::vector<PlaceText> texts = {};
   std::optional<HeatMap> map = {};
+  /// Curves have their names where they end, in place of a legend, as far as there is room for that.
+  bool names_at_ends = false;
   std::string note = {};  ///< in the middle of the frame, where there is little else to see
 };
 

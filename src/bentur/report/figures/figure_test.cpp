@@ -192,7 +192,7 @@ TEST(FigureSvg, TextsStandBesideTheirPlaces) {
   EXPECT_LT(place("north").second, place("east").second - 6);
   EXPECT_GT(place("south").second, place("east").second + 6);
   EXPECT_EQ(count(svg, "beyond"), 0U);
-  EXPECT_NE(figure_text(figure, "x").script.find("[5.0,5.0,\"north\",0,1]"), std::string::npos);
+  EXPECT_NE(figure_text(figure, "x").script.find("[5.0,5.0,\"north\",0,1,"), std::string::npos);
 }
 
 TEST(FigureSvg, AreasAndMapsAreFilledAndCutOff) {

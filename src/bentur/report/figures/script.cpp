@@ -71,8 +71,10 @@ for panel in figure["panels"]:
         times = values(event["column"])
         ax.plot(times, [0.97] * len(times), "v", transform=ax.get_xaxis_transform(), color="grey", markersize=2,
                 label=event["label"])
-    for x, y, text, across, up in panel["texts"]:
-        ax.annotate(text, (x, y), (4 * across, 4 * up), textcoords="offset points",
+    for x, y, text, across, up, color, moved in panel["texts"]:
+        joined = {"arrowstyle": "-", "color": color, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0} if moved else None
+        ax.annotate(text, (x, y), (4 * across, 4 * up + moved), textcoords="offset points", color=color,
+                    arrowprops=joined, annotation_clip=False,
                     ha=("right", "center", "left")[across + 1], va=("top", "center", "bottom")[up + 1])
     for scale in panel["map"]:
         cells = list(zip(*(values(column) for column in scale["columns"])))
@@ -221,11 +223,15 @@ class Writer {
                                              {0, 1},
                                              {0, -1},
                                              {0, 0}};
-    for (const PlaceText& one : panel.texts) {
+    const auto add = [&](const PlaceText& one, const std::string& text, Tone tone, double moved) {
       const auto& [across, up] = sides[static_cast<std::size_t>(one.side)];
-      const std::vector<std::string> of_text = text_lines(one, placed);
-      if (of_text.empty()) continue;
-      texts.push_back({one.x, one.y, plain_lines(of_text), across, up});
+      if (!text.empty()) texts.push_back({one.x, one.y, text, across, up, colour(tone).paper, moved});
+    };
+    for (const PlaceText& one : panel.texts) add(one, plain_lines(text_lines(one, placed)), Tone::black, 0);
+    constexpr double points = 72 / 2.54;  // of a centimetre
+    for (const CurveName& name : placed.names) {
+      const double moved = std::abs(name.up) > 0.02 ? name.up * points : 0;
+      add({.x = name.x, .y = name.y, .side = name.side}, name.label, panel.curves[name.curve].tone, moved);
     }
     const double height = placed.top - placed.bottom;
     Json legend = Json::array();

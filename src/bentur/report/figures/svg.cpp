@@ -134,13 +134,14 @@ class Drawing {
     if (!data.empty()) out_ += fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", data, style);
   }
 
-  void text(const std::string& words, double x_px, double y_px, const char* anchor, bool upright = false) {
+  void text(const std::string& words, double x_px, double y_px, const char* anchor, bool upright = false,
+            Tone tone = Tone::black) {
     if (words.empty()) return;
     const std::string turned =
         upright ? fmt::format(" transform=\"rotate(-90 {} {})\"", length(x_px), length(y_px)) : "";
     out_ +=
         fmt::format("<text x=\"{}\" y=\"{}\" dy=\"{}\" text-anchor=\"{}\"{} {}>{}</text>\n", length(x_px), length(y_px),
-                    length(baseline), anchor, turned, drawn_in("fill", colour(Tone::black)), lettered(words));
+                    length(baseline), anchor, turned, drawn_in("fill", colour(tone)), lettered(words));
   }
 
   void lines(const std::vector<std::string>& texts, double x_cm, double y_cm) {
@@ -243,6 +244,7 @@ class Drawing {
     if (panel.map) scale(placed, frame);
     for (std::size_t c = 0; c < points.size(); ++c) marks(panel.curves[c], points[c], frame);
     for (const PlaceText& one : panel.texts) beside(one, text_lines(one, placed), frame);
+    for (const CurveName& name : placed.names) named(name, panel.curves[name.curve].tone, frame);
     for (const double at : panel.events.x) {
       if (at < placed.x.from || at > placed.x.to) continue;
       event(frame.left + frame.x(at), frame.top + 0.03 * frame.height);
@@ -297,18 +299,34 @@ class Drawing {
     }
   }
 
+  /// The name of a curve in its tone, joined to the end where it stands away from it.
+  void named(const CurveName& name, Tone tone, const Frame& frame) {
+    const double up = x(name.up);
+    if (std::abs(up) > 1) {
+      path(fmt::format("M{} {}L{} {}", length(frame.left + frame.x(name.x)), length(frame.top + frame.y(name.y)),
+                       length(frame.left + frame.x(name.x) + clear - 1), length(frame.top + frame.y(name.y) - up)),
+           line_style(tone, Line::solid, frame_line));
+    }
+    Frame moved = frame;
+    moved.top -= up;
+    beside({.x = name.x, .y = name.y, .side = name.side}, {name.label}, moved, tone);
+  }
+
+  static constexpr double clear = 5;  // between a place and the text beside it [px]
+
   /// Clear of a mark there.
-  void beside(const PlaceText& one, const std::vector<std::string>& lines, const Frame& frame) {
+  void beside(const PlaceText& one, const std::vector<std::string>& lines, const Frame& frame,
+              Tone tone = Tone::black) {
     const double px = frame.x(one.x), py = frame.y(one.y);
     if (!frame.holds(px, py)) return;
     using Side = PlaceText::Side;
-    constexpr double clear = 5;  // [px]
     const double right = one.side == Side::right ? clear : one.side == Side::left ? -clear : 0;
     const double down = one.side == Side::below ? clear + baseline : one.side == Side::above ? -clear - baseline : 0;
     const char* const anchor = one.side == Side::right ? "start" : one.side == Side::left ? "end" : "middle";
     const double step = x(line_height), first = -step * (static_cast<double>(lines.size()) - 1) / 2;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      text(lines[i], frame.left + px + right, frame.top + py + down + first + step * static_cast<double>(i), anchor);
+      text(lines[i], frame.left + px + right, frame.top + py + down + first + step * static_cast<double>(i), anchor,
+           false, tone);
     }
   }
 

@@ -81,7 +81,8 @@ class Reader {
     table(node, where,
           {field("title", to.title), field("x", to.x), field("y", to.y), field("height", to.height),
            field("rows", to.rows), field("to_scale", to.to_scale), field("curves", to.curves), field("rules", to.rules),
-           field("events", to.events), field("texts", to.texts), field("map", to.map), field("note", to.note)});
+           field("events", to.events), field("texts", to.texts), field("map", to.map), field("note", to.note),
+           field("names_at_ends", to.names_at_ends)});
     if (!(to.height >= 0.5 && to.height <= 100)) {
       error(where + ".height", fmt::format("{}", to.height), "must be in [0.5, 100]");
     }
@@ -102,11 +103,11 @@ class Reader {
   }
 
   void read(const Node& node, const std::string& where, Curve& to) {
-    table(
-        node, where,
-        {field("label", to.label), field("x", to.x), field("y", to.y), field("top", to.top), field("tone", to.tone),
-         field("line", to.line), field("mark", to.mark), field("legend_mark", to.legend_mark), field("width", to.width),
-         field("complete", to.complete), field("mark_size", to.mark_size), field("in_legend", to.in_legend)});
+    table(node, where,
+          {field("label", to.label), field("x", to.x), field("y", to.y), field("top", to.top), field("tone", to.tone),
+           field("line", to.line), field("mark", to.mark), field("legend_mark", to.legend_mark),
+           field("width", to.width), field("complete", to.complete), field("mark_size", to.mark_size),
+           field("of_several", to.of_several), field("in_legend", to.in_legend)});
     if (!(to.mark_size > 0 && to.mark_size <= 20)) {
       error(where + ".mark_size", fmt::format("{}", to.mark_size), "must be in (0, 20]");
     }

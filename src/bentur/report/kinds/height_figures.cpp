@@ -13,8 +13,15 @@ namespace {
 
 constexpr Eigen::Index most_modes = 3;
 
-/// Elevation, the same for all panels of a figure.
-Axis elevation_axis(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown) {
+double frame_height(const RunResults& run, const std::vector<Eigen::Index>& shown) {
+  std::size_t floors = 0;
+  for (const Eigen::Index b : shown) floors = std::max(floors, run.problem.buildings[b].model.elevations.size());
+  return floors > 8 ? 7.5 : floors > 1 ? 5 : 2;
+}
+
+/// Elevation, the same for all panels of a figure. @param above what is free above the highest floor, of the height
+Axis elevation_axis(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown,
+                    double above = 0.03) {
   Axis axis{.label = with_unit(word(options, "Level z"), run.c.units.length)};
   axis.from = base_of(run.problem.buildings[shown.front()]);
   for (const Eigen::Index b : shown) axis.from = std::min(*axis.from, base_of(run.problem.buildings[b]));
@@ -25,17 +32,23 @@ Axis elevation_axis(const RunResults& run, const FigureOptions& options, const s
   }
   std::sort(levels.begin(), levels.end());
   const double top = levels.back();
-  axis.to = top + 0.03 * (top - *axis.from);
+  axis.to = top + above * (top - *axis.from);
   const auto same = [&](double a, double b) { return b - a <= 1e-6 * (top - *axis.from); };
   levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
   axis.places = std::move(levels);
   return axis;
 }
 
-double frame_height(const RunResults& run, const std::vector<Eigen::Index>& shown) {
-  std::size_t floors = 0;
-  for (const Eigen::Index b : shown) floors = std::max(floors, run.problem.buildings[b].model.elevations.size());
-  return floors > 8 ? 7.5 : floors > 1 ? 5 : 2;
+/// A panel of curves over the height, which have their names where they end, of the highest building above it.
+Panel height_panel(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown, Axis x,
+                   double rule) {
+  constexpr double name = 0.5;  // [cm]
+  const double height = frame_height(run, shown);
+  return {.x = std::move(x),
+          .y = elevation_axis(run, options, shown, name / (height - name)),
+          .height = height,
+          .rules = {{.at = rule, .vertical = true}},
+          .names_at_ends = true};
 }
 
 /// Ends an axis from 0 on a number that is easily halved, with numbers there and half way.
@@ -192,10 +205,9 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
 Figure amplification_figure(const RunResults& run, const FigureOptions& options) {
   const Quantity& amplification = quantity_named("amplification", Owner::floor);
   const std::vector<Eigen::Index> shown = shown_buildings(run, options);
-  Panel panel{.x = {.label = word(options, "Amplification of max |x| by contact [–]"), .least = {{0.95, 1.05}}},
-              .y = elevation_axis(run, options, shown),
-              .height = frame_height(run, shown),
-              .rules = {{.at = 1, .vertical = true}}};
+  Panel panel =
+      height_panel(run, options, shown,
+                   {.label = word(options, "Amplification of max |x| by contact [–]"), .least = {{0.95, 1.05}}}, 1);
   Largest most;
   for (const Eigen::Index b : shown) {
     const Building& building = run.problem.buildings[b];
@@ -227,10 +239,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
   for (const auto& [key, label, finding, of_storeys] : ratios) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
-    Panel panel{.x = {.label = word(options, label), .least = {{0.95, 1.05}}},
-                .y = elevation_axis(run, options, shown),
-                .height = frame_height(run, shown),
-                .rules = {{.at = 1, .vertical = true}}};
+    Panel panel = height_panel(run, options, shown, {.label = word(options, label), .least = {{0.95, 1.05}}}, 1);
     Largest most;
     for (const Eigen::Index b : shown) {
       const Building& building = run.problem.buildings[b];
@@ -266,10 +275,7 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
   for (const auto& [key, label, finding] : drifts) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
     const bool is_signed = !figure.panels.empty();
-    Panel panel{.x = {.label = word(options, label)},
-                .y = elevation_axis(run, options, shown),
-                .height = frame_height(run, shown),
-                .rules = {{.at = 0, .vertical = true}}};
+    Panel panel = height_panel(run, options, shown, {.label = word(options, label)}, 0);
     double most = -1;
     std::string place;
     for (const Eigen::Index b : shown) {

@@ -166,6 +166,9 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
     finding += "; " + closest_text(run, closest, i, options);
   }
   Figure figure = histories(run, options, i, curves, with);
+  std::vector<Panel*> panels;
+  for (Panel& panel : figure.panels) panels.push_back(&panel);
+  name_peaks(panels, curves, [&](double value) { return shown_value(run, value, "L"); });
   figure.title = "Displacements relative to the bases, " + point_text(run, i, options);
   figure.finding = finding;
   return figure;

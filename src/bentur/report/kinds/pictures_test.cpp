@@ -99,6 +99,32 @@ TEST(Pictures, ThePeakOfAForceIsWrittenWhereItIs) {
   }
 }
 
+TEST(Pictures, ThePeakOfADisplacementIsWrittenWhereItIs) {
+  std::size_t found = 0;
+  for (const RunResults* run : {&linked_run(), &hinged_frames(), &apart_run()}) {
+    for (const Panel& panel : make_figure(*run, "displacement").panels) {
+      for (const PlaceText& text : panel.texts) {
+        ++found;
+        double least = INFINITY;  // from there to a point of a curve
+        for (const Curve& curve : panel.curves) {
+          for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            if (curve.x[i] == text.x) least = std::min(least, std::abs(curve.y[i] - text.y));
+            EXPECT_LE(std::abs(curve.y[i]) * (curve.x[i] == text.x), std::abs(text.y) * (1 + 1e-12));
+          }
+        }
+        EXPECT_EQ(least, 0);
+      }
+      const Layout placing = layout({.panels = {panel}});
+      for (const PlaceText& text : panel.texts) {  // and within the frame
+        const double at = along(placing.panels.front().y, text.y) * panel.height;
+        EXPECT_GT(at + (text.side == PlaceText::Side::below ? -0.4 : 0), 0);
+        EXPECT_LT(at + (text.side == PlaceText::Side::above ? 0.4 : 0), panel.height);
+      }
+    }
+  }
+  EXPECT_GE(found, 2U);
+}
+
 TEST(Pictures, CurvesAreToldApartInGrey) {
   for (const RunResults* run : {&linked_run(), &supported_run(), &hinged_frames(), &apart_run()}) {
     for (const FigureKind& kind : figure_kinds(*run)) {

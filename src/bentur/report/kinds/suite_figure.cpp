@@ -22,13 +22,15 @@ Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOpti
   const auto [first, last] = suite.target.band();
   Panel panel{.x = {.label = word(options, "Period T [s]"), .from = first, .to = last, .logarithmic = true},
               .y = {.label = with_unit("Sa", "g"), .from = 0},
-              .height = 5.5};
+              .height = 5.5,
+              .names_at_ends = true};
   for (const SuiteRecord& record : suite.records) {
     panel.curves.push_back({.label = panel.curves.empty() ? word(options, "each record") : "",
                             .x = periods,
                             .y = in_g(record.spectrum),
                             .tone = Tone::grey,
-                            .width = 0.6});
+                            .width = 0.6,
+                            .of_several = true});
   }
   const std::vector<double> target = in_g(suite.target.ordinates), mean = in_g(suite.mean);
   panel.curves.push_back({.label = word(options, "target"),

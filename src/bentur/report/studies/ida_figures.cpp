@@ -130,13 +130,15 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
   const std::string unit = sweep.unit(quantity);
   Panel panel{.x = {.label = with_unit(word(options, "Peak contact force F"), unit), .from = 0},
               .y = intensity_axis(levels),
-              .height = 5.5};
+              .height = 5.5,
+              .names_at_ends = true};
   std::vector<std::vector<double>> at_level(levels.size);
   bool any_force = false;
   for (const std::vector<std::size_t>& place : places) {
     Curve record{.label = panel.curves.empty() ? records_text(sweep, options, ida, places.size()) : "",
                  .tone = Tone::grey,
-                 .width = 0.5};
+                 .width = 0.5,
+                 .of_several = true};
     for (std::size_t i = 0; i < levels.size; ++i) {
       const double value = largest(sweep, quantity, place, ida.level, i);
       record.x.push_back(std::isfinite(value) ? value : NAN);

@@ -293,7 +293,7 @@ class SweepDrawing {
   }
 
   Panel framed(const std::string& quantity) const {
-    Panel panel{.x = x_axis(), .y = {.label = label(quantity)}, .height = 4.6};
+    Panel panel{.x = x_axis(), .y = {.label = label(quantity)}, .height = 4.6, .names_at_ends = true};
     if (is_ratio()) {
       panel.rules = {{.at = 1}};
       panel.y.least = {0.95, 1.05};
@@ -336,7 +336,8 @@ class SweepDrawing {
     const std::size_t d = free_[0];
     Curve band{.label = panel.curves.empty() ? word(options_, "16 to 84 %") : "",
                .x = median.x,
-               .tone = is_one_of_some ? median.tone : Tone::pale};
+               .tone = is_one_of_some ? median.tone : Tone::pale,
+               .of_several = true};
     for (const std::size_t i : ascending(d)) {
       at_[d] = i;
       band.y.push_back(fractile(quantity, 0.16));

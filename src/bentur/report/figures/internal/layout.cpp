@@ -17,37 +17,10 @@
 namespace bentur {
 namespace {
 
-constexpr double label_room = 0.45;    // of an axis' label
-constexpr double edge = 0.3;           // free to the right of a frame
-constexpr double beside_label = 0.1;   // free on both sides of an x axis' label
-constexpr double scale_width = 0.45;   // of a map's colours with the room to its left
-constexpr std::size_t most_lines = 4;  // of a title, or of a label in a legend
-
-/// Whether what follows a space is the unit of the number or of the label before it.
-bool is_before_unit(const std::string& text, std::size_t space) {
-  const auto is = [&](std::size_t at, int (*kind)(int)) {
-    return at < text.size() && kind(static_cast<unsigned char>(text[at])) != 0;
-  };
-  return text.compare(space + 1, 1, "[") == 0 || (is(space - 1, std::isdigit) && is(space + 1, std::isalpha));
-}
-
-/// A text in lines no wider than `width`, divided at spaces; of more than `most` lines, and of words that are too wide,
-/// the end is cut.
-std::vector<std::string> lines_of(const std::string& text, double width, std::size_t most) {
-  std::vector<std::string> lines;
-  std::string rest = text;
-  while (!rest.empty()) {
-    std::size_t end = rest.size();
-    while (lines.size() + 1 < most && end != std::string::npos && end > 0 && text_width(rest.substr(0, end)) > width) {
-      do end = end > 0 ? rest.rfind(' ', end - 1) : std::string::npos;
-      while (end != std::string::npos && is_before_unit(rest, end));
-    }
-    if (end == std::string::npos || end == 0) end = std::min(rest.find(' '), rest.size());
-    lines.push_back(cut_to(rest.substr(0, end), width));
-    rest = end < rest.size() ? rest.substr(end + 1) : "";
-  }
-  return lines;
-}
+constexpr double label_room = 0.45;   // of an axis' label
+constexpr double edge = 0.3;          // free to the right of a frame
+constexpr double beside_label = 0.1;  // free on both sides of an x axis' label
+constexpr double scale_width = 0.45;  // of a map's colours with the room to its left
 
 /// The value below which so large a part of the others lies.
 double percentile(std::vector<double> values, double part) {
@@ -142,70 +115,6 @@ bool is_crowded(const Ticks& ticks, double length) {
   return false;
 }
 
-/// Adds the entries of a panel; what has a label that is there already is the same.
-void add_entries(const Panel& panel, std::vector<LegendEntry>& list) {
-  const auto add = [&](LegendEntry entry) {
-    entry.label = plain_text(entry.label);
-    const bool is_there = std::any_of(list.begin(), list.end(), [&](const LegendEntry& one) {
-      return one.label == entry.label && one.event == entry.event;
-    });
-    if (!entry.label.empty() && !is_there) list.push_back(std::move(entry));
-  };
-  for (const Curve& curve : panel.curves) {
-    if (!curve.in_legend) continue;
-    add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark, curve.width,
-         !curve.top.empty(), false, curve.mark_size});
-  }
-  for (const RuleLine& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
-  if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});
-}
-
-/// Places the entries in rows and columns within a width, x and y measured from the upper left corner; labels that are
-/// too long go on below. @return the height they take.
-double arrange(std::vector<LegendEntry>& list, double width) {
-  if (list.empty()) return 0;
-  const double room = std::max(0.7, width - sample_width - 0.1);
-  double longest = 0;
-  std::vector<LegendEntry> entries;
-  for (LegendEntry& entry : list) {
-    const std::vector<std::string> lines = lines_of(entry.label, room, most_lines);
-    for (const std::string& line : lines) {
-      longest = std::max(longest, text_width(line));
-      entries.push_back({.label = line});
-      if (&line != &lines.front()) continue;
-      entries.back() = entry;
-      entries.back().label = line;
-    }
-  }
-  const bool is_divided = entries.size() > list.size();
-  list = std::move(entries);
-  const double step = sample_width + 0.35 + longest;
-  const auto fitting = std::min(static_cast<std::size_t>(std::max(1.0, (width + 0.25) / step)), list.size());
-  const std::size_t rows = is_divided ? list.size() : (list.size() + fitting - 1) / fitting;
-  const std::size_t columns = (list.size() + rows - 1) / rows;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    list[i].x = static_cast<double>(i % columns) * step;
-    const std::size_t row = i / columns;
-    list[i].y = -(static_cast<double>(row) + 0.5) * line_height;
-  }
-  return static_cast<double>(rows) * line_height;
-}
-
-/// Moves entries to the right, so that they stand about `middle` but end within `width`.
-void centre(std::vector<LegendEntry>& list, double middle, double width) {
-  double end = 0;
-  for (const LegendEntry& entry : list) end = std::max(end, entry.x + sample_width + 0.1 + text_width(entry.label));
-  const double right = std::max(0.0, std::min(middle - end / 2, width - end));
-  for (LegendEntry& entry : list) entry.x += right;
-}
-
-void shift(std::vector<LegendEntry>& list, double right, double up) {
-  for (LegendEntry& entry : list) {
-    entry.x += right;
-    entry.y += up;
-  }
-}
-
 /// Makes the scale of a panel's axes one: the longer way fills its frame, the other way it stands in the middle.
 void fit(PlacedPanel& placed) {
   const double width = placed.right - placed.left, height = placed.top - placed.bottom;
@@ -239,6 +148,9 @@ class Arrangement {
 
   Layout make() {
     place_columns();
+    for (PlacedPanel& placed : result_.panels) {
+      placed.names = names_at_ends(*placed.panel, placed.x, placed.y, placed.right - placed.left, placed.panel->height);
+    }
     for (std::size_t row = 0; row < rows_; ++row) place_row(row);
     for (PlacedPanel& placed : result_.panels) {
       if (placed.panel->to_scale) fit(placed);
@@ -269,6 +181,7 @@ class Arrangement {
       const bool has_label = !scaled(panel.y.label, placed.y).empty();
       before = std::max(before, (has_label ? label_room : 0.1) + 0.2 + numbers);
       if (has_label) labelled[cells_[i].column] = std::max(labelled[cells_[i].column], 0.2 + numbers);
+      right[cells_[i].column] = std::max(right[cells_[i].column], room_of_names(panel));
       if (!panel.map) continue;
       placed.scale = scale_of(*panel.map);
       double widest = 0;
@@ -404,10 +317,10 @@ class Arrangement {
       PlacedPanel& placed = result_.panels[i];
       const Panel& panel = *placed.panel;
       if (!figure_.shared_legend) {
-        add_entries(panel, placed.legend);
+        add_entries(placed, placed.legend);
         legend = std::max(legend, arrange(placed.legend, placed.cell_right - placed.left - 0.1));
       } else if (i == 0) {
-        for (const Panel& each : figure_.panels) add_entries(each, placed.legend);
+        for (const PlacedPanel& each : result_.panels) add_entries(each, placed.legend);
         std::stable_partition(placed.legend.begin(), placed.legend.end(), [](const auto& one) { return !one.event; });
         legend = arrange(placed.legend, figure_.width - placed.left - 0.1);
         centre(placed.legend, (result_.panels[begun.back()].right - placed.left) / 2,

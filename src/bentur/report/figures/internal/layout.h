@@ -4,28 +4,11 @@
 #include <vector>
 
 #include "bentur/report/figures/figure.h"
+#include "bentur/report/figures/internal/curve_names.h"
+#include "bentur/report/figures/internal/legend.h"
 #include "bentur/report/figures/internal/ticks.h"
 
 namespace bentur {
-
-// Room [cm].
-constexpr double line_height = 0.38;
-constexpr double sample_width = 0.7;               ///< of the line in front of a legend's text
-constexpr double sample_height = 7.6 * 2.54 / 96;  ///< of an area there
-constexpr double beside_sample = 0.1;              ///< between it and the text
-constexpr double events_height = 0.09;             ///< of a frame, kept free for marks along its upper edge
-
-/// One line of a legend.
-struct LegendEntry {
-  std::string label;
-  Tone tone = Tone::black;
-  Line line = Line::none;
-  Mark mark = Mark::none;
-  double width = 1;
-  bool area = false, event = false;
-  double mark_size = 1;
-  double x = 0, y = 0;  ///< left end and middle height in the figure, from its lower left corner [cm]
-};
 
 /// Where one panel stands, in cm from the lower left corner of the figure.
 struct PlacedPanel {
@@ -39,6 +22,7 @@ struct PlacedPanel {
   Ticks scale = {};                                   ///< of the colours of a map
   double scale_label_x = 0;
   std::vector<LegendEntry> legend = {};
+  std::vector<CurveName> names = {};  ///< of curves that are not in the legend
 };
 
 struct Layout {

@@ -235,6 +235,47 @@ void name_value(std::vector<Panel>& panels, double x, double y, const std::strin
   found->texts.push_back({x, y, shown, is_early ? PlaceText::Side::right : PlaceText::Side::left});
 }
 
+void name_peaks(const std::vector<Panel*>& panels, const std::vector<Curve>& curves,
+                const std::function<std::string(double)>& text) {
+  constexpr double wide = 0.26, tall = 0.45;  // of a value: a part of the panel, and [cm]
+  for (const Curve& curve : curves) {
+    const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto most = std::max_element(curve.y.begin(), curve.y.end(), size);
+    if (most == curve.y.end() || *most == 0) continue;
+    const double x = curve.x[static_cast<std::size_t>(most - curve.y.begin())], y = *most;
+    const auto shows = [&](const Panel* panel) {
+      const double edge = wide / 2 * (*panel->x.to - *panel->x.from);
+      const auto same = [&](const Curve& one) { return one.label == curve.label; };
+      return x >= *panel->x.from + edge && x <= *panel->x.to - edge &&
+             std::any_of(panel->curves.begin(), panel->curves.end(), same);
+    };
+    const auto found = std::find_if(panels.rbegin(), panels.rend(), shows);
+    if (found == panels.rend()) continue;
+    Panel& panel = **found;
+    const double sign = y > 0 ? 1 : -1, beside = wide / 2 * (*panel.x.to - *panel.x.from);
+    const bool is_free = std::none_of(panel.curves.begin(), panel.curves.end(), [&](const Curve& one) {
+      for (std::size_t i = 0; i < one.x.size(); ++i) {
+        if (std::abs(one.x[i] - x) < beside && sign * one.y[i] > sign * y) return true;
+      }
+      return false;
+    });
+    if (!is_free) continue;
+    panel.texts.push_back({x, y, text(std::abs(y)), y > 0 ? PlaceText::Side::above : PlaceText::Side::below});
+    auto [low, high] = range_of(panel.curves, {*panel.x.from, *panel.x.to});
+    if (panel.y.least) {
+      low = std::min(low, panel.y.least->first);
+      high = std::max(high, panel.y.least->second);
+    }
+    const double part = tall / panel.height;
+    if (y > 0) high = std::max(high, (y - part * low) / (1 - part));
+    if (y < 0) low = std::min(low, (y - part * high) / (1 - part));
+    panel.y.least = {low, high};
+    for (Panel* other : panels) {  // at one scale with those of the same time
+      if (other->x.from == panel.x.from && other->x.to == panel.x.to) other->y.least = panel.y.least;
+    }
+  }
+}
+
 Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& asked, const FigureOptions& options,
                              double factor, const std::string& unit) {
   const auto part = [&](const Eigen::VectorXd& sum, Curve curve) {
@@ -251,7 +292,8 @@ Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& as
                  part(energy.damping,
                       {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
                  part(energy.contact_stored + energy.contact_lost,
-                      {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2})}};
+                      {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2})},
+      .names_at_ends = true};
   const bool yields = energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0;
   if (yields) {
     panel.curves.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,6 +71,11 @@ struct HistoryPanels {
 
 /// Writes a value at its place, in the last panel that shows it, on the side where there is more room.
 void name_value(std::vector<Panel>& panels, double x, double y, const std::string& text);
+
+/// Writes the largest value of each curve above or below it, in the last panel that shows that, with room for it; not
+/// where another curve goes further there. @param text of a value
+void name_peaks(const std::vector<Panel*>& panels, const std::vector<Curve>& curves,
+                const std::function<std::string(double)>& text);
 
 /// Where the energy is, in `unit` after `factor`, within a window.
 [[nodiscard]] Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& asked,

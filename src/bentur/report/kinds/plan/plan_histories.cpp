@@ -151,8 +151,20 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
   const Quantity quantities[] = {{with_unit(word(options, "Displacement x"), length), histories.x, 1, length},
                                  {with_unit(word(options, "Displacement y"), length), histories.y, 1, length},
                                  {word(options, "Rotation θ [mrad]"), histories.rotation, to_mrad, "mrad"}};
-  for (const Quantity& quantity : quantities) {
-    const bool is_first = &quantity == &quantities[0], is_last = &quantity == &quantities[2];
+  const auto moves = [&](const Quantity& quantity) {
+    const auto is_moved = [&](int side) {
+      const auto [b, floor] = side_at(run, point, side);
+      return !quantity.list[b].row(floor).isZero(0);
+    };
+    return is_moved(0) || is_moved(1);
+  };
+  std::vector<const Quantity*> shown;  // nothing to see of what stays where it is
+  for (const Quantity& one : quantities) {
+    if (moves(one) || (&one == &quantities[0] && !moves(quantities[1]) && !moves(quantities[2]))) shown.push_back(&one);
+  }
+  for (const Quantity* const each : shown) {
+    const Quantity& quantity = *each;
+    const bool is_first = each == shown.front(), is_last = each == shown.back();
     std::vector<Curve> curves;
     for (const int side : {0, 1}) {
       const auto [b, floor] = side_at(run, point, side);
@@ -169,6 +181,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
                         ": " + number(std::abs(*most));
     }
     const auto range = range_of(curves, asked);
+    const std::size_t before = figure.panels.size();
     for (const TimeWindow& window : two ? std::vector{asked, near} : std::vector{asked}) {
       const bool is_near = two && window.from == near.from && window.to == near.to;
       Panel panel{.x = {.from = window.from, .to = window.to, .numbers = is_last},
@@ -188,6 +201,10 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
       }
       figure.panels.push_back(std::move(panel));
     }
+    std::vector<Panel*> panels;
+    for (std::size_t i = before; i < figure.panels.size(); ++i) panels.push_back(&figure.panels[i]);
+    name_peaks(panels, curves, [&](double value) { return number(value) + " " + quantity.unit; });
+    for (Panel* panel : panels) panel->y.least = panels.back()->y.least;  // one scale side by side
   }
   return figure;
 }
@@ -362,16 +379,13 @@ Figure friction_figure(const PlanRun& run, const FigureOptions& options) {
   const PlanHistories& histories = run.response.histories;
   const double factor = shown_factor(run, "F");
   const PointSummary& found = run.response.points[point];
-  Curve path{.tone = Tone::black, .mark = Mark::disc, .width = 0.6, .complete = true, .mark_size = 0.5};
+  // Marks alone: between two samples the force goes ways that they do not know.
+  Curve path{.line = Line::none, .mark = Mark::disc, .complete = true, .mark_size = 0.7};
   for (Index k = 0; k < std::ssize(histories.time); ++k) {
     const double across = histories.force(point, k);
-    if (across > 0) {
-      path.x.push_back(factor * across);
-      path.y.push_back(factor * histories.force_along(point, k));
-    } else if (!path.x.empty() && !std::isnan(path.x.back())) {
-      path.x.push_back(NAN);
-      path.y.push_back(NAN);
-    }
+    if (!(across > 0)) continue;
+    path.x.push_back(factor * across);
+    path.y.push_back(factor * histories.force_along(point, k));
   }
   if (path.x.empty()) throw NoFigure("the contact is too short for the samples of these histories");
   const double most = factor * found.peak_force;

@@ -1,0 +1,193 @@
+#include "bentur/report/figures/internal/curve_names.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
+
+namespace bentur {
+namespace {
+
+constexpr double clear = 0.13;     // between an end and its name [cm]
+constexpr double high = 0.32;      // of a name [cm]
+constexpr double widest = 3;       // of a name beside a frame [cm]
+constexpr double half_mark = 0.1;  // [cm]
+
+/// A rectangle in a frame, from its lower left corner [cm].
+struct Box {
+  double left = 0, right = 0, bottom = 0, top = 0;
+
+  [[nodiscard]] bool meets(const Box& other) const {
+    return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
+  }
+  /// Whether a straight line between two places passes through it (by parameters of where it enters and leaves).
+  [[nodiscard]] bool meets(double x0, double y0, double x1, double y1) const {
+    double enter = 0, leave = 1;
+    const auto cut = [&](double from, double to, double low, double up) {
+      if (from == to) {
+        if (from <= low || from >= up) leave = -1;
+        return;
+      }
+      const double a = (low - from) / (to - from), b = (up - from) / (to - from);
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    };
+    cut(x0, x1, left, right);
+    cut(y0, y1, bottom, top);
+    return enter < leave;
+  }
+};
+
+bool has_name(const Curve& curve) {
+  return !curve.label.empty() && curve.in_legend && !curve.of_several && curve.top.empty() && curve.line != Line::none;
+}
+
+/// The last point of a curve that is one.
+std::optional<std::pair<double, double>> end_of(const Curve& curve) {
+  for (std::size_t i = curve.x.size(); i-- > 0;) {
+    if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) return std::pair{curve.x[i], curve.y[i]};
+  }
+  return std::nullopt;
+}
+
+bool ends_at_edge(const Panel& panel, const Curve& curve) {
+  const auto end = end_of(curve);
+  if (!end || !panel.x.to) return false;
+  constexpr double near = 0.01;  // of the axis
+  return end->first >= *panel.x.to - near * (*panel.x.to - panel.x.from.value_or(0));
+}
+
+/// Of names beside a frame: from the highest down, no two on one another and none beyond the frame.
+void spread(std::vector<CurveName*>& names, const Ticks& y, double height) {
+  std::sort(names.begin(), names.end(), [](const CurveName* a, const CurveName* b) { return a->y > b->y; });
+  std::vector<double> at;
+  for (const CurveName* name : names) {
+    const double own = along(y, name->y) * height;
+    at.push_back(std::min({own, at.empty() ? own : at.back() - high, height - high / 2}));
+  }
+  double lowest = high / 2;
+  for (std::size_t i = names.size(); i-- > 0; lowest += high) {
+    at[i] = std::max(at[i], lowest);
+    lowest = at[i];
+    names[i]->up = at[i] - along(y, names[i]->y) * height;
+  }
+}
+
+/// A panel whose frame is known, and what lies in it.
+class Frame {
+ public:
+  Frame(const Panel& panel, const Ticks& x, const Ticks& y, double width, double height)
+      : panel_(panel), x_(x), y_(y), width_(width), height_(height) {}
+
+  /// The name of a curve within the frame; nothing where it has no room.
+  std::optional<CurveName> name(std::size_t c) {
+    const Curve& curve = panel_.curves[c];
+    const auto end = end_of(curve);
+    if (!end) return std::nullopt;
+    CurveName name{.curve = c, .label = plain_text(curve.label), .x = end->first, .y = end->second};
+    const double half = text_width(name.label) / 2;
+    const double at = across(name.x), up = upwards(name.y);
+    using Side = PlaceText::Side;
+    const std::pair<Side, Box> places[] = {
+        {Side::above, {at - half, at + half, up + clear, up + clear + high}},
+        {Side::right, {at + clear, at + clear + 2 * half, up - high / 2, up + high / 2}},
+        {Side::left, {at - clear - 2 * half, at - clear, up - high / 2, up + high / 2}},
+        {Side::below, {at - half, at + half, up - clear - high, up - clear}}};
+    for (const bool on_rules : {false, true}) {  // a thin line behind a name, where there is no other place
+      for (const auto& [side, box] : places) {
+        if (!is_free(box) || (!on_rules && is_on_rule(box))) continue;
+        name.side = side;
+        taken_.push_back(box);
+        return name;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] double across(double value) const { return along(x_, value) * width_; }
+  [[nodiscard]] double upwards(double value) const { return along(y_, value) * height_; }
+
+  [[nodiscard]] bool is_free(const Box& box) const {
+    constexpr double events = 0.09;  // of the frame, for marks along its upper edge
+    const double top = panel_.events.x.empty() ? height_ : (1 - events) * height_;
+    if (box.left < 0 || box.right > width_ || box.bottom < 0 || box.top > top) return false;
+    if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.meets(other); })) return false;
+    return std::none_of(panel_.curves.begin(), panel_.curves.end(),
+                        [&](const Curve& curve) { return lies_on(box, curve); });
+  }
+
+  [[nodiscard]] bool is_on_rule(const Box& box) const {
+    return std::any_of(panel_.rules.begin(), panel_.rules.end(), [&](const RuleLine& rule) {
+      const double at = rule.vertical ? across(rule.at) : upwards(rule.at);
+      return rule.vertical ? at > box.left && at < box.right : at > box.bottom && at < box.top;
+    });
+  }
+
+  [[nodiscard]] bool lies_on(const Box& box, const Curve& curve) const {
+    const Box around{box.left - half_mark, box.right + half_mark, box.bottom - half_mark, box.top + half_mark};
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      const double x1 = across(curve.x[i]), y1 = upwards(curve.y[i]);
+      if (curve.mark != Mark::none && around.meets({x1, x1, y1, y1})) return true;
+      if (i == 0) continue;
+      if (box.meets(across(curve.x[i - 1]), upwards(curve.y[i - 1]), x1, y1)) return true;
+    }
+    return false;
+  }
+
+  const Panel& panel_;
+  const Ticks &x_, &y_;
+  double width_, height_;
+  std::vector<Box> taken_;
+};
+
+/// Whether all names that end at the edge of a frame have room beside it, one below the other.
+bool has_room_beside(const Panel& panel, double height) {
+  double needed = 0;
+  for (const Curve& curve : panel.curves) {
+    if (!has_name(curve) || !ends_at_edge(panel, curve)) continue;
+    needed += high;
+    if (text_width(plain_text(curve.label)) > widest) return false;
+  }
+  return needed <= height;
+}
+
+}  // namespace
+
+double room_of_names(const Panel& panel) {
+  double room = 0;
+  if (!panel.names_at_ends || !has_room_beside(panel, panel.height)) return room;
+  for (const Curve& curve : panel.curves) {
+    if (!has_name(curve) || !ends_at_edge(panel, curve)) continue;
+    room = std::max(room, clear + text_width(plain_text(curve.label)) + clear);
+  }
+  return room;
+}
+
+std::vector<CurveName> names_at_ends(const Panel& panel, const Ticks& x, const Ticks& y, double width, double height) {
+  std::vector<CurveName> names;
+  if (!panel.names_at_ends) return names;
+  const bool beside = has_room_beside(panel, panel.height);
+  Frame frame(panel, x, y, width, height);
+  for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+    const Curve& curve = panel.curves[c];
+    if (!has_name(curve)) continue;
+    if (!ends_at_edge(panel, curve)) {
+      if (auto name = frame.name(c)) names.push_back(*std::move(name));
+    } else if (beside) {
+      const auto end = *end_of(curve);
+      names.push_back({.curve = c, .label = plain_text(curve.label), .x = *panel.x.to, .y = end.second});
+    }
+  }
+  std::vector<CurveName*> at_edge;
+  for (CurveName& name : names) {
+    if (ends_at_edge(panel, panel.curves[name.curve])) at_edge.push_back(&name);
+  }
+  spread(at_edge, y, height);
+  return names;
+}
+
+}  // namespace bentur
