@@ -45,8 +45,14 @@ inline PlanPlane plane_of(const Stick& stick, double at, bool along_x, double fa
 /// The planes of a frame whose floors alone have mass: two of half of it along x, and stiffer springs along y. Empty:
 /// it has more in it.
 inline std::vector<PlanPlane> planes_of(PlaneFrame frame) {
-  if (frame.mass_matrix != MassMatrix::lumped || !frame.infills.empty() || !frame.nodes.empty()) return {};
+  if (frame.mass_matrix != MassMatrix::lumped || !frame.nodes.empty()) return {};
   frame.elastic_modulus *= 0.5;
+  for (std::optional<Infill>& infill : frame.infills) {
+    if (!infill) continue;
+    infill->thickness *= 0.5;  // of masonry both stiffness and strength go with it
+    infill->stiffness *= 0.5;
+    infill->backbone.yield *= 0.5;
+  }
   for (auto* const members : {&frame.columns, &frame.beams}) {
     for (Section& section : *members) {
       section.moment_capacity = times(section.moment_capacity, 0.5);

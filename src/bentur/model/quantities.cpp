@@ -308,6 +308,14 @@ std::deque<Quantity>& list() {
       {"strength_left_no_contact", plane, "1", "V_c/V_c⁰", "largest force that the plane can still reach at the end over that at first, with contact switched off", {}, when(When::loses_strength, plan_yielding(&BuildingPeaks::Yielding::strength_left, &PlanResponse::buildings_no_contact)), {}, "%", 100},
       {"residual_drift_ratio_no_contact", plane, "1", "Δ_r⁰/h", "drift of the plane left after unloading at the end over storey height, with contact switched off", {}, when(When::yields_or_turns, plan_yielding(&BuildingPeaks::Yielding::residual_drift_ratio, &PlanResponse::buildings_no_contact)), {}, "%", 100, {}, false, true},
       {"hysteretic_energy_no_contact", plane, "F L", "E_h⁰", "energy that the storey of the plane has dissipated by yielding, with contact switched off", {}, when(When::yields, plan_yielding(&BuildingPeaks::Yielding::hysteretic_energy, &PlanResponse::buildings_no_contact))},
+      // Of frames with infill.
+      {"infill_force", plane, "F", "max N", "largest force of a strut of the infill", {"Strut of the infill", "Strut dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::force)},
+      {"infill_shear", plane, "F", "max N cos θ", "largest horizontal force of a strut of the infill, with which it pushes on a column", {"On the column", "Pada kolom"}, plan_infill(&BuildingPeaks::Infill::shear)},
+      {"infill_ductility", plane, "1", "max |Δ|/Δ_y", "largest storey drift over that at which the infill yields", {"Ductility of the infill", "Daktilitas dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::ductility), {}, {}, 1, 3},
+      {"infill_strength_left", plane, "1", "N_c/N_c⁰", "largest force that a strut of the infill can still reach at the end over that at first, of the weakest", {"Infill left", "Sisa dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::strength_left), {}, "%", 100},
+      {"infill_energy", plane, "F L", "E_i", "energy that the infill has dissipated", {"Energy of the infill", "Energi dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::energy)},
+      {"infill_failed_time", plane, "s", "t_u", "when a panel of the infill first failed", {"Infill fails at", "Dinding pengisi gagal saat"}, plan_infill(&BuildingPeaks::Infill::failed_time)},
+      {"infill_column_demand", plane, "1", "max |Q + N cos θ|/V", "largest shear of a column beside a strut, with what the strut pushes across it, over its capacity", {"Of the column's capacity", "Dari kapasitas kolom"}, plan_infill(&BuildingPeaks::Infill::column_demand)},
       // Buildings.
       {"base_shear_coefficient_x", building, "1", "V_x,1/W", "largest shear along x of the lowest storey over the weight", {}, when(When::moves, plan_base_shear(&PlanPeaks::shear_x))},
       {"base_shear_coefficient_y", building, "1", "V_y,1/W", "largest shear along y of the lowest storey over the weight", {}, when(When::moves, plan_base_shear(&PlanPeaks::shear_y))},

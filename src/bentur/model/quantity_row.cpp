@@ -40,6 +40,12 @@ bool loses_strength(const PlanBuilding& building) {
   });
 }
 
+bool has_infill(const PlanBuilding& building, bool on_columns) {
+  return std::any_of(building.model.planes.begin(), building.model.planes.end(), [&](const PlanModel::Plane& plane) {
+    return on_columns ? !struts_on_columns(plane.infills, plane.hinges).empty() : !plane.infills.empty();
+  });
+}
+
 bool bearings_yield(const PlanBuilding& building) {
   return std::any_of(building.model.bearings.begin(), building.model.bearings.end(),
                      [](const PlanModel::Bearing& bearing) { return bearing.law != nullptr; });
@@ -143,7 +149,7 @@ bool holds(When when, const Building& building) {
     case When::infill:
       return !model.infills.empty();
     case When::infill_columns:
-      return !struts_on_columns(model).empty();
+      return !struts_on_columns(model.infills, model.hinges).empty();
     case When::soil:
       return model.foundation.has_value();
     case When::hinges:
@@ -176,6 +182,9 @@ bool holds(When when, const PlanBuilding& building) {
       return has_hinges(building);
     case When::weakening_hinges:
       return hinges_weaken(building);
+    case When::infill:
+    case When::infill_columns:
+      return has_infill(building, when == When::infill_columns);
     case When::bearings_yield:
       return bearings_yield(building);
     default:
@@ -218,7 +227,8 @@ bool same_places(const Problem& a, const Problem& b) {
            x.model.hinges.places.size() == y.model.hinges.places.size() &&
            x.model.hinges.columns.size() == y.model.hinges.columns.size() &&
            x.model.infills.empty() == y.model.infills.empty() &&
-           struts_on_columns(x.model).empty() == struts_on_columns(y.model).empty();
+           struts_on_columns(x.model.infills, x.model.hinges).empty() ==
+               struts_on_columns(y.model.infills, y.model.hinges).empty();
   };
   const auto left = [&](const ContactPoint& x, const ContactPoint& y) {
     return x.left == y.left && struck_column(a, x).has_value() == struck_column(b, y).has_value();

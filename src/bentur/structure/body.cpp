@@ -67,7 +67,7 @@ Body body_of(const Building& building) {
   // What a strut adds to the shear that a column beside it bears.
   const MatrixXd breaking_rows = hinges.rows.bottomRows(breaking);
   const MatrixXd of_breaking = of_hinges(hinges.stiffness.bottomRows(breaking), forces);
-  const std::vector<StrutOnColumn> pushes = struts_on_columns(model);
+  const std::vector<StrutOnColumn> pushes = struts_on_columns(model.infills, hinges);
   MatrixXd on_columns = MatrixXd::Zero(std::ssize(pushes), model.dofs());
   MatrixXd of_pushes = MatrixXd::Zero(std::ssize(pushes), forces);
   Eigen::VectorXd before_pushes = Eigen::VectorXd::Zero(std::ssize(pushes));

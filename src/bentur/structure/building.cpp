@@ -70,14 +70,19 @@ std::vector<BuildingElement> storey_elements(const StructuralModel& model,
   return elements;
 }
 
+std::optional<BuildingElement> infill_element(const InfillPanel& panel, Eigen::VectorXd drift, Eigen::Index storey,
+                                              Eigen::Index number) {
+  if (std::isinf(panel.backbone.yield)) return std::nullopt;
+  return BuildingElement{std::move(drift), std::make_shared<StrutPair>(panel.stiffness, panel.backbone), storey,
+                         number};
+}
+
 void add_infill(const StructuralModel& model, std::vector<BuildingElement>& elements) {
   const Eigen::MatrixXd drifts = drift_rows(model);
   for (std::size_t n = 0; n < model.infills.size(); ++n) {
-    const InfillPanel& panel = model.infills[n];
-    if (std::isinf(panel.backbone.yield)) continue;
-    const Eigen::Index storey = model.first_storey() + panel.storey;
-    elements.push_back({drifts.row(storey), std::make_shared<StrutPair>(panel.stiffness, panel.backbone), storey,
-                        static_cast<Eigen::Index>(n)});
+    const Eigen::Index storey = model.first_storey() + model.infills[n].storey;
+    auto element = infill_element(model.infills[n], drifts.row(storey), storey, static_cast<Eigen::Index>(n));
+    if (element) elements.push_back(*std::move(element));
   }
 }
 

@@ -215,6 +215,10 @@ struct Building {
 /// @throws InvalidParameter when they are neither.
 [[nodiscard]] std::vector<BuildingElement> storey_elements(
     const StructuralModel& model, const std::vector<std::shared_ptr<const HystereticLaw>>& laws);
+/// A panel of infill, the one with number `number` of a building, by the drift of its storey [length] over the dofs.
+/// Nothing where it stays elastic.
+[[nodiscard]] std::optional<BuildingElement> infill_element(const InfillPanel& panel, Eigen::VectorXd drift,
+                                                            Eigen::Index storey, Eigen::Index number);
 /// Adds the panels of infill that can yield, of the drifts of their storeys.
 void add_infill(const StructuralModel& model, std::vector<BuildingElement>& elements);
 /// The hinges of a model as one law; nothing where it has none.

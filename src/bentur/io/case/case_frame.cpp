@@ -258,8 +258,10 @@ bool have_right_capacities(const std::vector<Section>& sections, std::size_t mos
   });
 }
 
-/// What follows from columns, beams and infill together; what is wrong of a value alone has been said.
-void check_infills(const TableView& view, const PlaneFrame& frame) {
+/// What follows from columns, beams and infill together; what is wrong of a value alone has been said. @return whether
+/// all of it is right
+bool check_infills(const TableView& view, const PlaneFrame& frame) {
+  bool right = true;
   const std::vector<TomlView> given = view.get("infill")->items();
   for (std::size_t j = 0; j < frame.infills.size(); ++j) {
     PlaneFrame one = frame;
@@ -273,9 +275,11 @@ void check_infills(const TableView& view, const PlaneFrame& frame) {
       const bool of_ultimate = error.parameter().ends_with(".ultimate");
       if (of_ultimate) entry.find("ultimate_drift")->error(error.rule());
       if (error.parameter() == indexed("infills", j)) entry.error(error.rule());
-      if (given.size() == 1) return;
+      if (given.size() == 1) return false;
+      right = false;
     }
   }
+  return right;
 }
 
 /// What makes a frame's stiffness; its heights are known.
@@ -320,10 +324,12 @@ bool read_frame_of_plane(const TableView& view, const std::vector<double>& store
   PlaneFrame frame;
   frame.storey_heights = storey_heights;
   read_members(view, 1, frame);
+  frame.infills = read_infills(view, storey_heights.size());
   if (!has_right_members(frame) || !have_right_capacities(frame.columns, frame.bay_widths.size() + 1) ||
       !have_right_capacities(frame.beams, 2)) {
     return false;
   }
+  if (!frame.infills.empty() && !check_infills(view, frame)) return false;
   try {
     stand_frame(frame, plane);
   } catch (const InvalidParameter& error) {
@@ -352,7 +358,7 @@ void read_frame(const TomlView& given, double gravity, ReadBuilding& building) {
   frame.floor_masses = read_floor_masses(view, gravity, storeys, length);
 
   frame.infills = read_infills(view, storeys);
-  if (!frame.infills.empty() && has_right_members(frame)) check_infills(view, frame);
+  if (!frame.infills.empty() && has_right_members(frame)) static_cast<void>(check_infills(view, frame));
 
   const auto mass_matrix = view.word("mass_matrix");
   if (mass_matrix == "lumped") frame.mass_matrix = MassMatrix::lumped;

@@ -223,12 +223,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     for (auto* list : {&histories_.infill_force, &histories_.infill_shortening}) fit(*list, problem_.buildings.size());
     if (!file_.has("infill_panel_storey" + number, !problem_.buildings[b].model.infills.empty())) return;
     const ResultDimension panels = infill_places(problem_.buildings[b].model.infills, number, owner);
-    if (time_.size == 0) return;
-    const std::string signs = ", < 0 where the storey drifts to the left, of the panels of infill of " + owner;
-    pass({"infill_panel_force" + number, {time_, panels}, force_, "force of the strut at work" + signs},
-         histories_.infill_force[b]);
-    pass({"infill_panel_shortening" + number, {time_, panels}, length_, "shortening of its diagonal" + signs},
-         histories_.infill_shortening[b]);
+    this->infill_histories(panels, time_, force_, length_, number, owner, histories_.infill_force[b],
+                           histories_.infill_shortening[b]);
   }
 
   /// None of a building that moves with the ground.

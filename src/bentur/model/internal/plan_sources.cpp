@@ -109,6 +109,15 @@ QuantitySource plan_yielding(VectorXd BuildingPeaks::Yielding::*list, PlanBuildi
       of, [list](auto& peaks, const QuantityPlace& at) -> auto& { return peaks.planes[at.plane].yielding.*list; });
 }
 
+QuantitySource plan_infill(VectorXd BuildingPeaks::Infill::*list) {
+  QuantitySource source = of_list(
+      &PlanResponse::buildings, [list](auto& peaks, const QuantityPlace& at) -> auto& {
+        return peaks.planes[at.plane].frame.infill.*list;
+      });
+  source.when = list == &BuildingPeaks::Infill::column_demand ? When::infill_columns : When::infill;
+  return source;
+}
+
 QuantitySource plan_foundation(Index i) {
   return in_plan(
       [i](const PlanRun& run, const QuantityPlace& at) { return entry(run.response.buildings[at.item].foundation, i); },

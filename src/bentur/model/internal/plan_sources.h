@@ -25,6 +25,8 @@ using PlanList = Eigen::VectorXd PlanPeaks::*;
 [[nodiscard]] QuantitySource edge_drift();
 /// Over the storeys of a plane.
 [[nodiscard]] QuantitySource of_plane(Eigen::VectorXd PlanPeaks::Plane::*list);
+/// Of the infill of a frame.
+[[nodiscard]] QuantitySource plan_infill(Eigen::VectorXd BuildingPeaks::Infill::*list);
 [[nodiscard]] QuantitySource plan_yielding(Eigen::VectorXd BuildingPeaks::Yielding::*list,
                                            PlanBuildings of = &PlanResponse::buildings);
 /// Of the foundation of a building, in the order of PlanPeaks::foundation.

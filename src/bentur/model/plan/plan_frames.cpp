@@ -11,7 +11,7 @@ std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem) {
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
     const std::vector<PlanModel::Plane>& planes = problem.buildings[b].model.planes;
     for (Index p = 0; p < std::ssize(planes); ++p) {
-      if (planes[p].hinges.size() > 0) places.push_back({b, p});
+      if (planes[p].hinges.size() > 0 || !planes[p].infills.empty()) places.push_back({b, p});
     }
   }
   return places;
@@ -45,6 +45,7 @@ RunResults frames_of(const PlanRun& run) {
     building.model.floor_masses = model.floor_masses;
     building.model.slab = model.slab;
     building.model.hinges = plane.hinges;
+    building.model.infills = plane.infills;
     building.modes.omega = run.problem.buildings[b].modes.omega;
     building.bays = plane.bays;
     const PlanPeaks& of = run.response.buildings[b];

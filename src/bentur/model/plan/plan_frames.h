@@ -7,14 +7,14 @@
 
 namespace bentur {
 
-/// A frame of a building in plan that has hinges, or columns that can break.
+/// A frame of a building in plan that has hinges, columns that can break, or infill.
 struct PlanFramePlace {
   Eigen::Index building = 0, plane = 0;
 };
 [[nodiscard]] std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem);
 
 /// Each of these as a building of a row that is called "building, plane": what its hinges did, its columns that can
-/// break, their histories, and nothing else. The response may be one without histories.
+/// break, its infill, histories of its hinges, and nothing else. The response may be one without histories.
 [[nodiscard]] RunResults frames_of(const PlanRun& run);
 
 }  // namespace bentur

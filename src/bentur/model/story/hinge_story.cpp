@@ -245,6 +245,7 @@ void tell_hinges(const PlanRun& run, Story& told) {
   const RunResults frames = frames_of(run);
   Story of_frames;
   tell_breaking(frames, of_frames);
+  tell_infill(frames, of_frames.statements);
   tell_hinges(frames, of_frames);
   for (Statement& statement : of_frames.statements) {
     for (Index& frame : statement.buildings) frame = places[frame].building;

@@ -291,7 +291,7 @@ Story story_of(const AnyRun& run) {
   if constexpr (!is_in_plan<AnyRun>) tell_columns(run, told.statements);
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
-  if constexpr (!is_in_plan<AnyRun>) {  // in plan with the frames' hinges
+  if constexpr (!is_in_plan<AnyRun>) {  // in plan with the hinges of frames
     tell_breaking(run, told);
     tell_infill(run, told.statements);
   }

@@ -49,48 +49,6 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
   return yielding;
 }
 
-/// What infill did, of a building whose drifts are known; `across`: max |F| of each panel, `on_columns`: max |Q + F| of
-/// struts_on_columns().
-BuildingPeaks::Infill infill_of(const Building& building, const std::vector<ElementFound>& members,
-                                const Eigen::VectorXd& across, const Eigen::VectorXd& on_columns,
-                                const Eigen::VectorXd& drift_ratios) {
-  BuildingPeaks::Infill infill;
-  const StructuralModel& model = building.model;
-  if (model.infills.empty()) return infill;
-  constexpr double open = std::numeric_limits<double>::quiet_NaN();
-  for (auto* list :
-       {&infill.force, &infill.shear, &infill.ductility, &infill.strength_left, &infill.energy, &infill.failed_time}) {
-    list->setConstant(model.floors(), open);
-  }
-  for (std::size_t n = 0; n < model.infills.size(); ++n) {
-    const InfillPanel& panel = model.infills[n];
-    const Eigen::Index f = model.first_storey() + panel.storey;
-    infill.force(f) = std::fmax(infill.force(f), across(static_cast<Eigen::Index>(n)) / panel.cosine);
-    infill.shear(f) = std::fmax(infill.shear(f), across(static_cast<Eigen::Index>(n)));
-    if (std::isfinite(panel.backbone.yield)) {
-      const double drift = drift_ratios(f) * model.storey_heights[f];
-      infill.ductility(f) = std::fmax(infill.ductility(f), drift * panel.stiffness / panel.backbone.yield);
-    }
-    infill.strength_left(f) = std::fmin(infill.strength_left(f), 1.0);
-    infill.energy(f) = std::fmax(infill.energy(f), 0.0);
-  }
-  const std::vector<StrutOnColumn> pushes = struts_on_columns(model);
-  if (!pushes.empty()) infill.column_demand.setConstant(model.floors(), open);
-  for (std::size_t n = 0; n < pushes.size(); ++n) {
-    double& most = infill.column_demand(model.first_storey() + model.infills[pushes[n].panel].storey);
-    most = std::fmax(most, on_columns(static_cast<Eigen::Index>(n)) / model.hinges.columns[pushes[n].column].capacity);
-  }
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (!building.elements[i].infill) continue;
-    const Eigen::Index f = building.elements[i].storey;
-    infill.energy(f) += members[i].energy_lost;
-    if (!members[i].loss) continue;
-    infill.strength_left(f) = std::fmin(infill.strength_left(f), members[i].loss->left);
-    if (members[i].loss->failed) infill.failed_time(f) = std::fmin(infill.failed_time(f), *members[i].loss->failed);
-  }
-  return infill;
-}
-
 constexpr double still = 1e-6;  // of the largest part of a shape that does not bend: a storey that has none in it
 
 /// Drifts of the storeys of a frame when nothing acts on it, with what hinges have turned; what has broken and keeps
@@ -127,6 +85,20 @@ Eigen::VectorXd unloaded_drifts(const Hinges& hinges, const HingeLaw& law, const
   return drifts;
 }
 
+InfilledFrame infilled_frame(const Building& building) {
+  const StructuralModel& model = building.model;
+  return {model.infills, model.hinges, model.first_storey(), model.storey_heights};
+}
+
+/// Of each panel of infill what its element did; null: it stays elastic.
+std::vector<const ElementFound*> panels_of(const Building& building, const std::vector<ElementFound>& members) {
+  std::vector<const ElementFound*> panels(building.model.infills.size(), nullptr);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (building.elements[i].infill) panels[*building.elements[i].infill] = &members[i];
+  }
+  return panels;
+}
+
 BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& solution) {
   const auto peak = [&](OutputKind kind) -> const Eigen::VectorXd& { return of_kind(solution, b, kind).peak; };
   BuildingPeaks peaks;
@@ -138,8 +110,8 @@ BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& 
   peaks.foundation = peak(OutputKind::foundation);
   take_hinge_peaks(building.model.hinges, peak(OutputKind::hinge_moment), peak(OutputKind::hinge_rotation),
                    peak(OutputKind::breaking_shear), peaks);
-  peaks.infill = infill_of(building, solution.members[b], peak(OutputKind::infill_force), peak(OutputKind::infill_push),
-                           peaks.drift_ratio);
+  peaks.infill = infill_of(infilled_frame(building), panels_of(building, solution.members[b]),
+                           peak(OutputKind::infill_force), peak(OutputKind::infill_push), peaks.drift_ratio);
   if (building.storeys_yield()) peaks.yielding = yielding_of(building, solution.members[b], peaks);
   return peaks;
 }
@@ -214,17 +186,11 @@ void take_lists(const Problem& problem, Solution& solution, Eigen::MatrixXd Outp
       list.push_back(std::move(of_kind(solution, b, kind).*of));
     };
     if (of == &OutputsFound::history) {
-      const std::vector<InfillPanel>& panels = problem.buildings[b].model.infills;
-      Eigen::MatrixXd& force =
-          to.infill_force.emplace_back(std::move(of_kind(solution, b, OutputKind::infill_force).*of));
-      Eigen::MatrixXd& shortening = to.infill_shortening.emplace_back(force.rows(), force.cols());
-      const StructuralModel& model = problem.buildings[b].model;
-      for (std::size_t n = 0; n < panels.size() && force.size() > 0; ++n) {
-        const auto row = static_cast<Eigen::Index>(n), f = model.first_storey() + panels[n].storey;
-        force.row(row) /= panels[n].cosine;
-        shortening.row(row) =
-            panels[n].cosine * model.storey_heights[f] * (of_kind(solution, b, OutputKind::drift_ratio).*of).row(f);
-      }
+      auto [force, shortening] = infill_histories(infilled_frame(problem.buildings[b]),
+                                                  std::move(of_kind(solution, b, OutputKind::infill_force).*of),
+                                                  of_kind(solution, b, OutputKind::drift_ratio).*of);
+      to.infill_force.push_back(std::move(force));
+      to.infill_shortening.push_back(std::move(shortening));
     }
     take(OutputKind::displacement, to.displacement);
     take(OutputKind::drift_ratio, to.drift_ratio);
@@ -386,6 +352,60 @@ std::vector<LinkSummary> links_of(const Solution& solution) {
         {joint.peak_force, joint.peak_tension, joint.closing.reach, joint.opening.reach, joint.energy_lost});
   }
   return links;
+}
+
+BuildingPeaks::Infill infill_of(const InfilledFrame& frame, const std::vector<const ElementFound*>& panels,
+                                const Eigen::VectorXd& across, const Eigen::VectorXd& on_columns,
+                                const Eigen::VectorXd& drift_ratios) {
+  BuildingPeaks::Infill infill;
+  if (frame.panels.empty()) return infill;
+  constexpr double open = std::numeric_limits<double>::quiet_NaN();
+  const auto floors = static_cast<Eigen::Index>(frame.storey_heights.size());
+  for (auto* list :
+       {&infill.force, &infill.shear, &infill.ductility, &infill.strength_left, &infill.energy, &infill.failed_time}) {
+    list->setConstant(floors, open);
+  }
+  for (std::size_t n = 0; n < frame.panels.size(); ++n) {
+    const InfillPanel& panel = frame.panels[n];
+    const Eigen::Index f = frame.first_storey + panel.storey;
+    infill.force(f) = std::fmax(infill.force(f), across(static_cast<Eigen::Index>(n)) / panel.cosine);
+    infill.shear(f) = std::fmax(infill.shear(f), across(static_cast<Eigen::Index>(n)));
+    if (std::isfinite(panel.backbone.yield)) {
+      const double drift = drift_ratios(f) * frame.storey_heights[f];
+      infill.ductility(f) = std::fmax(infill.ductility(f), drift * panel.stiffness / panel.backbone.yield);
+    }
+    infill.strength_left(f) = std::fmin(infill.strength_left(f), 1.0);
+    infill.energy(f) = std::fmax(infill.energy(f), 0.0);
+  }
+  const std::vector<StrutOnColumn> pushes = struts_on_columns(frame.panels, frame.hinges);
+  if (!pushes.empty()) infill.column_demand.setConstant(floors, open);
+  for (std::size_t n = 0; n < pushes.size(); ++n) {
+    double& most = infill.column_demand(frame.first_storey + frame.panels[pushes[n].panel].storey);
+    most = std::fmax(most, on_columns(static_cast<Eigen::Index>(n)) / frame.hinges.columns[pushes[n].column].capacity);
+  }
+  for (std::size_t n = 0; n < panels.size(); ++n) {
+    if (panels[n] == nullptr) continue;
+    const Eigen::Index f = frame.first_storey + frame.panels[n].storey;
+    infill.energy(f) += panels[n]->energy_lost;
+    const auto& loss = panels[n]->loss;
+    if (!loss) continue;
+    infill.strength_left(f) = std::fmin(infill.strength_left(f), loss->left);
+    if (loss->failed) infill.failed_time(f) = std::fmin(infill.failed_time(f), *loss->failed);
+  }
+  return infill;
+}
+
+InfillHistories infill_histories(const InfilledFrame& frame, Eigen::MatrixXd across,
+                                 const Eigen::MatrixXd& drift_ratios) {
+  InfillHistories histories{std::move(across), {}};
+  histories.shortening.resize(histories.force.rows(), histories.force.cols());
+  for (std::size_t n = 0; n < frame.panels.size() && histories.force.size() > 0; ++n) {
+    const InfillPanel& panel = frame.panels[n];
+    const auto row = static_cast<Eigen::Index>(n), f = frame.first_storey + panel.storey;
+    histories.force.row(row) /= panel.cosine;
+    histories.shortening.row(row) = panel.cosine * frame.storey_heights[f] * drift_ratios.row(f);
+  }
+  return histories;
 }
 
 void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding) {

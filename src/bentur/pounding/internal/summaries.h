@@ -44,6 +44,28 @@ void take_hinge_peaks(const Hinges& hinges, const Eigen::VectorXd& moments, cons
 void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights, const CoupledLaw& law,
                  const CoupledState& state, BuildingPeaks& peaks);
 
+/// A frame whose bays have infill. @param storey_heights of the building that it is of, a slab's 0 [length]
+struct InfilledFrame {
+  const std::vector<InfillPanel>& panels;
+  const Hinges& hinges;
+  Eigen::Index first_storey = 0;
+  const std::vector<double>& storey_heights;
+};
+
+/// What infill did. @param panels what the element of each did; null: it stays elastic @param across max |F| of each
+/// @param on_columns max |Q + F| of struts_on_columns() [force] @param drift_ratios of the storeys [-]
+[[nodiscard]] BuildingPeaks::Infill infill_of(const InfilledFrame& frame,
+                                              const std::vector<const ElementFound*>& panels,
+                                              const Eigen::VectorXd& across, const Eigen::VectorXd& on_columns,
+                                              const Eigen::VectorXd& drift_ratios);
+
+/// Samples of the struts at work, as Histories has them, panels × samples, of those of F and of drift ratios.
+struct InfillHistories {
+  Eigen::MatrixXd force, shortening;
+};
+[[nodiscard]] InfillHistories infill_histories(const InfilledFrame& frame, Eigen::MatrixXd across,
+                                               const Eigen::MatrixXd& drift_ratios);
+
 /// What links did, the joints of a system.
 [[nodiscard]] std::vector<LinkSummary> links_of(const Solution& solution);
 

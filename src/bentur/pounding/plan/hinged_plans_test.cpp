@@ -340,7 +340,7 @@ TEST(HingedPlans, RefuseWhatAPlaneCannotHave) {
   frame.nodes = {{.left = true, .elevation = 1.5}};
   EXPECT_THROW(stand_frame(frame, plane), InvalidParameter);
   frame.nodes.clear();
-  frame.infills = {Infill{.stiffness = 1e3}};
+  frame.infills = {Infill{.stiffness = -1e3}};
   EXPECT_THROW(stand_frame(frame, plane), InvalidParameter);
   frame.infills.clear();
   frame.beams[0].line_load = 100;  // its beams yield by that alone

@@ -12,6 +12,7 @@
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/summaries.h"
 #include "bentur/pounding/plan/plan_meetings.h"
+#include "bentur/structure/frame/infill.h"
 #include "bentur/structure/plan/plan_body.h"
 
 namespace bentur {
@@ -94,6 +95,24 @@ void take_frames(const PlanBuilding& building, const VectorXd& moments, const Ve
   }
 }
 
+/// What the infill of a plane did, whose elements begin at `member`, its panels and the columns beside them at `panel`
+/// and `push` of the outputs: all are moved on past them.
+BuildingPeaks::Infill infill_of(const PlanModel& model, const PlanModel::Plane& plane, const VectorXd& drift_ratio,
+                                const VectorXd& across, const VectorXd& pushes,
+                                const std::vector<ElementFound>& members, std::size_t& member, Index& panel,
+                                Index& push) {
+  const InfilledFrame frame{plane.infills, plane.hinges, model.first_storey(), model.storey_heights};
+  std::vector<const ElementFound*> found;
+  for (const InfillPanel& one : plane.infills) {
+    found.push_back(std::isfinite(one.backbone.yield) ? &members[member++] : nullptr);
+  }
+  const Index panels = std::ssize(plane.infills), beside = std::ssize(struts_on_columns(plane.infills, plane.hinges));
+  auto infill = infill_of(frame, found, across.segment(panel, panels), pushes.segment(push, beside), drift_ratio);
+  panel += panels;
+  push += beside;
+  return infill;
+}
+
 PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>& outputs,
                    const std::vector<ElementFound>& members, const std::vector<CoupledState>& states,
                    std::size_t& state) {
@@ -118,11 +137,15 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
   peaks.torque = forces.row(2);
   peaks.foundation = peak(PlanOutput::foundation);
   std::size_t member = 0;
+  Index panel = 0, push = 0;
   for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
     PlanPeaks::Plane& plane = peaks.planes.emplace_back();
     plane.drift_ratio = part(PlanOutput::plane_drift, p);
     plane.shear = part(PlanOutput::plane_shear, p);
     plane.yielding = yielding_of(building.model, building.model.planes[p], plane.drift_ratio, members, member);
+    plane.frame.infill =
+        infill_of(building.model, building.model.planes[p], plane.drift_ratio, peak(PlanOutput::infill_force),
+                  peak(PlanOutput::infill_push), members, member, panel, push);
     if (building.model.slab) {  // no plane is below it
       plane.drift_ratio(*building.model.slab) = plane.shear(*building.model.slab) = nothing;
       if (plane.yielding.residual_drift_ratio.size() > 0) {
@@ -225,6 +248,24 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
     const MatrixXd none(0, std::ssize(histories.time));
     histories.hinge_moment.push_back(moves ? history(PlanOutput::hinge_moment) : none);
     histories.hinge_rotation.push_back(moves ? history(PlanOutput::hinge_rotation) : none);
+    const PlanModel& model = problem.buildings[b].model;
+    MatrixXd force = none, shortening = none;
+    Index panel = 0, plane = 0;
+    for (const PlanModel::Plane& one : model.planes) {
+      const Index panels = std::ssize(one.infills);
+      if (moves && panels > 0) {
+        auto [of_plane, shortened] =
+            infill_histories({one.infills, one.hinges, model.first_storey(), model.storey_heights},
+                             history(PlanOutput::infill_force).middleRows(panel, panels),
+                             history(PlanOutput::plane_drift).middleRows(plane * n, n));
+        force = stacked(force, of_plane);
+        shortening = stacked(shortening, shortened);
+      }
+      panel += panels;
+      ++plane;
+    }
+    histories.infill_force.push_back(std::move(force));
+    histories.infill_shortening.push_back(std::move(shortening));
   }
   histories.opening = in_places(solution.samples.opening, places);
   histories.force = in_places(solution.samples.force, places);

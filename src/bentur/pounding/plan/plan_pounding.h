@@ -21,7 +21,8 @@ struct PlanPeaks {
     Eigen::VectorXd shear;        ///< max |V_j| [force]
     /// Empty where no storey of it can yield; of a frame with hinges residual drifts alone, those of the frame itself.
     BuildingPeaks::Yielding yielding = {};
-    BuildingPeaks frame = {};  ///< of a frame what its hinges and its columns that break did, and its mechanism
+    BuildingPeaks frame =
+        {};  ///< of a frame what its hinges, its columns that break and its infill did, and its mechanism
   };
   std::vector<Plane> planes;
   /// Of the foundation: sway along x and y [length], rocking that moves what is above along x and y, twist [rad]; empty
@@ -69,6 +70,8 @@ struct PlanHistories {
   /// Of the hinges of all frames of a building, one frame after the other: M + M₀ [force·length] and θ [rad]; no rows
   /// where it has none.
   std::vector<Eigen::MatrixXd> hinge_moment = {}, hinge_rotation = {};
+  /// Likewise of panels of infill, as Histories has them.
+  std::vector<Eigen::MatrixXd> infill_force = {}, infill_shortening = {};
   Eigen::MatrixXd opening = {}, force = {};     ///< [length], [force]
   Eigen::MatrixXd slip = {}, force_along = {};  ///< s and F_t (P-6); 0 where nothing rubs
 };

@@ -89,11 +89,11 @@ Eigen::MatrixXd infill_stiffness(const std::vector<InfillPanel>& panels, Index f
   return stiffness;
 }
 
-std::vector<StrutOnColumn> struts_on_columns(const StructuralModel& model) {
+std::vector<StrutOnColumn> struts_on_columns(const std::vector<InfillPanel>& panels, const Hinges& hinges) {
   std::vector<StrutOnColumn> found;
-  const std::vector<BreakingColumn>& columns = model.hinges.columns;
-  for (Index panel = 0; panel < std::ssize(model.infills); ++panel) {
-    const InfillPanel& of = model.infills[panel];
+  const std::vector<BreakingColumn>& columns = hinges.columns;
+  for (Index panel = 0; panel < std::ssize(panels); ++panel) {
+    const InfillPanel& of = panels[panel];
     for (const Index line : {of.bay + 1, of.bay + 2}) {
       Index lowest = -1, highest = -1;
       for (Index c = 0; c < std::ssize(columns); ++c) {

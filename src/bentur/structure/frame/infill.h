@@ -22,8 +22,9 @@ namespace bentur {
 
 /// A column that breaks, or the lowest or highest piece of one that is struck, beside a panel whose struts push on it.
 struct StrutOnColumn {
-  Eigen::Index panel = 0, column = 0;  ///< of StructuralModel::infills, of Hinges::columns
+  Eigen::Index panel = 0, column = 0;  ///< of a list of panels, of Hinges::columns
 };
-[[nodiscard]] std::vector<StrutOnColumn> struts_on_columns(const StructuralModel& model);
+[[nodiscard]] std::vector<StrutOnColumn> struts_on_columns(const std::vector<InfillPanel>& panels,
+                                                           const Hinges& hinges);
 
 }  // namespace bentur

@@ -222,6 +222,7 @@ PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, Index
     hold_at_once(plane.sway_stiffness, made);
     made.hinges = plane.hinges;
     if (made.hinges.size() > 0) made.hinges.rows = plane.hinges.rows * sways_of(made);
+    made.infills = plane.infills;
     made.bays = plane.bays;
     return made;
   }
@@ -268,8 +269,8 @@ std::vector<CoupledElement> coupled_of(const PlanModel& model) {
 
 void stand_frame(PlaneFrame frame, PlanPlane& plane) {
   plane.frame = std::make_shared<const PlaneFrame>(frame);
-  if (!frame.infills.empty() || !frame.nodes.empty()) {
-    throw InvalidParameter("frame", plane.name, "must have no infill and no struck columns as a plane");
+  if (!frame.nodes.empty()) {
+    throw InvalidParameter("frame", plane.name, "must have no struck columns as a plane");
   }
   for (std::vector<Section>* const members : {&frame.columns, &frame.beams}) {
     for (Section& section : *members) section.mass = section.line_mass = 0;
@@ -280,6 +281,7 @@ void stand_frame(PlaneFrame frame, PlanPlane& plane) {
   StructuralModel model = plane_frame_model(frame);
   plane.sway_stiffness = std::move(model.stiffness);
   plane.hinges = std::move(model.hinges);
+  plane.infills = std::move(model.infills);
   plane.bays = frame.bay_widths;
   const Index floors = plane.sway_stiffness.rows();
   plane.storeys.stiffnesses.clear();

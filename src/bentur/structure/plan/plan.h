@@ -30,13 +30,14 @@ struct PlanPlane {
   /// Of a frame its stiffness against the sways of all floors along the line, floors × floors [force/length] (P-23);
   /// the stiffnesses above are what its storeys have alone. Empty: springs of storeys.
   Eigen::MatrixXd sway_stiffness = {};
-  Hinges hinges = {};             ///< of a frame that yields or breaks, over these sways (P-30)
-  std::vector<double> bays = {};  ///< of a frame its widths [length], left to right, of pictures alone
+  Hinges hinges = {};                     ///< of a frame that yields or breaks, over these sways (P-30)
+  std::vector<InfillPanel> infills = {};  ///< of a frame, which its stiffness has too
+  std::vector<double> bays = {};          ///< of a frame its widths [length], left to right, of pictures alone
   std::shared_ptr<const PlaneFrame> frame = nullptr;  ///< that it was made of; null: springs, or not known
 };
 
-/// Makes a plane a frame: statically condensed onto the sways of its floors, with its hinges. Its masses are not looked
-/// at. @throws InvalidParameter as plane_frame_model(), and where it has infill or struck columns
+/// Makes a plane a frame: statically condensed onto the sways of its floors, with its hinges and infill. Its masses are
+/// not looked at. @throws InvalidParameter as plane_frame_model(), and where it has struck columns
 void stand_frame(PlaneFrame frame, PlanPlane& plane);
 
 /// What holds storeys otherwise (P-5): of each list one for all or one per storey; of stiffnesses none: 0.
@@ -130,7 +131,8 @@ struct PlanModel {
     Eigen::MatrixXd shears;  ///< V_j of what stays elastic, storeys × dofs [force/length]
     std::vector<std::shared_ptr<const HystereticLaw>> laws;  ///< null: that storey stays elastic
     Hinges hinges = {};  ///< of a frame, over the dofs; `frame_rows` and its like over the sways of its floors
-    std::vector<double> bays = {};                                                            ///< as PlanPlane's
+    std::vector<InfillPanel> infills = {};  ///< of a frame, from its lowest storey up, bay by bay
+    std::vector<double> bays = {};          ///< as PlanPlane's
     [[nodiscard]] PlanPoint direction() const { return pushes.rightCols<1>().topRows<2>(); }  ///< of its line, length 1
   };
   std::vector<Plane> planes;

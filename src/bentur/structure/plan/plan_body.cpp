@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "bentur/structure/frame/infill.h"
+
 namespace bentur {
 namespace {
 
@@ -36,7 +38,7 @@ MatrixXd stacked(std::initializer_list<MatrixXd> parts, Index columns) {
   return all;
 }
 
-/// What of planes and bearings yields, storeys of planes first, and the rows by which both are told.
+/// What of planes and bearings yields, storeys and infill of planes first, and the rows by which both are told.
 struct PlaneRows {
   std::vector<BuildingElement> elements = {};
   MatrixXd drifts = {}, shears = {};                     ///< planes · storeys × dofs
@@ -44,6 +46,7 @@ struct PlaneRows {
   MatrixXd bearing_moves = {}, bearing_forces = {};      ///< 2 · bearings × dofs
   MatrixXd bearing_of_forces = {};                       ///< × forces of elements
   Outputs moments = {}, rotations = {}, breaking = {};   ///< of hinges, and of columns that break
+  Outputs infill = {}, pushes = {};                      ///< of panels of infill, and of columns beside them
 };
 
 /// Storey shears of a frame by the forces of its hinges: what these push on all floors above with. A building has
@@ -55,28 +58,58 @@ MatrixXd shears_of_hinges(const Hinges& hinges, Index storeys) {
   return shears;
 }
 
+/// Adds outputs below those that are there. @param at_rest one each
+void append(const MatrixXd& rows, const MatrixXd& of_forces, const Eigen::VectorXd& at_rest, Outputs& to) {
+  const auto add = [](auto& list, const auto& more) {
+    const Index before = list.rows();
+    list.conservativeResize(before + more.rows(), more.cols());
+    list.bottomRows(more.rows()) = more;
+  };
+  add(to.rows, rows);
+  add(to.forces, of_forces);
+  add(to.at_rest, at_rest);
+  to.count += rows.rows();
+}
+
 /// Rows `from` … of the moments of a frame's hinges, whose forces begin at `force` of so many.
 void add_moments(const Hinges& hinges, Index from, Index count, Index force, Index forces, Outputs& to) {
   MatrixXd of_forces = MatrixXd::Zero(count, forces);
   of_forces.middleCols(force, hinges.size()) = hinges.stiffness.middleRows(from, count);
-  const auto append = [](auto& list, const auto& more) {
-    const Index rows = list.rows();
-    list.conservativeResize(rows + more.rows(), more.cols());
-    list.bottomRows(more.rows()) = more;
-  };
-  append(to.rows, MatrixXd(hinges.rows.middleRows(from, count)));
-  append(to.forces, of_forces);
-  append(to.at_rest, Eigen::VectorXd(hinges.at_rest.segment(from, count)));
-  to.count += count;
+  append(hinges.rows.middleRows(from, count), of_forces, hinges.at_rest.segment(from, count), to);
+}
+
+/// What the infill of a plane bears, and the columns beside it. @param elements of the building, those of its panels
+/// from `element` on, which is moved on past them @param hinge where the forces of its hinges begin
+void add_infill(const PlanModel& model, const PlanModel::Plane& plane, const std::vector<BuildingElement>& elements,
+                Index hinge, Index forces, Index& element, PlaneRows& to) {
+  const Index panels = std::ssize(plane.infills);
+  MatrixXd rows(panels, model.dofs()), of_forces = MatrixXd::Zero(panels, forces);
+  for (Index n = 0; n < panels; ++n) {
+    rows.row(n) = plane.infills[n].stiffness * plane.drifts.row(model.first_storey() + plane.infills[n].storey);
+    if (element < std::ssize(elements) && elements[element].infill == to.infill.count + n) of_forces(n, element++) = 1;
+  }
+  const Hinges& hinges = plane.hinges;
+  for (const auto& [panel, column] : struts_on_columns(plane.infills, hinges)) {
+    const Index at = std::ssize(hinges.places) + column;
+    MatrixXd pushed = of_forces.row(panel);
+    pushed.middleCols(hinge, hinges.size()) += hinges.stiffness.row(at);
+    append(rows.row(panel) + hinges.rows.row(at), pushed, hinges.at_rest.segment(at, 1), to.pushes);
+  }
+  append(rows, of_forces, Eigen::VectorXd::Zero(panels), to.infill);
 }
 
 PlaneRows rows_of_planes(const PlanModel& model) {
   const Index floors = model.floors(), count = std::ssize(model.planes) * floors;
   PlaneRows rows{.drifts = MatrixXd::Zero(count, model.dofs()), .shears = MatrixXd::Zero(count, model.dofs())};
-  Index forces = 0;
+  Index forces = 0, panels = 0;
   for (const PlanModel::Plane& plane : model.planes) {
     for (Index j = 0; j < floors; ++j) {
       if (plane.laws[j]) rows.elements.push_back({plane.drifts.row(j).transpose(), plane.laws[j], j});
+    }
+    for (const InfillPanel& panel : plane.infills) {
+      const Index j = model.first_storey() + panel.storey;
+      auto element = infill_element(panel, plane.drifts.row(j).transpose(), j, panels++);
+      if (element) rows.elements.push_back(*std::move(element));
     }
     forces += plane.hinges.size();
   }
@@ -89,7 +122,7 @@ PlaneRows rows_of_planes(const PlanModel& model) {
   }
   Index force = 0, of_hinges = std::ssize(rows.elements);
   forces += of_hinges;
-  for (Outputs* const one : {&rows.moments, &rows.rotations, &rows.breaking}) {
+  for (Outputs* const one : {&rows.moments, &rows.rotations, &rows.breaking, &rows.infill, &rows.pushes}) {
     one->rows = MatrixXd(0, model.dofs());
     one->forces = MatrixXd(0, forces);
   }
@@ -110,6 +143,13 @@ PlaneRows rows_of_planes(const PlanModel& model) {
       if (!plane.laws[j]) continue;
       rows.shear_of_forces(at, force) = 1;
       rows.storey_of_forces.block<3, 1>(3 * j, force++) = plane.pushes.col(j);
+    }
+    const Index first_panel = force;
+    if (!plane.infills.empty()) add_infill(model, plane, rows.elements, of_hinges, forces, force, rows);
+    for (Index e = first_panel; e < force; ++e) {
+      const Index j = rows.elements[e].storey;
+      rows.shear_of_forces(at - floors + j, e) = 1;
+      rows.storey_of_forces.block<3, 1>(3 * j, e) = plane.pushes.col(j);
     }
     if (hinges.size() == 0) continue;
     const Index turning = std::ssize(hinges.places), breaking = std::ssize(hinges.columns);
@@ -228,6 +268,8 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
     }
   }
   add({.count = drifts.rows(), .rows = drifts});
+  add(planes.infill);
+  add(planes.pushes);
   return body;
 }
 

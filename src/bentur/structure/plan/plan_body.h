@@ -26,6 +26,8 @@ enum class PlanOutput {
   /// Of a building without planes drift ratios along themselves of the south and north edge (x), the west and east edge
   /// (y), n each [-]; of others none.
   edge_drift,
+  infill_force,  ///< of panels of infill, one plane after the other, across [force]
+  infill_push,   ///< Q + Q₀ + F of struts_on_columns(), likewise [force]
 };
 
 /// @param axes along which the components of the ground's motion act, a column each

@@ -148,6 +148,17 @@ class PlaceList : protected VariablePass<File> {
     }
     return panels;
   }
+  /// What struts did, sample by sample: panels × samples.
+  template <class Samples>
+  void infill_histories(const ResultDimension& panels, const ResultDimension& time, const std::string& force,
+                        const std::string& length, const std::string& number, const std::string& owner, Samples& forces,
+                        Samples& shortenings) {
+    if (time.size == 0) return;
+    const std::string signs = ", < 0 where the storey drifts to the left, of the panels of infill of " + owner;
+    this->pass({"infill_panel_force" + number, {time, panels}, force, "force of the strut at work" + signs}, forces);
+    this->pass({"infill_panel_shortening" + number, {time, panels}, length, "shortening of its diagonal" + signs},
+               shortenings);
+  }
 
   Problem& problem_;
 };

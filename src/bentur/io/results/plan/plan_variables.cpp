@@ -237,7 +237,31 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     quantities(Owner::plane, {planes, floors}, places, number, ", by the floor above, of " + owner);
     hinges(b, number, owner);
     breaking_columns(b, number, owner);
+    infill(b, number, owner);
     mechanisms(b, planes, floors, number, owner);
+  }
+
+  /// What the struts of the frames of a building did, sample by sample.
+  void infill(Index b, const std::string& number, const std::string& owner) {
+    auto& histories = run_.response.histories;
+    for (auto* list : {&histories.infill_force, &histories.infill_shortening}) {
+      fit(*list, run_.problem.buildings.size());
+    }
+    std::vector<InfillPanel> panels;
+    std::vector<std::string> planes;
+    for (const PlanModel::Plane& plane : run_.problem.buildings[b].model.planes) {
+      panels.insert(panels.end(), plane.infills.begin(), plane.infills.end());
+      planes.insert(planes.end(), plane.infills.size(), plane.name);
+    }
+    if (panels.empty()) return;
+    const std::size_t count = panels.size();
+    const ResultDimension dimension = this->infill_places(panels, number, owner);
+    if constexpr (reads) {
+      if (dimension.size != count) file_.source.fail("is not of this case");
+    }
+    made({"infill_panel_plane" + number, {dimension}, "", "planes of the panels of infill of " + owner}, planes);
+    this->infill_histories(dimension, time_, force_, length_, number, owner, histories.infill_force[b],
+                           histories.infill_shortening[b]);
   }
 
   /// Where members of the frames of a building yield, and what they did there.

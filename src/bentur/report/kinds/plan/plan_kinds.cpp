@@ -31,7 +31,11 @@ bool has_soil(const PlanRun& run) {
   return std::any_of(all.begin(), all.end(), [](const Eigen::MatrixXd& one) { return one.rows() > 0; });
 }
 bool has_hinges(const PlanRun& run) {
-  return !run.response.histories.time.empty() && !frames_that_yield(run.problem).empty();
+  const auto has_some = [&](const PlanFramePlace& at) {
+    return run.problem.buildings[at.building].model.planes[at.plane].hinges.size() > 0;
+  };
+  const std::vector<PlanFramePlace> places = frames_that_yield(run.problem);
+  return !run.response.histories.time.empty() && std::any_of(places.begin(), places.end(), has_some);
 }
 bool has_formed_hinges(const PlanRun& run) {
   const auto formed = [](const BuildingPeaks::Hinge& hinge) { return hinge.first_yield.has_value(); };
