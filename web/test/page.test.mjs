@@ -746,6 +746,37 @@ test("what stands beside errors, or while work takes its time, is said to be of 
   }, { slow: true });
 });
 
+test("what only a coarse run could give is dimmed and said to be that", async () => {
+  await on(async (page) => {
+    const text = await page.inputValue(editor), note = page.locator(".bar .stale-note");
+    assert.equal(await note.count(), 0);
+    await write(page, text.replace(/^duration = .*$/m, "$&\noutput_step = 1e-6"), "errors");
+    await page.waitForFunction(() => document.querySelector(".errors li"));
+    assert.match(await note.textContent(), /coarse samples.*peaks and impacts are exact/);
+    assert.ok(await page.locator("main.rough").count() === 1);
+    assert.ok(await page.locator("#impacts tbody tr").count() > 0);
+    await write(page, text);
+    assert.equal(await note.count(), 0);
+    assert.equal(await page.locator("main.rough").count(), 0);
+  });
+});
+
+test("the badges begin with the gravest of the whole run, whatever gap is chosen", async () => {
+  await onFresh(async (page) => {
+    await page.evaluate(() => document.querySelector('[data-case="row"]').click());
+    await solved(page);
+    const row = await page.inputValue(editor);
+    // The first gap is enough for this motion, not for the reversed one; the second one is beyond all doubt but for the end of the run.
+    await write(page, row.replace(/^width = .*$/m, "width = 0.15").replace(/^width = \[.*$/m, "width = 5.0"));
+    const badges = () => page.$$eval(".brief .badge", (all) => all.map((one) => one.textContent));
+    for (const chosen of [0, 1]) {
+      await page.selectOption(".gap-slider select", String(chosen));
+      assert.equal((await badges())[0], "TOO SMALL");
+    }
+    assert.deepEqual(await page.$$eval(".brief .badge", (all) => all.map((one) => one.classList.contains("grave"))), [true, true]);
+  });
+});
+
 /** Drops a file onto the page. */
 async function drop(page, name, content) {
   const dataTransfer = await page.evaluateHandle(([title, all]) => {

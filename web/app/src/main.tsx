@@ -76,7 +76,7 @@ function App() {
       }}>
       <Head />
       {dropping.value && <div class="drop">{say("drop")}</div>}
-      <main id="results" class={stale.value || rough.value ? "stale" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
+      <main id="results" class={stale.value ? "stale" : rough.value ? "rough" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
         <Bar />
         <div class="lives">
           {still && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><RecordChoice suite={now.overview.suite} /><p class="still">{say(now.overview.spectral ? "motion.none" : "suite.still")}</p></section>}

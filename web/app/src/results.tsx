@@ -21,7 +21,8 @@ export function Stale({ word = "stale" }: { word?: "stale" | "take.stale" }) {
 }
 
 const grave = ["danger", "warning"];
-const gravity = (one: Said) => (grave.includes(one.severity) ? grave.indexOf(one.severity) : grave.length);
+/** Where a statement stands among others, the gravest first: by severity, and of those alike what the verdict says in a sentence. */
+const gravity = (one: Said) => 2 * (grave.includes(one.severity) ? grave.indexOf(one.severity) : grave.length) + (one.shown === "sentence" ? 0 : 1);
 const isGrave = (one: Said) => grave.includes(one.severity);
 
 /** Statements one below the other; a badge stands once above those that have it, `under` one already. In a row each that is
@@ -44,15 +45,18 @@ function Statements({ overview }: { overview: Overview }) {
   const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
   const isFolded = (one: Said) => one.shown !== "sentence" || (one.severity === "finding" && !one.badge);
+  const kinds = ["pounding", "pounding_impulse", "too_small", "not_known"];
+  const worst = (i: number) => Math.min(...told.filter((one) => ofGap(one) && one.gap === i)
+    .map((one) => gravity(one) + (kinds.includes(one.kind) ? kinds.indexOf(one.kind) : kinds.length) / 10));
   const pounds = told.some(isGrave);
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   return (
     <div class={`verdict${pounds ? " pounds" : ""}`}>
       <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
-      {row && overview.gaps.map((each, i) => {
-        const mine = told.filter((one) => ofGap(one) && one.gap === i);
+      {row && overview.gaps.map((_, i) => i).sort((a, b) => worst(a) - worst(b)).map((i, place) => {
+        const each = overview.gaps[i], mine = told.filter((one) => ofGap(one) && one.gap === i);
         const badge = mine.find((one) => one.badge);
-        return mine.length > 0 && <details key={i} data-gap={each.name} open={i === gap.value}>
+        return mine.length > 0 && <details key={i} data-gap={each.name} open={overview.plan ? place === 0 : i === gap.value}>
           <summary>{each.name}{badge && <>: <span class={`badge${isGrave(badge) ? "" : " fine"}`}>{badge.badge}</span></>}</summary>
           <Sentences all={mine} under={badge?.badge} />
         </details>;

@@ -28,6 +28,7 @@ constexpr double mark_sizes[] = {0, 2.4, 2.7, 2.6, 3, 2.4, 2.7};
 constexpr const char* drawing = R"(
 # Without this folder, whose files may be named as modules are.
 sys.path = [path for path in sys.path if pathlib.Path(path or ".").resolve() != here.parent]
+import matplotlib.patheffects as edges
 import matplotlib.pyplot as plt
 from matplotlib.collections import PatchCollection
 from matplotlib.colors import LogNorm, Normalize
@@ -75,6 +76,7 @@ for panel in figure["panels"]:
         joined = {"arrowstyle": "-", "color": color, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0} if moved else None
         ax.annotate(text, (x, y), (4 * across, 4 * up + moved), textcoords="offset points", color=color,
                     arrowprops=joined, annotation_clip=False,
+                    path_effects=[edges.withStroke(linewidth=1.8, foreground="white")],
                     ha=("right", "center", "left")[across + 1], va=("top", "center", "bottom")[up + 1])
     for scale in panel["map"]:
         cells = list(zip(*(values(column) for column in scale["columns"])))

@@ -135,13 +135,16 @@ class Drawing {
   }
 
   void text(const std::string& words, double x_px, double y_px, const char* anchor, bool upright = false,
-            Tone tone = Tone::black) {
+            Tone tone = Tone::black, bool on_curves = false) {
     if (words.empty()) return;
     const std::string turned =
         upright ? fmt::format(" transform=\"rotate(-90 {} {})\"", length(x_px), length(y_px)) : "";
-    out_ +=
-        fmt::format("<text x=\"{}\" y=\"{}\" dy=\"{}\" text-anchor=\"{}\"{} {}>{}</text>\n", length(x_px), length(y_px),
-                    length(baseline), anchor, turned, drawn_in("fill", colour(tone)), lettered(words));
+    // What stands among curves has an edge of paper, so that none strikes it through.
+    const std::string style = on_curves ? "paint-order=\"stroke\" stroke-width=\"2.4\" stroke-linejoin=\"round\" " +
+                                              edged(colour(tone), paper)
+                                        : drawn_in("fill", colour(tone));
+    out_ += fmt::format("<text x=\"{}\" y=\"{}\" dy=\"{}\" text-anchor=\"{}\"{} {}>{}</text>\n", length(x_px),
+                        length(y_px), length(baseline), anchor, turned, style, lettered(words));
   }
 
   void lines(const std::vector<std::string>& texts, double x_cm, double y_cm) {
@@ -326,7 +329,7 @@ class Drawing {
     const double step = x(line_height), first = -step * (static_cast<double>(lines.size()) - 1) / 2;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       text(lines[i], frame.left + px + right, frame.top + py + down + first + step * static_cast<double>(i), anchor,
-           false, tone);
+           false, tone, true);
     }
   }
 

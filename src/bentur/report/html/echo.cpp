@@ -170,23 +170,30 @@ class Echo {
     add_table(of, table, values);
   }
 
-  /// A list of tables, a row for each.
+  /// A list of tables, a row for each: of storeys and floors from the top, of others in their order.
   void add_tables(const Key& key, const TomlValue& list) {
     if (list.items.size() == 1) return add(*key.table, list.items.front(), label(key));
-    HtmlTable table;
-    table.add("", "", numbers_from_the_top(list.items.size()));
-    for (const Key& one : key.table->keys) {
-      std::vector<double> values;
-      for (const TomlValue& item : list.items) {
-        const TomlValue* const value = item.find(std::string(one.name));
-        values.insert(values.begin(), value != nullptr ? value->real : std::numeric_limits<double>::quiet_NaN());
-      }
-      const bool given = std::any_of(values.begin(), values.end(), [](double x) { return !std::isnan(x); });
-      if (given) table.add(label(one), unit_of(one, units_), values);
+    const bool from_top = key.each.find("storey") != key.each.npos || key.each.find("floor") != key.each.npos;
+    std::vector<const TomlValue*> rows;
+    std::vector<std::string> numbers;
+    for (const TomlValue& item : list.items) {
+      rows.insert(from_top ? rows.begin() : rows.end(), &item);
+      numbers.insert(from_top ? numbers.begin() : numbers.end(), std::to_string(rows.size()));
     }
-    std::vector<const TomlValue*> values;
-    for (const TomlValue& item : list.items) values.push_back(&item);
-    add_table(label(key), table, values);
+    HtmlTable table;
+    table.add("", "", numbers);
+    for (const Key& one : key.table->keys) {
+      bool given = false, numeric = true;
+      std::vector<std::string> cells;
+      for (const TomlValue* row : rows) {
+        const TomlValue* const value = row->find(std::string(one.name));
+        cells.push_back(value != nullptr ? text(*value, one) : "–");
+        given = given || value != nullptr;
+        numeric = numeric && (value == nullptr || value->is_number());
+      }
+      if (given) table.add(label(one), unit_of(one, units_), std::move(cells), numeric);
+    }
+    add_table(label(key), table, rows);
   }
 
   void add_matrix(const std::string& name, const std::string& unit, const TomlValue& list) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -16,7 +17,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// One of the three that members carry, along each member: at MemberForces::stations, or the same from end to end.
 struct Carried {
-  const char* form;  ///< of its unit
+  const char *form, *symbol;  ///< of its unit; what it is called in short
   bool is_moment = false, is_axial = false;
   const char* title;    ///< of the data
   const char* largest;  ///< "largest moment {}: {}"
@@ -176,6 +177,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       const auto [x, y] = diagram.at(largest.member, carried.stations()[largest.station], largest.value);
       const FrameMember& member = frame->members[largest.member];
       const bool is_positive = largest.value > 0;
+      of.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
       const std::string text = number(factor * std::abs(largest.value)) + " " + unit;
       if (member.of_beam) {
         of.texts.push_back({x, y, text, is_positive ? PlaceText::Side::below : PlaceText::Side::above});
@@ -187,7 +189,8 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       }
     };
     Panel instant = panel;
-    instant.title = building.name + ", " + word(options, "at {}", seconds_text(frame->time));
+    instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
+                    word(options, "at {}", seconds_text(frame->time));
     instant.curves.push_back(
         diagram.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
     instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
@@ -228,19 +231,22 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
 Figure frame_moment_figure(const RunResults& run, const FigureOptions& options) {
   return frame_figure(run, options,
                       {.form = "F L",
+                       .symbol = "M",
                        .is_moment = true,
                        .title = "Moments in the members of frames, on the side in tension",
                        .largest = "largest moment {}, {}"});
 }
 
 Figure frame_shear_figure(const RunResults& run, const FigureOptions& options) {
-  return frame_figure(run, options,
-                      {.form = "F", .title = "Shears in the members of frames", .largest = "largest shear {}, {}"});
+  return frame_figure(
+      run, options,
+      {.form = "F", .symbol = "V", .title = "Shears in the members of frames", .largest = "largest shear {}, {}"});
 }
 
 Figure frame_axial_figure(const RunResults& run, const FigureOptions& options) {
   return frame_figure(run, options,
                       {.form = "F",
+                       .symbol = "N",
                        .is_axial = true,
                        .title = "Axial forces in the columns of frames by the motion, compression to the right",
                        .largest = "largest axial force {}, {}"});

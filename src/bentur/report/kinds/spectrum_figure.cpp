@@ -131,13 +131,13 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
                 .x = {.from = spectra.periods.front(), .to = spectra.periods.back(), .logarithmic = true},
                 .y = {.label = with_unit("Sa", "g"), .from = 0},
                 .height = 3.6};
+    panel.curves.push_back(curve(floor.with_contact,
+                                 {.label = word(options, has_impacts ? "with contact" : "acceleration of the floor")}));
     if (has_impacts) {
       panel.curves.push_back(
           curve(floor.without_contact,
                 {.label = word(options, "without contact"), .tone = Tone::grey, .line = Line::dashed, .width = 1.2}));
     }
-    panel.curves.push_back(curve(floor.with_contact,
-                                 {.label = word(options, has_impacts ? "with contact" : "acceleration of the floor")}));
     if (const auto period = first_period(building); period && *period > *panel.x.from && *period < *panel.x.to) {
       panel.rules.push_back({.at = *period,
                              .vertical = true,

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/results/story_json.h"
 #include "bentur/io/results/suite_json.h"
 #include "bentur/model/limits.h"
@@ -84,6 +85,32 @@ double needed_both_ways(const RunResults& row) {
 constexpr std::string_view told_in_tables[] = {"impacts",          "peak_force", "gap_needed",
                                                "peak_drift_ratio", "ductility",  "column_demand_capacity"};
 
+/// Whether floors meet under a record where no contact is modelled, so that its impacts and forces say nothing.
+bool is_not_modelled(const SuiteRecordRun& one) {
+  return std::any_of(one.statements.begin(), one.statements.end(),
+                     [](const Statement& said) { return said.kind == "unmodelled"; });
+}
+
+/// Counts as such; in place of what is not modelled that; and of such records no mean, and no less than the largest.
+void tell_in_words(const SuiteRun& run, bool are_counts, StoryColumn& column) {
+  const std::size_t count = run.records.size();
+  const bool lacks = std::any_of(run.records.begin(), run.records.end(), is_not_modelled);
+  if (!are_counts && !lacks) return;
+  for (std::size_t i = 0; i < column.numbers.size(); ++i) {
+    const double value = column.numbers[i];
+    if (i < count && is_not_modelled(run.records[i]) && value == 0) {
+      column.texts.emplace_back("story.not_modelled");
+    } else if (std::isnan(value) || (i == count && lacks)) {
+      column.texts.emplace_back("–");
+    } else {
+      const bool is_whole = are_counts && i != count;
+      column.texts.push_back((i > count && lacks ? "≥ " : "") +
+                             (is_whole ? fmt::format("{:.0f}", value) : number(value)));
+    }
+  }
+  column.are_words = column.are_counts = true;
+}
+
 /// A column of a quantity; without numbers where the case has none of it.
 StoryColumn column_of(const SuiteRun& run, std::string_view key) {
   StoryColumn column{.label = "column.suite." + std::string(key)};
@@ -100,6 +127,14 @@ StoryColumn column_of(const SuiteRun& run, std::string_view key) {
     raise(column.numbers[run.records.size()], run.mean(q));
     raise(column.numbers.back(), run.largest(q));
   }
+  const auto& all = quantities();
+  const auto of = std::find_if(all.begin(), all.end(), [&](const Quantity& one) { return one.key == key; });
+  if (of != all.end() && !of->shown_unit.empty()) {
+    column.unit = of->shown_unit;
+    for (double& value : column.numbers) value *= of->shown_factor;
+  }
+  if (!column.numbers.empty() && (key == "impacts" || key == "peak_force"))
+    tell_in_words(run, key == "impacts", column);
   return column;
 }
 

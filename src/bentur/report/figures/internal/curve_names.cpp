@@ -167,6 +167,12 @@ double room_of_names(const Panel& panel) {
   return room;
 }
 
+bool lacks_names(const Panel& panel, const std::vector<CurveName>& names) {
+  if (!panel.names_at_ends) return false;
+  const auto named = std::count_if(panel.curves.begin(), panel.curves.end(), has_name);
+  return std::ssize(names) < named;
+}
+
 std::vector<CurveName> names_at_ends(const Panel& panel, const Ticks& x, const Ticks& y, double width, double height) {
   std::vector<CurveName> names;
   if (!panel.names_at_ends) return names;

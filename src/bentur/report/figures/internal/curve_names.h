@@ -21,9 +21,12 @@ struct CurveName {
 [[nodiscard]] double room_of_names(const Panel& panel);
 
 /// The names of the curves of a panel that asks for them (Panel::names_at_ends) and that have room: those of curves
-/// that end at the right edge of the frame beside it, others within it, where they lie on no curve, mark or other name, and if
-/// they can on no rule. @param x, y its axes @param width, height of its frame [cm]
+/// that end at the right edge of the frame beside it, others within it, where they lie on no curve, mark or other name,
+/// and if they can on no rule. @param x, y its axes @param width, height of its frame [cm]
 [[nodiscard]] std::vector<CurveName> names_at_ends(const Panel& panel, const Ticks& x, const Ticks& y, double width,
                                                    double height);
+
+/// Whether some curve that is to be named so is not.
+[[nodiscard]] bool lacks_names(const Panel& panel, const std::vector<CurveName>& names);
 
 }  // namespace bentur

@@ -117,8 +117,10 @@ TEST(CurveNames, WithinTheFrameLieOnNothing) {
     }
     const Layout layout_ = layout({.panels = {panel}});
     const PlacedPanel& placed = layout_.panels.front();
+    const std::vector<CurveName> names =
+        names_at_ends(panel, placed.x, placed.y, placed.right - placed.left, panel.height);
     std::vector<Rectangle> boxes;
-    for (const CurveName& name : placed.names) {
+    for (const CurveName& name : names) {
       const Rectangle box = rectangle_of(name, placed);
       EXPECT_GE(box.left, 0);
       EXPECT_LE(box.right, placed.right - placed.left);
@@ -139,8 +141,11 @@ TEST(CurveNames, WithinTheFrameLieOnNothing) {
         }
       }
     }
-    found += placed.names.size();
-    left_over += in_legend(layout_).size();
+    found += names.size();
+    left_over += panel.curves.size() - names.size();
+    // One way of naming in a figure: all at ends, or all in the legend.
+    EXPECT_EQ(lacks_names(panel, names), names.size() < panel.curves.size());
+    EXPECT_EQ(placed.names.size(), lacks_names(panel, names) ? 0U : panel.curves.size());
     EXPECT_EQ(placed.names.size() + in_legend(layout_).size(), panel.curves.size());
   }
   EXPECT_GT(found, 400U);

@@ -151,6 +151,11 @@ class Arrangement {
     for (PlacedPanel& placed : result_.panels) {
       placed.names = names_at_ends(*placed.panel, placed.x, placed.y, placed.right - placed.left, placed.panel->height);
     }
+    // One way of naming in a figure: where one name has no room all stand in the legend.
+    const auto lacks = [](const PlacedPanel& placed) { return lacks_names(*placed.panel, placed.names); };
+    if (std::any_of(result_.panels.begin(), result_.panels.end(), lacks)) {
+      for (PlacedPanel& placed : result_.panels) placed.names.clear();
+    }
     for (std::size_t row = 0; row < rows_; ++row) place_row(row);
     for (PlacedPanel& placed : result_.panels) {
       if (placed.panel->to_scale) fit(placed);
