@@ -1,6 +1,9 @@
 #include "session.h"
 
 #include <fmt/format.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <unistd.h>
 
 #include <algorithm>
@@ -189,6 +192,18 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress, con
   return run_results(loaded.c, loaded.problem, std::move(response));
 }
 
+namespace {
+
+/// What the solver has freed, to the system: of a block it is most of what there is, in pieces that what is written
+/// afterwards does not fit into.
+void give_back_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
+}  // namespace
+
 PlanRun simulate_plan(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
   SolveOptions options = solve_options(loaded.c);
   if (output_step > 0) options.output_step = output_step;
@@ -198,6 +213,7 @@ PlanRun simulate_plan(const Loaded& loaded, double output_step, bool progress, c
   PlanResponse response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
     return solve(loaded.plan, loaded.c.analysis.solver, shown);
   });
+  give_back_memory();
   return run_results(loaded.c, loaded.plan, std::move(response));
 }
 

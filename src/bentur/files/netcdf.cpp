@@ -17,7 +17,6 @@
 #include <cstdlib>
 #include <exception>
 #include <functional>
-#include <memory>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -57,9 +56,7 @@ void* function_of_library(const char* name) {
   }
 BENTUR_NETCDF(nc_abort)
 BENTUR_NETCDF(nc_close)
-BENTUR_NETCDF(nc_close_memio)
 BENTUR_NETCDF(nc_create)
-BENTUR_NETCDF(nc_create_mem)
 BENTUR_NETCDF(nc_def_dim)
 BENTUR_NETCDF(nc_def_grp)
 BENTUR_NETCDF(nc_def_var)
@@ -362,9 +359,8 @@ std::string NetcdfReader::attribute(std::string_view variable, const std::string
   return text_attribute(place_of(at(variable)), attribute);
 }
 
-NetcdfWriter::NetcdfWriter(std::string name, Place place) : name_(std::move(name)), place_(place) {
-  check(place == Place::memory ? nc_create_mem(name_.c_str(), NC_NETCDF4, 0, &id_)
-                               : nc_create(name_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
+NetcdfWriter::NetcdfWriter(std::string path) : name_(std::move(path)) {
+  check(nc_create(name_.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
 }
 
 NetcdfWriter::~NetcdfWriter() {
@@ -397,7 +393,7 @@ void NetcdfWriter::attribute(int group, int variable, const ResultAttribute& att
 
 void NetcdfWriter::attribute(const ResultAttribute& attribute) { this->attribute(id_, NC_GLOBAL, attribute); }
 
-NetcdfWriter::Variable NetcdfWriter::define(const ResultVariable& variable) {
+NetcdfWriter::Variable NetcdfWriter::add(const ResultVariable& variable) {
   std::vector<int> ids;
   for (const ResultDimension& dimension : variable.dimensions) {
     const auto [known, is_new] = dimensions_.try_emplace(dimension.name, -1);
@@ -409,30 +405,16 @@ NetcdfWriter::Variable NetcdfWriter::define(const ResultVariable& variable) {
   Stored stored{group_of(variable.name), 0};
   check(nc_def_var(stored.group, own_name(variable.name).c_str(), type_of(variable.values),
                    static_cast<int>(ids.size()), ids.data(), &stored.variable));
-  if (place_ == Place::disk && type_of(variable.values) != NC_STRING) {
+  if (type_of(variable.values) != NC_STRING) {
     check(nc_def_var_fill(stored.group, stored.variable, NC_NOFILL, nullptr));
   }
   if (!variable.units.empty()) attribute(stored.group, stored.variable, {"units", variable.units});
   attribute(stored.group, stored.variable, {"long_name", variable.long_name});
   for (const ResultAttribute& one : variable.attributes) attribute(stored.group, stored.variable, one);
   variables_.push_back(stored);
-  return Variable{variables_.size() - 1};
-}
-
-void NetcdfWriter::put_own(Variable defined, const ResultVariable& variable) const {
-  if (std::visit([](const auto& values) { return !values.empty(); }, variable.values)) put(defined, variable.values);
-}
-
-NetcdfWriter::Variable NetcdfWriter::add(const ResultVariable& variable) {
-  const Variable added = define(variable);
-  put_own(added, variable);
+  const Variable added{variables_.size() - 1};
+  if (std::visit([](const auto& values) { return !values.empty(); }, variable.values)) put(added, variable.values);
   return added;
-}
-
-void NetcdfWriter::add(const std::vector<ResultVariable>& variables) {
-  std::vector<Variable> added;
-  for (const ResultVariable& variable : variables) added.push_back(define(variable));
-  for (std::size_t i = 0; i < variables.size(); ++i) put_own(added[i], variables[i]);
 }
 
 void NetcdfWriter::chunk(Variable variable, const std::vector<std::size_t>& sizes) const {
@@ -474,16 +456,6 @@ void NetcdfWriter::put(Variable variable, const ResultValues& values, const Netc
                             : nc_put_vara(group, id, block.start.data(), block.count.data(), data));
 }
 
-std::string NetcdfWriter::finish() {
-  const int id = std::exchange(id_, -1);
-  if (place_ == Place::disk) {
-    check(nc_close(id));
-    return "";
-  }
-  NC_memio memory{};
-  check((nc_close_memio)(id, &memory));  // in brackets: not the one beside the type of `memory`
-  const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
-  return {static_cast<const char*>(memory.memory), memory.size};
-}
+void NetcdfWriter::finish() { check(nc_close(std::exchange(id_, -1))); }
 
 }  // namespace bentur

@@ -98,35 +98,31 @@ struct NetcdfBlock {
   std::vector<std::size_t> start, count;
 };
 
-/// Writes a NetCDF-4 file, which is whole once finish() has returned. The same calls give the same bytes.
+/// Writes a NetCDF-4 file on disk, block by block, which is whole once finish() has returned. The same calls give the
+/// same bytes. What is in memory as a whole netcdf_image() makes sooner.
 /// All functions throw std::runtime_error with the file's name and the library's reason.
 class NetcdfWriter {
  public:
-  enum class Place { memory, disk };
   enum class Variable : std::size_t {};
 
-  /// @param name path of a file on disk; for messages only where the file is in memory.
-  NetcdfWriter(std::string name, Place place);
+  explicit NetcdfWriter(std::string path);
   ~NetcdfWriter();
   NetcdfWriter(const NetcdfWriter&) = delete;
   NetcdfWriter& operator=(const NetcdfWriter&) = delete;
 
   void attribute(const ResultAttribute& attribute);
   /// Defines a variable, and its dimensions and group where there are none yet; a dimension has at least one place, the
-  /// library takes 0 for an unlimited one. Writes the variable's values where it has any; else each must be put(): on
-  /// disk numbers are not initialised.
+  /// library takes 0 for an unlimited one. Writes the variable's values where it has any; else each must be put():
+  /// numbers are not initialised.
   Variable add(const ResultVariable& variable);
-  /// The same of many, all of which it defines before it writes the values of any: after a definition the library
-  /// writes what it knows of every variable again.
-  void add(const std::vector<ResultVariable>& variables);
   /// Stores a variable in pieces of this size along each dimension; before its first put().
   void chunk(Variable variable, const std::vector<std::size_t>& sizes) const;
   /// Writes a block of a variable. `values` are of the variable's type, and as many as the block has places.
   /// @throws std::logic_error where they are not as many.
   void put(Variable variable, const ResultValues& values, const NetcdfBlock& block = {}) const;
 
-  /// Closes the file. @return its bytes where it is in memory, else nothing.
-  std::string finish();
+  /// Closes the file.
+  void finish();
 
  private:
   void check(int status) const;
@@ -134,9 +130,6 @@ class NetcdfWriter {
 
   /// Number of the group that "group/name" is in, the file's own of another name.
   int group_of(const std::string& name);
-  /// As add() does, without values.
-  Variable define(const ResultVariable& variable);
-  void put_own(Variable defined, const ResultVariable& variable) const;
   void attribute(int group, int variable, const ResultAttribute& attribute) const;
 
   /// Where the library has a variable.
@@ -144,7 +137,6 @@ class NetcdfWriter {
     int group, variable;
   };
   std::string name_;
-  Place place_;
   int id_ = -1;  ///< of the file
   std::map<std::string, int> groups_, dimensions_;
   std::vector<Stored> variables_;

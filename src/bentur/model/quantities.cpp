@@ -69,12 +69,11 @@ QuantitySource of_restitutions(std::optional<double> PointRestitution::*of, Extr
 }
 double smaller(double a, double b) { return std::fmin(a, b); }  // of a number and NaN the number
 double larger(double a, double b) { return std::fmax(a, b); }
-double whole_gap(const RunView& r, const QuantityPlace& at) { return gap_needed(r.problem, r.response, at.item); }
-double whole_gap_reversed(const RunView& r, const QuantityPlace& at) {
-  return gap_needed_reversed(r.problem, r.response, at.item).value_or(no_value);
+double whole_gap_reversed(const Problem& problem, const Response& response, Index gap) {
+  return gap_needed_reversed(problem, response, gap).value_or(no_value);
 }
-double floors_met(const RunView& r, const QuantityPlace& at) {
-  return static_cast<double>(unmodelled_contacts(r.problem, r.response, at.item).size());
+double floors_met(const Problem& problem, const Response& response, Index gap) {
+  return static_cast<double>(unmodelled_contacts(problem, response, gap).size());
 }
 double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
 
@@ -220,7 +219,7 @@ std::deque<Quantity>& list() {
       {"column_demand_capacity", point, "1", "max D/C", "demand of the struck column over its capacity, the larger of shear and moment", {}, of_struck(column_ratio, When::struck_capacity), "/column/demand_capacity"},
       {"column_demand_capacity_no_contact", point, "1", "max D⁰/C", "demand of the struck column over its capacity with contact switched off, the larger of shear and moment", {"D/C without contact", "D/C tanpa kontak"}, of_struck(column_ratio_no_contact, When::struck_capacity), "/column/demand_capacity_no_contact", {}, 1, 2},
       // Gaps.
-      {"gap_needed", gap, "L", "w_n", "gap that the free response needs, floors that face a column included", {}, of_gaps(whole_gap)},
+      {"gap_needed", gap, "L", "w_n", "gap that the free response needs, floors that face a column included", {}, of_gaps(gap_needed)},
       {"gap_needed_reversed", gap, "L", "w_r", "gap that the free response to the reversed ground motion needs, floors that face a column included", {}, of_gaps(whole_gap_reversed, true), {}, {}, 1, {}, false, false, true},
       {"unmodelled_contacts", gap, "1", "n_u", "floors that met what they face where no contact is modelled", {}, count(of_gaps(floors_met))},
       // Links, in the order of the case.

@@ -46,6 +46,9 @@ struct ResultFile {
 /// What the history of every file of ours begins with, before the version of the program.
 inline constexpr std::string_view result_history = "written by bentur";
 
+/// Of a text longer than this HDF5 makes no attribute, so that the case of such a file is left out [bytes].
+inline constexpr std::size_t longest_text = 60000;
+
 /// The attributes that all files of ours have: conventions, title, source, history and version.
 [[nodiscard]] std::vector<ResultAttribute> file_attributes(const std::string& title, const std::string& source,
                                                            std::string_view version);

@@ -423,7 +423,7 @@ ResultFile run_file(const RunResults& results, std::string_view version) {
   if (c.source) {
     file.attributes.push_back({"case_file", c.source->file});
     file.attributes.push_back({"case_sha256", c.source->sha256});
-    file.attributes.push_back({"case", c.source->text});
+    if (c.source->text.size() <= longest_text) file.attributes.push_back({"case", c.source->text});
   }
   if (const std::optional<RecordEcho>& record = c.excitation.record; record && !record->sha256.empty()) {
     file.attributes.push_back({"record_file", record->file});

@@ -11,11 +11,15 @@ namespace bentur::sources {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-QuantitySource of_gaps(double (*value)(const RunView&, const QuantityPlace&), bool both_ways) {
-  QuantitySource source = computed(value);
+QuantitySource of_gaps(double (*value)(const Problem&, const Response&, Index), bool both_ways) {
+  QuantitySource source;
+  source.row.value = [=](const RunView& run, const QuantityPlace& at) {
+    return value(run.problem, run.response, at.item);
+  };
   source.plan.value = [=](const PlanRun& run, const QuantityPlace& at) {
     if (both_ways && !run.c.analysis.both_ways) return no_value;
-    return value(row_of(run)->view(), at);
+    const auto row = row_of(run);
+    return value(row->problem, row->response, at.item);
   };
   return source;
 }

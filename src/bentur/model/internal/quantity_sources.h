@@ -84,7 +84,8 @@ template <class Compute>
 
 /// Of a gap: of one in plan as of the row of its two buildings. @param both_ways the reversed motion has to be asked
 /// for
-[[nodiscard]] QuantitySource of_gaps(double (*value)(const RunView&, const QuantityPlace&), bool both_ways = false);
+[[nodiscard]] QuantitySource of_gaps(double (*value)(const Problem&, const Response&, Eigen::Index),
+                                     bool both_ways = false);
 
 /// A member of each point, impact or link.
 template <class Item, class Member>

@@ -1,5 +1,6 @@
 #include "bentur/model/plan/plan_places.h"
 
+#include <algorithm>
 namespace bentur {
 
 using Eigen::Index;
@@ -79,6 +80,19 @@ Index first_contact(const PlanProblem& problem, std::size_t gap) {
 }
 
 Index contact_count(const PlanProblem& problem) { return first_contact(problem, problem.gaps.size()); }
+
+std::vector<StretchCorner> merged_corners(const PlanProblem& problem, const PlanGap& gap) {
+  const auto is_convex = [&](std::size_t b) { return problem.buildings[b].model.footprint.is_convex(); };
+  if (gap.contacts.empty() || !is_convex(gap.left) || !is_convex(gap.right)) return {};
+  std::vector<StretchCorner> merged;
+  for (const StretchCorner& corner : gap.stretch.corners) {
+    const bool is_place = std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& one) {
+      return one.is_of_joint() && one.elevation == gap.contacts.front().elevation && one.along == corner.along;
+    });
+    if (gap.stretch.includes(corner) && !is_place) merged.push_back(corner);
+  }
+  return merged;
+}
 
 std::vector<const Interface*> contact_interfaces(const PlanProblem& problem, const System& system) {
   const std::vector<Index> places = places_of(problem);

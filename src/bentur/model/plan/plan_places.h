@@ -33,6 +33,10 @@ struct PlanContactPlace {
 /// How many contacts all gaps have.
 [[nodiscard]] Eigen::Index contact_count(const PlanProblem& problem);
 
+/// Corners of a joint that have no place of their own, being too near to others. Of outlines that turn inwards none is
+/// known: other corners are other pairs' of parts.
+[[nodiscard]] std::vector<StretchCorner> merged_corners(const PlanProblem& problem, const PlanGap& gap);
+
 /// Of each contact of all gaps its deformation, in the system_of() the problem.
 [[nodiscard]] std::vector<const Interface*> contact_interfaces(const PlanProblem& problem, const System& system);
 

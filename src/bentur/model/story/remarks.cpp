@@ -142,19 +142,6 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
   }
 }
 
-/// Corners of a joint that carry no share, being too near to others.
-double merged_corners(const PlanGap& gap) {
-  if (gap.contacts.empty()) return 0;
-  const auto is_place = [&](const StretchCorner& corner) {
-    return std::any_of(gap.contacts.begin(), gap.contacts.end(), [&](const PlanContact& one) {
-      return one.is_of_joint() && one.elevation == gap.contacts.front().elevation && one.along == corner.along;
-    });
-  };
-  return static_cast<double>(
-      std::count_if(gap.stretch.corners.begin(), gap.stretch.corners.end(),
-                    [&](const StretchCorner& corner) { return gap.stretch.includes(corner) && !is_place(corner); }));
-}
-
 void check_gaps(const Case& c, const Problem& problem, List& list) {
   check_modes(c, problem, list);
   check_blows(problem, list);
@@ -164,9 +151,7 @@ void check_gaps(const Case& c, const Problem& problem, List& list) {
 void check_gaps(const Case& c, const PlanProblem& problem, List& list) {
   check_levels(c, row_of(problem), overlaps(problem), list);
   for (const PlanGap& gap : problem.gaps) {
-    const auto is_convex = [&](Index b) { return problem.buildings[b].model.footprint.is_convex(); };
-    if (!is_convex(gap.left) || !is_convex(gap.right)) continue;  // of which other corners are other pairs' of parts
-    list.check("merged_corners", gap_name(problem, gap), merged_corners(gap));
+    list.check("merged_corners", gap_name(problem, gap), static_cast<double>(merged_corners(problem, gap).size()));
   }
 }
 

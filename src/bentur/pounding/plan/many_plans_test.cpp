@@ -14,6 +14,7 @@
 #include "bentur/contact/laws/hertz.h"
 #include "bentur/contact/laws/kelvin_voigt.h"
 #include "bentur/contact/laws/linear.h"
+#include "bentur/pounding/plan/outline/near.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 
 namespace bentur::many_plans {
@@ -29,11 +30,10 @@ class Blocks {
  public:
   explicit Blocks(unsigned seed) : engine_(seed) {}
 
-  /// Three rows of houses of two storeys, party walls and corners some millimetres to centimetres apart; between some
-  /// of them the roofs are watched alone.
-  PlanProblem make(LawOf law) {
+  /// Rows of houses of two storeys, party walls and corners some millimetres to centimetres apart; between some of them
+  /// the roofs are watched alone.
+  PlanProblem make(LawOf law, Index columns = 4, Index rows = 3) {
     PlanProblem problem;
-    const Index columns = 4, rows = 3;
     double below = 0;
     for (Index r = 0; r < rows; ++r) {
       double left = 0, tallest = 0;
@@ -46,9 +46,9 @@ class Blocks {
       }
       below += tallest + any(0.002, 0.02);
     }
-    for (Index a = 0; a < std::ssize(problem.buildings); ++a) {
-      for (Index b = a + 1; b < std::ssize(problem.buildings); ++b) add_gap(problem, a, b, law);
-    }
+    std::vector<Footprint> footprints;
+    for (const PlanBuilding& building : problem.buildings) footprints.push_back(building.model.footprint);
+    for (const auto& [a, b] : pairs_near(footprints, 0.3)) add_gap(problem, a, b, law);
     for (GroundMotion& motion : problem.motions) {
       std::vector<double> acceleration;
       const double period = any(0.3, 0.9), phase = any(0, 3);
@@ -195,6 +195,38 @@ TEST(ManyPlans, IslandsGiveWayWhereAForceIsNoLine) {
   for (unsigned seed = 11; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
     expect_the_same(Blocks(seed).make(LawOf::some_hertz), 1e-5);
+  }
+}
+
+// What a house costs is counted, not timed, of 60 to 240 houses under one motion: pairs looked at, places that are
+// watched, steps and events. Were all pairs looked at, or did an event of one house end the steps of all, it would grow
+// fourfold; what is drawn parts the blocks by some per cent.
+TEST(ManyPlans, CostIsLinearInHouses) {
+  struct Counts {
+    double pairs = 0, places = 0, steps = 0, events = 0;
+  };
+  const auto of_a_house = [](Index rows) {
+    PlanProblem problem = Blocks(7).make(LawOf::linear, 12, rows);
+    problem.motions[0] = HarmonicMotion{.period = 0.5, .displacement_amplitude = 0.02};
+    problem.motions[1] = HarmonicMotion{.period = 0.4, .displacement_amplitude = 0.01};
+    problem.duration = 1.5;
+    std::vector<Footprint> footprints;
+    for (const PlanBuilding& building : problem.buildings) footprints.push_back(building.model.footprint);
+    const PlanResponse response = solve(problem, ExactSolver{});
+    EXPECT_EQ(response.status, Status::done) << response.message;
+    const auto houses = static_cast<double>(problem.buildings.size());
+    Counts counts{static_cast<double>(pairs_near(footprints, 0.3).size()) / houses,
+                  static_cast<double>(response.points.size()) / houses, static_cast<double>(response.steps) / houses,
+                  static_cast<double>(response.events) / houses};
+    std::printf("%g houses, of each %.3g pairs, %.3g places, %.3g steps, %.3g events\n", houses, counts.pairs,
+                counts.places, counts.steps, counts.events);
+    return counts;
+  };
+  const Counts few = of_a_house(5), some = of_a_house(10), many = of_a_house(20);
+  for (const auto member : {&Counts::pairs, &Counts::places, &Counts::steps, &Counts::events}) {
+    EXPECT_GT(few.*member, 1);
+    EXPECT_LE(some.*member, 1.25 * few.*member);
+    EXPECT_LE(many.*member, 1.25 * few.*member);
   }
 }
 

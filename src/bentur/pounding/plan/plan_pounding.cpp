@@ -213,7 +213,9 @@ MatrixXd stacked(const MatrixXd& upper, const MatrixXd& lower) {
 }
 
 /// Rows of some of a system's points, of which those that rub are the last, as those of the problem's; zero of others.
-MatrixXd in_places(const MatrixXd& rows, const std::vector<Index>& places) {
+/// Of a block they are most of what a run keeps: handed over, they are there once.
+MatrixXd in_places(MatrixXd&& given, const std::vector<Index>& places) {
+  const MatrixXd rows = std::move(given);
   const Index count = std::ssize(places), first = count - rows.rows();  // those that rub are the last
   MatrixXd all = MatrixXd::Zero(count - std::count(places.begin(), places.end(), -1), rows.cols());
   for (Index i = 0; i < rows.rows(); ++i) {
@@ -267,10 +269,10 @@ PlanHistories histories_of(const PlanProblem& problem, Solution& solution, const
     histories.infill_force.push_back(std::move(force));
     histories.infill_shortening.push_back(std::move(shortening));
   }
-  histories.opening = in_places(solution.samples.opening, places);
-  histories.force = in_places(solution.samples.force, places);
-  histories.slip = in_places(solution.samples.slip, places);
-  histories.force_along = in_places(solution.samples.force_along, places);
+  histories.opening = in_places(std::move(solution.samples.opening), places);
+  histories.force = in_places(std::move(solution.samples.force), places);
+  histories.slip = in_places(std::move(solution.samples.slip), places);
+  histories.force_along = in_places(std::move(solution.samples.force_along), places);
   return histories;
 }
 
@@ -286,8 +288,8 @@ PlanHistories course_of(const PlanProblem& problem, Solution& solution, const st
     course.y.emplace_back(of(PlanOutput::movement).middleRows(n, n));
     course.rotation.push_back(of(PlanOutput::rotation));
   }
-  course.opening = in_places(solution.course.opening, places);
-  course.force = in_places(solution.course.force, places);
+  course.opening = in_places(std::move(solution.course.opening), places);
+  course.force = in_places(std::move(solution.course.force), places);
   return course;
 }
 

@@ -21,7 +21,7 @@ double force(int record, int level, int width) { return std::max(0, (record + 1)
 /// @param step at the first width all records pound from the second level on
 std::filesystem::path write_results(const std::filesystem::path& folder, bool step = false, int records = 3) {
   const std::filesystem::path path = folder / "ida.nc";
-  NetcdfWriter file(path.string(), NetcdfWriter::Place::disk);
+  NetcdfWriter file(path.string());
   const ResultDimension record{"record", static_cast<std::size_t>(records)}, width{"width", widths},
       intensity{"intensity", levels}, point{"point", 1};
   const std::string measure = "spectral acceleration, period 1.2 s, damping 5 %";

@@ -16,7 +16,7 @@ constexpr std::size_t values = 6;
 /// to 6.
 std::filesystem::path write_study(const std::filesystem::path& folder, const std::string& unit, double force) {
   const std::filesystem::path path = folder / "sweep.nc";
-  NetcdfWriter file(path.string(), NetcdfWriter::Place::disk);
+  NetcdfWriter file(path.string());
   const ResultDimension width{"width", values}, period{"period", values}, point{"point", 2}, floor{"elevation_1", 1};
   std::vector<double> widths, periods, impacts, ratios, forces;
   for (std::size_t i = 0; i < values; ++i) {

@@ -28,7 +28,7 @@ struct RunBlock {
 class SweepFile {
  public:
   SweepFile(const std::filesystem::path& file, const StudyRuns& runs, const std::string& version)
-      : file_(file.string(), NetcdfWriter::Place::disk), runs_(runs), study_(study_file(runs, version)) {}
+      : file_(file.string()), runs_(runs), study_(study_file(runs, version)) {}
 
   SweepTotals write(const Journal& journal);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <variant>
 
 #include "bentur/io/results/internal/record_json.h"
@@ -24,7 +25,49 @@ Json remarks_json(const std::vector<Remark>& remarks) {
   return json;
 }
 
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+namespace {
+
+std::size_t values_in(const Json& json) {
+  return std::accumulate(json.begin(), json.end(), std::size_t{1}, [](std::size_t sum, const Json& one) {
+    return sum + (one.is_structured() ? values_in(one) : 1);
+  });
+}
+
+/// As dump() writes it, item by item.
+void write(const Json& json, std::size_t indent, std::string& text) {
+  if (!json.is_structured() || json.empty() || indent > 4) {
+    const std::string part = json.dump(2, ' ', false, Json::error_handler_t::replace);
+    for (const char c : part) {
+      text += c;
+      if (c == '\n') text.append(indent, ' ');
+    }
+    return;
+  }
+  text += json.is_object() ? '{' : '[';
+  bool first = true;
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    text += first ? "\n" : ",\n";
+    first = false;
+    text.append(indent + 2, ' ');
+    if (json.is_object()) text += Json(item.key()).dump(2, ' ', false, Json::error_handler_t::replace) + ": ";
+    write(*item, indent + 2, text);
+  }
+  text += '\n';
+  text.append(indent, ' ');
+  text += json.is_object() ? '}' : ']';
+}
+
+}  // namespace
+
+std::string text_of(const Json& json) {
+  constexpr std::size_t bytes_of_one = 60;  // more than a value takes with its name and what is before it
+  std::string text;
+  text.reserve(json.is_structured() ? bytes_of_one * values_in(json)
+                                    : 0);  // a long one would be there twice as it grows
+  write(json, 0, text);
+  text += '\n';
+  return text;
+}
 
 Json units_json(const Units& units) { return {{"length", units.length}, {"force", units.force}}; }
 

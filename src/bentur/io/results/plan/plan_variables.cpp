@@ -481,8 +481,7 @@ ResultFile plan_file(const PlanRun& run, std::string_view version) {
   if (run.c.source) {
     file.attributes.push_back({"case_file", run.c.source->file});
     file.attributes.push_back({"case_sha256", run.c.source->sha256});
-    constexpr std::size_t most = 60000;  // bytes: HDF5 has no longer attributes
-    if (run.c.source->text.size() <= most) file.attributes.push_back({"case", run.c.source->text});
+    if (run.c.source->text.size() <= longest_text) file.attributes.push_back({"case", run.c.source->text});
   }
   Teller teller;
   PlanVariables(teller, run).all();

@@ -109,34 +109,47 @@ Apart apart(const PlanProblem& problem, const PlanResponse& wanted, const PlanPr
 
 constexpr double moved_by = 1e-12;
 
+/// A block as written, up to a time [s].
+PlanProblem problem_until(double duration, const DrawnBlock& drawn, const OutlinesWritten& written = {}) {
+  PlanProblem problem = outlines_problem(drawn, written);
+  problem.duration = duration;
+  return problem;
+}
+
 /// How many times larger the response moves than stiffnesses and masses that are moved by 1e-12.
 double sensitivity(const DrawnBlock& drawn, const PlanProblem& problem, const PlanResponse& wanted) {
   DrawnBlock moved = drawn;
   moved.stiffness *= 1 + moved_by;
   for (test::DrawnHouse& house : moved.houses) house.mass *= 1 - moved_by;
-  const PlanProblem other = outlines_problem(moved);
+  const PlanProblem other = problem_until(problem.duration, moved);
   return apart(problem, wanted, other, solve(other, ExactSolver{})).size / moved_by;
 }
 
 TEST(OutlinesWritten, ChangesNothing) {
   const auto [first, last] = test::seeds_of("BENTUR_RANDOM_OUTLINES", {1, 50}, {1, 4});
   double worst = 0;
-  long impacts = 0, loose = 0;
+  long impacts = 0, shortened = 0;
   Eigen::Matrix2d quarter, mirror;
   quarter << 0, -1, 1, 0;
   mirror << -1, 0, 0, 1;
   for (unsigned seed = first; seed <= last; ++seed) {
     SCOPED_TRACE("BENTUR_RANDOM_OUTLINES=" + std::to_string(seed) + ":" + std::to_string(seed));
     const DrawnBlock drawn = drawn_block(seed);
-    const PlanProblem problem = outlines_problem(drawn);
-    const PlanResponse wanted = solve(problem, ExactSolver{});
-    ASSERT_EQ(wanted.status, Status::done) << wanted.message;
-    impacts += std::ssize(wanted.impacts);
-    const double amplifies = sensitivity(drawn, problem, wanted);
-    if (std::isinf(amplifies)) {  // an impact more or less by what round-off is
-      ++loose;
-      continue;
+    PlanProblem problem = outlines_problem(drawn);
+    PlanResponse wanted = solve(problem, ExactSolver{});
+    double amplifies = sensitivity(drawn, problem, wanted);
+    // Six blocks of 500 (107, 138, 216, 219, 229, 455) are chaotic: what moves the first impacts by 1e-13 s moves each
+    // next one further, ten times as far every 0.3 s, and those after 2 to 3 s by milliseconds, until there is one more
+    // or less. Nothing comes to rest there, and no two begin at once. Compared is the time before that.
+    if (std::isinf(amplifies)) {
+      ++shortened;
+      problem = problem_until(problem.duration / 2, drawn);
+      wanted = solve(problem, ExactSolver{});
+      amplifies = sensitivity(drawn, problem, wanted);
     }
+    ASSERT_EQ(wanted.status, Status::done) << wanted.message;
+    ASSERT_FALSE(std::isinf(amplifies));
+    impacts += std::ssize(wanted.impacts);
     int way = 0;
     for (const OutlinesWritten& written : std::vector<OutlinesWritten>{{.map = quarter},
                                                                        {.map = mirror},
@@ -145,7 +158,7 @@ TEST(OutlinesWritten, ChangesNothing) {
                                                                        {.first_corner = 1},
                                                                        {.first_corner = 3, .clockwise = true}}) {
       SCOPED_TRACE(way++);
-      const PlanProblem other = outlines_problem(drawn, written);
+      const PlanProblem other = problem_until(problem.duration, drawn, written);
       const PlanResponse found = solve(other, ExactSolver{});
       ASSERT_EQ(found.status, Status::done) << found.message;
       const Apart by = apart(problem, wanted, other, found, written);
@@ -153,10 +166,10 @@ TEST(OutlinesWritten, ChangesNothing) {
       EXPECT_LE(by.size, std::max(1e-10, 1e-13 * amplifies)) << by.what << ", amplifies " << amplifies;
     }
   }
-  std::printf("%u blocks, %ld impacts, %ld hang on round-off; written otherwise %.2g apart\n", last - first + 1,
-              impacts, loose, worst);
+  std::printf("%u blocks, %ld impacts, %ld chaotic, compared for half the time; written otherwise %.2g apart\n",
+              last - first + 1, impacts, shortened, worst);
   EXPECT_GT(impacts, 10 * static_cast<long>(last - first));
-  EXPECT_LE(loose, static_cast<long>(last - first) / 25 + 1);
+  EXPECT_LE(shortened, static_cast<long>(last - first) / 25 + 1);
 }
 
 }  // namespace

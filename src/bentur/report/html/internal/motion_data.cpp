@@ -85,10 +85,10 @@ Json played_json(const MotionSampling& sampling, const std::vector<double>& time
   for (const Index k : listed) {
     const Impact& impact = impacts[k];
     told.push_back({impact.point, impact.start, impact.end, force * impact.peak_force, impact.peak_force_time,
-                    impact.closing_speed, k + 1});
+                    impact.closing_speed, k + 1, impact.slipped ? 1 : 0});
   }
   Json words;
-  for (const char* const word : {"play", "pause", "impact", "level", "show_impact"}) {
+  for (const char* const word : {"play", "pause", "impact", "level", "show_impact", "slips"}) {
     words[word] = say("script." + std::string(word));
   }
   words["magnified"] = say("figure.text.magnified");

@@ -51,9 +51,9 @@ function benturMotion(parts, data) {
     scene = data.scene;
     samples = benturSamples(data);
     buildings = samples.buildings;
-    // [point, start, end, peak force, time of it, closing speed], by start
-    impacts = data.impacts.map(([point, start, end, force, peak, speed, number]) =>
-      ({ point, start, end, force, peak, speed, number }));
+    // [point, start, end, peak force, time of it, closing speed, number, whether it slips off], by start
+    impacts = data.impacts.map(([point, start, end, force, peak, speed, number, slips]) =>
+      ({ point, start, end, force, peak, speed, number, slips }));
     strongest = impacts.length === 0 ? null : impacts.reduce((most, impact) =>
       (impact.force > most.force || (impact.force === most.force && impact.speed > most.speed) ? impact : most));
     duration = data.duration;
@@ -267,7 +267,7 @@ function benturMotion(parts, data) {
   function describe(impact) {
     const what = impact.force > 0 ? `${number(impact.force)} ${data.units.force}`
       : `${number(impact.speed)} ${data.units.length}/s`;
-    return `${words.impact} ${impact.number}: ${what}, ${picture.where(impact.point)}`;
+    return `${words.impact} ${impact.number}: ${what}, ${picture.where(impact.point)}${impact.slips ? `, ${words.slips}` : ""}`;
   }
 
   function buildLive() {

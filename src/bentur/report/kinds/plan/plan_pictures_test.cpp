@@ -120,6 +120,36 @@ TEST(PlanPictures, TextsAreInTheCatalogue) {
   }
 }
 
+/// The case of docs/theory/plan.md whose two corners slip off one another; the other corners of a neighbour are so near
+/// to one another that some are merged.
+TEST(PlanPictures, TheSceneShowsWhatSlipsOffAndWhichCornersAreMerged) {
+  const std::string soft = "rigidity = { centre = [5, 5], x = 1e-4, y = 1e-4, torsion = 1e-4 }\n";
+  const std::string text =
+      "[units]\nlength = \"m\"\nforce = \"kN\"\n[plan]\nclearance = 0.2\ncontact = { law = \"linear\", stiffness = 4e5 "
+      "}\n[[building]]\nname = \"A\"\ndamping = 0.0\nplan = { corner = [0, 0], size = [10, 10], storey_heights = [3], "
+      "masses = [200] }\n" +
+      soft +
+      "[[building]]\nname = \"B\"\ndamping = 0.0\nplan = { corner = [10.02, 9.9], size = [10, 10], storey_heights = "
+      "[3], masses = [200] }\n" +
+      soft +
+      "[[building]]\nname = \"Round\"\nrigid = true\nelevations = [3]\nplan = { polygon = [[-10, 4], [-0.3, 4], "
+      "[-0.05, 4.7], [-0.02, 5], [-0.05, 5.3], [-0.3, 6], [-10, 6]] }\n"
+      "[excitation]\nkind = \"none\"\n[initial]\nvelocities = { A = [[0.5, -2, 0]] }\n[analysis]\nduration = 0.2\n";
+  const PlanRun run = test::plan_run(text, 0.001);
+  std::size_t merged = 0;
+  for (const PlanGap& gap : run.problem.gaps) merged += merged_corners(run.problem, gap).size();
+  ASSERT_GT(merged, 0U);
+  const Panel panel = make_figure(run, "scene").panels.front();
+  EXPECT_EQ(labelled(panel, "merged corner").x.size(), 2 * merged);
+  // Both ends slip off at one instant, of which the picture is.
+  const Curve& slid = labelled(panel, "slips off");
+  EXPECT_EQ(slid.mark, Mark::diamond);
+  EXPECT_EQ(slid.x, labelled(panel, "strikes now").x);
+  EXPECT_EQ(slid.x.size(), 4U);
+  const std::vector<Curve> without = make_figure(twisting(), "scene").panels.front().curves;
+  EXPECT_TRUE(std::none_of(without.begin(), without.end(), [](const Curve& one) { return one.mark == Mark::diamond; }));
+}
+
 /// Footprints meet in the picture where they meet in the run: the corner that strikes is at the other edge, but for its
 /// penetration.
 TEST(PlanPictures, TheSceneShowsTheHardestImpact) {

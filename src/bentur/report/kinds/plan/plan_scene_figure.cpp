@@ -233,7 +233,8 @@ class PlanPicture {
     }
   }
 
-  /// Contacts at both edges, those of the level shown; corners that strike then, and those that did before or will.
+  /// Contacts at both edges, those of the level shown; corners that strike then, and those that did before or will;
+  /// which of them slip off at some time, and corners that are none of their own.
   void add_points() {
     Curve open{.line = Line::none, .mark = Mark::circle, .complete = true, .mark_size = 0.8};
     open.label = word(options_, "contact point");
@@ -245,9 +246,24 @@ class PlanPicture {
     now.label = word(options_, "strikes now");
     now.mark = Mark::disc;
     now.mark_size = 1.5;
+    Curve slid = hit;
+    slid.label = word(options_, "slips off");
+    slid.mark = Mark::diamond;
+    slid.mark_size = 2.2;  // around the other
+    Curve merged = open;
+    merged.label = word(options_, "merged corner");
+    merged.mark = Mark::triangle;
+    std::set<Index> slips;
+    for (const Impact& impact : run_.response.impacts) {
+      if (impact.slipped) slips.insert(impact.point);
+    }
     std::vector<PlanPoint> bursts;
     for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) {
       const PlanGap& gap = run_.problem.gaps[g];
+      for (const StretchCorner& corner : merged_corners(run_.problem, gap)) {
+        add(merged, moved(gap.left, corner.left));
+        add(merged, moved(gap.right, corner.right));
+      }
       for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
         const PlanContact& contact = gap.contacts[i];
         if (contact.left_floor != floors_[gap.left] || contact.right_floor != floors_[gap.right]) continue;
@@ -255,6 +271,10 @@ class PlanPicture {
         const StretchCorner place = gap.at(contact);
         const PlanPoint left = moved(gap.left, place.left), right = moved(gap.right, place.right);
         const bool is_on = touching_.count(point) > 0;
+        if (slips.count(point) > 0) {
+          add(slid, left);
+          add(slid, right);
+        }
         Curve& marks = is_on ? now : run_.response.points[point].impacts > 0 ? hit : open;
         add(marks, left);
         add(marks, right);
@@ -263,7 +283,7 @@ class PlanPicture {
     }
     const double size = bursts.size() > 2 ? 0.6 * size_ : size_;
     for (const PlanPoint& at : bursts) panel_.curves.push_back(burst(at.x(), at.y(), size));
-    for (Curve* const marks : {&open, &hit, &now}) {
+    for (Curve* const marks : {&merged, &open, &hit, &slid, &now}) {
       if (!marks->x.empty()) panel_.curves.push_back(std::move(*marks));
     }
   }
