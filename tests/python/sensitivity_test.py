@@ -80,6 +80,16 @@ def test_every_number_of_an_example(name):
     assert compared >= 2 * len(found["numbers"])
 
 
+def test_a_number_with_its_unit_is_one():
+    found = bentur.run(bentur.example().replace({"excitation.pga": "0.35 g"})).sensitivity
+    at = [number["path"] for number in found["numbers"]].index("excitation.pga")
+    assert found["numbers"][at]["value"] == 0.35
+    for peak in found["peaks"]:
+        if peak["quantity"] == "gap_needed":
+            assert peak["elasticity"][at] == pytest.approx(1, abs=1e-9)
+            assert peak["gradient"][at] == pytest.approx(peak["value"] / 0.35, rel=1e-9)
+
+
 def test_a_curved_force_has_none():
     case = bentur.example().replace({"gap[0].contact": {"law": "hertz", "stiffness": 1e5}})
     with pytest.raises(bentur.CaseError, match="curved"):

@@ -1,11 +1,15 @@
 #include "bentur/study/sensitivity/sensitivity.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
@@ -22,9 +26,33 @@ constexpr double relative_step = 1e-6;  // of a number: its square is below what
 constexpr std::array tables_of_numbers = {"building", "gap", "link", "excitation", "initial"};
 constexpr std::array samples = {"values"};  // lists that are no parameters
 
-/// All numbers of a value, with their paths.
+/// A number as a case has it, alone or as a text with its unit: "0.35 g".
+struct Given {
+  double value = 0;
+  std::string unit;  ///< with the blank before it; empty: it stands alone
+
+  [[nodiscard]] TomlValue other(double x) const {
+    return unit.empty() ? toml_number(x) : toml_text(fmt::format("{:.17g}{}", x, unit));
+  }
+};
+
+/// Nothing of what is neither.
+std::optional<Given> number_in(const TomlValue& value) {
+  if (value.is_number()) return Given{value.real, ""};
+  if (value.kind != TomlValue::Kind::text) return std::nullopt;
+  const std::string_view text = trimmed(value.text);
+  Given given;
+  const auto read = from_chars(text.data(), text.data() + text.size(), given.value);
+  if (read.ec != std::errc()) return std::nullopt;
+  given.unit = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
+  if (given.unit.empty()) return std::nullopt;
+  return given;
+}
+
+/// All numbers of a value, with their paths. Texts are those of motions alone: a name may begin with a number.
 void gather(const TomlValue& value, const ParameterPath& path, std::vector<ParameterPath>& paths) {
-  if (value.is_number()) paths.push_back(path);
+  const bool of_motion = path.front() == PathStep(std::string("excitation"));
+  if (value.is_number() || (of_motion && number_in(value))) paths.push_back(path);
   const auto into = [&](const TomlValue& part, PathStep step) {
     ParameterPath longer = path;
     longer.push_back(std::move(step));
@@ -53,7 +81,7 @@ std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::files
     std::optional<ParameterPath> path = parse_path(text, error);
     if (path) path = resolved(root, *path, error);
     const TomlValue* const value = path ? find_value(root, *path) : nullptr;
-    if (path && (value == nullptr || !value->is_number())) error = "is no number of this case";
+    if (path && (value == nullptr || !number_in(*value))) error = "is no number of this case";
     if (!error.empty()) {
       diagnostics.error({file.string(), 0, 0}, text + ": " + error);
     } else {
@@ -68,9 +96,9 @@ class Maker {
   Maker(const TomlValue& root, const std::filesystem::path& file) : root_(root), file_(file) {}
 
   /// The problem where a number is another one; nothing where the case is then wrong, and why.
-  std::optional<Problem> with(const ParameterPath& path, double value, std::string& why) {
+  std::optional<Problem> with(const ParameterPath& path, const TomlValue& value, std::string& why) {
     TomlValue root = root_;
-    put_value(root, path, toml_number(value));
+    put_value(root, path, value);
     Diagnostics found;
     try {
       const ReadCase read =
@@ -184,15 +212,16 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
   std::vector<ProblemVariation> variations;
   std::vector<CaseNumber> numbers;
   for (const ParameterPath& path : paths) {
-    const CaseNumber number{path_text(path), find_value(root, path)->real};
+    const Given given = *number_in(*find_value(root, path));
+    const CaseNumber number{path_text(path), given.value};
     const double step = relative_step * std::abs(number.value);
     if (step == 0.0) {
       result.left_out.emplace_back(number.path, "is zero: no part of it can be added");
       continue;
     }
     std::string why;
-    std::optional<Problem> below = maker.with(path, number.value - step, why), above;
-    if (below) above = maker.with(path, number.value + step, why);
+    std::optional<Problem> below = maker.with(path, given.other(number.value - step), why), above;
+    if (below) above = maker.with(path, given.other(number.value + step), why);
     if (!above) {
       result.left_out.emplace_back(number.path, why);
       continue;
