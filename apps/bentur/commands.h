@@ -15,6 +15,7 @@ void add_ida_command(CLI::App& app);
 void add_fragility_command(CLI::App& app);
 void add_risk_command(CLI::App& app);
 void add_remedy_command(CLI::App& app);
+void add_sensitivity_command(CLI::App& app);
 void add_check_command(CLI::App& app);
 void add_spectrum_command(CLI::App& app);
 void add_plot_command(CLI::App& app);

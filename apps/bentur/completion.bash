@@ -4,7 +4,7 @@ _bentur() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command='' word options
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case $word in
-      run | report | gap | sweep | ida | fragility | risk | remedy | modes | check | spectrum | plot | example | import | schema) command=$word && break ;;
+      run | report | gap | sweep | ida | fragility | risk | remedy | sensitivity | modes | check | spectrum | plot | example | import | schema) command=$word && break ;;
     esac
   done
   COMPREPLY=()
@@ -14,7 +14,7 @@ _bentur() {
     return
   fi
   if [[ $previous == -o || $previous == --output ]]; then
-    mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|remedy|spectrum|plot|report|import|schema) ]] && echo -f || echo -d)" -- "$current")
+    mapfile -t COMPREPLY < <(compgen "$([[ $command == @(sweep|ida|remedy|sensitivity|spectrum|plot|report|import|schema) ]] && echo -f || echo -d)" -- "$current")
     compopt -o filenames 2>/dev/null
     return
   fi
@@ -31,7 +31,7 @@ _bentur() {
     return
   fi
   case $command in
-    '') options='run report gap sweep ida fragility risk remedy modes check spectrum plot example import schema --help --version' ;;
+    '') options='run report gap sweep ida fragility risk remedy sensitivity modes check spectrum plot example import schema --help --version' ;;
     run) options='--output --figures --lang --json --quiet --force --help' ;;
     report) options='--output --lang --template --force --help' ;;
     gap) options='--at --lang --json --help' ;;
@@ -39,6 +39,7 @@ _bentur() {
     fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;
     risk) options='--hazard --unit --site --event --method --years --target --resamples --confidence --seed --lang --json --help' ;;
     remedy) options='--output --figure --resume --json --lang --force --help' ;;
+    sensitivity) options='--by --output --json --lang --force --help' ;;
     modes) options='--json --method --help' ;;
     check) options='--lang --help' ;;
     spectrum) options='--unit --format --time-step --column --channel --skip-lines --damping --periods --length --output --lang --force --json --help' ;;

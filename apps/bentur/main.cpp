@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   add_fragility_command(app);
   add_risk_command(app);
   add_remedy_command(app);
+  add_sensitivity_command(app);
   add_modes_command(app);
   add_check_command(app);
   add_spectrum_command(app);

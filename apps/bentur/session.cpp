@@ -35,7 +35,7 @@
 namespace bentur::cli {
 namespace {
 
-constexpr std::size_t most_errors_shown = 100;
+constexpr std::size_t most_errors_shown = 20;
 
 std::string all_of(const Diagnostics& diagnostics, const std::string& language) {
   const std::vector<Diagnostic> errors = diagnostics.errors();

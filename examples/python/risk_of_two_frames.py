@@ -8,6 +8,7 @@
 import tempfile
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
 import bentur
@@ -26,6 +27,15 @@ for number in range(12):
     high_pass = (frequency / (frequency + 2 * np.pi * 0.2)) ** 2
     noise = np.fft.irfft(np.fft.rfft(random.normal(size=count)) * soil * high_pass, count) * envelope
     np.savetxt(folder / f"motion-{number + 1:02d}.txt", np.column_stack([time, 0.3 * noise / np.abs(noise).max()]))
+
+# %% [markdown]
+# The last of them.
+
+# %%
+_, axes = plt.subplots(figsize=(6, 2), layout="constrained")
+axes.plot(time, 0.3 * noise / np.abs(noise).max(), linewidth=0.7, color="black")
+axes.set(xlabel="time [s]", ylabel="acceleration [g]")
+axes.figure.savefig(folder / "motion.png", dpi=200)
 
 # %% [markdown]
 # The case as a file, and a study of it: every motion at 30 levels of spectral acceleration, 360 runs.

@@ -267,6 +267,35 @@ class Result:
         found: dict[str, Any] = json.loads(self._run.gap_json())
         return found
 
+    @cached_property
+    def sensitivity(self) -> dict[str, Any]:
+        """The derivatives of gap needed, peak force and displacements by every number of the case, through the events,
+        as ``bentur sensitivity CASE --json`` prints them (docs/sensitivity.md). Found when first asked for.
+
+        :raises CaseError: for buildings in plan, that yield, or a contact law with a curved force.
+        """
+        found: dict[str, Any] = json.loads(_core.sensitivity_json(self.case._made, [], None))
+        return found
+
+    @property
+    def gradient(self) -> pandas.DataFrame:
+        """:attr:`sensitivity` as a table: a row for each number of the case, a column for each peak, by its quantity,
+        its gap or building, and its level.
+
+        :raises CaseError: as :attr:`sensitivity`.
+        :raises ImportError: without pandas.
+        """
+        pandas: Any = imported("pandas", "the table of derivatives")
+        found = self.sensitivity
+        peaks = found["peaks"]
+        columns = [(peak["quantity"], peak.get("gap", peak.get("building")), peak["level"]) for peak in peaks]
+        table: Any = pandas.DataFrame(
+            np.array([peak["gradient"] for peak in peaks]).reshape(len(peaks), len(found["numbers"])).T,
+            index=[number["path"] for number in found["numbers"]],
+            columns=pandas.MultiIndex.from_tuples(columns, names=("quantity", "of", "level")),
+        )
+        return table
+
     def save(self, folder: str | Path, *, force: bool = False) -> list[Path]:
         """Writes what ``bentur run -o`` writes: ``summary.json``, ``impacts.csv``, the copy of a case that was a file
         and, where there are histories and netCDF4 is installed, ``histories.nc``. Makes the folder. All of them appear

@@ -261,10 +261,12 @@ def risk(found: dict[str, Any], *, case: int = 0, axes: Sequence[Axes] | None = 
         fine = np.geomspace(x[0], x[-1], 300)
         z = np.log(fine / one["median"]) / one["dispersion"]
         other.plot(fine, [0.5 * (1 + erf(v / sqrt(2))) for v in z], color=GREY, linestyle="-.")
+        upper.plot([], [], color=GREY, linestyle="-.", label="fragility P")
         other.set(ylim=(0, 1.02))
         other.set_ylabel("fragility P", fontsize=STYLE["axes.labelsize"])
         other.tick_params(labelsize=STYLE["font.size"], direction="in")
-    upper.legend(frameon=False, fontsize=STYLE["legend.fontsize"], loc="lower left")
+    # Above all curves: hazard and fragility cross, so that within them there is no corner that is free of both.
+    upper.legend(frameon=False, fontsize=STYLE["legend.fontsize"], loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2)
     told = one["lognormal"] if one["by"] == "lognormal" else one["observed"]
     density = np.array(told["parts"][:-1]) / np.diff(np.log(x))
     lower.stairs(density, x, fill=True, color=TEAL, alpha=0.5)

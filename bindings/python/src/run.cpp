@@ -31,6 +31,7 @@
 #include "bentur/report/words.h"
 #include "bentur/structure/modes.h"
 #include "bentur/study/remedy/least_gap.h"
+#include "bentur/study/sensitivity/sensitivity.h"
 #include "case_run.h"
 #include "python_law.h"
 #include "toml_python.h"
@@ -129,6 +130,22 @@ std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_
   Response response = watched(options, progress, [&] { return solve(problem, given.c.analysis.solver, options); });
   const py::gil_scoped_release unlocked;
   return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
+}
+
+std::string sensitivities(const PyCase& given, const std::vector<std::string>& numbers, const py::object& progress) {
+  Watcher watcher(progress);
+  Diagnostics found;
+  std::optional<Sensitivity> result;
+  {
+    const py::gil_scoped_release unlocked;
+    SensitivityOptions options{.numbers = numbers};
+    options.progress = [&](double fraction) { return watcher(fraction); };
+    result = sensitivity_of(*given.root, given.folder / given.name, options, found);
+  }
+  watcher.rethrow();
+  rethrow_of_laws();
+  if (!result) raise_case_error(found);
+  return sensitivity_json(*result, version());
 }
 
 /// A case that was made in Python has no file: what it says as one, so that results tell what was run.
@@ -352,6 +369,7 @@ void bind_run(py::module_& module) {
         return least_gap_json(run->plan ? least_gaps(*run->plan) : least_gaps(run->results), version());
       },
       py::arg("case"), py::arg("progress"));
+  module.def("sensitivity_json", &sensitivities, py::arg("case"), py::arg("numbers"), py::arg("progress"));
   module.def(
       "height_rules_json",
       [](const PyCase& given) {

@@ -88,6 +88,9 @@ TEST(Catalogue, HasACaptionForEveryFigure) {
   for (const SweepKind& kind : sweep_kinds()) {
     EXPECT_NO_THROW(static_cast<void>(say("figure.sweep." + kind.kind))) << kind.kind;
   }
+  for (const char* name : {"ida.without_fractiles", "fragility.without_bounds", "collapse.without_bounds"}) {
+    EXPECT_NO_THROW(static_cast<void>(say(std::string("figure.sweep.") + name))) << name;
+  }
 }
 
 TEST(Words, ValuesAreTakenAsTheyAre) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
@@ -49,6 +50,16 @@ struct OutputsFound {
   /// Euclidean norms. Round-off is a part of that.
   Eigen::VectorXd size = {};
   Eigen::MatrixXd course = {};  ///< outputs × instants of the exact course; empty where it does not keep them
+};
+
+/// What ended the branch of an element, and where all were just after that.
+struct Change {
+  Eigen::Index element = 0;  ///< contacts, joints and limits as System has them
+  std::size_t guard = 0;     ///< of its branch
+  double time = 0;           ///< [s]
+  LawState before, after;
+  std::vector<std::pair<Eigen::Index, double>> impulses;  ///< of impacts without time: element, and [force·s]
+  Eigen::VectorXd q, v;                                   ///< every coordinate of the solver
 };
 
 /// How far a δ went.
@@ -139,6 +150,7 @@ struct Solution {
   std::optional<Passed> passed = {};
   std::vector<std::vector<OutputsFound>> outputs = {};  ///< per body, as Body::outputs
   std::vector<Impact> impacts = {};                     ///< in the order in which they ended
+  std::vector<Change> changes = {};                     ///< in their order, where they are kept
   std::vector<double> needed = {};  ///< per contact in the free response (those that rub last), max(0, δ) [length]
   std::vector<ElementFound> joints = {};
   std::vector<std::vector<ElementFound>> members = {};  ///< per body, as Body::elements

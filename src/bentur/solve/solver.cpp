@@ -296,6 +296,7 @@ Solution FreeSolution::solve(const std::vector<Contact>& contacts, const std::ve
   solution.events = run.elements().events();
   run.sampler().finish(solution);
   if (run.tracer()) run.tracer()->finish(solution);
+  solution.changes = std::move(run.changes());
   if (run.energy()) solution.energy = run.energy()->finish();
   solution.checks = {run.momentum().worst(),
                      engine::worst_opening(parts.system, run.elements(), scales.displacement, solution),

@@ -50,6 +50,8 @@ struct RunOptions {
   /// Accounts for all energy (Solution::energy); it never changes the solution.
   bool energy_audit = false;
   double energy_step = 0;  ///< [s] of the samples of energies, which are kept with histories; 0: as of those
+  /// Keeps what elements did at each event (Solution::changes), for tangent/tangent.h.
+  bool changes = false;
   /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
   std::function<bool(double)> progress = {};
 };

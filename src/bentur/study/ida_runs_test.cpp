@@ -135,5 +135,38 @@ TEST(IdaRuns, WithoutFilesTheCasesOwnRecordIsScaledWhateverTheCaseScalesItBy) {
   }
 }
 
+TEST(IdaRuns, SamplesAreARecordAndABuildingThatEveryLevelHas) {
+  const StudyRuns runs = runs_of(
+      "[sampling]\nmethod = 'latin-hypercube'\ncount = 8\nseed = 3\n[ida]\nintensity = 'pga'\n"
+      "unit = 'g'\nlevels = [0.1, 0.5, 2]\n" +
+      records +
+      "[[vary]]\nparameter = 'gap[0].width'\ndistribution = { uniform = { low = 0.0, high = "
+      "0.8 } }\n");
+  EXPECT_EQ(runs.study().axes, (std::vector<std::string>{"draw", "intensity"}));
+  ASSERT_EQ(runs.plan().runs(), 24U);
+  std::vector<int> of_records(2, 0), of_slices(8, 0);
+  for (std::size_t draw = 0; draw < 8; ++draw) {
+    std::vector<double> widths;
+    std::vector<std::string> files;
+    for (std::size_t level = 0; level < 3; ++level) {
+      const TomlValue root = chosen_case(runs.study(), runs.choices(3 * draw + level));
+      widths.push_back(find_value(root, {"gap", std::size_t{0}, "width"})->real);
+      files.push_back(find_value(root, {"excitation", "file"})->text);
+    }
+    EXPECT_EQ(widths, std::vector<double>(3, widths.front()));
+    EXPECT_EQ(files, std::vector<std::string>(3, files.front()));
+    ++of_slices.at(static_cast<std::size_t>(widths.front() / 0.1));
+    ++of_records.at(files.front().find("AT2") != std::string::npos ? 0 : 1);
+    // The key that goes with the file is its own.
+    const TomlValue root = chosen_case(runs.study(), runs.choices(3 * draw));
+    EXPECT_EQ(find_value(root, {"excitation", "unit"}) != nullptr,
+              of_records[1] > 0 && files.front().find("AT2") == std::string::npos);
+  }
+  // A Latin hypercube: one width in each slice, and each record for half of the draws.
+  EXPECT_EQ(of_slices, std::vector<int>(8, 1));
+  EXPECT_EQ(of_records, std::vector<int>(2, 4));
+  for (const RunResult& result : all(runs)) EXPECT_EQ(result.status, RunStatus::done) << result.message;
+}
+
 }  // namespace
 }  // namespace bentur

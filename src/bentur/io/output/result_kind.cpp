@@ -67,6 +67,7 @@ std::string_view kind_name(ResultKind kind) {
       "fragility functions of bentur export",
       "taxonomies of bentur export",
       "a search of bentur remedy",
+      "derivatives of bentur sensitivity",
       "the imported case",
       "the example",
   };
@@ -105,6 +106,8 @@ bool is_result(const fs::path& file, ResultKind kind) {
     }
     case ResultKind::remedy:
       return has_keys(json_of(file), {"version", "objective", "parameters", "smallest", "evaluations"});
+    case ResultKind::sensitivity:
+      return has_keys(json_of(file), {"version", "numbers", "left_out", "peaks"});
     case ResultKind::schema: {
       const FoundJson schema = json_of(file);
       return has_keys(schema, {"$schema", "title"}) && schema["title"].is_string() &&

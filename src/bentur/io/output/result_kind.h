@@ -23,6 +23,7 @@ enum class ResultKind {
   fragility_model,  ///< fragility functions in NRML
   taxonomy,         ///< GEM taxonomy of buildings
   remedy,           ///< a search of bentur remedy
+  sensitivity,      ///< derivatives of bentur sensitivity
   imported,         ///< a case made from another program's model
   example           ///< a case or record built into the program
 };

@@ -214,6 +214,11 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     if (figure.panels.size() % static_cast<std::size_t>(figure.columns) != 0) leave_to_neighbour(panel.y);
     figure.panels.push_back(std::move(panel));
   }
+  const auto has_median = [](const Panel& panel) {
+    return std::any_of(panel.curves.begin(), panel.curves.end(),
+                       [](const Curve& each) { return each.label == median_label; });
+  };
+  if (std::none_of(figure.panels.begin(), figure.panels.end(), has_median)) figure.lacks = "fractiles";
   for (Panel& panel : figure.panels) {  // all by one scale, so that they can be compared
     if (panel.note.empty() && cases.size() > 1 && largest_force > 0) panel.x.to = 1.04 * largest_force;
   }
@@ -333,6 +338,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   return {.title = fmt::format("Fragility: probability of {} against intensity, lognormal fits with bootstrap bounds",
                                pounding ? "pounding" : event),
           .finding = panel.note.empty() ? finding : panel.note,
+          .lacks = areas.empty() ? "bounds" : "",
           .panels = {panel},
           .width = options.width};
 }

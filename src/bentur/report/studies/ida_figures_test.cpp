@@ -68,6 +68,7 @@ TEST(IdaFigure, FractilesOfTheRecords) {
   const Figure figure = make_figure(results, "ida", options);
   EXPECT_EQ(figure.panels[0].y.label, "Sa (1.2 s, 5 %) [g]");
   EXPECT_EQ(figure.panels[0].curves.size(), count + 3U);
+  EXPECT_EQ(figure.lacks, "");
   const Curve& median = labelled(figure, "50 %");
   const Curve& low = labelled(figure, "16 %");
   EXPECT_EQ(median.y, (std::vector<double>{0.5, 1, 1.5, 2}));
@@ -87,6 +88,7 @@ TEST(IdaFigure, HasNoFractilesOfFewRecords) {
   const Figure figure = make_figure(NetcdfReader(write_results(folder.path())), "ida", options);
   EXPECT_EQ(figure.panels[0].curves.size(), 3U);
   EXPECT_EQ(figure.panels[0].curves[0].label, "3 records");
+  EXPECT_EQ(figure.lacks, "fractiles");  // which the caption of a page then does not name
 }
 
 /// Of the records the median and what lies between 16 and 84 %, in place of those of one of them.

@@ -456,15 +456,15 @@ bool is_study(const std::filesystem::path& file) {
 
 std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,
                                   const std::function<bool(double)>& progress, Diagnostics& diagnostics) {
-  const auto study = read_study(file, diagnostics);
+  auto study = read_study(file, diagnostics);
   if (!study) return std::nullopt;
   const auto refuse = [&](const std::string& why) {
     diagnostics.error({file.string(), 0, 0}, why);
     return std::nullopt;
   };
   if (study->remedy) return refuse("[remedy] is for bentur remedy: bentur gap needs a study without it");
-  if (study->sampling.method != Sampling::Method::grid) {
-    return refuse("[sampling] draws single runs: bentur gap needs a study whose runs are a grid");
+  if (study->sampling.method != Sampling::Method::grid && !draw_together(*study)) {
+    return refuse("[sampling] has no records to draw from: bentur gap needs a [[vary]] with files, or a suite");
   }
   if (at && !study->ida) return refuse("--at needs [ida], which says how intensity is measured");
   return gap_study_of(*study, at, progress, diagnostics);

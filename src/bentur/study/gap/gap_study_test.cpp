@@ -106,5 +106,33 @@ TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
   EXPECT_EQ(turned.at(0), turned.at(1));
 }
 
+TEST(GapStudies, SamplesAreRecordsEachWithABuildingOfItsOwn) {
+  const std::string records = "[[vary]]\nparameter = 'excitation.file'\nname = 'record'\nfiles = ['" + gap_tests +
+                              "/bad_input/good.AT2', {file = '" + gap_tests +
+                              "/bad_input/good-two-column.txt', unit = 'm/s2'}]\n";
+  const std::string softer =
+      "[[vary]]\nparameter = 'excitation.scale'\ndistribution = { lognormal = { median = 1.0, "
+      "cov = 0.3 } }\n";
+  const GapStudy plain = needs_of(records).value();
+  ASSERT_EQ(plain.needs.at(0).records.size(), 2U);
+  const GapStudy drawn = needs_of("[sampling]\nmethod = 'latin-hypercube'\ncount = 20\n" + records + softer).value();
+  const std::vector<double> two = gap_needed(plain.needs[0]), all = gap_needed(drawn.needs.at(0));
+  ASSERT_EQ(all.size(), 20U);
+  // Ten of each record, scaled by numbers of their own about the median 1.
+  std::vector<double> factors;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const bool is_first = drawn.needs[0].records[n].record.find("AT2") != std::string::npos;
+    factors.push_back(all[n] / two[is_first ? 0 : 1]);
+  }
+  EXPECT_EQ(std::count_if(drawn.needs[0].records.begin(), drawn.needs[0].records.end(),
+                          [](const RecordNeed& one) { return one.record.find("AT2") != std::string::npos; }),
+            10);
+  std::sort(factors.begin(), factors.end());
+  EXPECT_EQ(std::unique(factors.begin(), factors.end()), factors.end());
+  EXPECT_LT(factors.front(), 0.8);
+  EXPECT_GT(factors.back(), 1.25);
+  EXPECT_NEAR(0.5 * (factors[9] + factors[10]), 1, 0.1);
+}
+
 }  // namespace
 }  // namespace bentur

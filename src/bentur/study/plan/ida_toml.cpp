@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "bentur/study/plan/internal/study_parts.h"
+#include "bentur/study/plan/record_intensity.h"
 #include "bentur/study/plan/study_keys.h"
+#include "bentur/study/plan/sweep_plan.h"
 
 namespace bentur {
 namespace {
@@ -23,6 +26,15 @@ std::vector<double> read_levels(const TableView& view) {
   return levels;
 }
 
+/// One of many by the numbers of its places; of none nothing.
+template <class T>
+void reorder(std::vector<T>& list, const std::vector<std::size_t>& places) {
+  if (list.empty()) return;
+  std::vector<T> result;
+  for (const std::size_t place : places) result.push_back(list[place]);
+  list = std::move(result);
+}
+
 }  // namespace
 
 std::optional<IdaSpec> read_ida(const TomlView& root) {
@@ -32,7 +44,6 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   spec.position = given->position();
   const auto view = TableView::of(*given, ida_keys());
   if (!view) return spec;
-  root.refuse({"sampling"}, "does not go with [ida], whose runs are a grid");
   const auto intensity = view->word("intensity");
   spec.spectral = intensity == "sa";
   if (spec.spectral) {
@@ -47,6 +58,57 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   spec.levels = read_levels(*view);
   spec.polarity = view->word("polarity").value_or("");
   return spec;
+}
+
+void draw_with_records(const TomlView& root, Study& study) {
+  if (study.sampling.method == Sampling::Method::grid || draw_together(study)) return;
+  root.find("sampling")->error("needs records to draw from beside [ida]: a [[vary]] with files, or a suite");
+}
+
+bool draw_together(Study& study) {
+  const auto is_polarity = [&](std::size_t axis) {
+    return study.first_along(axis).path == ParameterPath{"excitation", "polarity"};
+  };
+  if (record_axes(study, false).axes.empty()) return false;
+  // Directions in which a record is applied stay beside the draws, each of which has both.
+  std::vector<SweepAxis> drawn;
+  std::vector<std::size_t> numbers(study.axes.size(), 0);
+  std::vector<char> polarity;
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
+    polarity.push_back(is_polarity(axis) ? 1 : 0);
+    if (polarity.back() != 0) continue;
+    const Vary& first = study.first_along(axis);
+    numbers[axis] = drawn.size();
+    drawn.push_back({.levels = first.distribution ? 0 : first.values.size()});
+  }
+  const SweepPlan plan(drawn, study.sampling);
+  std::vector<std::string> axes = {"draw"};
+  for (Vary& vary : study.varies) {
+    const std::size_t axis = numbers[vary.axis];
+    if (polarity[vary.axis] != 0) {
+      vary.axis = axes.size();
+      axes.push_back(vary.name);
+      continue;
+    }
+    vary.axis = 0;
+    if (vary.distribution) {
+      for (std::size_t n = 0; n < plan.runs(); ++n) {
+        vary.values.push_back(toml_number(*chosen_number(vary, {.u = plan.unit(n, axis)})));
+      }
+      vary.distribution.reset();
+      continue;
+    }
+    std::vector<std::size_t> places(plan.runs());
+    for (std::size_t n = 0; n < places.size(); ++n) places[n] = plan.level(n, axis);
+    reorder(vary.values, places);
+    reorder(vary.labels, places);
+    reorder(vary.normalisation, places);
+    for (FileKey& key : vary.file_keys) reorder(key.values, places);
+    vary.ends_decide = false;
+  }
+  study.axes = std::move(axes);
+  study.sampling = {};
+  return true;
 }
 
 }  // namespace bentur

@@ -101,6 +101,10 @@ struct Study {
 /// The same of tables that are in memory. @param study its files, texts and case; messages carry no file
 [[nodiscard]] std::optional<Study> read_study(const TomlValue& tables, Study study, Diagnostics& diagnostics);
 
+/// Makes lists of what [sampling] draws, which move together along one axis, "draw", so that each draw is a record and
+/// a building; the runs are then a grid. @return false, and nothing is changed, where no records vary
+[[nodiscard]] bool draw_together(Study& study);
+
 /// Whether the ground of a case moves along y too: [excitation.y].
 [[nodiscard]] bool moves_along_y(const TomlValue& case_root);
 

@@ -290,6 +290,7 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
     if (records) vary_records_of_suite(std::move(*records), study, found);
   }
   check_values(root, study_keys());
+  if (study.ida && has_case && found.ok()) draw_with_records(root, study);
   if (study.ida) {
     study.ida->axis = study.axes.size();
     study.axes.emplace_back("intensity");

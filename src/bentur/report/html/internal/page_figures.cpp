@@ -16,9 +16,9 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
   options.choose = true;
   for (const FigureKind& kind : kinds) {
     if (!kind.tells) continue;
-    const std::string caption = say(family + kind.name);
     try {
       const Figure figure = make(kind.name, options);
+      const std::string caption = say(family + kind.name + (figure.lacks.empty() ? "" : ".without_" + figure.lacks));
       figures.push_back(
           {.caption = caption, .svg = figure_element(figure, caption), .wide = figure.width > column_width});
     } catch (const NoFigure&) {  // this one has nothing to show

@@ -52,6 +52,8 @@ class Elements {
            State& state);
 
   [[nodiscard]] const ElementForces& forces() const { return forces_; }
+  [[nodiscard]] Eigen::Index count() const { return std::ssize(laws_); }  ///< of one deformation; others come after
+  [[nodiscard]] const LawState& law_state(Eigen::Index element) const { return states_[element]; }
   /// No force changes, and guards watch δ alone, so that bodies fly.
   [[nodiscard]] bool may_fly() const { return may_fly_; }
   [[nodiscard]] bool any_touching() const { return any_touching_; }  ///< bodies do
@@ -102,8 +104,7 @@ class Elements {
   /// steps, once what ended the last one has changed: its branch may be the one that is left.
   void forget_faded(double time, State& state);
 
-  /// A flight has been taken: nothing is at the beginning of its branch any more.
-  void go_on() { coupled_.go_on(); }
+  void go_on() { coupled_.go_on(); }  ///< a flight has been taken: nothing is at the beginning of its branch any more
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
   void change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
@@ -143,7 +144,6 @@ class Elements {
  private:
   friend class Islands;
   enum class Force { resting, nonlinear, pressing, constant };
-  [[nodiscard]] Eigen::Index count() const { return std::ssize(laws_); }
   [[nodiscard]] const Law& law(Eigen::Index element) const { return *laws_[element]; }
   [[nodiscard]] const ModalSystem::Relation& relation(Eigen::Index element) const {
     return system_->elements[element].relation;

@@ -14,9 +14,10 @@ PoundingRun::PoundingRun(const Setup& setup, const Elements::Scales& scales, lon
     : Run(setup, 0, scales),
       first_contact_(first_contact),
       sampler_(system_, given_, setup.laws.offsets, options.output_step),
-      momentum_(system_) {
+      momentum_(system_),
+      keeps_changes_(options.changes) {
   const bool flies = std::holds_alternative<ExactSolver>(setup.solver) && !setup.plan.flights.front().empty();
-  if (flies && !options.course && !options.energy_audit && Islands::serve(system_, setup.laws)) {
+  if (flies && !options.course && !options.energy_audit && !options.changes && Islands::serve(system_, setup.laws)) {
     go_by_islands(setup.laws);
   }
   if (!options.energy_audit) return;
@@ -50,7 +51,20 @@ void PoundingRun::follow(double time, double cut, const std::vector<GroundInput>
   if (++followed_ > most_followed) tracer_.reset();
 }
 
-void PoundingRun::changed() {
+void PoundingRun::changed(double time) {
+  if (keeps_changes_) {
+    Change& change = changes_.emplace_back();
+    change.element = event()->element;
+    change.guard = event()->guard;
+    change.time = time;
+    if (change.element < elements_.count()) {
+      change.before = before();
+      change.after = elements_.law_state(change.element);
+    }
+    for (const Elements::Jump& jump : elements_.jumps()) change.impulses.emplace_back(jump.element, jump.impulse);
+    change.q = state_.q;
+    change.v = state_.v;
+  }
   if (tracer_) tracer_->changed();
   if (energy_) energy_->take_jumps(elements_, state_);
   momentum_.changed(state_, elements_);

@@ -24,11 +24,12 @@ class PoundingRun final : public Run {
   Sampler& sampler() { return sampler_; }
   std::optional<EnergyAccount>& energy() { return energy_; }
   [[nodiscard]] const MomentumBalance& momentum() const { return momentum_; }
+  std::vector<Change>& changes() { return changes_; }
 
  private:
   [[nodiscard]] Eigen::Index quiet(Eigen::Index count) override;
   void take_step(double time, double cut) override;
-  void changed() override;
+  void changed(double time) override;
   void before_change(double time, Islands& islands) override;
   [[nodiscard]] bool settle_before(long segment) override { return segment <= first_contact_; }
   [[nodiscard]] bool notes_flights() const override;
@@ -42,6 +43,8 @@ class PoundingRun final : public Run {
   State sampled_;      ///< scratch
   std::optional<EnergyAccount> energy_;
   MomentumBalance momentum_;
+  bool keeps_changes_;
+  std::vector<Change> changes_;
 };
 
 }  // namespace bentur::engine

@@ -369,6 +369,7 @@ double Run::look(double time) {
 /// At the end of a step.
 void Run::arrived(double time) {
   if (!event_) return;
+  if (event_->element < elements_.count()) before_ = elements_.law_state(event_->element);
   elements_.change(*event_, time, inputs_, state_);
   if (!elements_.goes_on() || !buffer_.go_on(state_)) buffer_.break_off();
   if (elements_.failed()) return fail("no impulses part the points that collide", time);
@@ -376,7 +377,7 @@ void Run::arrived(double time) {
   if (const auto element = elements_.limit_passed()) {
     passed_ = {*element - system_.joint(system_.joints), time};
   }
-  changed();
+  changed(time);
 }
 
 bool Run::step(double time, double longest) {

@@ -90,8 +90,8 @@ class Run {
   [[nodiscard]] virtual bool notes_flights() const { return false; }
   /// Takes in [0, cut] of the expanded step (motion_), which began at `time` with state_ and inputs_.
   virtual void take_step(double /*time*/, double /*cut*/) {}
-  /// After elements have changed.
-  virtual void changed() {}
+  /// After elements have changed at a time [s], by event().
+  virtual void changed(double /*time*/) {}
   /// After a step from state_ to next_ that is an approximation.
   virtual void approximated() {}
   /// A flight from state_ over which nothing happened, by flights[halvings], for those who want samples of it.
@@ -104,6 +104,8 @@ class Run {
 
   /// The event that ends the step under way.
   [[nodiscard]] const std::optional<Elements::Event>& event() const { return event_; }
+  /// Where its element stood in its law before the last change, of one deformation.
+  [[nodiscard]] const LawState& before() const { return before_; }
   /// The segment under way, and when it began [s].
   [[nodiscard]] long segment() const { return segment_; }
   [[nodiscard]] double segment_start() const { return grid_.start(segment_); }
@@ -184,6 +186,7 @@ class Run {
 
   const ForceFunction force_at_;
   std::optional<Elements::Event> event_;
+  LawState before_;
   PeakSearch search_;
   std::vector<SpanWatch> watches_;
   std::unique_ptr<Islands> islands_;  ///< none where all bodies are stepped together

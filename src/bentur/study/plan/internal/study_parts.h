@@ -29,6 +29,10 @@ struct VaryContext {
 /// ida_toml.cpp: [ida] of a study; nothing where it has none. Its axis is for read_study() to set.
 [[nodiscard]] std::optional<IdaSpec> read_ida(const TomlView& root);
 
+/// ida_toml.cpp: with [ida] and [sampling] each draw is a record and a building: what [sampling] draws becomes lists
+/// that move together along one axis, "draw". Without [sampling] nothing changes.
+void draw_with_records(const TomlView& root, Study& study);
+
 /// remedy_toml.cpp: [remedy] of a study; nothing where it has none.
 [[nodiscard]] std::optional<RemedySpec> read_remedy(const TomlView& root);
 

@@ -1,0 +1,247 @@
+#include "bentur/study/sensitivity/sensitivity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "bentur/core/errors.h"
+#include "bentur/core/number_text.h"
+#include "bentur/core/text.h"
+#include "bentur/io/case/case_memo.h"
+#include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/toml/parameter_path.h"
+#include "bentur/model/case.h"
+#include "bentur/pounding/tangent/problem_tangents.h"
+
+namespace bentur {
+namespace {
+
+using Eigen::Index;
+
+constexpr double relative_step = 1e-6;  // of a number: its square is below what assembly keeps
+constexpr std::array tables_of_numbers = {"building", "gap", "link", "excitation", "initial"};
+constexpr std::array samples = {"values"};  // lists that are no parameters
+
+/// A number as a case has it, alone or as a text with its unit: "0.35 g".
+struct Given {
+  double value = 0;
+  std::string unit;  ///< with the blank before it; empty: it stands alone
+
+  [[nodiscard]] TomlValue other(double x) const {
+    return unit.empty() ? toml_number(x) : toml_text(fmt::format("{:.17g}{}", x, unit));
+  }
+};
+
+/// Nothing of what is neither.
+std::optional<Given> number_in(const TomlValue& value) {
+  if (value.is_number()) return Given{value.real, ""};
+  if (value.kind != TomlValue::Kind::text) return std::nullopt;
+  const std::string_view text = trimmed(value.text);
+  Given given;
+  const auto read = from_chars(text.data(), text.data() + text.size(), given.value);
+  if (read.ec != std::errc()) return std::nullopt;
+  given.unit = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
+  if (given.unit.empty()) return std::nullopt;
+  return given;
+}
+
+/// All numbers of a value, with their paths. Texts are those of motions alone: a name may begin with a number.
+void gather(const TomlValue& value, const ParameterPath& path, std::vector<ParameterPath>& paths) {
+  const bool of_motion = path.front() == PathStep(std::string("excitation"));
+  if (value.is_number() || (of_motion && number_in(value))) paths.push_back(path);
+  const auto into = [&](const TomlValue& part, PathStep step) {
+    ParameterPath longer = path;
+    longer.push_back(std::move(step));
+    gather(part, longer, paths);
+  };
+  for (std::size_t i = 0; i < value.items.size(); ++i) into(value.items[i], i);
+  for (const TomlMember& member : value.members) {
+    if (std::find(samples.begin(), samples.end(), member.key) == samples.end()) into(member.value, member.key);
+  }
+}
+
+std::vector<ParameterPath> numbers_in(const TomlValue& root) {
+  std::vector<ParameterPath> paths;
+  for (const char* table : tables_of_numbers) {
+    if (const TomlValue* const value = root.find(table)) gather(*value, {std::string(table)}, paths);
+  }
+  return paths;
+}
+
+/// Those that were asked for; what is none is an error.
+std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::filesystem::path& file,
+                                         const std::vector<std::string>& asked, Diagnostics& diagnostics) {
+  std::vector<ParameterPath> paths;
+  for (const std::string& text : asked) {
+    std::string error;
+    std::optional<ParameterPath> path = parse_path(text, error);
+    if (path) path = resolved(root, *path, error);
+    const TomlValue* const value = path ? find_value(root, *path) : nullptr;
+    if (path && (value == nullptr || !number_in(*value))) error = "is no number of this case";
+    if (!error.empty()) {
+      diagnostics.error({file.string(), 0, 0}, text + ": " + error);
+    } else {
+      paths.push_back(*path);
+    }
+  }
+  return paths;
+}
+
+class Maker {
+ public:
+  Maker(const TomlValue& root, const std::filesystem::path& file) : root_(root), file_(file) {}
+
+  /// The problem where a number is another one; nothing where the case is then wrong, and why.
+  std::optional<Problem> with(const ParameterPath& path, const TomlValue& value, std::string& why) {
+    TomlValue root = root_;
+    put_value(root, path, value);
+    Diagnostics found;
+    try {
+      const ReadCase read =
+          read_case_parts(TomlView(root, "", file_.string(), found), file_.parent_path(), found, &memo_);
+      if (found.ok()) return read.problem();
+      why = found.errors().front().rule;
+    } catch (const InvalidParameter& error) {
+      why = error.what();
+    }
+    return std::nullopt;
+  }
+
+  ReadCase itself(Diagnostics& diagnostics) {
+    return read_case_parts(TomlView(root_, "", file_.string(), diagnostics), file_.parent_path(), diagnostics, &memo_);
+  }
+
+ private:
+  const TomlValue& root_;
+  const std::filesystem::path& file_;
+  CaseMemo memo_;
+};
+
+/// Marks the largest of each kind in its gap or building.
+void mark_largest(std::vector<SensitivePeak>& peaks) {
+  for (SensitivePeak& peak : peaks) {
+    peak.is_largest =
+        peak.derivative.by.size() > 0 && std::none_of(peaks.begin(), peaks.end(), [&](const SensitivePeak& other) {
+          return &other != &peak && other.kind == peak.kind && other.item == peak.item &&
+                 (other.derivative.value > peak.derivative.value ||
+                  (other.derivative.value == peak.derivative.value && &other < &peak));
+        });
+  }
+}
+
+std::vector<SensitivePeak> peaks_of(const Problem& problem, const Tangents& found) {
+  std::vector<SensitivePeak> peaks;
+  for (Index gap = 0; gap < gap_count(problem); ++gap) {
+    for (const auto kind : {SensitivePeak::Kind::gap_needed, SensitivePeak::Kind::peak_force}) {
+      for (const Index point : gap_at(problem, gap).points) {
+        const auto& of = kind == SensitivePeak::Kind::gap_needed ? found.needed : found.peak_force;
+        peaks.push_back({.kind = kind,
+                         .item = gap,
+                         .place = point,
+                         .name = gap_name(problem, gap),
+                         .level = problem.points[point].elevation,
+                         .derivative = of[point]});
+      }
+    }
+  }
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    for (const auto kind : {SensitivePeak::Kind::displacement, SensitivePeak::Kind::displacement_no_contact}) {
+      const auto& of = kind == SensitivePeak::Kind::displacement ? found.displacement : found.displacement_free;
+      const Building& building = problem.buildings[b];
+      for (Index floor = 0; floor < std::min<Index>(building.model.floors(), std::ssize(of[b])); ++floor) {
+        peaks.push_back({.kind = kind,
+                         .item = b,
+                         .place = floor,
+                         .name = building.name,
+                         .level = building.model.elevations[floor],
+                         .derivative = of[b][floor]});
+      }
+    }
+  }
+  mark_largest(peaks);
+  return peaks;
+}
+
+}  // namespace
+
+std::string_view key_of(SensitivePeak::Kind kind) {
+  switch (kind) {
+    case SensitivePeak::Kind::gap_needed:
+      return "gap_needed";
+    case SensitivePeak::Kind::peak_force:
+      return "peak_force";
+    case SensitivePeak::Kind::displacement:
+      return "displacement";
+    case SensitivePeak::Kind::displacement_no_contact:
+      break;
+  }
+  return "displacement_no_contact";
+}
+
+double Sensitivity::elasticity(const SensitivePeak& peak, std::size_t number) const {
+  const Derivative& of = peak.derivative;
+  if (of.by.size() == 0 || !(of.value > 0)) return std::numeric_limits<double>::quiet_NaN();
+  return of.by(static_cast<Index>(number)) * numbers[number].value / of.value;
+}
+
+std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::filesystem::path& file,
+                                          const SensitivityOptions& options, Diagnostics& diagnostics) {
+  Maker maker(root, file);
+  const ReadCase read = maker.itself(diagnostics);
+  if (!diagnostics.ok()) return std::nullopt;
+  const Case& c = read.c;
+  const auto refuse = [&](const std::string& why) {
+    diagnostics.error({file.string(), 0, 0}, why);
+    return std::nullopt;
+  };
+  if (refuse_plan(c, file, diagnostics) || refuse_without_motion(c, diagnostics)) return std::nullopt;
+  if (c.excitation.suite) return refuse("sensitivities are those of one ground motion, not of a suite");
+  if (!std::holds_alternative<ExactSolver>(c.analysis.solver)) {
+    return refuse("sensitivities are found by the solver \"exact\" alone");
+  }
+  std::vector<ParameterPath> paths = numbers_in(root);
+  if (!options.numbers.empty()) paths = asked_numbers(root, file, options.numbers, diagnostics);
+  if (!diagnostics.ok()) return std::nullopt;
+
+  Sensitivity result{c.title, c.units, {}, {}, {}};
+  const Problem problem = read.problem();
+  std::vector<ProblemVariation> variations;
+  std::vector<CaseNumber> numbers;
+  for (const ParameterPath& path : paths) {
+    const Given given = *number_in(*find_value(root, path));
+    const CaseNumber number{path_text(path), given.value};
+    const double step = relative_step * std::abs(number.value);
+    if (step == 0.0) {
+      result.left_out.emplace_back(number.path, "is zero: no part of it can be added");
+      continue;
+    }
+    std::string why;
+    std::optional<Problem> below = maker.with(path, given.other(number.value - step), why), above;
+    if (below) above = maker.with(path, given.other(number.value + step), why);
+    if (!above) {
+      result.left_out.emplace_back(number.path, why);
+      continue;
+    }
+    variations.push_back({step, *std::move(below), *std::move(above)});
+    numbers.push_back(number);
+  }
+  const ProblemTangents found = tangents(problem, variations, run_limits(c.analysis), options.progress);
+  if (found.refused) return refuse("there are no sensitivities of this case: " + *found.refused);
+  if (found.status == Status::stopped) return std::nullopt;
+  if (found.status != Status::done) return refuse("the run did not get to its end: " + found.message);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (found.left_out[i]) {
+      result.left_out.emplace_back(numbers[i].path, *found.left_out[i]);
+    } else {
+      result.numbers.push_back(numbers[i]);
+    }
+  }
+  result.peaks = peaks_of(problem, found.found);
+  return result;
+}
+
+}  // namespace bentur

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bentur/core/diagnostics.h"
+#include "bentur/core/units.h"
+#include "bentur/io/toml/toml_value.h"
+#include "bentur/model/story/story.h"
+#include "bentur/solve/tangent/tangent.h"
+
+namespace bentur {
+
+/// A number that a case has.
+struct CaseNumber {
+  std::string path;  ///< `gap[0].width`
+  double value = 0;  ///< as it stands there
+};
+
+/// A peak of a run, and its derivatives by the numbers.
+struct SensitivePeak {
+  enum class Kind { gap_needed, peak_force, displacement, displacement_no_contact };
+  Kind kind = Kind::gap_needed;
+  Eigen::Index item = 0;    ///< the gap, or the building
+  Eigen::Index place = 0;   ///< the contact point, or the floor
+  std::string name = {};    ///< of that gap or building
+  double level = 0;         ///< [length]
+  bool is_largest = false;  ///< of its kind in its gap or building
+  Derivative derivative = {};
+};
+/// "gap_needed", "peak_force", …: the quantity's key.
+[[nodiscard]] std::string_view key_of(SensitivePeak::Kind kind);
+
+/// How the peaks of a case change with its numbers.
+struct Sensitivity {
+  std::string title;
+  Units units;
+  std::vector<CaseNumber> numbers;
+  std::vector<std::pair<std::string, std::string>> left_out;  ///< numbers, and why
+  std::vector<SensitivePeak> peaks;                           ///< gaps left to right, then buildings
+
+  /// By what part of itself a peak changes with a number, for each part of that: p/y ∂y/∂p [-]. NaN: it is not known.
+  [[nodiscard]] double elasticity(const SensitivePeak& peak, std::size_t number) const;
+};
+
+struct SensitivityOptions {
+  std::vector<std::string> numbers = {};  ///< those wanted, as paths; empty: all of buildings, gaps, links, excitation
+  std::function<bool(double)> progress = {};
+};
+
+/// The derivatives of a case's peaks by its numbers (docs/sensitivity.md).
+/// @param file that messages carry, and in whose folder the files are that the case names
+/// @return nothing where there was an error, or the run was stopped: then there is none in `diagnostics`.
+[[nodiscard]] std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::filesystem::path& file,
+                                                        const SensitivityOptions& options, Diagnostics& diagnostics);
+
+/// What each peak changes with most, what keeps its derivatives from being known; a table of the numbers that matter.
+[[nodiscard]] Story sensitivity_story(const Sensitivity& found);
+/// docs/sensitivity.md
+[[nodiscard]] std::string sensitivity_json(const Sensitivity& found, std::string_view version);
+
+}  // namespace bentur

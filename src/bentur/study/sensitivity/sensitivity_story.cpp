@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bentur/core/number_text.h"
+#include "bentur/study/sensitivity/sensitivity.h"
+
+namespace bentur {
+namespace {
+
+constexpr double grazes = 1e-3;         // of the usual speed: a contact that sets in more slowly
+constexpr double small_part = 0.01;     // of the largest elasticity: numbers below are not shown
+constexpr std::size_t most_shown = 20;  // numbers in a table
+
+std::size_t most_of(const Sensitivity& found, const SensitivePeak& peak) {
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < found.numbers.size(); ++i) {
+    if (std::abs(found.elasticity(peak, i)) > std::abs(found.elasticity(peak, most))) most = i;
+  }
+  return most;
+}
+
+/// Three digits, no more than a reader of percentages wants.
+double to_shown(double x) {
+  constexpr double digits = 1e3;
+  return std::round(digits * x) / digits;
+}
+
+void say_peak(const Sensitivity& found, const SensitivePeak& peak, std::vector<Statement>& statements) {
+  const Derivative& of = peak.derivative;
+  const std::string kind = "sensitivity_" + std::string(key_of(peak.kind));
+  const bool of_force = peak.kind == SensitivePeak::Kind::peak_force;
+  const std::size_t most = most_of(found, peak);
+  const double elasticity = found.elasticity(peak, most);
+  const std::vector<StoryValue> values = {
+      {"name", peak.name},
+      {"value", of.value, of_force ? found.units.force : found.units.length},
+      {"level", peak.level, found.units.length},
+      {"time", of.time, "s"},
+      {"number", found.numbers[most].path},
+      {"part", std::abs(to_shown(elasticity)), "%"},
+      {"way", std::string(elasticity < 0 ? "story.sensitivity_less" : "story.sensitivity_more"), {}, true}};
+  statements.push_back({.kind = kind, .values = values});
+  const auto warn = [&](const char* why) {
+    statements.push_back({.kind = why, .severity = Severity::warning, .values = values});
+  };
+  if (of.grazing < grazes) warn("sensitivity_grazing");
+  if (of.is_simultaneous) warn("sensitivity_simultaneous");
+  if (of.is_equalled) warn("sensitivity_equalled");
+}
+
+/// The numbers that matter, with what the largest peaks change by.
+StoryTable sensitivity_table(const Sensitivity& found, const std::vector<const SensitivePeak*>& peaks,
+                             std::size_t& shown) {
+  std::vector<double> largest(found.numbers.size(), 0.0);
+  for (const SensitivePeak* peak : peaks) {
+    for (std::size_t i = 0; i < largest.size(); ++i) {
+      largest[i] = std::max(largest[i], std::abs(found.elasticity(*peak, i)));
+    }
+  }
+  std::vector<std::size_t> order(largest.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return largest[a] > largest[b]; });
+  shown = std::min(order.size(), most_shown);
+  while (shown > 0 && largest[order[shown - 1]] < small_part * largest[order.front()]) --shown;
+  order.resize(shown);
+  StoryTable table{.kind = "sensitivity"};
+  StoryColumn names{.label = "column.number"}, values{.label = "column.value"};
+  for (const std::size_t i : order) {
+    names.texts.push_back(found.numbers[i].path);
+    values.texts.push_back(number(found.numbers[i].value));
+  }
+  values.are_counts = true;
+  table.columns = {std::move(names), std::move(values)};
+  for (const SensitivePeak* peak : peaks) {
+    StoryColumn column{.label = "column.sensitivity_" + std::string(key_of(peak->kind)), .unit = "%"};
+    for (const std::size_t i : order) column.numbers.push_back(to_shown(found.elasticity(*peak, i)));
+    table.columns.push_back(std::move(column));
+  }
+  return table;
+}
+
+}  // namespace
+
+Story sensitivity_story(const Sensitivity& found) {
+  Story story;
+  std::vector<const SensitivePeak*> largest;
+  for (const SensitivePeak& peak : found.peaks) {
+    if (peak.is_largest && !found.numbers.empty()) largest.push_back(&peak);
+  }
+  for (const SensitivePeak* peak : largest) say_peak(found, *peak, story.statements);
+  // One table for each gap or building.
+  std::size_t rest = 0;
+  for (auto at = largest.begin(); at != largest.end();) {
+    const auto end =
+        std::find_if(at, largest.end(), [&](const SensitivePeak* one) { return one->name != (*at)->name; });
+    std::size_t shown = 0;
+    StoryTable table = sensitivity_table(found, {at, end}, shown);
+    table.values = {{"name", (*at)->name}};
+    rest = std::max(rest, found.numbers.size() - shown);
+    if (shown > 0) story.tables.push_back(std::move(table));
+    at = end;
+  }
+  if (largest.empty()) story.statements.push_back({.kind = "sensitivity_none", .severity = Severity::warning});
+  if (rest > 0) {
+    story.statements.push_back({.kind = "sensitivity_rest", .values = {{"count", static_cast<long>(rest)}}});
+  }
+  if (!found.left_out.empty()) {
+    std::string list;
+    for (const auto& [path, why] : found.left_out) list += (list.empty() ? "" : ", ") + path;
+    story.statements.push_back(
+        {.kind = "sensitivity_left_out", .severity = Severity::remark, .values = {{"list", list}}});
+  }
+  return story;
+}
+
+}  // namespace bentur
