@@ -48,7 +48,7 @@ function benturPlan(data, buildings, svg, number) {
     drawn.ghost = svg("path", { class: "ghost" }, stage);
     drawn.floors = buildings.map(({ tone }, b) => scene.centres[b].map(() => svg("path", { class: `floor stroke-${tone}` }, stage)));
     drawn.chosen = buildings.map(({ tone }) => svg("path", { class: `footprint stroke-${tone}` }, stage));
-    drawn.marks = scene.marks.map(({ cross }) => svg("path", { class: `${cross ? "rigidity" : "mass"} stroke-ink` }, stage));
+    drawn.marks = scene.marks.map(({ cross, merged }) => svg("path", { class: merged ? "contact stroke-grey" : `${cross ? "rigidity" : "mass"} stroke-ink` }, stage));
     drawn.links = scene.links.map(() => svg("path", { class: "plan-link stroke-ink" }, stage));
     drawn.contacts = points.map(({ struck }) => [0, 1].map(() => svg("circle", { class: `contact stroke-${struck ? "red" : "grey"}` }, stage)));
     drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
@@ -90,7 +90,12 @@ function benturPlan(data, buildings, svg, number) {
       const [x, y] = benturPlanMovement(scene, motion, b, floors[b], ...centre);
       line.setAttribute("transform", `translate(${text([unit * magnification * x, -unit * magnification * y])})`);
     });
-    scene.marks.forEach(({ building, floor, at, cross }, k) => {
+    scene.marks.forEach(({ building, floor, at, cross, merged }, k) => {
+      if (merged) { // a corner of every floor
+        const [x, y] = shown(building, floors[building], at), side = 4 * pixel;
+        drawn.marks[k].setAttribute("d", `M${text([x, y - side])}L${text([x + side, y + 0.7 * side])}H${text([x - side])}Z`);
+        return;
+      }
       drawn.marks[k].setAttribute("opacity", floor === floors[building] ? 1 : 0);
       const [x, y] = shown(building, floor, at), arm = (cross ? 5 : 0.01) * pixel;
       drawn.marks[k].setAttribute("d", `M${text([x - arm, y - arm])}l${text([2 * arm, 2 * arm])}` +

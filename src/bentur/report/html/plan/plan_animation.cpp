@@ -69,6 +69,13 @@ Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<do
                      {"at", point_json(scene, centre.at)},
                      {"cross", centre.of_rigidity}});
   }
+  for (const PlanGap& gap : run.problem.gaps) {
+    for (const StretchCorner& corner : merged_corners(run.problem, gap)) {
+      for (const auto& [building, at] : {std::pair(gap.left, corner.left), {gap.right, corner.right}}) {
+        marks.push_back({{"building", building}, {"at", point_json(scene, at)}, {"merged", true}});
+      }
+    }
+  }
   for (const double level : levels) {
     Json floors = Json::array();
     for (const PlanBuilding& building : run.problem.buildings) floors.push_back(nearest_floor(building.model, level));
@@ -109,7 +116,12 @@ Json key_of(const PlanRun& run, const Words& say) {
     key.push_back({entry("ink", "●", "centre_of_mass"), entry("ink", "×", "centre_of_rigidity")});
   }
   if (!run.problem.links.empty()) key.push_back({entry("ink", "━", "link")});
-  key.push_back({entry("grey", "○", "contact_point"), entry("red", "○", "contact_point_struck")});
+  Json contacts = {entry("grey", "○", "contact_point"), entry("red", "○", "contact_point_struck")};
+  const auto merges = [&](const PlanGap& gap) { return !merged_corners(run.problem, gap).empty(); };
+  if (std::any_of(run.problem.gaps.begin(), run.problem.gaps.end(), merges)) {
+    contacts.push_back(entry("grey", "△", "merged_corner"));
+  }
+  key.push_back(std::move(contacts));
   return key;
 }
 
