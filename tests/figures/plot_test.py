@@ -75,7 +75,7 @@ class Run(Figures):
             self.bentur(0, "plot", language, "force", "--lang", language, "-o", f"{language}/alone.svg")
             alone = self.texts(self.folder / f"{language}/alone.svg")
             self.assertEqual(alone, self.texts(self.folder / f"{language}/figures/force.svg"))
-        for kind, word in ("overview", "kontak"), ("force", "Gaya kontak"), ("displacement", "Perpindahan"):
+        for kind, word in ("overview", "tertutup"), ("force", "Gaya kontak"), ("displacement", "Perpindahan"):
             english, indonesian = (" ".join(self.texts(self.folder / f"{one}/figures/{kind}.svg")) for one in ("en", "id"))
             self.assertIn(word, indonesian, kind)
             self.assertNotIn(word, english, kind)

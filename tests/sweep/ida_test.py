@@ -411,7 +411,7 @@ values = [0.1, 0.2]
         self.assertIn("needs [ida]", self.bentur("gap", STUDIES / "m12-gaps.toml", "--at", 1, status=2).stderr)
         self.assertIn("for a study", self.bentur("gap", SOURCE / "examples/m12-el-centro.toml", "--at", 1, status=2).stderr)
         samples = self.study(self.widths(3).read_text().replace("count = 3", "") + "[sampling]\nmethod='random'\ncount=4\n")
-        self.assertIn("needs a study whose runs are a grid", self.bentur("gap", samples, status=2).stderr)
+        self.assertIn("has no records to draw from", self.bentur("gap", samples, status=2).stderr)
         wrong = self.study(self.widths(3).read_text().replace("width", "widht"))
         self.assertIn("gap[0].widht is not a known key", self.bentur("gap", wrong, status=2).stderr)
 
