@@ -41,9 +41,12 @@ class WithoutNetcdf(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue((self.folder / "report.html").exists())
 
-    def test_results_are_refused_whole(self):
-        self.refused("run", CASE, "-o", "results")
-        self.assertEqual(list(self.folder.rglob("*.*")), [])
+    def test_results_of_a_run_are_written(self):
+        for without in True, False:
+            result = self.bentur("run", CASE, "-o", f"results-{without}", without=without)
+            self.assertEqual(result.returncode, 0, result.stderr)
+        files = [(self.folder / f"results-{one}/histories.nc").read_bytes() for one in (True, False)]
+        self.assertEqual(*files)
 
     def test_a_study_is_refused_before_it_is_run(self):
         (self.folder / "study.toml").write_text(

@@ -140,8 +140,9 @@ const KeyTable& plane_section_keys() {
 
 const KeyTable& plane_frame_keys() {
   static const KeyTable table = [] {
-    KeyTable made = part_of(frame_keys(), {"elastic_modulus", "bay_widths", "columns", "beams", "infill"}, "building.plane.frame",
-                            "a plane frame of a building in plan, of whose floors the masses are those of the plan");
+    KeyTable made =
+        part_of(frame_keys(), {"elastic_modulus", "bay_widths", "columns", "beams", "infill"}, "building.plane.frame",
+                "a plane frame of a building in plan, of whose floors the masses are those of the plan");
     for (Key& key : made.keys) {
       if (key.name == "columns" || key.name == "beams") key.table = &plane_section_keys();
     }

@@ -152,7 +152,7 @@ TEST(FrameForces, PicturesDrawThemToOneScale) {
   for (std::size_t f = 0; f < run.figures.frames.size(); ++f) {
     const FrameForces& frame = run.figures.frames[f];
     const std::vector<Curve>& curves = figure.panels[2 * f].curves;
-    const Curve& drawn = curves.at(curves.size() - 2);  // the last one marks the largest
+    const Curve& drawn = curves.at(curves.size() - 2);                    // the last one marks the largest
     const std::size_t of_member = std::size(MemberForces::stations) + 3;  // back to the member at either end, and a gap
     ASSERT_EQ(drawn.x.size(), of_member * frame.members.size());
     double most = 0;
