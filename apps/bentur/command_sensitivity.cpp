@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "bentur/core/version.h"
+#include "bentur/report/errors.h"
 #include "bentur/report/story_text.h"
 #include "bentur/study/sensitivity/sensitivity.h"
 #include "commands.h"

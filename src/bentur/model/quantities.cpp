@@ -69,10 +69,10 @@ QuantitySource of_restitutions(std::optional<double> PointRestitution::*of, Extr
 }
 double smaller(double a, double b) { return std::fmin(a, b); }  // of a number and NaN the number
 double larger(double a, double b) { return std::fmax(a, b); }
-double whole_gap_reversed(const Problem& problem, const Response& response, Index gap) {
+double whole_gap_reversed(const Problem& problem, const Response& response, Eigen::Index gap) {
   return gap_needed_reversed(problem, response, gap).value_or(no_value);
 }
-double floors_met(const Problem& problem, const Response& response, Index gap) {
+double floors_met(const Problem& problem, const Response& response, Eigen::Index gap) {
   return static_cast<double>(unmodelled_contacts(problem, response, gap).size());
 }
 double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
