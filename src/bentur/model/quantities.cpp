@@ -124,9 +124,23 @@ constexpr Owner run = Owner::run, building = Owner::building, floor = Owner::flo
                 hinge = Owner::hinge, breaking = Owner::column, bearing = Owner::bearing;
 
 // clang-format off
+/// Of frames with infill, storey by storey: of a building, or in plan of a plane.
+std::vector<Quantity> of_frames_with_infill(Owner owner, QuantitySource (*source)(Eigen::VectorXd BuildingPeaks::Infill::*)) {
+  return {
+      {"infill_force", owner, "F", "max N", "largest force of a strut of the infill", {"Strut of the infill", "Strut dinding pengisi"}, source(&BuildingPeaks::Infill::force)},
+      {"infill_shear", owner, "F", "max N cos θ", "largest horizontal force of a strut of the infill, with which it pushes on a column", {"On the column", "Pada kolom"}, source(&BuildingPeaks::Infill::shear)},
+      {"infill_ductility", owner, "1", "max |Δ|/Δ_y", "largest storey drift over that at which the infill yields", {"Ductility of the infill", "Daktilitas dinding pengisi"}, source(&BuildingPeaks::Infill::ductility), {}, {}, 1, 3},
+      {"infill_strength_left", owner, "1", "N_c/N_c⁰", "largest force that a strut of the infill can still reach at the end over that at first, of the weakest", {"Infill left", "Sisa dinding pengisi"}, source(&BuildingPeaks::Infill::strength_left), {}, "%", 100},
+      {"infill_energy", owner, "F L", "E_i", "energy that the infill has dissipated", {"Energy of the infill", "Energi dinding pengisi"}, source(&BuildingPeaks::Infill::energy)},
+      {"infill_failed_time", owner, "s", "t_u", "when a panel of the infill first failed", {"Infill fails at", "Dinding pengisi gagal saat"}, source(&BuildingPeaks::Infill::failed_time)},
+      {"infill_column_demand", owner, "1", "max |Q + N cos θ|/V", "largest shear of a column beside a strut, with what the strut pushes across it, over its capacity", {"Of the column's capacity", "Dari kapasitas kolom"}, source(&BuildingPeaks::Infill::column_demand)},
+  };
+}
+
 std::deque<Quantity>& list() {
   using namespace sources;
-  static std::deque<Quantity> all = {
+  static std::deque<Quantity> all = [] {
+    std::deque<Quantity> made = {
       // Buildings.
       {"weight", building, "F", "W", "weight of the floors' lumped masses", {}, of_any(weight)},
       {"base_shear_coefficient", building, "1", "V₁/W", "largest shear of the lowest storey over the weight", {}, computed(base_shear_coefficient)},
@@ -160,14 +174,6 @@ std::deque<Quantity>& list() {
       {"ductility_no_contact", floor, "1", "max |Δ⁰|/Δ_y", "largest storey drift over that at yield, with contact switched off", {"Ductility without contact", "Daktilitas tanpa kontak"}, of_yielding(&BuildingPeaks::Yielding::ductility, &BuildingPeaks::yielding_no_contact), {}, {}, 1, 3},
       {"residual_drift_ratio_no_contact", floor, "1", "Δ_r⁰/h", "storey drift left after unloading at the end over storey height, with contact switched off", {"Residual drift without contact", "Simpangan sisa tanpa kontak"}, of_yielding(&BuildingPeaks::Yielding::residual_drift_ratio, &BuildingPeaks::yielding_no_contact), {}, "%", 100, {}, false, true},
       {"hysteretic_energy_no_contact", floor, "F L", "E_h⁰", "energy that the storey has dissipated by yielding, with contact switched off", {"Energy by yielding without contact", "Energi leleh tanpa kontak"}, of_yielding(&BuildingPeaks::Yielding::hysteretic_energy, &BuildingPeaks::yielding_no_contact)},
-      // Of frames with infill.
-      {"infill_force", floor, "F", "max N", "largest force of a strut of the infill", {"Strut of the infill", "Strut dinding pengisi"}, of_infill(&BuildingPeaks::Infill::force)},
-      {"infill_shear", floor, "F", "max N cos θ", "largest horizontal force of a strut of the infill, with which it pushes on a column", {"On the column", "Pada kolom"}, of_infill(&BuildingPeaks::Infill::shear)},
-      {"infill_ductility", floor, "1", "max |Δ|/Δ_y", "largest storey drift over that at which the infill yields", {"Ductility of the infill", "Daktilitas dinding pengisi"}, of_infill(&BuildingPeaks::Infill::ductility), {}, {}, 1, 3},
-      {"infill_strength_left", floor, "1", "N_c/N_c⁰", "largest force that a strut of the infill can still reach at the end over that at first, of the weakest", {"Infill left", "Sisa dinding pengisi"}, of_infill(&BuildingPeaks::Infill::strength_left), {}, "%", 100},
-      {"infill_energy", floor, "F L", "E_i", "energy that the infill has dissipated", {"Energy of the infill", "Energi dinding pengisi"}, of_infill(&BuildingPeaks::Infill::energy)},
-      {"infill_failed_time", floor, "s", "t_u", "when a panel of the infill first failed", {"Infill fails at", "Dinding pengisi gagal saat"}, of_infill(&BuildingPeaks::Infill::failed_time)},
-      {"infill_column_demand", floor, "1", "max |Q + N cos θ|/V", "largest shear of a column beside a strut, with what the strut pushes across it, over its capacity", {"Of the column's capacity", "Dari kapasitas kolom"}, of_infill(&BuildingPeaks::Infill::column_demand)},
       // Hinges, in the order of the frame's members.
       {"peak_moment", hinge, "F L", "max |M|", "largest moment at the hinge, that at rest included", {"Moment", "Momen"}, of_hinges(&BuildingPeaks::Hinge::peak_moment)},
       {"peak_rotation", hinge, "rad", "max |θ|", "largest rotation of the hinge", {"Rotation", "Rotasi"}, of_hinges(&BuildingPeaks::Hinge::peak_rotation), {}, "mrad", 1e3},
@@ -307,14 +313,6 @@ std::deque<Quantity>& list() {
       {"strength_left_no_contact", plane, "1", "V_c/V_c⁰", "largest force that the plane can still reach at the end over that at first, with contact switched off", {}, when(When::loses_strength, plan_yielding(&BuildingPeaks::Yielding::strength_left, &PlanResponse::buildings_no_contact)), {}, "%", 100},
       {"residual_drift_ratio_no_contact", plane, "1", "Δ_r⁰/h", "drift of the plane left after unloading at the end over storey height, with contact switched off", {}, when(When::yields_or_turns, plan_yielding(&BuildingPeaks::Yielding::residual_drift_ratio, &PlanResponse::buildings_no_contact)), {}, "%", 100, {}, false, true},
       {"hysteretic_energy_no_contact", plane, "F L", "E_h⁰", "energy that the storey of the plane has dissipated by yielding, with contact switched off", {}, when(When::yields, plan_yielding(&BuildingPeaks::Yielding::hysteretic_energy, &PlanResponse::buildings_no_contact))},
-      // Of frames with infill.
-      {"infill_force", plane, "F", "max N", "largest force of a strut of the infill", {"Strut of the infill", "Strut dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::force)},
-      {"infill_shear", plane, "F", "max N cos θ", "largest horizontal force of a strut of the infill, with which it pushes on a column", {"On the column", "Pada kolom"}, plan_infill(&BuildingPeaks::Infill::shear)},
-      {"infill_ductility", plane, "1", "max |Δ|/Δ_y", "largest storey drift over that at which the infill yields", {"Ductility of the infill", "Daktilitas dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::ductility), {}, {}, 1, 3},
-      {"infill_strength_left", plane, "1", "N_c/N_c⁰", "largest force that a strut of the infill can still reach at the end over that at first, of the weakest", {"Infill left", "Sisa dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::strength_left), {}, "%", 100},
-      {"infill_energy", plane, "F L", "E_i", "energy that the infill has dissipated", {"Energy of the infill", "Energi dinding pengisi"}, plan_infill(&BuildingPeaks::Infill::energy)},
-      {"infill_failed_time", plane, "s", "t_u", "when a panel of the infill first failed", {"Infill fails at", "Dinding pengisi gagal saat"}, plan_infill(&BuildingPeaks::Infill::failed_time)},
-      {"infill_column_demand", plane, "1", "max |Q + N cos θ|/V", "largest shear of a column beside a strut, with what the strut pushes across it, over its capacity", {"Of the column's capacity", "Dari kapasitas kolom"}, plan_infill(&BuildingPeaks::Infill::column_demand)},
       // Buildings.
       {"base_shear_coefficient_x", building, "1", "V_x,1/W", "largest shear along x of the lowest storey over the weight", {}, when(When::moves, plan_base_shear(&PlanPeaks::shear_x))},
       {"base_shear_coefficient_y", building, "1", "V_y,1/W", "largest shear along y of the lowest storey over the weight", {}, when(When::moves, plan_base_shear(&PlanPeaks::shear_y))},
@@ -340,7 +338,11 @@ std::deque<Quantity>& list() {
       {"peak_ground_acceleration_y", run, "L s-2", "PGA_y", "peak ground acceleration along y as applied", {}, of_ground(1), "/excitation/peak_ground_acceleration_y"},
       {"tangential_impulse", impact, "F s", "∫F_t dt", "impulse along the joint", {"Along the joint", "Sepanjang celah"}, when(When::rubs, impact_friction())},
       {"slipped", impact, "1", "", "whether the buildings slipped off one another there, which lost what the contact held", {}, in_plan_alone(of_impacts(&Impact::slipped))},
-  };
+    };
+    for (Quantity& one : of_frames_with_infill(floor, of_infill)) made.push_back(std::move(one));
+    for (Quantity& one : of_frames_with_infill(plane, plan_infill)) made.push_back(std::move(one));
+    return made;
+  }();
   return all;
 }
 // clang-format on
