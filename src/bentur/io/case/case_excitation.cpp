@@ -25,15 +25,16 @@ std::optional<int> read_place(const TableView& view, const char* key, bool& good
   return place ? std::optional(static_cast<int>(*place)) : std::nullopt;
 }
 
-/// The unit of the file's numbers: its own, or the case's where it says none.
-std::optional<std::string> settle_unit(const TableView& view, const StrongMotionRecord& record,
-                                       const std::string& name) {
+/// The unit of the file's numbers: its own, or the case's where it says none; nothing where neither is known.
+/// @param given the case's, empty: it has none, or a wrong one, of which has been said so
+std::optional<std::string> settle_unit(const TableView& view, const StrongMotionRecord& record, const std::string& name,
+                                       const std::string& given) {
   if (!record.unit.empty()) return record.unit;
   if (!view.has("unit")) {
     view.error_missing(
         "unit", fmt::format("{} does not say it; one of {}", in_quotes(name), fmt::join(acceleration_units(), ", ")));
   }
-  return view.word("unit");
+  return given.empty() ? std::nullopt : std::optional(given);
 }
 
 }  // namespace
@@ -160,7 +161,7 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
   for (const RecordContradiction& one : contradictions(*record, options)) {
     view.find(one.key)->error_value("but the file says " + one.said);
   }
-  const auto unit = settle_unit(view, *record, *name);
+  const auto unit = settle_unit(view, *record, *name, options.unit);
   echo = echo_of(*record, *name, unit.value_or(""));
   echo.path = (folder / *name).string();
   if (memo == nullptr) {  // else many runs, whose study keeps the hashes
