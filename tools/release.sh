@@ -17,9 +17,9 @@ sed -i "s/^## $version (unreleased)$/## $version ($(date +%F))/" CHANGELOG.md
 date=$(sed -n "s/^## $version (\(.*\))$/\1/p" CHANGELOG.md)
 sed -i "s/^project(bentur VERSION [0-9.]* /project(bentur VERSION $version /" CMakeLists.txt
 sed -i -e '/^date-released: /d' -e "s/^version: .*/version: $version\ndate-released: $date/" CITATION.cff
-if [ -n "$(git status --porcelain)" ]; then
-  git commit -qm "Version $version" -- CHANGELOG.md CMakeLists.txt CITATION.cff
-fi
+python3 tools/addresses.py .
+[ -s packaging/address ] || say "packaging/address is empty: README and packages name no place where the sources are"
+if [ -n "$(git status --porcelain)" ]; then git commit -qam "Version $version"; fi
 if ! git rev-parse --quiet --verify "refs/tags/v$version" >/dev/null; then
   git tag -a "v$version" -m "Version $version"
 elif [ "$(git rev-parse "v$version^{commit}")" != "$(git rev-parse HEAD)" ]; then
