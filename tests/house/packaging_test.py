@@ -70,5 +70,26 @@ class Libraries(unittest.TestCase):
         self.assertLessEqual({vcpkg for _, vcpkg in LIBRARIES.values()}, {one for one in port if isinstance(one, str)})
 
 
+class Paper(unittest.TestCase):
+    TEXT = (ROOT / "paper/paper.md").read_text()
+
+    def test_what_it_cites_and_shows_is_there(self):
+        known = set(re.findall(r"^@\w+\{(\w+),", (ROOT / "docs/references.bib").read_text(), re.MULTILINE))
+        cited = set(re.findall(r"@(\w+)", self.TEXT))
+        self.assertGreater(len(cited), 4)
+        self.assertLessEqual(cited, known)
+        for picture in re.findall(r"\]\((\S+)\)", self.TEXT):
+            self.assertTrue((ROOT / "paper" / picture).exists(), picture)
+
+    def test_its_numbers_are_those_of_the_documents(self):
+        codes = re.search(r"^## Rules of the codes\n(.*?)^## ", (ROOT / "docs/separation-rules.md").read_text(), re.MULTILINE | re.DOTALL)[1]
+        self.assertIn(f"rules of {len(re.findall(r'^[|] `', codes, re.MULTILINE))} codes", self.TEXT)
+        rows = re.findall(r"^[|] (?:m12|storeys|row)\S* +[|](.*)[|]$", (ROOT / "docs/performance.md").read_text(), re.MULTILINE)[:6]
+        numbers = [[float(re.search(r"[\d,.]+", cell)[0].replace(",", "")) for cell in row.split("|")[2::2]] for row in rows]
+        fastest, odeint = zip(*numbers)
+        for low, high in (min(fastest), max(fastest)), (min(odeint), max(odeint)):
+            self.assertRegex(" ".join(self.TEXT.split()), rf"\b{low:,g} (and|to) {high:,g} times")
+
+
 if __name__ == "__main__":
     unittest.main()
