@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "bentur/core/not_known.h"
 #include "bentur/core/version.h"
 #include "bentur/files/ida_reading.h"
 #include "bentur/study/fragility/fragility_report.h"
@@ -25,8 +26,6 @@ struct FragilityArguments {
   std::string method = "likelihood";
   bool json = false;
 };
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A unit as people write it, from UDUNITS: "cm s-2" is cm/s².
 std::string shown(const std::string& units) {
@@ -134,7 +133,7 @@ std::string part_text(const Fragility& fit, const std::vector<IntensityCount>& c
   part.fit = fit;
   if (fit.kind != Fragility::Kind::fitted) return reason(part, unit);
   return fmt::format("θ {}, β {}, KS {}{}", with_unit_of(fit.median, unit), number(fit.dispersion),
-                     number(fit_distance(counts, fit).value_or(none)),
+                     number(fit_distance(counts, fit).value_or(not_known)),
                      (is_misfit(counts, fit) ? fmt::format("; {}", misfit) : "") +
                          (is_extrapolated(counts, fit) ? "; " + beyond(part, unit) : ""));
 }
@@ -170,17 +169,17 @@ std::string curves_text(const FragilityReport& report, const std::string& unit) 
     const CaseFragility& one = report.fragilities[c];
     const bool known = one.fit.kind == Fragility::Kind::fitted;
     cases.push_back(c);
-    median.push_back(known ? one.fit.median : none);
-    dispersion.push_back(known ? one.fit.dispersion : none);
-    median_low.push_back(known && one.bounds ? one.bounds->median.lower : none);
-    median_high.push_back(known && one.bounds ? one.bounds->median.upper : none);
-    dispersion_low.push_back(known && one.bounds ? one.bounds->dispersion.lower : none);
-    dispersion_high.push_back(known && one.bounds ? one.bounds->dispersion.upper : none);
+    median.push_back(known ? one.fit.median : not_known);
+    dispersion.push_back(known ? one.fit.dispersion : not_known);
+    median_low.push_back(known && one.bounds ? one.bounds->median.lower : not_known);
+    median_high.push_back(known && one.bounds ? one.bounds->median.upper : not_known);
+    dispersion_low.push_back(known && one.bounds ? one.bounds->dispersion.lower : not_known);
+    dispersion_high.push_back(known && one.bounds ? one.bounds->dispersion.upper : not_known);
     runs.push_back(fmt::format("{}", one.runs));
     events.push_back(fmt::format("{}", one.events));
     const std::string name = case_name(report.results, c);
     const std::string of = name.empty() ? "" : name + ": ";
-    distance.push_back(one.distance().value_or(none));
+    distance.push_back(one.distance().value_or(not_known));
     if (!known) notes += fmt::format("  {}{}.\n", of, reason(one, unit));
     if (one.is_misfit()) notes += fmt::format("  {}{}.\n", of, misfit);
     if (is_extrapolated(one.counts, one.fit)) notes += fmt::format("  {}{}.\n", of, beyond(one, unit));

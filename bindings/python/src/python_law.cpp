@@ -6,10 +6,10 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/hysteretic_laws.h"
 #include "bentur/model/link.h"
@@ -54,7 +54,7 @@ Branch ForceLaw::branch(const LawState& state) const noexcept {
 
 double ForceLaw::called(const py::object& function, double penetration, double speed, bool with_speed) const noexcept {
   const py::gil_scoped_acquire lock;
-  if (raised != nullptr) return std::numeric_limits<double>::quiet_NaN();
+  if (raised != nullptr) return not_known;
   try {
     return (with_speed ? function(penetration, speed) : function(penetration)).cast<double>();
   } catch (py::error_already_set& error) {
@@ -63,7 +63,7 @@ double ForceLaw::called(const py::object& function, double penetration, double s
     const py::object type = py::module_::import("builtins").attr("TypeError");
     raised = type(name_ + ": the force must be a number").release().ptr();
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return not_known;
 }
 
 double ForceLaw::force(const LawState& state, double penetration, double closing_speed) const noexcept {

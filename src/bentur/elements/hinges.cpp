@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/elements/hinges/falling.h"
 #include "bentur/elements/hinges/rate_problem.h"
@@ -23,7 +23,6 @@ namespace {
 
 constexpr double no_slope = 1e-9;                // of what it is a sum of: a rate that is zero
 constexpr double complementary_slack = 0x1p-48;  // of the largest rate: round-off, as complementary() has it
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -169,7 +168,7 @@ CoupledState HingeLaw::begin(const VectorXd& deformation) const {
   CoupledState state{0.0, MatrixXd::Zero(n, wears_ ? columns : weakens_ ? without_wear : without_weakening)};
   if (wears_) state.memory(Eigen::all, {left_above, left_below, left_before}).setOnes();
   for (const Column time : {first_yield, mechanism_at, broke_at, cap_at, snapped_at, failed_at}) {
-    if (time < state.memory.cols()) state.memory.col(time).setConstant(nothing);
+    if (time < state.memory.cols()) state.memory.col(time).setConstant(not_known);
   }
   const CoupledState unloaded = state;
   const bool beyond =

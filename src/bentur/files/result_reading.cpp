@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
@@ -90,7 +90,7 @@ Remark remark(const UnorderedJson& json) {
 WatchedSummary watched_summary(const UnorderedJson& entry, const UnorderedJson& gap) {
   const auto number = [&](const char* key) {
     const auto value = entry.find(key);
-    return value == entry.end() || value->is_null() ? std::numeric_limits<double>::quiet_NaN() : value->get<double>();
+    return value == entry.end() || value->is_null() ? not_known : value->get<double>();
   };
   WatchedSummary summary{.gap_needed = number("gap_needed"),
                          .peak_left = number("peak_left_no_contact"),

@@ -13,24 +13,24 @@
 namespace bentur {
 namespace {
 
-using sources::no_value, sources::weight_of;
+using sources::weight_of;
 
 // What is computed, not kept in a response.
 
 double base_shear_coefficient(const RunView& r, const QuantityPlace& at) {
   const Building& building = r.problem.buildings[at.item];
   const double weight = weight_of(building.model.floor_masses, r.units);
-  return building.is_rigid() || weight <= 0 ? no_value : r.response.buildings[at.item].storey_shear(0) / weight;
+  return building.is_rigid() || weight <= 0 ? not_known : r.response.buildings[at.item].storey_shear(0) / weight;
 }
 const Units& units_of(const RunView& run) { return run.units; }
 const Units& units_of(const PlanRun& run) { return run.c.units; }
 constexpr auto weight = [](const auto& run, const QuantityPlace& at) {
   const auto& building = run.problem.buildings[at.item];
-  return building.is_rigid() ? no_value : weight_of(building.model.floor_masses, units_of(run));
+  return building.is_rigid() ? not_known : weight_of(building.model.floor_masses, units_of(run));
 };
 constexpr auto first_period = [](const auto& run, const QuantityPlace& at) {
   const auto& omega = run.problem.buildings[at.item].modes.omega;
-  return omega.size() > 0 && omega(0) > 0 ? 2 * std::numbers::pi / omega(0) : no_value;
+  return omega.size() > 0 && omega(0) > 0 ? 2 * std::numbers::pi / omega(0) : not_known;
 };
 constexpr auto period_per_storey = [](const auto& run, const QuantityPlace& at) {
   const auto& model = run.problem.buildings[at.item].model;
@@ -39,12 +39,12 @@ constexpr auto period_per_storey = [](const auto& run, const QuantityPlace& at) 
 double amplification(const RunView& r, const QuantityPlace& at) {
   const BuildingPeaks& peaks = r.response.buildings[at.item];
   const double without = peaks.displacement_no_contact(at.floor);
-  return without > 0 ? peaks.displacement(at.floor) / without : no_value;
+  return without > 0 ? peaks.displacement(at.floor) / without : not_known;
 }
 double peak_ratio(const RunView& r, const QuantityPlace& at, Eigen::VectorXd BuildingPeaks::*with,
                   Eigen::VectorXd BuildingPeaks::*without) {
   const Eigen::VectorXd &a = r.response.buildings[at.item].*with, &b = r.response.buildings[at.item].*without;
-  return at.floor < a.size() && at.floor < b.size() ? sources::ratio_of_peaks(a(at.floor), b(at.floor)) : no_value;
+  return at.floor < a.size() && at.floor < b.size() ? sources::ratio_of_peaks(a(at.floor), b(at.floor)) : not_known;
 }
 double acceleration_ratio(const RunView& r, const QuantityPlace& at) {
   return peak_ratio(r, at, &BuildingPeaks::acceleration, &BuildingPeaks::acceleration_no_contact);
@@ -56,12 +56,12 @@ template <class Extreme>
 QuantitySource of_restitutions(std::optional<double> PointRestitution::*of, Extreme extreme) {
   QuantitySource source;
   source.row.value = [of](const RunView& r, const QuantityPlace& at) {
-    return (r.restitutions[at.item].*of).value_or(no_value);
+    return (r.restitutions[at.item].*of).value_or(not_known);
   };
   source.plan.value = [extreme](const PlanRun& run, const QuantityPlace& at) {
-    double found = no_value;
+    double found = not_known;
     for (const Impact& impact : run.response.impacts) {
-      if (impact.point == at.item) found = extreme(found, impact.restitution().value_or(no_value));
+      if (impact.point == at.item) found = extreme(found, impact.restitution().value_or(not_known));
     }
     return found;
   };
@@ -70,7 +70,7 @@ QuantitySource of_restitutions(std::optional<double> PointRestitution::*of, Extr
 double smaller(double a, double b) { return std::fmin(a, b); }  // of a number and NaN the number
 double larger(double a, double b) { return std::fmax(a, b); }
 double whole_gap_reversed(const Problem& problem, const Response& response, Eigen::Index gap) {
-  return gap_needed_reversed(problem, response, gap).value_or(no_value);
+  return gap_needed_reversed(problem, response, gap).value_or(not_known);
 }
 double floors_met(const Problem& problem, const Response& response, Eigen::Index gap) {
   return static_cast<double>(unmodelled_contacts(problem, response, gap).size());
@@ -81,30 +81,30 @@ const std::vector<Remark>* remarks_of(const RunView& run) { return run.remarks; 
 const std::vector<Remark>* remarks_of(const PlanRun& run) { return &run.remarks; }
 constexpr auto events = [](const auto& run, const QuantityPlace&) { return static_cast<double>(run.response.events); };
 constexpr auto remarks_of_run = [](const auto& run, const QuantityPlace&) {
-  return remarks_of(run) != nullptr ? static_cast<double>(remarks_of(run)->size()) : no_value;
+  return remarks_of(run) != nullptr ? static_cast<double>(remarks_of(run)->size()) : not_known;
 };
 constexpr auto doubts_of_run = [](const auto& run, const QuantityPlace&) {
-  return remarks_of(run) != nullptr ? static_cast<double>(count_of_doubts(*remarks_of(run))) : no_value;
+  return remarks_of(run) != nullptr ? static_cast<double>(count_of_doubts(*remarks_of(run))) : not_known;
 };
 constexpr auto kinds_of_remarks = [](const auto& run, const QuantityPlace&) {
-  return remarks_of(run) != nullptr ? static_cast<double>(remark_kinds(*remarks_of(run))) : no_value;
+  return remarks_of(run) != nullptr ? static_cast<double>(remark_kinds(*remarks_of(run))) : not_known;
 };
 constexpr auto end_time = [](const auto& run, const QuantityPlace&) {
   return run.response.collapse ? run.response.collapse->time : run.response.duration;
 };
 constexpr auto collapsed = [](const auto& run, const QuantityPlace&) { return run.response.collapse ? 1.0 : 0.0; };
 constexpr auto energy_residual = [](const auto& run, const QuantityPlace&) {
-  return run.response.energy ? run.response.energy->relative_residual() : no_value;
+  return run.response.energy ? run.response.energy->relative_residual() : not_known;
 };
 constexpr auto impact_restitution = [](const auto& run, const QuantityPlace& at) {
-  return run.response.impacts[at.item].restitution().value_or(no_value);
+  return run.response.impacts[at.item].restitution().value_or(not_known);
 };
 constexpr auto impact_duration = [](const auto& run, const QuantityPlace& at) {
   return run.response.impacts[at.item].end - run.response.impacts[at.item].start;
 };
 
 // Demand over capacity of a column; NaN where its capacity is not given, which std::fmax passes over.
-double over(double demand, double capacity) { return capacity > 0 ? demand / capacity : no_value; }
+double over(double demand, double capacity) { return capacity > 0 ? demand / capacity : not_known; }
 double shear_ratio(const ColumnPeaks& column, const ContactPoint& point) {
   return over(column.shear, point.column_shear_capacity);
 }

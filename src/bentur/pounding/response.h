@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/solve/solution.h"
 
 namespace bentur {
@@ -95,9 +95,6 @@ struct ColumnPeaks {
   double shear_below = 0, shear_above = 0;                    ///< of the piece below the node, above it [force]
   double moment_bottom = 0, moment_node = 0, moment_top = 0;  ///< at the node the larger of both pieces [force·length]
 };
-
-/// What has not been asked for.
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// Totals of one contact point over the run.
 struct PointSummary {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
 #include "bentur/io/schema/parameter_units.h"
@@ -213,7 +213,7 @@ class StudyList {
     variable.values = std::vector<double>();
     const auto count = static_cast<std::size_t>(part.count);
     add(std::move(variable), [first = part.first, count](std::span<const RunResult> results) {
-      std::vector<double> values(results.size() * count, std::numeric_limits<double>::quiet_NaN());
+      std::vector<double> values(results.size() * count, not_known);
       for (std::size_t i = 0; i < results.size(); ++i) {
         if (results[i].status != RunStatus::done) continue;
         std::copy_n(results[i].values.begin() + static_cast<std::ptrdiff_t>(first), count,

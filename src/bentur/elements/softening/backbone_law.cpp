@@ -9,6 +9,7 @@
 #include <string>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 
 namespace bentur {
@@ -381,7 +382,6 @@ LawState BackboneLaw::next(const LawState& state, std::size_t guard, double time
           of.cap * of.yield * (std::isinf(of.softening) ? 1 : 1 + (at_yield + of.plastic) / of.softening);
       return Side{of.yield, hardening, projection, at_yield, at_yield, of.yield};
     };
-    constexpr double never = std::numeric_limits<double>::quiet_NaN();
     past = {.above = begun(of_.positive),
             .below = begun(of_.negative),
             .back = of_.stiffness,
@@ -394,9 +394,9 @@ LawState BackboneLaw::next(const LawState& state, std::size_t guard, double time
             .worked = 0,
             .without_force = 0,
             .entered = 0,
-            .capped = never,
-            .residual = never,
-            .failed = never};
+            .capped = not_known,
+            .residual = not_known,
+            .failed = not_known};
   } else {
     past = Past::of(state);
   }

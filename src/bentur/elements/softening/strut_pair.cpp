@@ -1,13 +1,11 @@
 #include "bentur/elements/softening/strut_pair.h"
+#include "bentur/core/not_known.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bentur {
 namespace {
-
-constexpr double not_yet = std::numeric_limits<double>::quiet_NaN();
 
 // Struts are 0, which pushes at δ > 0, and 1; sizes and strengths are told for the first.
 double strut_way(int strut) { return strut == 0 ? 1.0 : -1.0; }
@@ -43,7 +41,7 @@ LawParameters StrutPair::parameters() const {
 }
 
 StrutPair::Past StrutPair::past_of(const LawState& state) const noexcept {
-  if (state.branch == virgin) return {{0, 0}, {yields_, yields_}, {plastic, plastic}, not_yet, not_yet, not_yet};
+  if (state.branch == virgin) return {{0, 0}, {yields_, yields_}, {plastic, plastic}, not_known, not_known, not_known};
   const auto& m = state.memory;
   return {{m[0], m[1]}, {m[2], m[3]}, {static_cast<int>(m[4]), static_cast<int>(m[5])}, m[6], m[7], m[8]};
 }

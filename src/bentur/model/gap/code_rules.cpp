@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/model/gap/codes/internal/rule_parts.h"
 
@@ -60,7 +60,7 @@ CodeSeparation code_separation(const CodePair& pair, const CodeRuleSpec& spec) {
   const CodeRule& rule = checked_rule(pair, spec, true);
   CodeSeparation asked = rule.separation(pair, spec);
   if (!is_let_off(rule, pair)) return asked;
-  return {spec.rule, std::numeric_limits<double>::quiet_NaN(), {}, {}};
+  return {spec.rule, not_known, {}, {}};
 }
 
 std::optional<HeightSeparation> height_separation(const CodePair& pair, const CodeRuleSpec& spec) {

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-double entry(const VectorXd& list, Index i) { return i < list.size() ? list(i) : no_value; }
+double entry(const VectorXd& list, Index i) { return i < list.size() ? list(i) : not_known; }
 
 constexpr double round_off = 1e-9;  // of the largest free peak of the case
 
@@ -30,7 +30,7 @@ RoundOff round_off_of(const PlanRun& run) {
 /// An entry of a list over the floors of a building.
 double& slot(VectorXd& list, const PlanRun& run, const QuantityPlace& at) {
   const Index floors = run.problem.buildings[at.item].model.floors();
-  if (list.size() != floors) list = VectorXd::Constant(floors, no_value);
+  if (list.size() != floors) list = VectorXd::Constant(floors, not_known);
   return list(at.floor);
 }
 
@@ -65,7 +65,7 @@ QuantitySource plan_floors(PlanList list, PlanBuildings of) {
 QuantitySource plan_amplification(PlanList list, double RoundOff::*least) {
   return in_plan([=](const PlanRun& run, const QuantityPlace& at) {
     const double free = entry(run.response.buildings_no_contact[at.item].*list, at.floor);
-    return free > round_off_of(run).*least ? entry(run.response.buildings[at.item].*list, at.floor) / free : no_value;
+    return free > round_off_of(run).*least ? entry(run.response.buildings[at.item].*list, at.floor) / free : not_known;
   });
 }
 
@@ -78,7 +78,7 @@ QuantitySource plan_ratio(PlanList list, PlanList across) {
       }
     }
     const double free = entry(run.response.buildings_no_contact[at.item].*list, at.floor);
-    if (!(free > round_off * largest)) return no_value;
+    if (!(free > round_off * largest)) return not_known;
     return ratio_of_peaks(entry(run.response.buildings[at.item].*list, at.floor), free);
   });
 }
@@ -87,7 +87,7 @@ QuantitySource plan_base_shear(PlanList list) {
   return in_plan([list](const PlanRun& run, const QuantityPlace& at) {
     const PlanBuilding& building = run.problem.buildings[at.item];
     const double weight = weight_of(building.model.floor_masses, run.c.units);
-    return building.is_rigid() || weight <= 0 ? no_value : entry(run.response.buildings[at.item].*list, 0) / weight;
+    return building.is_rigid() || weight <= 0 ? not_known : entry(run.response.buildings[at.item].*list, 0) / weight;
   });
 }
 
@@ -133,7 +133,7 @@ QuantitySource of_bearings(VectorXd PlanPeaks::Bearings::*list, bool yields) {
   return in_plan(
       [=](const PlanRun& run, const QuantityPlace& at) {
         const auto& bearings = run.problem.buildings[at.item].model.bearings;
-        if (yields && !bearings[static_cast<std::size_t>(at.plane)].law) return no_value;
+        if (yields && !bearings[static_cast<std::size_t>(at.plane)].law) return not_known;
         return entry(run.response.buildings[at.item].bearings.*list, at.plane);
       },
       [=](PlanRun& run, const QuantityPlace& at, double value) {
@@ -152,7 +152,7 @@ QuantitySource of_ground(Index i) {
 QuantitySource of_friction(double PlanFriction::*member) {
   return in_plan(
       [member](const PlanRun& run, const QuantityPlace& at) {
-        return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : no_value;
+        return contact_at(run.problem, at.item).contact->rubbing ? run.response.friction[at.item].*member : not_known;
       },
       [member](PlanRun& run, const QuantityPlace& at, double value) {
         if (!std::isnan(value)) run.response.friction[at.item].*member = value;
@@ -163,7 +163,7 @@ QuantitySource impact_friction() {
   return in_plan(
       [](const PlanRun& run, const QuantityPlace& at) {
         const Impact& impact = run.response.impacts[at.item];
-        return contact_at(run.problem, impact.point).contact->rubbing ? impact.tangential_impulse : no_value;
+        return contact_at(run.problem, impact.point).contact->rubbing ? impact.tangential_impulse : not_known;
       },
       [](PlanRun& run, const QuantityPlace& at, double value) {
         if (!std::isnan(value)) run.response.impacts[at.item].tangential_impulse = value;

@@ -17,7 +17,7 @@ QuantitySource of_gaps(double (*value)(const Problem&, const Response&, Index), 
     return value(run.problem, run.response, at.item);
   };
   source.plan.value = [=](const PlanRun& run, const QuantityPlace& at) {
-    if (both_ways && !run.c.analysis.both_ways) return no_value;
+    if (both_ways && !run.c.analysis.both_ways) return not_known;
     const auto row = row_of(run);
     return value(row->problem, row->response, at.item);
   };
@@ -27,7 +27,7 @@ QuantitySource of_gaps(double (*value)(const Problem&, const Response&, Index), 
 QuantitySource needed_reversed() {
   QuantitySource source = of_points(&PointSummary::gap_needed_reversed);
   source.plan.value = [known = source.plan.value](const PlanRun& run, const QuantityPlace& at) {
-    return run.c.analysis.both_ways ? known(run, at) : no_value;
+    return run.c.analysis.both_ways ? known(run, at) : not_known;
   };
   return source;
 }
@@ -63,7 +63,7 @@ QuantitySource of_foundation(Index entry) {
   QuantitySource source;
   source.row.value = [entry](const RunView& run, const QuantityPlace& at) {
     const VectorXd& values = run.response.buildings[at.item].foundation;
-    return entry < values.size() ? values(entry) : no_value;
+    return entry < values.size() ? values(entry) : not_known;
   };
   source.row.keep = [entry](Response& response, const QuantityPlace& at, double number) {
     VectorXd& values = response.buildings.at(at.item).foundation;
@@ -89,7 +89,7 @@ namespace {
 double energy_of(const std::vector<BuildingPeaks::Hinge>& hinges) {
   double sum = 0;
   for (const BuildingPeaks::Hinge& hinge : hinges) sum += hinge.dissipated_energy;
-  return hinges.empty() ? no_value : sum;
+  return hinges.empty() ? not_known : sum;
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ QuantitySource hinge_energy() {
   };
   source.row.is_told = [](const RunView& run, Index b) { return !run.response.buildings[b].hinges.empty(); };
   source.plan.value = [](const PlanRun& run, const QuantityPlace& at) {
-    double sum = no_value;
+    double sum = not_known;
     for (const PlanPeaks::Plane& plane : run.response.buildings[at.item].planes) {
       const double of_frame = energy_of(plane.frame.hinges);
       if (!std::isnan(of_frame)) sum = std::isnan(sum) ? of_frame : sum + of_frame;
@@ -130,7 +130,7 @@ QuantitySource of_struck(double ColumnPeaks::*member) {
   QuantitySource source = struck(When::struck);
   source.row.value = [member](const RunView& run, const QuantityPlace& at) {
     const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
-    return column ? *column.*member : no_value;
+    return column ? *column.*member : not_known;
   };
   source.row.keep = [member](Response& response, const QuantityPlace& at, double number) {
     std::optional<ColumnPeaks>& column = response.points.at(at.item).column;
@@ -145,7 +145,7 @@ QuantitySource of_struck(double (*value)(const ColumnPeaks&, const ContactPoint&
   QuantitySource source = struck(when);
   source.row.value = [value](const RunView& run, const QuantityPlace& at) {
     const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
-    return column ? value(*column, run.problem.points[at.item]) : no_value;
+    return column ? value(*column, run.problem.points[at.item]) : not_known;
   };
   return source;
 }

@@ -1,23 +1,21 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/quantities.h"
 
 // How quantities are read from responses of rows and plans, and put back.
 namespace bentur::sources {
 
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-
 template <class Value>
 [[nodiscard]] double number_of(const Value& value) {
   return static_cast<double>(value);
 }
-[[nodiscard]] inline double number_of(const std::optional<double>& value) { return value.value_or(no_value); }
+[[nodiscard]] inline double number_of(const std::optional<double>& value) { return value.value_or(not_known); }
 
 template <class Value>
 void keep_number(Value& kept, double value) {
@@ -38,7 +36,7 @@ constexpr QuantitySource::Number number_kind = std::is_same_v<Value, bool>  ? Qu
 /// Of a peak and the same without contact; none where contact makes something of nothing, round-off included.
 [[nodiscard]] inline double ratio_of_peaks(double with, double without) {
   constexpr double round_off = 1e-9;
-  return without > round_off * with ? with / without : no_value;
+  return without > round_off * with ? with / without : not_known;
 }
 
 /// Of floors' masses [force].
@@ -92,7 +90,7 @@ template <class Item, class Member>
 [[nodiscard]] QuantitySource of_items(std::vector<Item> Response::*row, std::vector<Item> PlanResponse::*plan,
                                       Member Item::*member) {
   const auto value = [member](const std::vector<Item>& items, Eigen::Index item) {
-    return item < std::ssize(items) ? number_of(items[item].*member) : no_value;
+    return item < std::ssize(items) ? number_of(items[item].*member) : not_known;
   };
   QuantitySource source;
   source.row.value = [=](const RunView& run, const QuantityPlace& at) { return value(run.response.*row, at.item); };
@@ -128,7 +126,7 @@ template <class Find>
   QuantitySource source;
   source.row.value = [find](const RunView& run, const QuantityPlace& at) {
     const Eigen::VectorXd& values = find(run.response.buildings[at.item]);
-    return at.floor < values.size() ? values(at.floor) : no_value;
+    return at.floor < values.size() ? values(at.floor) : not_known;
   };
   source.row.keep = [find](Response& response, const QuantityPlace& at, double number) {
     Eigen::VectorXd& values = find(response.buildings.at(at.item));
@@ -162,7 +160,7 @@ template <class Item, class Member>
 [[nodiscard]] QuantitySource of_frames(When when, std::vector<Item> BuildingPeaks::*list, Member Item::*member) {
   const auto value = [=](const BuildingPeaks& peaks, Eigen::Index i) {
     const std::vector<Item>& items = peaks.*list;
-    return i < std::ssize(items) ? number_of(items[i].*member) : no_value;
+    return i < std::ssize(items) ? number_of(items[i].*member) : not_known;
   };
   const auto keep = [=](BuildingPeaks& peaks, Eigen::Index i, double number) {
     std::vector<Item>& items = peaks.*list;

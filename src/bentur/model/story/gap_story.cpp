@@ -1,16 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
 namespace story {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// What is needed at a level under the reversed motion; −1 where that is not known.
 double reversed_at(const LevelSeparation& one) { return one.gap_needed_reversed.value_or(-1); }
@@ -85,7 +83,7 @@ struct PlaceColumns {
     if (facts.plan == nullptr) return;
     const bool known = level != nullptr;
     const PlanPoint at =
-        known ? place_of(*facts.plan, facts.problem, level->is_point, level->index) : PlanPoint(none, none);
+        known ? place_of(*facts.plan, facts.problem, level->is_point, level->index) : PlanPoint(not_known, not_known);
     x.numbers.push_back(at.x());
     y.numbers.push_back(at.y());
   }
@@ -119,9 +117,9 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     place_columns.add(facts, &level);
     given.numbers.push_back(level.width);
     const LevelFacts& facts_of_level = facts.gaps.at(static_cast<std::size_t>(gap)).facts.levels.at(place);
-    needed.numbers.push_back(facts_of_level.given.need ? shown(one->gap_needed) : none);
+    needed.numbers.push_back(facts_of_level.given.need ? shown(one->gap_needed) : not_known);
     const std::optional<double>& other = facts_of_level.reversed.need;
-    reversed.numbers.push_back(other ? shown(*other) : none);
+    reversed.numbers.push_back(other ? shown(*other) : not_known);
     abs.numbers.push_back(one->abs);
     srss.numbers.push_back(one->srss);
     ddc.numbers.push_back(shown(one->ddc));
@@ -163,14 +161,14 @@ StoryTable rule_table(const GapView& facts, Eigen::Index gap, const std::vector<
     if (found.is_short && code != nullptr) table.marked.push_back(title.texts.size());
     title.texts.push_back(found.title);
     clause.texts.emplace_back(code != nullptr ? code->clause : "–");
-    asked.numbers.push_back(found.at ? found.gap : none);
-    level.numbers.push_back(found.at ? levels[*found.at].level.elevation : none);
+    asked.numbers.push_back(found.at ? found.gap : not_known);
+    level.numbers.push_back(found.at ? levels[*found.at].level.elevation : not_known);
     place.add(facts, found.at ? &levels[*found.at].level : nullptr);
     verdict.texts.emplace_back(found.is_short        ? "gap.too_close"
                                : found.at && !enough ? "gap.asks_less"
                                                      : silence_word(found.silence));
-    left.numbers.push_back(found.to_left.value_or(none));
-    right.numbers.push_back(found.to_right.value_or(none));
+    left.numbers.push_back(found.to_left.value_or(not_known));
+    right.numbers.push_back(found.to_right.value_or(not_known));
     wording.texts.emplace_back(code != nullptr ? code->wording : "–");
     property_line = property_line || found.to_left || found.to_right;
   }
@@ -196,7 +194,7 @@ StoryTable screening_table(const GapView& facts, Eigen::Index gap) {
                           : !found.rule->yes_or_no ? number(found.value)
                           : found.value > 0        ? "word.yes"
                                                    : "word.no");
-    limit.numbers.push_back(found.limit.value_or(none));
+    limit.numbers.push_back(found.limit.value_or(not_known));
     unit.texts.push_back(found.rule->unit == "length" ? facts.c.units.length : std::string(found.rule->unit));
     verdict.texts.emplace_back(found.verdict == Verdict::fine               ? "screening.fine"
                                : found.verdict == Verdict::attention        ? "screening.attention"

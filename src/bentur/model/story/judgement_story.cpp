@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 
@@ -154,8 +154,6 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
 namespace bentur {
 namespace {
 
-constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
-
 /// By how much a gap falls short of what it needs, as given or reversed [length]; below zero where it does not.
 double lacking(const GoverningNeed& need) {
   return std::max(need.given.needed.value_or(0), need.reversed.needed.value_or(0)) - need.at.width;
@@ -209,14 +207,14 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     name.texts.push_back(gap_name(view.problem, static_cast<Index>(g)));
     verdict.texts.emplace_back(judgement_word(judgement.value));
     given.numbers.push_back(need.at.width);
-    needed.numbers.push_back(need.given.needed.value_or(not_there));
-    reversed.numbers.push_back(need.reversed.needed.value_or(not_there));
+    needed.numbers.push_back(need.given.needed.value_or(not_known));
+    reversed.numbers.push_back(need.reversed.needed.value_or(not_known));
     const bool is_short = need.given.is_short || need.reversed.is_short;
-    lacks.numbers.push_back(is_short ? lacking(need) : not_there);
+    lacks.numbers.push_back(is_short ? lacking(need) : not_known);
     long count = 0;
     for (const LevelFacts& level : facts.levels) count += level.given.impacts;
     impacts.texts.push_back(std::to_string(count));
-    hardest.numbers.push_back(peak_force_of(facts) > 0 ? shown.force * peak_force_of(facts) : not_there);
+    hardest.numbers.push_back(peak_force_of(facts) > 0 ? shown.force * peak_force_of(facts) : not_known);
   }
   table.columns = {name, verdict, given, needed, reversed, lacks, impacts, hardest};
   return table;
@@ -251,19 +249,18 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
 namespace {
 
 ToldJudgement told(const story::GapView& view, Eigen::Index gap) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const GapFacts& facts = view.gaps.at(static_cast<std::size_t>(gap)).facts;
   const GapPair sides = sides_of(view.problem, gap);
   ToldJudgement made{.left = sides.left,
                      .right = sides.right,
-                     .width = none,
+                     .width = not_known,
                      .judgement = view.gaps.at(static_cast<std::size_t>(gap)).judgement};
   for (const LevelFacts& level : facts.levels) {
     made.width = made.width == made.width ? std::min(made.width, level.at.width) : level.at.width;
   }
   for (const Reason& reason : made.judgement.reasons) {
     made.reasons.push_back(story::reason_item(view, gap, reason));
-    made.elevations.push_back(reason.level ? facts.levels.at(*reason.level).at.elevation : none);
+    made.elevations.push_back(reason.level ? facts.levels.at(*reason.level).at.elevation : not_known);
   }
   return made;
 }

@@ -1,6 +1,6 @@
 #include <cmath>
-#include <limits>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/gap/codes/height_rules.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
@@ -53,7 +53,6 @@ void tell_height_rules(const Case& c, const Problem& problem, Eigen::Index gap,
 }
 
 StoryTable height_table(const Case& c, Eigen::Index gap, const std::vector<HeightFinding>& findings) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::string& length = c.units.length;
   StoryColumn title{.label = "gap.code"}, clause{.label = "gap.clause"}, asked{"gap.asked", length};
   StoryColumn level{"column.elevation", length}, given{"column.given", length};
@@ -67,12 +66,12 @@ StoryTable height_table(const Case& c, Eigen::Index gap, const std::vector<Heigh
     if (found.verdict == HeightFinding::Verdict::too_small) table.marked.push_back(title.texts.size());
     title.texts.emplace_back(rule.title);
     clause.texts.emplace_back(rule.clause);
-    asked.numbers.push_back(need != nullptr ? need->asked->asked.gap : none);
-    level.numbers.push_back(need != nullptr ? need->level.elevation : none);
-    given.numbers.push_back(need != nullptr ? need->level.width : none);
+    asked.numbers.push_back(need != nullptr ? need->asked->asked.gap : not_known);
+    level.numbers.push_back(need != nullptr ? need->level.elevation : not_known);
+    given.numbers.push_back(need != nullptr ? need->level.width : not_known);
     verdict.texts.emplace_back(verdict_word(found));
-    left.numbers.push_back(need != nullptr ? need->asked->asked.to_left.value_or(none) : none);
-    right.numbers.push_back(need != nullptr ? need->asked->asked.to_right.value_or(none) : none);
+    left.numbers.push_back(need != nullptr ? need->asked->asked.to_left.value_or(not_known) : not_known);
+    right.numbers.push_back(need != nullptr ? need->asked->asked.to_right.value_or(not_known) : not_known);
     wording.texts.emplace_back(rule.wording);
     property_line = property_line || !std::isnan(left.numbers.back());
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/story/internal/run_parts.h"
 
 // The story of a run, of a row as of buildings in plan.
@@ -60,9 +61,7 @@ void tell_collapse(const AnyRun& run, std::vector<Statement>& statements) {
 }
 
 /// An entry of a list that results leave out where nothing of it is known.
-double known(const Eigen::VectorXd& list, Index i) {
-  return i < list.size() ? list(i) : std::numeric_limits<double>::quiet_NaN();
-}
+double known(const Eigen::VectorXd& list, Index i) { return i < list.size() ? list(i) : not_known; }
 
 /// Of each building what is said of the storey with the largest value beyond `least`.
 /// @param value of (building, its storeys, storey); NaN: there is none @param say the statement, of the same
@@ -89,7 +88,7 @@ void tell_drifts(const AnyRun& run, std::vector<Statement>& statements) {
   const double limit = run.problem.collapse_drift;
   const auto drift = [&](Index b, const Storeys& all, Index storey) {
     const auto& building = run.problem.buildings[b];
-    if (building.is_rigid() || has_gravity(building)) return std::numeric_limits<double>::quiet_NaN();
+    if (building.is_rigid() || has_gravity(building)) return not_known;
     return std::fmax(known(all.drift, storey), known(all.drift_alone, storey));
   };
   const auto say = [&](Index b, const Storeys& all, Index storey) {
@@ -111,7 +110,7 @@ void tell_lost_strength(const AnyRun& run, std::vector<Statement>& statements) {
   const auto lost = [&](Index /*b*/, const Storeys& all, Index storey) {
     const BuildingPeaks::Yielding& of = *all.yielding;
     const bool softened = !std::isnan(known(of.capped_time, storey)) || !std::isnan(known(of.failed_time, storey));
-    return softened ? 1 - known(of.strength_left, storey) : std::numeric_limits<double>::quiet_NaN();
+    return softened ? 1 - known(of.strength_left, storey) : not_known;
   };
   const auto say = [&](Index b, const Storeys& all, Index storey) {
     const auto& model = run.problem.buildings[b].model;

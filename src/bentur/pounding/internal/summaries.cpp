@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "bentur/core/algebra/factors.h"
 #include "bentur/core/algebra/symmetric.h"
+#include "bentur/core/not_known.h"
 #include "bentur/elements/hinges.h"
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/internal/levels.h"
@@ -29,10 +29,9 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
                                     const BuildingPeaks& peaks) {
   BuildingPeaks::Yielding yielding;
   const Eigen::Index floors = building.model.floors();
-  yielding.ductility.setConstant(floors, std::numeric_limits<double>::quiet_NaN());
+  yielding.ductility.setConstant(floors, not_known);
   yielding.residual_drift_ratio.setZero(floors);
-  if (building.model.slab)
-    yielding.residual_drift_ratio(*building.model.slab) = std::numeric_limits<double>::quiet_NaN();
+  if (building.model.slab) yielding.residual_drift_ratio(*building.model.slab) = not_known;
   yielding.hysteretic_energy.setZero(floors);
   for (std::size_t i = 0; i < members.size(); ++i) {
     const BuildingElement& element = building.elements[i];
@@ -42,7 +41,7 @@ BuildingPeaks::Yielding yielding_of(const Building& building, const std::vector<
     const double height = of_storey > 0.0 ? of_storey : 1.0;  // a slab's drift is told as a length
     yielding.ductility(f) = ductility(*element.law, peaks.drift_ratio(f) * height, members[i]);
     const double residual = members[i].residual / height;
-    yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : std::numeric_limits<double>::quiet_NaN();
+    yielding.residual_drift_ratio(f) = of_storey > 0.0 ? residual : not_known;
     yielding.hysteretic_energy(f) = members[i].energy_lost;
     if (members[i].loss) take_loss(*members[i].loss, floors, f, yielding);
   }
@@ -80,7 +79,7 @@ Eigen::VectorXd unloaded_drifts(const Hinges& hinges, const HingeLaw& law, const
       continue;
     }
     const double least = still * shape.cwiseAbs().maxCoeff();
-    drifts = (of_storeys.array().abs() > least).select(std::numeric_limits<double>::quiet_NaN(), drifts);
+    drifts = (of_storeys.array().abs() > least).select(not_known, drifts);
   }
   return drifts;
 }
@@ -118,13 +117,12 @@ BuildingPeaks peaks_of(const Building& building, std::size_t b, const Solution& 
 
 /// Slabs have no storey, and nothing holds or strains what moves with the ground.
 void leave_out_what_is_not_there(const Problem& problem, std::vector<BuildingPeaks>& buildings) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     const Building& building = problem.buildings[b];
-    if (building.model.slab) buildings[b].drift_ratio(*building.model.slab) = nothing;
+    if (building.model.slab) buildings[b].drift_ratio(*building.model.slab) = not_known;
     if (!building.is_rigid()) continue;
-    buildings[b].drift_ratio.setConstant(nothing);
-    buildings[b].storey_shear.setConstant(nothing);
+    buildings[b].drift_ratio.setConstant(not_known);
+    buildings[b].storey_shear.setConstant(not_known);
   }
 }
 
@@ -277,7 +275,7 @@ void take_hinges(const Hinges& hinges, const std::vector<double>& storey_heights
   const Eigen::Index storeys = hinges.frame_drifts.rows();
   const Eigen::Index first = floors - storeys;  // above a slab
   Eigen::VectorXd& residual = peaks.yielding.residual_drift_ratio;
-  residual.setConstant(floors, std::numeric_limits<double>::quiet_NaN());
+  residual.setConstant(floors, not_known);
   residual.tail(storeys) = unloaded_drifts(hinges, law, state, theta);
   for (Eigen::Index j = first; j < residual.size(); ++j) residual(j) /= storey_heights[j];
   peaks.mechanism.reset();
@@ -359,11 +357,10 @@ BuildingPeaks::Infill infill_of(const InfilledFrame& frame, const std::vector<co
                                 const Eigen::VectorXd& drift_ratios) {
   BuildingPeaks::Infill infill;
   if (frame.panels.empty()) return infill;
-  constexpr double open = std::numeric_limits<double>::quiet_NaN();
   const auto floors = static_cast<Eigen::Index>(frame.storey_heights.size());
   for (auto* list :
        {&infill.force, &infill.shear, &infill.ductility, &infill.strength_left, &infill.energy, &infill.failed_time}) {
-    list->setConstant(floors, open);
+    list->setConstant(floors, not_known);
   }
   for (std::size_t n = 0; n < frame.panels.size(); ++n) {
     const InfillPanel& panel = frame.panels[n];
@@ -378,7 +375,7 @@ BuildingPeaks::Infill infill_of(const InfilledFrame& frame, const std::vector<co
     infill.energy(f) = std::fmax(infill.energy(f), 0.0);
   }
   const std::vector<StrutOnColumn> pushes = struts_on_columns(frame.panels, frame.hinges);
-  if (!pushes.empty()) infill.column_demand.setConstant(floors, open);
+  if (!pushes.empty()) infill.column_demand.setConstant(floors, not_known);
   for (std::size_t n = 0; n < pushes.size(); ++n) {
     double& most = infill.column_demand(frame.first_storey + frame.panels[pushes[n].panel].storey);
     most = std::fmax(most, on_columns(static_cast<Eigen::Index>(n)) / frame.hinges.columns[pushes[n].column].capacity);
@@ -409,14 +406,13 @@ InfillHistories infill_histories(const InfilledFrame& frame, Eigen::MatrixXd acr
 }
 
 void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding) {
-  constexpr double not_so = std::numeric_limits<double>::quiet_NaN();
   for (auto* list : {&yielding.strength_left, &yielding.capped_time, &yielding.residual_time, &yielding.failed_time}) {
-    if (list->size() == 0) list->setConstant(storeys, not_so);
+    if (list->size() == 0) list->setConstant(storeys, not_known);
   }
   yielding.strength_left(storey) = loss.left;
-  yielding.capped_time(storey) = loss.capped.value_or(not_so);
-  yielding.residual_time(storey) = loss.residual.value_or(not_so);
-  yielding.failed_time(storey) = loss.failed.value_or(not_so);
+  yielding.capped_time(storey) = loss.capped.value_or(not_known);
+  yielding.residual_time(storey) = loss.residual.value_or(not_known);
+  yielding.failed_time(storey) = loss.failed.value_or(not_known);
 }
 
 Response free_response(const Problem& problem, const Solution& free) {

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/pounding/checks/self_checks.h"
 #include "bentur/pounding/internal/free_response_of.h"
 #include "bentur/pounding/internal/levels.h"
@@ -22,14 +23,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
 /// What yielding did in the storeys of a plane, whose elements begin at `member`, which is moved on past them.
 BuildingPeaks::Yielding yielding_of(const PlanModel& model, const PlanModel::Plane& plane, const VectorXd& drift_ratio,
                                     const std::vector<ElementFound>& members, std::size_t& member) {
   BuildingPeaks::Yielding yielding;
   const Index storeys = model.floors();
-  yielding.ductility.setConstant(storeys, std::numeric_limits<double>::quiet_NaN());
+  yielding.ductility.setConstant(storeys, not_known);
   yielding.residual_drift_ratio.setZero(storeys);
   yielding.hysteretic_energy.setZero(storeys);
   const std::size_t first = member;
@@ -147,9 +146,9 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
         infill_of(building.model, building.model.planes[p], plane.drift_ratio, peak(PlanOutput::infill_force),
                   peak(PlanOutput::infill_push), members, member, panel, push);
     if (building.model.slab) {  // no plane is below it
-      plane.drift_ratio(*building.model.slab) = plane.shear(*building.model.slab) = nothing;
+      plane.drift_ratio(*building.model.slab) = plane.shear(*building.model.slab) = not_known;
       if (plane.yielding.residual_drift_ratio.size() > 0) {
-        plane.yielding.residual_drift_ratio(*building.model.slab) = nothing;
+        plane.yielding.residual_drift_ratio(*building.model.slab) = not_known;
       }
     }
   }
@@ -163,7 +162,7 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
     peaks.drift_west = part(PlanOutput::edge_drift, 2);
     peaks.drift_east = part(PlanOutput::edge_drift, 3);
     for (VectorXd* list : {&peaks.drift_south, &peaks.drift_north, &peaks.drift_west, &peaks.drift_east}) {
-      list->head(building.model.first_storey()).setConstant(nothing);
+      list->head(building.model.first_storey()).setConstant(not_known);
     }
   }
   return peaks;
@@ -407,7 +406,7 @@ PlanResponse free_response(const PlanProblem& problem, const Solution& free) {
   response.links = links_of(free);
   for (Index i = 0; i < 2; ++i) {
     response.peak_ground_acceleration(i) =
-        peak_acceleration(problem.motions, {problem.axes(i, 0), problem.axes(i, 1)}).value_or(nothing);
+        peak_acceleration(problem.motions, {problem.axes(i, 0), problem.axes(i, 1)}).value_or(not_known);
   }
   return response;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <limits>
-
+#include "bentur/core/not_known.h"
 #include "bentur/pounding/plan/plan_problem.h"
 #include "bentur/pounding/pounding.h"
 
@@ -86,7 +85,7 @@ struct PlanResponse {
   long steps = 0, events = 0;
   double wall_time = 0;  ///< of the solution alone [s]
   /// Of the ground along x and along y as applied [length/s²]; NaN: not known, as peak_acceleration() of two has it.
-  Eigen::Vector2d peak_ground_acceleration = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  Eigen::Vector2d peak_ground_acceleration = Eigen::Vector2d::Constant(not_known);
   std::vector<PlanPeaks> buildings;
   std::vector<PlanPeaks> buildings_no_contact;  ///< the same with contact switched off
   std::vector<PointSummary> points;             ///< of all gaps, as their contacts

@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/io/json_position.h"
 
 namespace bentur {
@@ -164,7 +164,7 @@ class Reader {
 
   void read(const Node& node, const std::string& where, std::vector<double>& to) {
     if (!node.is_array()) return error(where, kind(node), "must be a list of numbers");
-    to.assign(node.size(), std::numeric_limits<double>::quiet_NaN());
+    to.assign(node.size(), not_known);
     for (std::size_t i = 0; i < node.size(); ++i) {
       if (!node[i].is_null()) read(node[i], fmt::format("{}[{}]", where, i), to[i]);
     }

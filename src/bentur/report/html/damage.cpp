@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/report/figures/internal/colours.h"
@@ -54,7 +55,7 @@ Html drawing(const Report& report, Eigen::Index b) {
           std::isfinite(ductility) ? number(ductility) : "–");
     };
     const Eigen::VectorXd& without = peaks.yielding_no_contact.ductility;
-    box(margin, f < without.size() ? without(f) : std::nan(""));
+    box(margin, f < without.size() ? without(f) : not_known);
     box(margin + half, peaks.yielding.ductility(f));
   }
   const double ground = margin + height * static_cast<double>(storeys);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/io/schema/table_view.h"
 #include "bentur/report/html/internal/echo.h"
@@ -30,7 +30,7 @@ bool is_list_of_numbers(const TomlValue& value) {
 std::vector<double> from_the_top(const TomlValue& list) {
   std::vector<double> values;
   for (const TomlValue& item : list.items) {
-    values.insert(values.begin(), std::isinf(item.real) ? std::numeric_limits<double>::quiet_NaN() : item.real);
+    values.insert(values.begin(), std::isinf(item.real) ? not_known : item.real);
   }
   return values;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
@@ -12,8 +12,6 @@
 
 namespace bentur {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// One of the three that members carry, along each member: at MemberForces::stations, or the same from end to end.
 struct Carried {
@@ -74,7 +72,7 @@ class Diagram {
         style.x.push_back(x);
         style.y.push_back(y);
       };
-      const auto stop = [&] { style.x.push_back(none), style.y.push_back(none); };
+      const auto stop = [&] { style.x.push_back(not_known), style.y.push_back(not_known); };
       if (apart > 0) {
         const int hatches = std::max(2, static_cast<int>(std::lround(frame_->members[n].length() / apart)));
         for (int k = 1; k < hatches; ++k) {
@@ -168,8 +166,8 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         members.x.push_back(x);
         members.y.push_back(y);
       }
-      members.x.push_back(none);
-      members.y.push_back(none);
+      members.x.push_back(not_known);
+      members.y.push_back(not_known);
     }
     panel.curves.push_back(std::move(members));
     const auto named = [&](Panel& of, const LargestForce& largest) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/burst.h"
@@ -42,7 +42,6 @@ std::string instant_text(const RunResults& run, const SceneInstant& instant, con
 
 /// A band of hatches where a floor is inside what it faces.
 Curve hatches(const Scene& scene, const ScenePlaces& places, const NearestFloor& nearest) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const bool of_left = nearest.floor_of == nearest.left;
   const double offset = of_left ? scene.breadths[nearest.floor_of] : 0;
   const auto [end, z] =
@@ -57,8 +56,8 @@ Curve hatches(const Scene& scene, const ScenePlaces& places, const NearestFloor&
       curve.x.push_back(x + side * lean);
       curve.y.push_back(z + side * tall);
     }
-    curve.x.push_back(none);
-    curve.y.push_back(none);
+    curve.x.push_back(not_known);
+    curve.y.push_back(not_known);
   }
   return curve;
 }
@@ -66,7 +65,6 @@ Curve hatches(const Scene& scene, const ScenePlaces& places, const NearestFloor&
 }  // namespace
 
 Curve burst(double x, double y, double size) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr int rays = 10;
   Curve curve{.tone = Tone::red, .width = 1.6, .complete = true};
   for (int ray = 0; ray < rays; ++ray) {
@@ -75,19 +73,18 @@ Curve burst(double x, double y, double size) {
       curve.x.push_back(x + radius * std::cos(angle));
       curve.y.push_back(y + radius * std::sin(angle));
     }
-    curve.x.push_back(none);
-    curve.y.push_back(none);
+    curve.x.push_back(not_known);
+    curve.y.push_back(not_known);
   }
   return curve;
 }
 
 Curve curve_of(const SceneShape& shape, const ScenePlaces& places) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Curve curve{.tone = shape.tone, .width = 0.9, .complete = true};
   for (const auto& line : shape.lines) {
     if (!curve.x.empty()) {
-      curve.x.push_back(none);
-      curve.y.push_back(none);
+      curve.x.push_back(not_known);
+      curve.y.push_back(not_known);
     }
     for (const ScenePoint& point : line) {
       const auto [x, y] = places(point);

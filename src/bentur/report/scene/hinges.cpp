@@ -1,4 +1,5 @@
 #include "bentur/report/scene/internal/hinges.h"
+#include "bentur/core/not_known.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ constexpr double clear_of_joint = 0.15;  // of the storey height, or of a shorte
 
 /// IO, LS and CP of a hinge [rad]; NaN where it has none.
 Eigen::Vector3d limits_of(const Hinges& hinges, Index hinge) {
-  if (hinge >= hinges.rotation_limits.rows()) return Eigen::Vector3d::Constant(std::nan(""));
+  if (hinge >= hinges.rotation_limits.rows()) return Eigen::Vector3d::Constant(not_known);
   return hinges.rotation_limits.row(hinge).transpose();
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text.h"
@@ -392,15 +392,14 @@ class SweepDrawing {
   /// The cells of a map where nothing touches, taken out of it: they have a tint of their own.
   [[nodiscard]] std::optional<Curve> without_contact(HeatMap& map) const {
     Curve cells{.label = word(options_, "no contact"), .tone = Tone::pale};
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();  // between two cells
     const std::size_t columns = map.x_edges.size() - 1;
     for (std::size_t i = 0; i < map.values.size(); ++i) {
       if (map.values[i] != 0) continue;
       map.values[i] = NAN;
       const std::size_t row = i / columns, column = i % columns;
-      cells.x.insert(cells.x.end(), {map.x_edges[column], map.x_edges[column + 1], none});
-      cells.y.insert(cells.y.end(), {map.y_edges[row], map.y_edges[row], none});
-      cells.top.insert(cells.top.end(), {map.y_edges[row + 1], map.y_edges[row + 1], none});
+      cells.x.insert(cells.x.end(), {map.x_edges[column], map.x_edges[column + 1], not_known});
+      cells.y.insert(cells.y.end(), {map.y_edges[row], map.y_edges[row], not_known});
+      cells.top.insert(cells.top.end(), {map.y_edges[row + 1], map.y_edges[row + 1], not_known});
     }
     return cells.x.empty() ? std::nullopt : std::optional(std::move(cells));
   }

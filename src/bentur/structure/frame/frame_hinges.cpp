@@ -9,6 +9,7 @@
 
 #include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 
 namespace bentur {
 
@@ -171,7 +172,7 @@ Hinges FrameHinges::hinges(const MatrixXd& stiffness) const {
   all.stiffness = all.stiffness(kept, kept).eval();
   all.column_forces = all.column_forces(Eigen::all, kept).eval();
   all.at_rest = at_rest(kept);
-  all.rotation_limits.setConstant(hinges, 3, std::numeric_limits<double>::quiet_NaN());
+  all.rotation_limits.setConstant(hinges, 3, not_known);
   all.hardening.setZero(std::ssize(kept));
   for (VectorXd* list : {&all.clockwise, &all.anticlockwise}) list->resize(std::ssize(kept));
   if (!shears_.empty()) all.kept.setOnes(std::ssize(kept));

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "bentur/core/algebra/factors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/structure/frame/element_stiffness.h"
 #include "bentur/structure/frame/frame_dofs.h"
 #include "bentur/structure/frame/frame_hinges.h"
@@ -119,7 +119,7 @@ MemberForces::MemberForces(const PlaneFrame& frame, const std::vector<HingePlace
 
   constexpr Index places = std::size(stations);
   MatrixXd moments(places * count, ends.cols()), shears(count, ends.cols());
-  MatrixXd axial = MatrixXd::Constant(count, ends.cols(), std::numeric_limits<double>::quiet_NaN());
+  MatrixXd axial = MatrixXd::Constant(count, ends.cols(), not_known);
   for (Index n = 0; n < count; ++n) {
     const auto first = ends.row(4 * n + 1), second = ends.row(4 * n + 3);
     for (Index k = 0; k < places; ++k) {

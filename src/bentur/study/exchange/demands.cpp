@@ -10,6 +10,7 @@
 #include <set>
 #include <string_view>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/core/units.h"
 #include "bentur/io/output/result_kind.h"
@@ -34,7 +35,7 @@ struct DemandColumn {
 
 /// The largest size of each of several lists of one length; NaN where none is known.
 std::vector<double> largest_sizes(const std::vector<std::vector<double>>& lists) {
-  std::vector<double> largest(lists.front().size(), std::nan(""));
+  std::vector<double> largest(lists.front().size(), not_known);
   for (const std::vector<double>& list : lists) {
     for (std::size_t i = 0; i < list.size(); ++i) largest[i] = std::fmax(largest[i], std::abs(list[i]));
   }
@@ -146,7 +147,7 @@ class DemandReader {
         any = any || is;
       }
     } else {
-      double wanted = std::nan("");
+      double wanted = not_known;
       const char* const end = value.data() + value.size();
       const auto read = from_chars(value.data(), end, wanted);
       const bool is_number = read.ec == std::errc() && read.ptr == end;

@@ -1,9 +1,9 @@
 #include "bentur/study/fragility/demand_fits.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/study/plan/distribution.h"
 
@@ -50,7 +50,7 @@ Fragility cloud_fragility(const CloudFit& cloud, double threshold) {
   Fragility fit;
   if (!(cloud.b > 0)) {
     fit.kind = Fragility::Kind::falling;
-    fit.median = fit.dispersion = std::numeric_limits<double>::quiet_NaN();
+    fit.median = fit.dispersion = not_known;
     return fit;
   }
   fit.median = std::exp((std::log(threshold) - cloud.a) / cloud.b);
@@ -94,7 +94,7 @@ std::vector<Stripe> stripes_of(const std::vector<RunDemand>& demands) {
     double mean = 0, square = 0;
     for (const double one : sum.logarithms) mean += one / n;
     for (const double one : sum.logarithms) square += (one - mean) * (one - mean);
-    sum.stripe.median = n > 0 ? std::exp(mean) : (sum.standing > 0 ? 0 : std::numeric_limits<double>::quiet_NaN());
+    sum.stripe.median = n > 0 ? std::exp(mean) : (sum.standing > 0 ? 0 : not_known);
     sum.stripe.dispersion = n > 1 ? std::sqrt(square / (n - 1)) : 0;
     sum.stripe.share = sum.standing > 0 ? n / static_cast<double>(sum.standing) : 0;
     stripes.push_back(sum.stripe);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/study/plan/distribution.h"
 
@@ -18,7 +19,6 @@ namespace bentur {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// φ(z)/Φ(z) and ln Φ(z), also where Φ is not a number of the machine any more.
 struct Tail {
@@ -95,7 +95,7 @@ double step_likelihood(const std::vector<IntensityCount>& levels) {
 /// What can be said without fitting; `fitted` where (2) has a maximum, θ and β still to be found.
 Fragility classified(const std::vector<IntensityCount>& levels) {
   using Kind = Fragility::Kind;
-  if (levels.empty()) return {Kind::no_data, unknown, unknown, 0, unknown, unknown};
+  if (levels.empty()) return {Kind::no_data, not_known, not_known, 0, not_known, not_known};
   double first_event = infinity, last_event = 0, first_none = infinity, last_none = 0;
   for (const IntensityCount& level : levels) {
     if (level.events > 0) {
@@ -107,7 +107,7 @@ Fragility classified(const std::vector<IntensityCount>& levels) {
       last_none = level.intensity;
     }
   }
-  Fragility result{Kind::fitted, unknown, unknown, 0, last_none, first_event};
+  Fragility result{Kind::fitted, not_known, not_known, 0, last_none, first_event};
   if (last_event == 0) {
     result.kind = Kind::no_event;
     result.median = infinity;
@@ -247,7 +247,7 @@ bool is_extrapolated(const std::vector<IntensityCount>& counts, const Fragility&
 }
 
 Interval percentile_interval(std::vector<double> values, double confidence) {
-  if (values.empty()) return {unknown, unknown};
+  if (values.empty()) return {not_known, not_known};
   std::sort(values.begin(), values.end());
   const double tail = 0.5 * (1 - confidence) * static_cast<double>(values.size());
   const auto rank = std::min(static_cast<std::size_t>(tail), (values.size() - 1) / 2);

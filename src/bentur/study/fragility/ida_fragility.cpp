@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 
 namespace bentur {
@@ -97,7 +98,7 @@ Fragility fit_of_demands(const std::vector<RunDemand>& demands, double threshold
   if (method == FragilityMethod::stripes) return stripe_fragility(stripes_of(demands), threshold);
   if (const auto cloud = fit_cloud(demands)) return cloud_fragility(*cloud, threshold);
   Fragility none;
-  none.median = none.dispersion = std::numeric_limits<double>::quiet_NaN();
+  none.median = none.dispersion = not_known;
   return none;
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/study/fragility/ida_results.h"
 #include "bentur/study/study_variables.h"
@@ -160,7 +160,7 @@ class Reader {
     results_.quantity_units = variables.front()->units;
     OutcomeTable& table = results_.table;
     table.outcomes.resize(table.cases * table.records * table.levels.size());
-    table.demands.resize(table.outcomes.size(), std::numeric_limits<double>::quiet_NaN());
+    table.demands.resize(table.outcomes.size(), not_known);
     table.collapsed.resize(table.outcomes.size(), 0);
     const bool exceeds =
         event_.comparison == EventRule::Comparison::more || event_.comparison == EventRule::Comparison::at_least;
@@ -168,7 +168,7 @@ class Reader {
     for (std::size_t i = 0; i < sizes_.front(); ++i) {
       const std::vector<double> ends = file_.numbers("status", i);
       std::vector<bool> events(ends.size(), false), gone(ends.size(), false);
-      std::vector<double> demands(ends.size(), std::numeric_limits<double>::quiet_NaN());
+      std::vector<double> demands(ends.size(), not_known);
       // What collapses, and what no longer can be computed, is beyond any threshold.
       if (file_.find("collapsed") != nullptr) {
         const std::vector<double> collapsed = file_.numbers("collapsed", i);

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <variant>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/quantity_row.h"
@@ -131,7 +131,7 @@ class Trial {
   double measured(const std::vector<Choice>& choices) {
     Diagnostics found;
     const ReadCase read = tried(choices, found);
-    if (!found.ok()) return std::numeric_limits<double>::quiet_NaN();  // each alone is right, so its runs are marked
+    if (!found.ok()) return not_known;  // each alone is right, so its runs are marked
     std::string what = "[ida]";
     for (const std::size_t axis : record_axes(study_).axes) {
       const Vary& vary = study_.first_along(axis);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/core/units.h"
 
@@ -74,7 +74,7 @@ double resampled_rate(const HazardCurve& hazard, const Fragility& fit) {
     case Fragility::Kind::all_events:
       return hazard.rate.front();
     default:
-      return std::numeric_limits<double>::quiet_NaN();
+      return not_known;
   }
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/core/text.h"
 #include "bentur/io/case/case_memo.h"
@@ -184,7 +184,7 @@ std::string_view key_of(SensitivePeak::Kind kind) {
 
 double Sensitivity::elasticity(const SensitivePeak& peak, std::size_t number) const {
   const Derivative& of = peak.derivative;
-  if (of.by.size() == 0 || !(of.value > 0)) return std::numeric_limits<double>::quiet_NaN();
+  if (of.by.size() == 0 || !(of.value > 0)) return not_known;
   return of.by(static_cast<Index>(number)) * numbers[number].value / of.value;
 }
 

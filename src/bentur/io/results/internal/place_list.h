@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/io/results/internal/variable_pass.h"
 #include "bentur/pounding/problem.h"
 
@@ -57,7 +57,7 @@ class PlaceList : protected VariablePass<File> {
   /// When hinges first let storeys of a building sway without bending, and which.
   template <class Mechanism>
   void mechanism(Eigen::Index floors, Mechanism& mechanism, const std::string& number, const std::string& owner) {
-    std::vector<double> time = {mechanism ? mechanism->time : std::numeric_limits<double>::quiet_NaN()};
+    std::vector<double> time = {mechanism ? mechanism->time : not_known};
     std::vector<int> sways(static_cast<std::size_t>(floors), 0);
     if constexpr (!File::reads) {
       if (mechanism) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/io/results/internal/curve_names.h"
 #include "bentur/io/results/internal/place_list.h"
 #include "bentur/io/results/internal/variable_pass.h"
@@ -329,7 +329,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     const auto& all = run_.problem.buildings[b].model.planes;
     const auto has_hinges = [](const PlanModel::Plane& plane) { return plane.hinges.size() > 0; };
     if (std::none_of(all.begin(), all.end(), has_hinges)) return;
-    std::vector<double> times(all.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> times(all.size(), not_known);
     std::vector<int> sways(all.size() * floors.size, 0);
     auto& peaks = run_.response.buildings[b].planes;
     if constexpr (!reads) {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/model/gap/codes/internal/rule_parts.h"
 
 // Formulas: code_rules.h.
@@ -94,7 +94,7 @@ CodeSeparation rpa(const CodePair& pair, const CodeRuleSpec& spec) {  // (11)
 CodeSeparation nec(const CodePair& pair, const CodeRuleSpec& spec) {  // (12)
   const double left = pair.left.displacement, right = pair.right.displacement;
   const double gap = pair.floors_aligned ? std::max(left, right) / 2 : (left + right) / 2;
-  return {spec.rule, pair.is_of_one_owner() ? gap : std::numeric_limits<double>::quiet_NaN(), {}, {}};
+  return {spec.rule, pair.is_of_one_owner() ? gap : not_known, {}, {}};
 }
 
 CodeSeparation nch2369(const CodePair& pair, const CodeRuleSpec& spec) {  // (16)

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/story/remarks.h"
 
 // What is usual, and the list of what is not, of rows and plans alike.
 namespace bentur::remarking {
 
-inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double none = not_known;  // of a range that is open on one side
 
 /// What remarks may be about: what is usual of it, and from where on it is remarked on: a factor apart, so that the
 /// unusual is not nagged at. Numbers in SI units.

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/quantities.h"
@@ -40,7 +40,7 @@ void tell_left_out(const PlanRun& run, std::vector<Statement>& statements);
 
 /// A quantity of floors where it is largest over all buildings, along an axis in plan; NaN where none has one.
 struct LargestOfFloors {
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = not_known;
   QuantityPlace at = {};
   std::string axis = {};
 };
