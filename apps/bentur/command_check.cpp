@@ -22,13 +22,13 @@
 namespace bentur::cli {
 namespace {
 
-/// "1 floor", "2 floors".
-std::string count(std::size_t number, const std::string& singular, const std::string& plural) {
-  return fmt::format("{} {}", number, number == 1 ? singular : plural);
+/// "3 storeys", without what stands on bearings below them.
+std::string storeys_of(const Building& building, const Words& say) {
+  return say.count("check.count.storeys", building.model.floors() - building.model.first_storey());
 }
 
 /// "A: 2 of 3 storeys can yield, peak-oriented".
-std::string yielding_text(const Building& building, const BuildingSpec& spec) {
+std::string yielding_text(const Building& building, const BuildingSpec& spec, const Words& say) {
   std::string law;
   int yielding = 0;
   const Eigen::Index first = building.model.first_storey();
@@ -38,16 +38,19 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec) {
     law = element.law->name();
   }
   const std::string bearings = building.model.slab && building.storey_law(*building.model.slab) != nullptr
-                                   ? building.name + ": its bearings yield\n"
+                                   ? say("check.bearings", {{"building", building.name}}) + "\n"
                                    : "";
   if (yielding == 0) return bearings;
-  return bearings + fmt::format("{}: {} of {} can yield, {}{}\n", building.name, yielding,
-                                count(static_cast<std::size_t>(building.model.floors() - first), "storey", "storeys"),
-                                law, spec.tangent_damping ? ", damping of the tangent stiffness" : "");
+  return bearings +
+         say("check.yielding", {{"building", building.name},
+                                {"count", std::to_string(yielding)},
+                                {"storeys", storeys_of(building, say)},
+                                {"law", law}}) +
+         (spec.tangent_damping ? say("check.tangent") : "") + "\n";
 }
 
 /// "A: infill in 2 of 3 storeys, a panel has 1.2e+04 to 2e+04 kN/m and yields at 50 to 80 kN".
-std::string infill_text(const Building& building, const Units& units) {
+std::string infill_text(const Building& building, const Units& units, const Words& say) {
   const std::vector<InfillPanel>& panels = building.model.infills;
   if (panels.empty()) return "";
   std::set<Eigen::Index> storeys;
@@ -60,26 +63,29 @@ std::string infill_text(const Building& building, const Units& units) {
     take(stiffness, panel.stiffness);
     take(strength, panel.backbone.yield);
   }
-  const auto told = [](const std::pair<double, double>& range) {
+  const auto told = [&say](const std::pair<double, double>& range) {
     const std::string least = number(range.first), most = number(range.second);
-    return least == most ? least : least + " to " + most;
+    return least == most ? least : say("check.range", {{"least", least}, {"most", most}});
   };
-  return fmt::format(
-      "{}: infill in {} of {}, a panel has {} {}/{} and yields at {} {}\n", building.name, storeys.size(),
-      count(static_cast<std::size_t>(building.model.floors() - building.model.first_storey()), "storey", "storeys"),
-      told(stiffness), units.force, units.length, told(strength), units.force);
+  return say("check.infill", {{"building", building.name},
+                              {"count", std::to_string(storeys.size())},
+                              {"storeys", storeys_of(building, say)},
+                              {"stiffness", told(stiffness) + " " + units.force + "/" + units.length},
+                              {"strength", told(strength) + " " + units.force}}) +
+         "\n";
 }
 
 void run(const std::string& file, const Words& say) {
   const Loaded loaded = load(file, Purpose::no_run, say.language(), Takes::rows_and_plans);
-  std::string text = fmt::format("{}: no errors\n", file);
+  std::string text = say("check.no_errors", {{"file", file}}) + "\n";
   if (!loaded.c.title.empty()) {
     text += loaded.c.title + "\n";
   }
   text += excitation_lines(loaded.c, say);
   const auto solver = [&] {
-    return fmt::format("{} s, solver {}{}\n", number(loaded.c.analysis.duration), solver_name(loaded.c.analysis.solver),
-                       loaded.c.analysis.energy_audit ? ", energy audit" : "");
+    return say("check.solver",
+               {{"duration", number(loaded.c.analysis.duration)}, {"solver", solver_name(loaded.c.analysis.solver)}}) +
+           (loaded.c.analysis.energy_audit ? say("check.audit") : "") + "\n";
   };
   const auto refuse = [&](const std::string& why) {
     if (why.empty()) return;
@@ -87,40 +93,38 @@ void run(const std::string& file, const Words& say) {
   };
   const auto& spectrum = loaded.c.excitation.spectrum;
   const std::string no_run = loaded.c.excitation.suite ? say("suite.takes_all") + "\n"
-                             : spectrum ? std::string(spectrum->of_displacements ? "Displacements" : "A spectrum") +
-                                              ": for bentur gap, which makes no run\n"
+                             : spectrum ? say(spectrum->of_displacements ? "check.no_run_given" : "check.no_run") + "\n"
                                         : "";
   if (loaded.c.is_in_plan()) {
     if (no_run.empty())
       refuse(beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
     const Story unusual = {remark_statements(remarks(loaded.c, loaded.plan))};
-    return print(fitted(text + plan_lines(loaded) + (no_run.empty() ? solver() : no_run + "\n") +
+    return print(fitted(text + plan_lines(loaded, say) + (no_run.empty() ? solver() : no_run + "\n") +
                         story_text(gap_names(loaded.plan), unusual, say, Told::all)));
   }
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     const Building& building = loaded.problem.buildings[b];
     if (building.is_rigid()) {
-      text += building.name + (building.given ? ": known by its displacements\n" : ": moves with the ground\n");
+      text += say(building.given ? "check.given" : "check.moves", {{"building", building.name}}) + "\n";
       continue;
     }
     const Proportions found = proportions(building, loaded.c.units, nullptr);
-    text += fmt::format("{}: {}, {} of freedom, {}\n", building.name,
-                        count(building.model.elevations.size(), "floor", "floors"),
-                        count(static_cast<std::size_t>(building.model.dofs()), "degree", "degrees"),
+    text += fmt::format("{}: {}, {}, {}\n", building.name, say.count("check.count.floors", building.model.floors()),
+                        say.count("check.count.freedom", building.model.dofs()),
                         proportions_text(building, found, shown_units(loaded.c.units, found.weight), say));
-    if (building.storeys_yield()) text += yielding_text(building, loaded.c.buildings[b]);
-    text += infill_text(building, loaded.c.units);
+    if (building.storeys_yield()) text += yielding_text(building, loaded.c.buildings[b], say);
+    text += infill_text(building, loaded.c.units, say);
   }
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
     text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
-                        count(spec.elevations.size(), "contact point", "contact points"),
-                        is_known_by_peaks(loaded.problem, gap) ? "nothing is simulated" : spec.contact.law,
-                        spec.contact.axial ? ", axial stiffness" : "");
+                        say.count("check.count.points", std::ssize(spec.elevations)),
+                        is_known_by_peaks(loaded.problem, gap) ? say("check.still") : spec.contact.law,
+                        spec.contact.axial ? say("check.axial") : "");
   }
   for (const LinkSpec& spec : loaded.c.links) {
     text += fmt::format("{} – {}: {}, {}\n", loaded.c.buildings[spec.left].name, loaded.c.buildings[spec.right].name,
-                        count(spec.elevations.size(), "link", "links"), spec.law);
+                        say.count("story.count.links", std::ssize(spec.elevations)), spec.law);
   }
   const std::string unusual =
       story_text(gap_names(loaded.problem), {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
@@ -134,7 +138,7 @@ void run(const std::string& file, const Words& say) {
   options.energy_audit = loaded.c.analysis.energy_audit;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   refuse(beyond_limits(loaded.c, loaded.problem, needed));
-  print(fitted(text + effort_text(loaded, needed) + unusual));
+  print(fitted(text + effort_text(loaded, needed, say) + unusual));
 }
 
 }  // namespace

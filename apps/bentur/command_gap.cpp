@@ -74,8 +74,9 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   }
   std::string text = c.title.empty() ? "" : c.title + "\n";
   text += excitation_line(c.excitation, c.units, say) + "\n";
+  std::string peaks;
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
-    text += "\n" + peaks_text(loaded.problem.buildings[b], spectral.peaks[b], c.units.length, say);
+    peaks += "\n" + peaks_text(loaded.problem.buildings[b], spectral.peaks[b], c.units.length, say);
   }
   std::vector<std::string> notes;
   const auto& buildings = loaded.problem.buildings;
@@ -83,7 +84,8 @@ void run_spectrum(const Loaded& loaded, bool json, const Words& say) {
   if (std::any_of(buildings.begin(), buildings.end(), [](const Building& one) { return one.given.has_value(); }))
     notes.push_back(say("spectral.given_note"));
   if (!spectrum.of_displacements) notes.push_back(say("screening.note"));
-  text += all_gaps_text(gap_names(loaded.problem), c.code, spectral_story(c, loaded.problem, spectral), notes, say);
+  text +=
+      all_gaps_text(gap_names(loaded.problem), c.code, spectral_story(c, loaded.problem, spectral), notes, say, peaks);
   if (!c.code.rules.empty() && !spectrum.of_displacements)
     text += wrapped(say(spectrum.reduction.empty() ? "cli.unreduced" : "cli.reduced")) + "\n";
   print(fitted(text));

@@ -184,7 +184,7 @@ RunResults simulate(const Loaded& loaded, double output_step, bool progress, con
   options.course = output_step > 0;
   const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
   refuse_beyond_limits(loaded, beyond_limits(loaded.c, loaded.problem, needed), language);
-  const std::string warning = long_run_text(loaded, needed);
+  const std::string warning = long_run_text(loaded, needed, Words(language));
   if (progress && !warning.empty()) message(warning);
   Response response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
     return solve(loaded.problem, loaded.c.analysis.solver, shown);

@@ -58,8 +58,8 @@ std::string codes_note(const CodeSpec& code, const Words& say) {
 }
 
 std::string all_gaps_text(const std::vector<std::string>& gaps, const CodeSpec& code, const Story& story,
-                          const std::vector<std::string>& notes, const Words& say) {
-  std::string text = "\n" + tables_text(gaps, story, say);
+                          const std::vector<std::string>& notes, const Words& say, const std::string& details) {
+  std::string text = "\n" + tables_text(gaps, story, say) + details;
   for (const std::string& one : notes) text += "\n" + wrapped(one) + "\n";
   return text + codes_note(code, say);
 }

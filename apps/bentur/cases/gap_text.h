@@ -15,8 +15,9 @@ namespace bentur::cli {
 /// What a user may want to know of the rules: those not shown and why, and what the numbers are worth.
 [[nodiscard]] std::string codes_note(const CodeSpec& code, const Words& say);
 
-/// All of these. @param notes what the numbers mean, a paragraph each
+/// All of these. @param notes what the numbers mean, a paragraph each @param details tables of what they come from
 [[nodiscard]] std::string all_gaps_text(const std::vector<std::string>& gaps, const CodeSpec& code, const Story& story,
-                                        const std::vector<std::string>& notes, const Words& say);
+                                        const std::vector<std::string>& notes, const Words& say,
+                                        const std::string& details = {});
 
 }  // namespace bentur::cli

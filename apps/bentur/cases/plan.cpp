@@ -13,25 +13,30 @@
 namespace bentur::cli {
 namespace {
 
-std::string building_line(const PlanBuilding& building) {
-  if (building.is_rigid()) return building.name + ": moves with the ground\n";
+std::string building_line(const PlanBuilding& building, const Words& say) {
+  if (building.is_rigid()) return say("check.moves", {{"building", building.name}}) + "\n";
   const PlanModel& model = building.model;
-  return fmt::format("{}: {}, {} of freedom, {}, first period {} s\n", building.name,
-                     counted(model.elevations.size(), "floor"),
-                     counted(static_cast<std::size_t>(model.dofs()), "degree"), counted(model.planes.size(), "plane"),
-                     number(modal_properties(building.modes, model.load.col(0)).periods(0)));
+  const double period = modal_properties(building.modes, model.load.col(0)).periods(0);
+  return fmt::format("{}: {}, {}, {}, {}\n", building.name, say.count("check.count.floors", model.floors()),
+                     say.count("check.count.freedom", model.dofs()),
+                     say.count("check.count.planes", std::ssize(model.planes)),
+                     say("check.period", {{"period", number(period)}}));
 }
 
-std::string gap_line(const Loaded& loaded, std::size_t g) {
+std::string gap_line(const Loaded& loaded, std::size_t g, const Words& say) {
   const PlanGap& gap = loaded.plan.gaps[g];
-  const std::string& length = loaded.c.units.length;
+  const auto length = [&](double value) { return number(value) + " " + loaded.c.units.length; };
   const PlanPoint& n = gap.stretch.n;
   const std::string across = gap.stretch.is_oblique()  ? fmt::format("({}, {})", number(n.x()), number(n.y()))
                              : gap.stretch.across == 0 ? "x"
                                                        : "y";
-  return fmt::format("{}: {} {} apart along {}, {} {} of stretch, {}, {}\n", gap_name(loaded.plan, gap),
-                     number(gap.stretch.width), length, across, number(gap.stretch.to - gap.stretch.from), length,
-                     counted(gap.contacts.size(), "contact point"), loaded.c.gaps[g].contact.law);
+  return gap_name(loaded.plan, gap) + ": " +
+         say("check.gap", {{"width", length(gap.stretch.width)},
+                           {"across", across},
+                           {"stretch", length(gap.stretch.to - gap.stretch.from)},
+                           {"points", say.count("check.count.points", std::ssize(gap.contacts))},
+                           {"law", loaded.c.gaps[g].contact.law}}) +
+         "\n";
 }
 
 /// How much of each mode is along x, along y, and rotation: parts of φᵀMφ = 1 [%].
@@ -63,10 +68,10 @@ std::string modes_text(const PlanBuilding& building) {
 
 }  // namespace
 
-std::string plan_lines(const Loaded& loaded) {
+std::string plan_lines(const Loaded& loaded, const Words& say) {
   std::string text;
-  for (const PlanBuilding& building : loaded.plan.buildings) text += building_line(building);
-  for (std::size_t g = 0; g < loaded.plan.gaps.size(); ++g) text += gap_line(loaded, g);
+  for (const PlanBuilding& building : loaded.plan.buildings) text += building_line(building, say);
+  for (std::size_t g = 0; g < loaded.plan.gaps.size(); ++g) text += gap_line(loaded, g, say);
   return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/limits.h"
+#include "bentur/report/errors.h"
 #include "text/table.h"
 
 namespace bentur::cli {
@@ -15,43 +16,48 @@ namespace {
 constexpr double long_run = 5.0;  // [s] that the work may take before it is said
 
 /// "40 s", "7 min", "3 h": no more is known.
-std::string time_text(double seconds) {
+std::string time_text(double seconds, const Words& say) {
+  const auto of = [&](const char* unit, double count) { return say(unit, {{"n", fmt::format("{:.3g}", count)}}); };
   if (seconds < 90)
-    return fmt::format("{:.0f} s", seconds < 10 ? std::max(seconds, 1.0) : 10 * std::round(seconds / 10));
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  if (seconds < 2e5) return fmt::format("{:.0f} h", seconds / 3600);
-  return fmt::format("{:.3g} days", seconds / 86400);
+    return of("check.time.seconds", seconds < 10 ? std::round(std::max(seconds, 1.0)) : 10 * std::round(seconds / 10));
+  if (seconds < 5400) return of("check.time.minutes", std::round(seconds / 60));
+  if (seconds < 2e5) return of("check.time.hours", std::round(seconds / 3600));
+  return of("check.time.days", seconds / 86400);
+}
+
+std::string motion_text(const Loaded& loaded, const Effort::Fastest& fastest, const Words& say) {
+  return fmt::format("{} Hz, {}", number(fastest.frequency),
+                     error_words(fastest_source(loaded.c, loaded.problem, fastest), say.language()));
 }
 
 bool same(const Effort::Fastest& a, const Effort::Fastest& b) { return a.frequency == b.frequency; }
 
 }  // namespace
 
-std::string effort_text(const Loaded& loaded, const Effort& effort) {
-  std::string text = "Fastest: " + fastest_text(loaded.c, loaded.problem, effort.apart);
+std::string effort_text(const Loaded& loaded, const Effort& effort, const Words& say) {
+  std::string text = say("check.fastest", {{"motion", motion_text(loaded, effort.apart, say)}});
   if (!same(effort.apart, effort.in_contact)) {
-    text += fmt::format("\nFastest in contact: {}", fastest_text(loaded.c, loaded.problem, effort.in_contact));
+    text += "\n" + say("check.fastest_in_contact", {{"motion", motion_text(loaded, effort.in_contact, say)}});
   }
-  text += fmt::format("\nA run takes {} steps, and {} for every second in contact", number(effort.steps),
-                      number(effort.steps_in_contact));
-  if (effort.samples > 0) text += fmt::format("; histories {} samples", number(effort.samples));
-  text += fmt::format("; memory {} MB\n", number(std::ceil(effort.memory / 1e6)));
+  text += "\n" + say("check.steps", {{"steps", number(effort.steps)}, {"in_contact", number(effort.steps_in_contact)}});
+  if (effort.samples > 0) text += say("check.samples", {{"samples", number(effort.samples)}});
+  text += say("check.memory", {{"memory", number(std::ceil(effort.memory / 1e6))}}) + "\n";
   if (effort.growing_step > 0 && std::get<RungeKuttaSolver>(loaded.c.analysis.solver).step > effort.growing_step) {
-    text += wrapped(fmt::format("warning: with steps over {} s the runge-kutta solver makes {} grow without end",
-                                number(effort.growing_step), fastest_source(loaded.c, loaded.problem, effort.apart))) +
+    const std::string source = fastest_source(loaded.c, loaded.problem, effort.apart);
+    text += wrapped(say("check.grows",
+                        {{"step", number(effort.growing_step)}, {"source", error_words(source, say.language())}})) +
             "\n";
   }
-  const std::string warning = long_run_text(loaded, effort);
+  const std::string warning = long_run_text(loaded, effort, say);
   return warning.empty() ? text : text + warning + "\n";
 }
 
-std::string long_run_text(const Loaded& loaded, const Effort& effort) {
+std::string long_run_text(const Loaded& loaded, const Effort& effort, const Words& say) {
   const double most = std::min(effort.seconds, effort.seconds * loaded.c.analysis.limits.steps / effort.most_steps);
   if (most < long_run) return {};
   const double certain = effort.seconds * effort.certain_steps / effort.most_steps;
-  return wrapped(fmt::format("This may take up to some {}{}: the fastest motion is {}", time_text(most),
-                             certain < long_run ? " if floors stay in contact" : "",
-                             fastest_text(loaded.c, loaded.problem, effort.in_contact)));
+  return wrapped(say(certain < long_run ? "check.long_in_contact" : "check.long",
+                     {{"time", time_text(most, say)}, {"motion", motion_text(loaded, effort.in_contact, say)}}));
 }
 
 }  // namespace bentur::cli
