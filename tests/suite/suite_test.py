@@ -19,6 +19,7 @@ except ImportError:
     numpy = None
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
+import shared_folder
 from shared_folder import SHARED
 
 BENTUR = os.environ["BENTUR"]
@@ -468,4 +469,4 @@ class Suites(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    shared_folder.main()

@@ -17,7 +17,7 @@ import sys
 import time
 import unittest
 
-from sweep_test import BENTUR, ENVIRONMENT, MPIRUN, SHARED, SOURCE, Sweep, journal_done
+from sweep_test import BENTUR, ENVIRONMENT, MPIRUN, SHARED, SOURCE, Sweep, journal_done, shared_folder
 
 STUDIES = SOURCE / "examples" / "studies"
 FAR_FIELD = SOURCE / "records" / "far-field"
@@ -417,4 +417,4 @@ values = [0.1, 0.2]
 
 
 if __name__ == "__main__":
-    unittest.main(verbosity=2)
+    shared_folder.main(verbosity=2)

@@ -21,6 +21,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
 from part import part_of_tests
+import shared_folder
 from shared_folder import SHARED
 
 BENTUR = os.environ["BENTUR"]
@@ -517,4 +518,4 @@ if __name__ == "__main__":
         place = sys.argv.index("--rounds")
         ROUNDS = int(sys.argv[place + 1])
         del sys.argv[place:place + 2]
-    unittest.main(verbosity=2)
+    shared_folder.main(verbosity=2)
