@@ -133,7 +133,14 @@ docs/howto/add_building
 :maxdepth: 1
 
 docs/case-file
+docs/case-buildings
+docs/case-foundations
+docs/case-gaps
+docs/case-plan
+docs/case-motion
 docs/result-files
+docs/result-json
+docs/result-quantities
 docs/editor
 docs/record-files
 docs/separation-rules
@@ -164,6 +171,8 @@ docs/monograph/README
 README
 docs/architecture
 docs/decisions
+docs/decisions-solver
+docs/decisions-doors
 CONTRIBUTING
 CHANGELOG
 ```

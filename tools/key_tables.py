@@ -12,7 +12,8 @@ import re
 import subprocess
 import sys
 
-DOCUMENTS = ("docs/case-file.md", "docs/studies.md", "docs/suites.md")
+PAGES = pathlib.Path(__file__).resolve().parents[1] / "docs"
+DOCUMENTS = (*sorted(f"docs/{page.name}" for page in PAGES.glob("case-*.md")), "docs/studies.md", "docs/suites.md")
 BLOCK = re.compile(r"(<!-- (keys|words) ([^>]*?) -->\n)(.*?)(<!-- /\2 -->\n)", re.DOTALL)
 
 

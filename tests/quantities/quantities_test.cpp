@@ -142,7 +142,7 @@ TEST_F(NewQuantity, IsKeptOfEveryRunOfAStudyAndCanBeDrawn) {
   }
 }
 
-/// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-files.md.
+/// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-quantities.md.
 std::string row_of(const Quantity& quantity) {
   const std::string_view owners[] = {"run",    "building", "floor", "plane",  "point",  "gap",
                                      "impact", "link",     "hinge", "column", "bearing"};
@@ -153,7 +153,7 @@ std::string row_of(const Quantity& quantity) {
 }
 
 TEST(Quantities, EveryOneIsInTheDocuments) {
-  std::ifstream stream(std::string(BENTUR_SOURCE_DIR) + "/docs/result-files.md");
+  std::ifstream stream(std::string(BENTUR_SOURCE_DIR) + "/docs/result-quantities.md");
   const std::string page{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   for (const Quantity& quantity : quantities()) {
     if (quantity.long_name == "made up") continue;

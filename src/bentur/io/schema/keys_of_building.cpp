@@ -36,11 +36,11 @@ const KeyTable& building_keys() {
         {
             Key::of("name", Key::Kind::line, {"Name", "Nama"}, "not empty, different from the others"),
             Key::number("damping", dimension::none, Range::share, {"Damping", "Redaman"},
-                        "of every mode, or a table that says it: see [Damping](#damping)")
+                        "of every mode, or a table that says it: see [Damping](case-foundations.md#damping)")
                 .or_table(damping_keys())
                 .optional("needed but for `matrices.damping`, `displacements` and a wall"),
             Key::choice("damping_stiffness", {"initial", "tangent"}, {"Stiffness of the damping", "Kekakuan redaman"},
-                        "where storeys yield: see [Damping](#damping)")
+                        "where storeys yield: see [Damping](case-foundations.md#damping)")
                 .called({{"initial", "awal"}, {"tangent where a storey yields", "tangen bila tingkat leleh"}})
                 .optional(),
             Key::number("calibrate_period", dimension::time, Range::positive,
@@ -55,7 +55,7 @@ const KeyTable& building_keys() {
                         "for `wave_velocity` only; not for a frame, whose width is the sum of its bays")
                 .optional("none"),
             Key::of("rigid", Key::Kind::flag, {"Rigid", "Kaku"},
-                    "a [wall](#walls-rigid--true) that moves with the ground, with no other key but "
+                    "a [wall](case-buildings.md#walls-rigid--true) that moves with the ground, with no other key but "
                     "`elevations` and `base_elevation`")
                 .by_default(0),
             Key::number("elevations", dimension::length, Range::level, {"Levels above the base", "Elevasi dari dasar"},
@@ -64,7 +64,7 @@ const KeyTable& building_keys() {
                 .up_to(most_floors)
                 .when("rigid", {"true"}),
             Key::of("p_delta", Key::Kind::flag, {"P-Δ", "P-Δ"},
-                    "the floors' weights [soften the building](#gravity-loads-p-δ)")
+                    "the floors' weights [soften the building](case-foundations.md#gravity-loads-p-δ)")
                 .one_of("gravity", Need::optional)
                 .by_default(0),
             Key::number("gravity_loads", dimension::force, Range::not_negative,
@@ -74,35 +74,38 @@ const KeyTable& building_keys() {
                 .one_of("gravity")
                 .optional("none"),
             Key::sub_table("soil", soil_keys(), {"Soil", "Tanah"},
-                           "[soil](#buildingsoil-sway-and-rocking) that lets the foundation sway and rock; not with "
+                           "[soil](case-foundations.md#buildingsoil-sway-and-rocking) that lets the foundation sway "
+                           "and rock; not with "
                            "`isolation`")
                 .one_of("support")
                 .optional("none"),
             Key::sub_table("isolation", isolation_keys(), {"Bearings", "Bantalan"},
-                           "[bearings](#buildingisolation-bearings) below a slab")
+                           "[bearings](case-foundations.md#buildingisolation-bearings) below a slab")
                 .one_of("support")
                 .optional("none"),
-            Key::sub_table("frame", frame_keys(), {"Frame", "Portal"}, "a [plane frame](#buildingframe-a-plane-frame)")
+            Key::sub_table("frame", frame_keys(), {"Frame", "Portal"},
+                           "a [plane frame](case-buildings.md#buildingframe-a-plane-frame)")
                 .one_of("structure"),
             Key::sub_table("stick", stick_keys(), {"Shear building", "Bangunan geser"},
-                           "a [shear building](#buildingstick-a-shear-building)")
+                           "a [shear building](case-buildings.md#buildingstick-a-shear-building)")
                 .one_of("structure"),
             Key::sub_table("matrices", matrices_keys(), {"Matrices", "Matriks"},
-                           "[from another program](#buildingmatrices-from-another-program)")
+                           "[from another program](case-buildings.md#buildingmatrices-from-another-program)")
                 .one_of("structure"),
             Key::sub_table("modal", modal_keys(), {"Modes", "Ragam"},
-                           "[known by its modes](#buildingmodal-known-by-its-modes)")
+                           "[known by its modes](case-buildings.md#buildingmodal-known-by-its-modes)")
                 .one_of("structure"),
             Key::sub_table("generic", generic_keys(), {"Generic", "Generik"},
-                           "[known by little](#buildinggeneric-known-by-little), also beside `plan`")
+                           "[known by little](case-buildings.md#buildinggeneric-known-by-little), also beside `plan`")
                 .one_of("structure")
                 .may_join("plan"),
             Key::sub_table("displacements", displacements_keys(), {"Displacements", "Perpindahan"},
-                           "[known by its peak displacements](#buildingdisplacements-from-another-program): for gaps "
+                           "[known by its peak "
+                           "displacements](case-buildings.md#buildingdisplacements-from-another-program): for gaps "
                            "alone")
                 .one_of("structure"),
             Key::sub_table("plan", building_plan_keys(), {"In plan", "Dalam denah"},
-                           "floors [in plan](#buildings-in-plan)")
+                           "floors [in plan](case-plan.md#buildings-in-plan)")
                 .one_of("structure"),
             Key::sub_table("plan", wall_plan_keys(), {"In plan", "Dalam denah"}, "of a wall beside buildings in plan")
                 .optional("it stands in a row")
@@ -172,7 +175,7 @@ const KeyTable& frame_keys() {
        Key::sub_table("columns", section_keys(), {"Columns", "Kolom"}).list("one for all, or one per storey"),
        Key::sub_table("beams", section_keys(), {"Beams", "Balok"}).list("one for all, or one per floor"),
        Key::sub_table("infill", infill_keys(), {"Infill", "Dinding pengisi"},
-                      "[masonry](#infill) in all bays of a storey")
+                      "[masonry](case-buildings.md#infill) in all bays of a storey")
            .list("one for all, or one per storey")
            .optional("none"),
        Key::number("floor_masses", dimension::mass, Range::not_negative, {"Floor masses", "Massa lantai"},
@@ -226,7 +229,8 @@ const KeyTable& section_keys() {
            .one_of("weight"),
        Key::number("moment_capacity", dimension::moment, Range::positive_or_infinite,
                    {"Moment capacity", "Kapasitas momen"},
-                   "moment at which its ends [yield](#hinges): of columns also one per column line, of beams also "
+                   "moment at which its ends [yield](case-buildings.md#hinges): of columns also one per column line, "
+                   "of beams also "
                    "those with the tension below and above")
            .for_each("one per column line, or below and above")
            .optional("it stays elastic"),
@@ -241,14 +245,15 @@ const KeyTable& section_keys() {
            .goes_with("moment_capacity")
            .optional("none"),
        Key::sub_table("backbone", hinge_backbone_keys(), {"Loss of strength", "Kehilangan kekuatan"},
-                      "its hinges [lose strength](#hinges-that-lose-strength) beyond a cap")
+                      "its hinges [lose strength](case-buildings.md#hinges-that-lose-strength) beyond a cap")
            .goes_with("moment_capacity")
            .optional("no strength is lost"),
        Key::number("line_load", dimension::stiffness, Range::not_negative, {"Line load", "Beban merata"},
                    "on a beam, downwards: the moments that its hinges carry at rest")
            .by_default(0),
        Key::number("shear_capacity", dimension::force, Range::positive_or_infinite,
-                   {"Shear capacity", "Kapasitas geser"}, "shear at which a column [breaks](#columns-that-break)")
+                   {"Shear capacity", "Kapasitas geser"},
+                   "shear at which a column [breaks](case-buildings.md#columns-that-break)")
            .for_each("one per column line")
            .optional("it does not break"),
        Key::number("residual_shear", dimension::none, Range::ratio, {"Residual shear", "Gaya geser sisa"},
@@ -430,7 +435,7 @@ const KeyTable& generic_keys() {
            .optional("none yields"),
        Key::number("overstrength", dimension::none, Range::positive, {"Overstrength", "Kuat lebih"},
                    "base shear at yield over `design_base_shear`, which needs it: "
-                   "[what codes have](case-file.md#how-strong-a-building-is)")
+                   "[what codes have](case-buildings.md#how-strong-a-building-is)")
            .goes_with("design_base_shear")
            .optional("none"),
        hardening_of_storeys(), columns_that_are_struck(),

@@ -279,7 +279,7 @@ const KeyTable& case_keys() {
            .list()
            .at_least(2)
            .up_to(1000),
-       Key::sub_table("plan", plan_keys(), {"Plan", "Denah"}, "of [buildings in plan](#buildings-in-plan)")
+       Key::sub_table("plan", plan_keys(), {"Plan", "Denah"}, "of [buildings in plan](case-plan.md#buildings-in-plan)")
            .optional("they stand in a row"),
        Key::sub_table("gap", gap_keys(), {"Gaps", "Celah"}, "one between each pair of neighbours")
            .list()
@@ -291,11 +291,14 @@ const KeyTable& case_keys() {
        Key::sub_table("initial", initial_keys(), {"Initial state", "Keadaan awal"}, "where it starts from")
            .optional("at rest"),
        Key::sub_table("analysis", analysis_keys(), {"Analysis", "Analisis"}, "how long, and how").optional(),
-       Key::sub_table("code", code_keys(), {"Code rules", "Aturan kode"}, "factors for [separation rules](#code-rules)")
+       Key::sub_table("code", code_keys(), {"Code rules", "Aturan kode"},
+                      "factors for [separation rules](case-file.md#code-rules)")
            .optional("none"),
-       Key::sub_table("screening", screening_keys(), {"Screening", "Penapisan"}, "for [rules of thumb](#screening)")
+       Key::sub_table("screening", screening_keys(), {"Screening", "Penapisan"},
+                      "for [rules of thumb](case-file.md#screening)")
            .optional("none"),
-       Key::sub_table("project", project_keys(), {"Project", "Proyek"}, "for [a report to hand in](#project)")
+       Key::sub_table("project", project_keys(), {"Project", "Proyek"},
+                      "for [a report to hand in](case-file.md#project)")
            .optional("none")}};
   return table;
 }
@@ -320,7 +323,7 @@ const KeyTable& excitation_keys() {
              "kind", {"record", "harmonic", "none", "spectrum", "suite", "displacements"}, {"Kind", "Jenis"},
              "`\"none\"` is free vibration, and [initial] must then move something; `\"spectrum\"` is for gaps "
              "alone; `\"suite\"`: [records for a target](suites.md); `\"displacements\"`: none, all that moves is "
-             "[known by its displacements](#buildingdisplacements-from-another-program)")
+             "[known by its displacements](case-buildings.md#buildingdisplacements-from-another-program)")
              .called({{"record", "rekaman"},
                       {"harmonic", "harmonik"},
                       {"none: free vibration", "tidak ada: getaran bebas"},
@@ -390,10 +393,12 @@ const KeyTable& analysis_keys() {
        Key::of("both_ways", Key::Kind::flag, {"Both ways", "Dua arah"},
                "what the same ground motion reversed needs is reported beside what it needs as given")
            .by_default(1),
-       Key::sub_table("limits", limit_keys(), {"Limits", "Batas"}, "see [What a run takes](#what-a-run-takes)")
+       Key::sub_table("limits", limit_keys(), {"Limits", "Batas"},
+                      "see [What a run takes](case-file.md#what-a-run-takes)")
            .optional(),
        Key::number("collapse_drift", dimension::none, Range::positive, {"Drift of collapse", "Simpangan runtuh"},
-                   "drift ratio at which a storey of a building with [gravity loads](#gravity-loads-p-δ) has collapsed")
+                   "drift ratio at which a storey of a building with [gravity "
+                   "loads](case-foundations.md#gravity-loads-p-δ) has collapsed")
            .by_default(0.1)}};
   return table;
 }

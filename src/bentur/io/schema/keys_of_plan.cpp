@@ -176,8 +176,9 @@ const KeyTable& plane_keys() {
                      "of its storeys, one of them > 0; or")
              .for_each("one per storey")
              .one_of("holds"),
-         Key::sub_table("frame", plane_frame_keys(), {"Frame", "Portal"},
-                        "a [plane frame](#buildingframe-a-plane-frame) on the line; exactly one of the two")
+         Key::sub_table(
+             "frame", plane_frame_keys(), {"Frame", "Portal"},
+             "a [plane frame](case-buildings.md#buildingframe-a-plane-frame) on the line; exactly one of the two")
              .one_of("holds"),
          Key::number("yield_forces", dimension::force, Range::positive_or_infinite, {"Yield forces", "Gaya leleh"},
                      "the force at which the storey of the plane yields; `inf`: it stays elastic")
@@ -192,10 +193,11 @@ const KeyTable& plane_keys() {
         hysteretic_laws(),
         Key::choice("hysteresis", {}, {"Planes that yield", "Bidang yang leleh"}).optional().goes_with("yield_forces"),
         made.keys);
-    made.keys.push_back(Key::sub_table("backbone", backbone_keys(), {"Loss of strength", "Kehilangan kekuatan"},
-                                       "a plane that yields and [loses strength](#storeys-that-lose-strength); in "
-                                       "place of the keys of yielding above")
-                            .optional("no strength is lost"));
+    made.keys.push_back(
+        Key::sub_table("backbone", backbone_keys(), {"Loss of strength", "Kehilangan kekuatan"},
+                       "a plane that yields and [loses strength](case-buildings.md#storeys-that-lose-strength); in "
+                       "place of the keys of yielding above")
+            .optional("no strength is lost"));
     return made;
   }();
   return table;
