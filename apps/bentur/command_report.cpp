@@ -10,7 +10,6 @@
 #include "bentur/core/version.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
-#include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_variable.h"
 #include "bentur/report/errors.h"
@@ -32,7 +31,7 @@ struct ReportArguments {
   std::string input;
   std::string output;
   std::string language = "en";
-  std::string head, hazard;
+  std::string hazard;
   HazardOptions hazard_options;
   std::optional<int> record;
   bool force = false;
@@ -105,15 +104,6 @@ std::vector<std::filesystem::path> files_of_results(const std::filesystem::path&
   return files;
 }
 
-/// An office's own head; empty where none is asked for. @throws Failure with all that cannot stand in it.
-std::string read_head(const ReportArguments& arguments) {
-  if (arguments.head.empty()) return {};
-  Diagnostics diagnostics;
-  const auto head = read_markup(arguments.head, MarkupKind::head, diagnostics);
-  if (!head) throw Failure(diagnostics, arguments.language);
-  return *head;
-}
-
 /// The hazard of the site; nothing where none is given. @throws Failure with what is wrong in it.
 std::optional<HazardCurve> read_site(const ReportArguments& arguments) {
   if (arguments.hazard.empty()) return std::nullopt;
@@ -124,7 +114,6 @@ std::optional<HazardCurve> read_site(const ReportArguments& arguments) {
 }
 
 void run(const ReportArguments& arguments) {
-  const std::string head = read_head(arguments);
   const std::filesystem::path input = arguments.input;
   const bool is_folder = std::filesystem::is_directory(input);
   const bool is_netcdf = !is_folder && input.extension() == ".nc";
@@ -140,10 +129,9 @@ void run(const ReportArguments& arguments) {
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   // Before the work, so that a place that cannot be written to costs none.
   std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;
-  if (!arguments.head.empty()) files.emplace_back(arguments.head);
   if (!arguments.hazard.empty()) files.emplace_back(arguments.hazard);
   OutputFile output(arguments.output, ResultKind::report, {files, arguments.force});
-  ReportOptions options{.language = arguments.language, .version = std::string(version()), .head = head};
+  ReportOptions options{.language = arguments.language, .version = std::string(version())};
   options.hazard = read_site(arguments);
   const std::string page = is_folder   ? from_results(input, options)
                            : is_netcdf ? from_netcdf(input, options)
@@ -168,11 +156,6 @@ void add_report_command(CLI::App& app) {
       ->type_name("FILE");
   command->add_option("--lang", arguments->language, "en (default) or id: English or Indonesian")
       ->check(CLI::IsMember(report_languages()));
-  command
-      ->add_option("--template", arguments->head,
-                   "an office's own head of the report, XHTML with {name}, {number}, {logo} and so on of [project]")
-      ->check(not_empty())
-      ->type_name("FILE");
   command
       ->add_option("--hazard", arguments->hazard,
                    "of results of bentur ida: the site's hazard curve, for rates a year, as bentur risk takes it")

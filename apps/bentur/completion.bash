@@ -8,7 +8,7 @@ _bentur() {
     esac
   done
   COMPREPLY=()
-  if [[ $previous == --template || $previous == --hazard ]]; then
+  if [[ $previous == --hazard ]]; then
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
     compopt -o filenames 2>/dev/null
     return
@@ -33,7 +33,7 @@ _bentur() {
   case $command in
     '') options='run report gap sweep ida fragility risk remedy sensitivity modes check spectrum plot example import schema --help --version' ;;
     run) options='--output --figures --lang --json --quiet --force --help' ;;
-    report) options='--output --lang --template --force --help' ;;
+    report) options='--output --lang --hazard --site --force --help' ;;
     gap) options='--at --lang --json --help' ;;
     sweep | ida) options='--output --resume --check --threads --quiet --force --help' ;;
     fragility) options='--event --at --probability --along --resamples --confidence --seed --json --help' ;;

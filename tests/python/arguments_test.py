@@ -65,7 +65,6 @@ CALLS = {
     "gap = -1": lambda: result().plot("force", gap=-1),
     "elevation is a str": lambda: result().plot("force", elevation="3 m"),
     "language is a None": lambda: result().report(None),
-    "template is a int": lambda: result().report(template=3),
     'file = "a.png", must end in': lambda: result().plot().save("a.png"),
 }
 

@@ -32,7 +32,6 @@ ELSEWHERE = {
     "cpp": "tests/consumer builds it",
     "json": "settings of an editor",
     "lua": "settings of an editor",
-    "html": "tests/report, which has it as a template",
     "cmake": "tests/consumer",
     "console": "tests/worked",
     "console records": "tests/worked",

@@ -36,7 +36,7 @@ BEYOND = {
             between-order between-unknown-name building-name-twice initial-unknown-building
             link-order link-unknown-name""",
         "other files": """
-            project-logo-missing project-logo-runs record-channel-missing record-channel-outside record-column-missing
+            project-logo-missing project-logo-word record-channel-missing record-channel-outside record-column-missing
             record-column-outside record-component-missing record-component-of-one record-component-twice
             record-component-unknown record-count record-empty record-header record-heading-like-a-row
             record-heading-peak record-heading-unit

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
-from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -354,16 +353,13 @@ class Result:
     def _drawn_from(self) -> _core.Run:
         return self._at_report_step if self._histories is False else self._full
 
-    def report(self, language: str = "en", *, template: str | PathLike[str] | None = None) -> str:
-        """The report of the run as one HTML page, as ``bentur report`` writes it; with ``project`` in the case or a
-        template it is one to hand in.
+    def report(self, language: str = "en") -> str:
+        """The report of the run as one HTML page, as ``bentur report`` writes it; with ``project`` in the case it is
+        one to hand in.
 
         :param language: ``"en"`` or ``"id"``.
-        :param template: a file with an office's own head (docs/report.md).
-        :raises CaseError: with all that cannot stand in the template.
         """
-        head = None if template is None else _arguments.path("template", template)
-        return self._drawn_from.report_html(_arguments.text("language", language), head)
+        return self._drawn_from.report_html(_arguments.text("language", language))
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""

@@ -9,7 +9,6 @@
 #include "bentur/core/version.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
-#include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/plan/plan_variables.h"
@@ -333,17 +332,12 @@ void bind_run(py::module_& module) {
            })
       .def(
           "report_html",
-          [](PyRun& run, const std::string& language, const std::optional<fs::path>& head) {
-            ReportOptions options{.language = language, .version = std::string(version())};
-            if (head) {
-              Diagnostics found;
-              options.head = read_markup(*head, MarkupKind::head, found).value_or("");
-              if (!found.ok()) raise_case_error(found);
-            }
+          [](PyRun& run, const std::string& language) {
+            const ReportOptions options{.language = language, .version = std::string(version())};
             tell_source(run);
             return run.plan ? plan_report_html(*run.plan, options) : report_html(with_figures(run), options);
           },
-          py::arg("language") = "en", py::arg("template") = py::none())
+          py::arg("language") = "en")
       .def("figure_kinds", &kinds_of)
       .def("figure_svg", &drawn, py::arg("kind"), py::arg("language"), py::arg("width"), py::arg("start"),
            py::arg("end"), py::arg("gap"), py::arg("elevation"));

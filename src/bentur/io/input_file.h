@@ -20,7 +20,6 @@ inline constexpr InputKind study_input{"study", std::uintmax_t{16} << 20};
 inline constexpr InputKind record_input{"record", std::uintmax_t{64} << 20};
 inline constexpr InputKind figure_input{"figure", std::uintmax_t{64} << 20};
 inline constexpr InputKind logo_input{"logo", std::uintmax_t{256} << 10};
-inline constexpr InputKind template_input{"template", std::uintmax_t{256} << 10};
 inline constexpr InputKind result_input{"result", std::uintmax_t{1} << 40};
 
 /// What keeps a file from being read, as a message says it: it is not there, is no regular file (a folder, a device, a

@@ -11,7 +11,8 @@ struct ProjectSpec {
   std::string code_basis = {};                         ///< the codes and standards that the project follows
   std::vector<std::string> assumptions = {};           ///< the engineer's own
   std::vector<std::string> sources = {};               ///< where the numbers of the case come from
-  std::string logo = {};                               ///< markup by safe_markup() of io; empty: none
+  std::string logo = {};                               ///< bytes of a picture; empty: none
+  std::string logo_type = {};                          ///< "image/png", "image/jpeg" or "image/svg+xml"
   std::string logo_path = {};                          ///< where it was read; no result holds that
 };
 

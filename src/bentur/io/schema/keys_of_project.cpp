@@ -26,7 +26,7 @@ const KeyTable& project_keys() {
            .list()
            .optional("none"),
        Key::of("logo", Key::Kind::file, {"Logo", "Logo"},
-               "an SVG file beside the case; of what may stand in it see [report.md](report.md#logo-and-template)")
+               "a PNG, JPEG or SVG [picture](report.md#logo) beside the case, up to 256 kB")
            .optional("none")}};
   return table;
 }

@@ -5,41 +5,40 @@
 #include <iterator>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/excitation/motion_measures.h"
-#include "bentur/io/markup/safe_markup.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/report/html/internal/echo.h"
+#include "bentur/report/html/internal/motion_data.h"
 #include "bentur/report/html/internal/sections.h"
 
 namespace bentur::html {
 namespace {
 
-/// What [project] says of a word of a template; empty where it says nothing.
-std::string said_of(const ProjectSpec& project, const std::string& word) {
-  return word == "name"         ? project.name
-         : word == "number"     ? project.number
-         : word == "engineer"   ? project.engineer
-         : word == "date"       ? project.date
-         : word == "revision"   ? project.revision
-         : word == "code_basis" ? project.code_basis
-                                : "";
+/// What [project] says of a key; empty where it says nothing.
+std::string said_of(const ProjectSpec& project, const std::string& key) {
+  return key == "name"       ? project.name
+         : key == "number"   ? project.number
+         : key == "engineer" ? project.engineer
+         : key == "date"     ? project.date
+         : key == "revision" ? project.revision
+                             : project.code_basis;
 }
 
+/// As an image, within which a browser runs nothing and loads nothing.
 Html logo_of(const ProjectSpec& project, const Words& say) {
   if (project.logo.empty()) return {};
   const std::string label = project.engineer.empty() ? say("project.logo") : project.engineer;
-  return element("span", Html::markup(project.logo),
-                 "class=\"logo\" role=\"img\" aria-label=\"" + Html::text(label).str() + "\"");
+  return Html::markup("<img class=\"logo\" src=\"data:" + project.logo_type + ";base64," + base64(project.logo) +
+                      "\" alt=\"" + Html::text(label).str() + "\">");
 }
 
-/// What [project] says that the head has not said already.
-Html rest_of(const ProjectSpec& project, const std::string& head, const Words& say) {
+Html facts_of(const ProjectSpec& project, const Words& say) {
   Rows rows;
   for (const char* const key : {"name", "number", "engineer", "date", "revision", "code_basis"}) {
     const std::string value = said_of(project, key);
-    if (value.empty() || head.find("{" + std::string(key) + "}") != std::string::npos) continue;
-    rows.emplace_back(label_text(project_keys().at(key).label, say), value);
+    if (!value.empty()) rows.emplace_back(label_text(project_keys().at(key).label, say), value);
   }
   return rows.empty() ? Html() : facts(rows);
 }
@@ -89,35 +88,18 @@ Html identity(const std::optional<CaseSource>& source, const std::vector<const R
   return lines;
 }
 
-Html title_block(const std::optional<ProjectSpec>& given, const std::string& file, const std::string& title,
-                 const std::string& made_by, const ReportOptions& options) {
-  const Words say(options.language);
+Html title_block(const std::optional<ProjectSpec>& given, const std::string& title, const std::string& made_by,
+                 const Words& say) {
   const ProjectSpec project = given.value_or(ProjectSpec{});
-  const Html heading = element("h1", title), note = element("p", made_by, "class=\"note\"");
-  if (options.head.empty()) {
-    const Html logo = logo_of(project, say);
-    const Html top = logo.str().empty() ? heading : element("div", heading + logo, "class=\"top\"");
-    return top + rest_of(project, "", say) + note;
-  }
-  const std::string filled = filled_template(options.head, [&](const std::string& word) {
-    if (word == "logo") return logo_of(project, say).str();
-    const std::string value = word == "title"     ? title
-                              : word == "file"    ? file
-                              : word == "version" ? options.version
-                                                  : said_of(project, word);
-    return Html::text(value.empty() ? "–" : value).str();
-  });
-  const bool has_heading = options.head.find("<h1") != std::string::npos;
-  return element("div", Html::markup(filled), "class=\"office\"") + (has_heading ? Html() : heading) +
-         rest_of(project, options.head, say) + note;
+  const Html heading = element("h1", title), logo = logo_of(project, say);
+  const Html top = logo.str().empty() ? heading : element("div", heading + logo, "class=\"top\"");
+  return top + facts_of(project, say) + element("p", made_by, "class=\"note\"");
 }
 
-Html title_block(const Report& report, const std::string& title, const std::string& made_by,
-                 const ReportOptions& options) {
-  const std::string file = report.c.source ? report.c.source->file : "";
+Html title_block(const Report& report, const std::string& title, const std::string& made_by) {
   std::vector<const RecordEcho*> records;
   if (const auto& record = report.c.excitation.record) records.push_back(&*record);
-  return title_block(report.c.project, file, title, made_by, options) + identity(report.c.source, records, report.say);
+  return title_block(report.c.project, title, made_by, report.say) + identity(report.c.source, records, report.say);
 }
 
 std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title) {
@@ -137,11 +119,11 @@ PageSection records_section(const std::vector<AppliedRecord>& records, const Uni
     if (!record) continue;
     const MotionMeasures measures = motion_measures(one.excitation.motion);
     const double peak = record->pga_read * acceleration_factor(record->unit, units);
-    const auto known = [](double value) { return value > 0 ? value : std::nan(""); };
+    const auto known = [](double value) { return value > 0 ? value : not_known; };
     files.push_back(record->file);
     ways.push_back(say(record->reversed ? "records.reversed" : "records.as_given"));
     read.push_back(peak / units.gravity);
-    factors.push_back(peak > 0 ? one.pga / peak : std::nan(""));
+    factors.push_back(peak > 0 ? one.pga / peak : not_known);
     applied.push_back(one.pga / units.gravity);
     velocities.push_back(known(measures.pgv));
     durations.push_back(known(measures.significant_duration));

@@ -48,15 +48,9 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                            "must have the histories of every building");
   }
   const Words say(options.language);
-  const Report report{results.view(),
-                      c,
-                      problem,
-                      response,
-                      say,
-                      run_story(results),
-                      gap_tables_of(results),
-                      judged_gaps(results),
-                      c.project || !options.head.empty()};
+  const Report report{
+      results.view(),       c, problem, response, say, run_story(results), gap_tables_of(results), judged_gaps(results),
+      c.project.has_value()};
   const std::vector<Eigen::Index> listed = html::hardest_impacts(response.impacts);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
 
@@ -71,7 +65,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                            say("figure.overview"), options.language);
 
   html::PageBody body;
-  body.header = html::title_block(report, title, say("report.by", {{"version", options.version}}), options);
+  body.header = html::title_block(report, title, say("report.by", {{"version", options.version}}));
   body.sections = {verdict,
                    html::remarks_section(report),
                    html::motion_section(say, report.c.units.length, html::building_key(report)),

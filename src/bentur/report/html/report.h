@@ -13,7 +13,6 @@ namespace bentur {
 struct ReportOptions {
   std::string language = "en";             ///< one of report_languages()
   std::string version;                     ///< of the program
-  std::string head = {};                   ///< an office's own, by safe_markup() of io; empty: the program's
   std::optional<HazardCurve> hazard = {};  ///< of the site: an incremental dynamic analysis then tells how often a year
 };
 
@@ -21,7 +20,7 @@ struct ReportOptions {
 /// coarse that the samples take no more than 0.6 MB for 10 s and 3 MB for 50 s and longer.
 [[nodiscard]] double report_output_step(const Problem& problem);
 
-/// One HTML page that needs nothing else. With [project] in the case, or a head, it is one to hand in: a title block,
+/// One HTML page that needs nothing else. With [project] in the case it is one to hand in: a title block,
 /// numbered sections, assumptions, every input with the line it stands on, records, checks in the order of codes, what
 /// was not checked. In all: verdict, gap needed, peaks, impacts, the buildings in motion, figures, input.
 /// Text of a case cannot bring in markup or script, and the page's own policy lets it fetch nothing and run no other

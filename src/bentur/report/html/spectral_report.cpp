@@ -128,8 +128,7 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
                                  const ReportOptions& options) {
   const Words say(options.language);
   const Response none;
-  Report report = report_of(c, problem, none, spectral, say);
-  report.to_hand_in = report.to_hand_in || !options.head.empty();
+  const Report report = report_of(c, problem, none, spectral, say);
   const std::string title = c.title.empty() ? say("report.untitled") : c.title;
   const bool is_given = c.excitation.spectrum->of_displacements;
   std::vector<html::PageFigure> figures;
@@ -142,8 +141,7 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
         "figure.design.", options.language);
   html::PageBody body{
       .header = html::title_block(
-          report, title, say(is_given ? "spectral.by_displacements" : "spectral.by", {{"version", options.version}}),
-          options),
+          report, title, say(is_given ? "spectral.by_displacements" : "spectral.by", {{"version", options.version}})),
       .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
                    html::figures_section(say, figures), spectral_peaks_section(report, spectral),
                    spectral.plan ? html::plan_input_section(c, *spectral.plan, 0, say) : html::input_section(report)}};

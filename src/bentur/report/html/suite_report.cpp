@@ -57,8 +57,8 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
   const Words say(options.language);
   const Response none;
   const html::Report report{
-      {run.problem, none, run.c.units},      run.c, run.problem, none, say, suite_story(run, gaps), {}, {},
-      run.c.project || !options.head.empty()};
+      {run.problem, none, run.c.units}, run.c, run.problem, none, say, suite_story(run, gaps), {}, {},
+      run.c.project.has_value()};
   const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(
       {{"suite", "the spectra"}},
@@ -67,7 +67,7 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
       },
       "figure.", options.language);
   html::PageBody body{
-      .header = html::title_block(report, title, say("suite.by", {{"version", options.version}}), options),
+      .header = html::title_block(report, title, say("suite.by", {{"version", options.version}})),
       .sections = {html::verdict_section(report), suite_section(report), html::figures_section(say, figures),
                    suite_runs_section(report), suite_gaps_section(report),
                    run.plan ? html::plan_input_section(run.c, *run.plan, 0, say) : html::input_section(report)}};

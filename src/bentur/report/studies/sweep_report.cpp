@@ -398,7 +398,7 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
 
   html::PageBody body;
   const std::optional<ProjectSpec> project = project_of(results.attribute("case"));
-  body.header = html::title_block(project, "", title, say("sweep.by", {{"version", options.version}}), options) +
+  body.header = html::title_block(project, title, say("sweep.by", {{"version", options.version}}), say) +
                 element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
   body.sections = {verdict(sweep, say)};
   if (is_ida(results)) body.sections.push_back(ida_section(sweep, say));
@@ -408,7 +408,7 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
                         varied(sweep, say),
                         runs_table(sweep, say),
                         {"input", say("heading.input"), source(sweep, say, "study") + source(sweep, say, "case")}});
-  if (project || !options.head.empty()) body.running_head = html::running_head(project, title);
+  if (project) body.running_head = html::running_head(project, title);
   return html::page(say, title, body, false);
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "bentur/core/not_known.h"
 #include "bentur/model/gap/gap_outcome.h"
 
 namespace bentur {
@@ -97,8 +97,7 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
   if (demand != nullptr) {
     const std::string by = fmt::format("{}, {}", demand->measure.code, demand->measure.clause);
     const bool is_known = demand->is_known();
-    row("check.gap_of_code", by, is_known ? demand->taken() : std::numeric_limits<double>::quiet_NaN(),
-        narrowest.value_or(0), !demand->is_short);
+    row("check.gap_of_code", by, is_known ? demand->taken() : not_known, narrowest.value_or(0), !demand->is_short);
     if (demand->measure.kind == SuiteMeasure::Kind::too_few) rows.back().result = "check.too_few";
   }
   for (const RuleOverRecords& rule : over.rules) {

@@ -82,7 +82,7 @@ std::string page(const Words& say, const std::string& title, const PageBody& bod
       "\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
       (with_script ? hash_source(script) : "'none'") + "; style-src " + hash_source(style) +
-      "; base-uri 'none'; form-action 'none'\">\n";
+      "; img-src data:; base-uri 'none'; form-action 'none'\">\n";
   Html content = markup_of(say, body);
   if (with_script) content += element("script", Html::markup(script));
   const Html document =

@@ -68,12 +68,11 @@ constexpr std::size_t rows_in_print = 30;
 
 // hand_in.cpp: of reports to hand in.
 
-/// The title block: an office's own head or the program's, what [project] says, and the hashes of case and record.
-[[nodiscard]] Html title_block(const Report& report, const std::string& title, const std::string& made_by,
-                               const ReportOptions& options);
-/// The same of what is no run.
-[[nodiscard]] Html title_block(const std::optional<ProjectSpec>& project, const std::string& file,
-                               const std::string& title, const std::string& made_by, const ReportOptions& options);
+/// The title block: title, logo, what [project] says, and the hashes of case and record.
+[[nodiscard]] Html title_block(const Report& report, const std::string& title, const std::string& made_by);
+/// The same without the hashes.
+[[nodiscard]] Html title_block(const std::optional<ProjectSpec>& project, const std::string& title,
+                               const std::string& made_by, const Words& say);
 /// Case and records by their hashes, so that a report can be distinguished from that of another file of the same name.
 [[nodiscard]] Html identity(const std::optional<CaseSource>& source, const std::vector<const RecordEcho*>& records,
                             const Words& say);

@@ -292,15 +292,15 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
     motion = html::motion_section(say, run.c.units.length, html::numbered(names), html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
-  html::PageBody body{.header = html::title_block(run.c.project, run.c.source ? run.c.source->file : "", title,
-                                                  say("report.by", {{"version", options.version}}), options) +
-                                html::identity(run.c.source, records, say),
-                      .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
-                                   sections.impacts(listed), html::figures_section(say, figures),
-                                   html::plan_input_section(run.c, run.problem, run.response.events, say)},
-                      .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
-                                html::csv_script(csv_of(run, listed))};
-  if (run.c.project || !options.head.empty()) {
+  html::PageBody body{
+      .header = html::title_block(run.c.project, title, say("report.by", {{"version", options.version}}), say) +
+                html::identity(run.c.source, records, say),
+      .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
+                   sections.impacts(listed), html::figures_section(say, figures),
+                   html::plan_input_section(run.c, run.problem, run.response.events, say)},
+      .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
+                html::csv_script(csv_of(run, listed))};
+  if (run.c.project) {
     std::vector<html::AppliedRecord> applied;
     for (const std::size_t i : {0U, 1U}) applied.push_back({*run.c.excitations()[i], applied_pga(run, i)});
     body.sections = html::in_order_of_codes(std::move(body.sections), html::records_section(applied, run.c.units, say),
