@@ -24,7 +24,7 @@ namespace {
 
 /// "3 storeys", without what stands on bearings below them.
 std::string storeys_of(const Building& building, const Words& say) {
-  return say.count("check.count.storeys", building.model.floors() - building.model.first_storey());
+  return say.count("checked.count.storeys", building.model.floors() - building.model.first_storey());
 }
 
 /// "A: 2 of 3 storeys can yield, peak-oriented".
@@ -38,15 +38,15 @@ std::string yielding_text(const Building& building, const BuildingSpec& spec, co
     law = element.law->name();
   }
   const std::string bearings = building.model.slab && building.storey_law(*building.model.slab) != nullptr
-                                   ? say("check.bearings", {{"building", building.name}}) + "\n"
+                                   ? say("checked.bearings", {{"building", building.name}}) + "\n"
                                    : "";
   if (yielding == 0) return bearings;
   return bearings +
-         say("check.yielding", {{"building", building.name},
-                                {"count", std::to_string(yielding)},
-                                {"storeys", storeys_of(building, say)},
-                                {"law", law}}) +
-         (spec.tangent_damping ? say("check.tangent") : "") + "\n";
+         say("checked.yielding", {{"building", building.name},
+                                  {"count", std::to_string(yielding)},
+                                  {"storeys", storeys_of(building, say)},
+                                  {"law", law}}) +
+         (spec.tangent_damping ? say("checked.tangent") : "") + "\n";
 }
 
 /// "A: infill in 2 of 3 storeys, a panel has 1.2e+04 to 2e+04 kN/m and yields at 50 to 80 kN".
@@ -65,27 +65,27 @@ std::string infill_text(const Building& building, const Units& units, const Word
   }
   const auto told = [&say](const std::pair<double, double>& range) {
     const std::string least = number(range.first), most = number(range.second);
-    return least == most ? least : say("check.range", {{"least", least}, {"most", most}});
+    return least == most ? least : say("checked.range", {{"least", least}, {"most", most}});
   };
-  return say("check.infill", {{"building", building.name},
-                              {"count", std::to_string(storeys.size())},
-                              {"storeys", storeys_of(building, say)},
-                              {"stiffness", told(stiffness) + " " + units.force + "/" + units.length},
-                              {"strength", told(strength) + " " + units.force}}) +
+  return say("checked.infill", {{"building", building.name},
+                                {"count", std::to_string(storeys.size())},
+                                {"storeys", storeys_of(building, say)},
+                                {"stiffness", told(stiffness) + " " + units.force + "/" + units.length},
+                                {"strength", told(strength) + " " + units.force}}) +
          "\n";
 }
 
 void run(const std::string& file, const Words& say) {
   const Loaded loaded = load(file, Purpose::no_run, say.language(), Takes::rows_and_plans);
-  std::string text = say("check.no_errors", {{"file", file}}) + "\n";
+  std::string text = say("checked.no_errors", {{"file", file}}) + "\n";
   if (!loaded.c.title.empty()) {
     text += loaded.c.title + "\n";
   }
   text += excitation_lines(loaded.c, say);
   const auto solver = [&] {
-    return say("check.solver",
+    return say("checked.solver",
                {{"duration", number(loaded.c.analysis.duration)}, {"solver", solver_name(loaded.c.analysis.solver)}}) +
-           (loaded.c.analysis.energy_audit ? say("check.audit") : "") + "\n";
+           (loaded.c.analysis.energy_audit ? say("checked.audit") : "") + "\n";
   };
   const auto refuse = [&](const std::string& why) {
     if (why.empty()) return;
@@ -93,8 +93,9 @@ void run(const std::string& file, const Words& say) {
   };
   const auto& spectrum = loaded.c.excitation.spectrum;
   const std::string no_run = loaded.c.excitation.suite ? say("suite.takes_all") + "\n"
-                             : spectrum ? say(spectrum->of_displacements ? "check.no_run_given" : "check.no_run") + "\n"
-                                        : "";
+                             : spectrum
+                                 ? say(spectrum->of_displacements ? "checked.no_run_given" : "checked.no_run") + "\n"
+                                 : "";
   if (loaded.c.is_in_plan()) {
     if (no_run.empty())
       refuse(beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
@@ -105,12 +106,12 @@ void run(const std::string& file, const Words& say) {
   for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
     const Building& building = loaded.problem.buildings[b];
     if (building.is_rigid()) {
-      text += say(building.given ? "check.given" : "check.moves", {{"building", building.name}}) + "\n";
+      text += say(building.given ? "checked.given" : "checked.moves", {{"building", building.name}}) + "\n";
       continue;
     }
     const Proportions found = proportions(building, loaded.c.units, nullptr);
-    text += fmt::format("{}: {}, {}, {}\n", building.name, say.count("check.count.floors", building.model.floors()),
-                        say.count("check.count.freedom", building.model.dofs()),
+    text += fmt::format("{}: {}, {}, {}\n", building.name, say.count("checked.count.floors", building.model.floors()),
+                        say.count("checked.count.freedom", building.model.dofs()),
                         proportions_text(building, found, shown_units(loaded.c.units, found.weight), say));
     if (building.storeys_yield()) text += yielding_text(building, loaded.c.buildings[b], say);
     text += infill_text(building, loaded.c.units, say);
@@ -118,9 +119,9 @@ void run(const std::string& file, const Words& say) {
   for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
     const GapSpec& spec = loaded.c.gaps[gap];
     text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
-                        say.count("check.count.points", std::ssize(spec.elevations)),
-                        is_known_by_peaks(loaded.problem, gap) ? say("check.still") : spec.contact.law,
-                        spec.contact.axial ? say("check.axial") : "");
+                        say.count("checked.count.points", std::ssize(spec.elevations)),
+                        is_known_by_peaks(loaded.problem, gap) ? say("checked.still") : spec.contact.law,
+                        spec.contact.axial ? say("checked.axial") : "");
   }
   for (const LinkSpec& spec : loaded.c.links) {
     text += fmt::format("{} – {}: {}, {}\n", loaded.c.buildings[spec.left].name, loaded.c.buildings[spec.right].name,

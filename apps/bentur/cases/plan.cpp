@@ -14,13 +14,13 @@ namespace bentur::cli {
 namespace {
 
 std::string building_line(const PlanBuilding& building, const Words& say) {
-  if (building.is_rigid()) return say("check.moves", {{"building", building.name}}) + "\n";
+  if (building.is_rigid()) return say("checked.moves", {{"building", building.name}}) + "\n";
   const PlanModel& model = building.model;
   const double period = modal_properties(building.modes, model.load.col(0)).periods(0);
-  return fmt::format("{}: {}, {}, {}, {}\n", building.name, say.count("check.count.floors", model.floors()),
-                     say.count("check.count.freedom", model.dofs()),
-                     say.count("check.count.planes", std::ssize(model.planes)),
-                     say("check.period", {{"period", number(period)}}));
+  return fmt::format("{}: {}, {}, {}, {}\n", building.name, say.count("checked.count.floors", model.floors()),
+                     say.count("checked.count.freedom", model.dofs()),
+                     say.count("checked.count.planes", std::ssize(model.planes)),
+                     say("checked.period", {{"period", number(period)}}));
 }
 
 std::string gap_line(const Loaded& loaded, std::size_t g, const Words& say) {
@@ -31,11 +31,11 @@ std::string gap_line(const Loaded& loaded, std::size_t g, const Words& say) {
                              : gap.stretch.across == 0 ? "x"
                                                        : "y";
   return gap_name(loaded.plan, gap) + ": " +
-         say("check.gap", {{"width", length(gap.stretch.width)},
-                           {"across", across},
-                           {"stretch", length(gap.stretch.to - gap.stretch.from)},
-                           {"points", say.count("check.count.points", std::ssize(gap.contacts))},
-                           {"law", loaded.c.gaps[g].contact.law}}) +
+         say("checked.gap", {{"width", length(gap.stretch.width)},
+                             {"across", across},
+                             {"stretch", length(gap.stretch.to - gap.stretch.from)},
+                             {"points", say.count("checked.count.points", std::ssize(gap.contacts))},
+                             {"law", loaded.c.gaps[g].contact.law}}) +
          "\n";
 }
 

@@ -19,10 +19,11 @@ constexpr double long_run = 5.0;  // [s] that the work may take before it is sai
 std::string time_text(double seconds, const Words& say) {
   const auto of = [&](const char* unit, double count) { return say(unit, {{"n", fmt::format("{:.3g}", count)}}); };
   if (seconds < 90)
-    return of("check.time.seconds", seconds < 10 ? std::round(std::max(seconds, 1.0)) : 10 * std::round(seconds / 10));
-  if (seconds < 5400) return of("check.time.minutes", std::round(seconds / 60));
-  if (seconds < 2e5) return of("check.time.hours", std::round(seconds / 3600));
-  return of("check.time.days", seconds / 86400);
+    return of("checked.time.seconds",
+              seconds < 10 ? std::round(std::max(seconds, 1.0)) : 10 * std::round(seconds / 10));
+  if (seconds < 5400) return of("checked.time.minutes", std::round(seconds / 60));
+  if (seconds < 2e5) return of("checked.time.hours", std::round(seconds / 3600));
+  return of("checked.time.days", seconds / 86400);
 }
 
 std::string motion_text(const Loaded& loaded, const Effort::Fastest& fastest, const Words& say) {
@@ -35,16 +36,17 @@ bool same(const Effort::Fastest& a, const Effort::Fastest& b) { return a.frequen
 }  // namespace
 
 std::string effort_text(const Loaded& loaded, const Effort& effort, const Words& say) {
-  std::string text = say("check.fastest", {{"motion", motion_text(loaded, effort.apart, say)}});
+  std::string text = say("checked.fastest", {{"motion", motion_text(loaded, effort.apart, say)}});
   if (!same(effort.apart, effort.in_contact)) {
-    text += "\n" + say("check.fastest_in_contact", {{"motion", motion_text(loaded, effort.in_contact, say)}});
+    text += "\n" + say("checked.fastest_in_contact", {{"motion", motion_text(loaded, effort.in_contact, say)}});
   }
-  text += "\n" + say("check.steps", {{"steps", number(effort.steps)}, {"in_contact", number(effort.steps_in_contact)}});
-  if (effort.samples > 0) text += say("check.samples", {{"samples", number(effort.samples)}});
-  text += say("check.memory", {{"memory", number(std::ceil(effort.memory / 1e6))}}) + "\n";
+  text +=
+      "\n" + say("checked.steps", {{"steps", number(effort.steps)}, {"in_contact", number(effort.steps_in_contact)}});
+  if (effort.samples > 0) text += say("checked.samples", {{"samples", number(effort.samples)}});
+  text += say("checked.memory", {{"memory", number(std::ceil(effort.memory / 1e6))}}) + "\n";
   if (effort.growing_step > 0 && std::get<RungeKuttaSolver>(loaded.c.analysis.solver).step > effort.growing_step) {
     const std::string source = fastest_source(loaded.c, loaded.problem, effort.apart);
-    text += wrapped(say("check.grows",
+    text += wrapped(say("checked.grows",
                         {{"step", number(effort.growing_step)}, {"source", error_words(source, say.language())}})) +
             "\n";
   }
@@ -56,7 +58,7 @@ std::string long_run_text(const Loaded& loaded, const Effort& effort, const Word
   const double most = std::min(effort.seconds, effort.seconds * loaded.c.analysis.limits.steps / effort.most_steps);
   if (most < long_run) return {};
   const double certain = effort.seconds * effort.certain_steps / effort.most_steps;
-  return wrapped(say(certain < long_run ? "check.long_in_contact" : "check.long",
+  return wrapped(say(certain < long_run ? "checked.long_in_contact" : "checked.long",
                      {{"time", time_text(most, say)}, {"motion", motion_text(loaded, effort.in_contact, say)}}));
 }
 
