@@ -87,7 +87,7 @@ BEYOND = {
             files-empty-glob files-mixed-units files-no-folder files-not-there
             files-unit-contradicts ida-component-of-row ida-harmonic ida-period-too-short ida-record-of-zeros
             normalisation-file-not-there normalisation-file-short normalisation-of-zeros path-entry
-            path-inside-another path-key-near path-malformed path-name-near path-not-a-list
+            path-inside-another path-key-beside-others path-key-near path-malformed path-name-near path-not-a-list
             path-not-a-table path-table-near value-brings-about value-other-floors
             value-out-of-range value-range-end value-type""",
         "lengths that follow from other keys": """

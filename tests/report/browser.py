@@ -143,6 +143,7 @@ class Browser:
         return found
 
     def requests(self):
-        """Addresses the page asked for."""
-        return [event["params"]["request"]["url"] for event in self.events
-                if event.get("method") == "Network.requestWillBeSent"]
+        """Addresses the page asked for, but those that are the data themselves."""
+        asked = [event["params"]["request"]["url"] for event in self.events
+                 if event.get("method") == "Network.requestWillBeSent"]
+        return [address for address in asked if not address.startswith("data:")]

@@ -38,7 +38,7 @@ void read_logo(const TomlView& key, const std::filesystem::path& folder, Diagnos
   if (!bytes) return;
   project.logo_type = image_type(*bytes);
   if (project.logo_type.empty()) {
-    key.error(fmt::format("must be a picture: PNG, JPEG, or SVG with xmlns=\"{}\"", svg_namespace));
+    key.error_value(fmt::format("must be a picture: PNG, JPEG, or SVG with xmlns=\"{}\"", svg_namespace));
     return;
   }
   project.logo = *bytes;

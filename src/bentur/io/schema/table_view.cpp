@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 namespace bentur {
 namespace {
@@ -121,7 +122,14 @@ void check_values(const TomlView& table, const KeyTable& keys) {
 }
 
 std::optional<TableView> TableView::of(const TomlView& view, const KeyTable& keys) {
-  if (!view.is_table_of(keys.names())) return std::nullopt;
+  // Of what may stand beside a word that is given, such as kind = "record", no other keys are listed.
+  std::vector<std::string> names = keys.names(), listed;
+  if (view.is(Kind::table)) {
+    std::copy_if(names.begin(), names.end(), std::back_inserter(listed), [&](const std::string& name) {
+      return broken_condition(*key_of(keys, name, view.value()), keys, view.value()) == nullptr;
+    });
+  }
+  if (!view.is_table_of(names, &listed)) return std::nullopt;
   for (const TomlMember& member : view.value().members) {
     const Key* const key = key_of(keys, member.key, view.value());
     const Condition* const broken = key == nullptr ? nullptr : broken_condition(*key, keys, view.value());

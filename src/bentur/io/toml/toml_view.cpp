@@ -143,7 +143,8 @@ bool TomlView::has_error() const {
   });
 }
 
-bool TomlView::is_table_of(const std::vector<std::string>& known) const {
+bool TomlView::is_table_of(const std::vector<std::string>& known, const std::vector<std::string>* listed) const {
+  if (listed == nullptr) listed = &known;
   if (!is(TomlValue::Kind::table)) {
     error_value("must be a table");
     return false;
@@ -151,9 +152,9 @@ bool TomlView::is_table_of(const std::vector<std::string>& known) const {
   for (const TomlMember& member : value_->members) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
     const std::string near = likely(member.key, known);
-    const std::string others = !near.empty()   ? ""
-                               : known.empty() ? ": there are none"
-                                               : fmt::format(", the known ones are {}", fmt::join(known, ", "));
+    const std::string others = !near.empty()     ? ""
+                               : listed->empty() ? ": there are none"
+                                                 : fmt::format(", the known ones are {}", fmt::join(*listed, ", "));
     diagnostics_->add({.position = {*file_, member.line, member.column, member.value.origin},
                        .key = key_path(path_, member.key),
                        .rule = "is not a known key" + others,

@@ -50,7 +50,9 @@ class TomlView {
 
   // Tables.
   /// False (and an error) unless this is a table; an error for each key that is not in `known`.
-  [[nodiscard]] bool is_table_of(const std::vector<std::string>& known) const;
+  /// @param listed those that it names where none is like the key; null: all
+  [[nodiscard]] bool is_table_of(const std::vector<std::string>& known,
+                                 const std::vector<std::string>* listed = nullptr) const;
   [[nodiscard]] bool has(const std::string& key) const { return value_->find(key) != nullptr; }
   /// Nothing where the key is missing.
   [[nodiscard]] std::optional<TomlView> find(const std::string& key) const;

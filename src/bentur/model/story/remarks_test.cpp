@@ -150,6 +150,12 @@ TEST(Remarks, OfMotionDelaysGapsAndOutput) {
   c = ordinary();
   c.gaps[0].widths = {5, 5, 5};
   EXPECT_EQ(remarks_of(c), Names{"gap_width A | B"});
+  EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
+  c.gaps[0].widths = {20, 20, 20};  // cm, where the case is in m
+  EXPECT_TRUE(remarks(c, make_problem(c))[0].is_doubt);
+  const Problem apart = make_problem(c);
+  c.links = {{}};  // a bridge from A to B
+  EXPECT_TRUE(remarks(c, apart).empty());
   c = ordinary();
   c.initial.displacements = {{0, 10.0, 0}, {}};
   EXPECT_EQ(remarks_of(c), Names{"initial_overlap A | B"});

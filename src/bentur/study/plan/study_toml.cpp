@@ -297,6 +297,29 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
   }
 }
 
+/// Says of each vary whose last key no table of a case has that it is unknown, as a trial of the study says it: where
+/// something else is wrong already, none is made.
+void refuse_unknown_keys(const Study& study, Diagnostics& found) {
+  for (const Vary& vary : study.varies) {
+    const KeyTable* table = &case_keys();
+    for (const PathStep& step : vary.path) {
+      const auto* const name = std::get_if<std::string>(&step);
+      if (name == nullptr) continue;
+      if (table == nullptr) break;  // what buildings and laws are called
+      const Key* const key = table->find(*name);
+      if (key == nullptr) {
+        found.add({.position = vary.parameter_position,
+                   .key = vary.parameter,
+                   .rule = "is not a known key",
+                   .suggestion = likely(*name, table->names()),
+                   .unknown_key = true});
+        break;
+      }
+      table = key->table;
+    }
+  }
+}
+
 TomlValue scaled(TomlValue value, double factor) {
   if (value.kind == TomlValue::Kind::list) {
     for (TomlValue& item : value.items) item = scaled(std::move(item), factor);
@@ -317,8 +340,15 @@ std::optional<Study> read_study(const std::filesystem::path& file, Diagnostics& 
   const std::string name = file.string();
   if (const auto parsed = parse_toml(study.text, name, found)) {
     const TomlView root(*parsed, "", name, found);
-    const bool has_case = read_case_of(root, study, found);
-    read_tables(root, has_case, study, found);
+    if (!root.has("case") && root.has("building")) {
+      found.error({name, 0, 0},
+                  "is a case and no study, which names one, case = \"case.toml\", and what varies: bentur run, gap and "
+                  "report take it as it is");
+    } else {
+      const bool has_case = read_case_of(root, study, found);
+      read_tables(root, has_case, study, found);
+      if (has_case && !found.ok()) refuse_unknown_keys(study, found);
+    }
   }
   diagnostics.add(found);
   return found.ok() ? std::optional(std::move(study)) : std::nullopt;
