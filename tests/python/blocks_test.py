@@ -44,6 +44,7 @@ ELSEWHERE = {
     "build/tsan/": "needs a oneTBB built with the thread sanitizer",
     ".venv-peers/bin/python": "./dev bench --peers, with OpenSees from PyPI",
     "python3 bench/houses.py": "takes minutes; tests/cli runs blocks of houses",
+    "python3 bench/waits.py": "takes minutes, and another build to take turns with",
 }
 # What cannot run, by words in it, and why.
 SKIPPED = {

@@ -18,8 +18,8 @@ inline CoupledState driven(const CoupledLaw& law, CoupledState state, const Eige
     const CoupledBranch branch = law.branch(state);
     double first = 2;
     std::size_t which = 0;
-    for (std::size_t g = 0; g < branch.guards.size(); ++g) {
-      const CoupledGuard& guard = branch.guards[g];
+    for (std::size_t g = 0; g < branch.guard_count(); ++g) {
+      const CoupledGuard guard = branch.guard(g);
       if (guard.deformation < 0 || guard.zeros > 0) continue;  // δ̇ does not turn
       const VectorXd row = branch.set->row(guard.deformation, from.size());
       const double slope = guard.sense * row.dot(to - from);

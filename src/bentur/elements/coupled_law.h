@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string_view>
@@ -53,11 +54,39 @@ struct CoupledGuard {
   int zeros = 0;  ///< it begins the branch at zero, and so do that many less one of its derivatives
 };
 
+/// Guards  least ≤ row ≤ most  of the rows of a branch's CoupledSet, row by row, each about the deformation of that
+/// number; infinite: none. All empty: no row has any.
+struct CoupledBounds {
+  Eigen::VectorXd least, most;            ///< [X]
+  Eigen::VectorXd least_size, most_size;  ///< as CoupledGuard::size
+};
+
 /// Between two events an element is in one branch of its law: F = base + K δ + C δ̇.
 struct CoupledBranch {
   std::shared_ptr<const CoupledSet> set;  ///< what of it is the same in others
   Eigen::VectorXd base;                   ///< [force] of each deformation
   std::vector<CoupledGuard> guards;       ///< what ends it: the first to fail; if several at once, the first listed
+  CoupledBounds bounds = {};              ///< and after them these, of each row `most` and then `least`
+
+  [[nodiscard]] std::size_t guard_count() const {
+    return guards.size() + 2 * static_cast<std::size_t>(bounds.most.size());
+  }
+  /// Number of the guard that says how high, or else how low, a row may be; −1: none among the bounds.
+  [[nodiscard]] int bound(Eigen::Index row, bool high) const {
+    if (row >= bounds.most.size() || std::isinf(high ? bounds.most(row) : bounds.least(row))) return -1;
+    return static_cast<int>(guards.size()) + 2 * static_cast<int>(row) + (high ? 0 : 1);
+  }
+  /// Number g of all. That of a row without bound has an infinite constant.
+  [[nodiscard]] CoupledGuard guard(std::size_t g) const {
+    if (g < guards.size()) return guards[g];
+    const auto row = static_cast<Eigen::Index>((g - guards.size()) / 2);
+    const bool high = (g - guards.size()) % 2 == 0;
+    return {.of = row,
+            .constant = high ? bounds.most(row) : -bounds.least(row),
+            .size = (high ? bounds.most_size : bounds.least_size)(row),
+            .sense = high ? -1.0 : 1.0,
+            .deformation = row};
+  }
 };
 
 /// A law whose deformations act on one another: a machine of branches like Law, with matrices in place of numbers. The

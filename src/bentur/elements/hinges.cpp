@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "bentur/core/algebra/factors.h"
@@ -23,6 +24,8 @@ namespace {
 
 constexpr double no_slope = 1e-9;                // of what it is a sum of: a rate that is zero
 constexpr double complementary_slack = 0x1p-48;  // of the largest rate: round-off, as complementary() has it
+constexpr std::size_t flowing_at_once = 16;      // for which there is room
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -132,6 +135,7 @@ std::shared_ptr<const HingeLaw::Flow> HingeLaw::flow(const CoupledState& state) 
   if (state.known) return std::static_pointer_cast<const Flow>(state.known);
   const auto result = std::make_shared<Flow>();
   std::vector<Index> at;
+  at.reserve(flowing_at_once);
   VectorXd resting = state.memory.col(rotation);
   for (Index h = 0; h < size(); ++h) {
     if (state.memory(h, side) == 0.0) continue;
@@ -203,29 +207,43 @@ CoupledBranch HingeLaw::branch(const CoupledState& state) const {
   VectorXd constant = -now->held - hardened, sizes = now->size * roots_ + hardened.cwiseAbs();
   constant.noalias() -= seen.over * now->b;
   sizes.noalias() += now->set->sizes * now->b.cwiseAbs();
-  branch.guards.reserve(2 * n);
+  CoupledBounds& bounds = branch.bounds;
+  const auto limit = [&](const VectorXd& upper, const VectorXd& lower) {
+    bounds = {-lower - constant, upper - constant, lower + sizes, upper + sizes};
+  };
+  if (weakens_) {
+    VectorXd upper(n), lower(n);
+    for (Index h = 0; h < n; ++h) upper(h) = line(state, h, 1.0), lower(h) = line(state, h, -1.0);
+    limit(upper, lower);
+  } else {
+    limit(of_.upper, of_.lower);
+  }
+  const auto no_bound = [&](Index h, bool high) {
+    (high ? bounds.most : bounds.least)(h) = high ? unbounded : -unbounded;
+  };
   for (Index h = 0; h < n; ++h) {
     const double s = state.memory(h, side);
     const int zeros = static_cast<int>(state.memory(h, begins));
-    if (nothing_left(state, h)) continue;
-    if (s != 0.0) {
-      branch.guards.push_back({.of = h, .sense = s, .speed = h, .zeros = zeros});
-      const double end = stage_end(state, h, s);
-      if (!std::isfinite(end)) continue;
-      const double beyond = -branch.base(h);  // θ is the row and this
-      branch.guards.push_back(
-          {.of = h, .constant = end - s * beyond, .size = end + std::abs(beyond), .sense = -s, .deformation = h});
+    const bool rests = s == 0.0 && now->set->still[h] == 0 && !nothing_left(state, h);
+    if (rests && zeros == 0) continue;
+    if (rests) {
+      const bool high = zeros > 0;
+      const std::size_t bound = branch.guards.size() + 2 * static_cast<std::size_t>(h) + (high ? 0 : 1);
+      if (branch.bound(h, high) < 0) continue;
+      CoupledGuard guard = branch.guard(bound);
+      guard.zeros = std::abs(zeros);
+      branch.guards.push_back(guard);
+      no_bound(h, high);
       continue;
     }
-    for (const double to : {1.0, -1.0}) {
-      if (now->set->still[h] != 0 || !std::isfinite(line(state, h, to))) continue;
-      branch.guards.push_back({.of = h,
-                               .constant = line(state, h, to) - to * constant(h),
-                               .size = std::abs(line(state, h, to)) + sizes(h),
-                               .sense = -to,
-                               .deformation = h,
-                               .zeros = std::max(0, static_cast<int>(to) * zeros)});
-    }
+    for (const bool high : {true, false}) no_bound(h, high);
+    if (s == 0.0 || nothing_left(state, h)) continue;
+    branch.guards.push_back({.of = h, .sense = s, .speed = h, .zeros = zeros});
+    const double end = stage_end(state, h, s);
+    if (!std::isfinite(end)) continue;
+    const double beyond = -branch.base(h);  // θ is the row and this
+    branch.guards.push_back(
+        {.of = h, .constant = end - s * beyond, .size = end + std::abs(beyond), .sense = -s, .deformation = h});
   }
   return branch;
 }
@@ -259,6 +277,8 @@ bool HingeLaw::flow_by_sets(const HingeSides& sides, const VectorXd& rate, std::
   const double round_off = count > 0 ? complementary_slack * rate.cwiseAbs().maxCoeff() : 0.0;
   for (int tried = 0; tried < most_sets; ++tried) {
     std::vector<Index> at, next;
+    at.reserve(expected.size());
+    next.reserve(expected.size() + 1);
     VectorXd speeds(std::ssize(expected));
     for (const Index i : expected) {
       speeds(std::ssize(at)) = sides.side[i] * rate(i);
@@ -320,7 +340,8 @@ std::vector<Index> HingeLaw::paces(const CoupledState& state, const HingeSides& 
 
 CoupledState HingeLaw::next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard, double time,
                             const CoupledMotion& motion) const {
-  return settle(state, time, motion, &branch.guards[guard]);
+  const CoupledGuard ended = branch.guard(guard);
+  return settle(state, time, motion, &ended);
 }
 
 CoupledState HingeLaw::settle(const CoupledState& state, double time, const CoupledMotion& motion) const {
@@ -340,6 +361,9 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   for (bool again = true; again;) {
     std::vector<Index> expected;  // to flow: those that did, and what has met its line, but not what has ceased to
     candidates = {};
+    candidates.of.reserve(flowing_at_once);
+    candidates.side.reserve(flowing_at_once);
+    expected.reserve(flowing_at_once);
     const VectorXd y = weakens_ ? borne(now, motion.deformation) : borne_after(*flow(state), now, motion.deformation);
     const std::vector<char> free = moving_freely(now);
     for (const bool of_free : {false, true}) {

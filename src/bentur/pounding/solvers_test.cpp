@@ -8,6 +8,7 @@
 #include <numbers>
 #include <ostream>
 #include <string>
+#include <tuple>
 
 #include "bentur/core/errors.h"
 #include "bentur/pounding/pounding.h"
@@ -331,6 +332,32 @@ TEST(Solvers, RefuseParametersOutsideTheirRange) {
   }
   for (const double tolerance : {1e-13, 1e-2}) EXPECT_NO_THROW((void)solve(problem, AdaptiveSolver{tolerance}));
   EXPECT_EQ(solve(problem, RungeKuttaSolver{5}).status, Status::done);  // longer than the run: one step a segment
+}
+
+// Of three points of a gap the last one is at a floor that another has, on either side.
+TEST(Solvers, RefuseTwoPointsAtOneFloorOfAGap) {
+  const Eigen::Matrix3d mass = Eigen::Vector3d(2, 3, 1).asDiagonal(), stiffness = 9 * mass;
+  const auto given = [&](Eigen::Index left, Eigen::Index right) {
+    Problem problem =
+        test::pair(test::matrix_building(mass, stiffness, mass), test::matrix_building(mass, stiffness, mass),
+                   {test::contact(1, 1, 0), test::contact(1, 1, 1), test::contact(1, 1, 2)}, 1);
+    problem.points[2].left_floor = left;
+    problem.points[2].right_floor = right;
+    return problem;
+  };
+  EXPECT_NO_THROW(validate(given(2, 2)));
+  for (const auto& [left, right, refused] :
+       {std::tuple(0, 2, "points[2].left_floor"), std::tuple(2, 1, "points[2].right_floor"),
+        std::tuple(1, 1, "points[2].left_floor")}) {
+    try {
+      validate(given(left, right));
+      ADD_FAILURE() << refused;
+    } catch (const InvalidParameter& error) {
+      EXPECT_EQ(error.parameter(), refused);
+      EXPECT_NE(std::string(error.what()).find(left == 0 ? "points[0]" : "points[1]"), std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 TEST(Solvers, GoByTheirNames) {

@@ -64,8 +64,8 @@ struct Push {
       const VectorXd moving = element.rows * now->slope;
       double first = infinite;
       std::size_t ends = 0;
-      for (std::size_t g = 0; g < branch.guards.size(); ++g) {
-        const CoupledGuard& guard = branch.guards[g];
+      for (std::size_t g = 0; g < branch.guard_count(); ++g) {
+        const CoupledGuard guard = branch.guard(g);
         const bool flows = guard.deformation < 0;
         const VectorXd row = guard.sense * branch.set->row(flows ? guard.speed : guard.deformation, moving.size());
         if (flows) {

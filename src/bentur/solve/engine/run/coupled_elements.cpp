@@ -38,9 +38,10 @@ bool alike(const CoupledSet& one, const CoupledSet& other) {
 /// What guards that depend on one deformation alone say of each.
 std::vector<Branch> branches_of(const CoupledBranch& branch, Index count) {
   std::vector<Branch> branches(count);
-  for (const CoupledGuard& guard : branch.guards) {
+  for (std::size_t g = 0; g < branch.guard_count(); ++g) {
+    const CoupledGuard guard = branch.guard(g);
     const Index n = only_one(branch, guard);
-    if (n < 0 || branches[n].guard_count == Branch::most_guards) continue;
+    if (n < 0 || std::isinf(guard.constant) || branches[n].guard_count == Branch::most_guards) continue;
     branches[n] = branches[n].guarded_by({{.constant = guard.constant, .deformation = guard.sense}});
   }
   return branches;
@@ -129,9 +130,12 @@ void CoupledElements::enter(std::size_t e) {
 
 void CoupledElements::sort_guards(Now& now) const {
   const Index rows = now.known->packed.rows();
-  constexpr double any = std::numeric_limits<double>::max();
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const CoupledBounds& bounds = now.branch.bounds;
   now.least.setConstant(rows, -any);
   now.most.setConstant(rows, any);
+  now.least.head(bounds.least.size()) = bounds.least;
+  now.most.head(bounds.most.size()) = bounds.most;
   now.below.assign(rows, -1);
   now.above.assign(rows, -1);
   now.others.clear();
@@ -143,7 +147,7 @@ void CoupledElements::sort_guards(Now& now) const {
     const bool alone = of_row && !later;
     now.delayed = now.delayed || (of_row && later);
     std::vector<int>& of = guard.sense > 0.0 ? now.below : now.above;
-    if (!alone || of[row] >= 0) {
+    if (!alone || of[row] >= 0 || now.branch.bound(row, guard.sense < 0.0) >= 0) {
       now.others.push_back(g);
       continue;
     }
@@ -158,7 +162,9 @@ void CoupledElements::tell_monitor(std::size_t e) {
   const std::vector<Branch> branches = branches_of(now.branch, of.count);
   std::vector<char> watched(of.count, 0);
   for (Index n = 0; n < of.count; ++n) watched[n] = monitor_->enter(of.first + n, branches[n]) ? 1 : 0;
-  for (const CoupledGuard& guard : now.branch.guards) {
+  for (std::size_t g = 0; g < now.branch.guard_count(); ++g) {
+    const CoupledGuard guard = now.branch.guard(g);
+    if (std::isinf(guard.constant)) continue;
     const Index only = only_one(now.branch, guard);
     now.may_fly = now.may_fly && only >= 0 && watched[only] != 0;
   }
@@ -265,6 +271,14 @@ Polynomial CoupledElements::row_of(std::size_t e, Index row, const Expansion& mo
 std::optional<double> CoupledElements::end_of(std::size_t e, const CoupledGuard& guard, const Expansion& motion,
                                               const State& from, const Bands& bands) const {
   const int zeros = now_[e].begins ? guard.zeros : 0;
+  if (zeros == 0 && guard.deformation >= 0 && guard.speed < 0 && guard.acceleration < 0) {
+    const Polynomial row = row_of(e, guard.deformation, motion);
+    if (!first_negative(row, guard.sense, guard.constant)) return std::nullopt;  // whatever the band
+    const double slack = band(e, guard, from, bands), start = guard.sense * row[0];
+    const double over = start + guard.constant + slack;
+    const bool at_zero = over < 0.0 && over >= -bands.start_slack * slack;
+    return first_negative(row, guard.sense, at_zero ? -start : guard.constant + slack);
+  }
   Polynomial p;
   p.degree = motion.degree();
   double size = 0.0;
@@ -322,17 +336,20 @@ std::optional<CoupledElements::Event> CoupledElements::next_event(const Expansio
     kernels::ranges_of_rows(now.known->packed, from.q.data() + begin_of(e), to.q.data() + begin_of(e),
                             motion.rise().data() + begin_of(e), low_.data(), high_.data());
     asked_ = now.others;
+    const auto ask = [&](int guard, Index row, bool high) {
+      asked_.push_back(guard >= 0 ? guard : now.branch.bound(row, high));
+    };
     for (Index row = 0; row < rows; ++row) {
       if (low_(row) >= now.least(row) && high_(row) <= now.most(row)) continue;
-      if (!(low_(row) >= now.least(row))) asked_.push_back(now.below[row]);
-      if (!(high_(row) <= now.most(row))) asked_.push_back(now.above[row]);
+      if (!(low_(row) >= now.least(row))) ask(now.below[row], row, false);
+      if (!(high_(row) <= now.most(row))) ask(now.above[row], row, true);
     }
     if (asked_.size() > now.others.size()) std::sort(asked_.begin(), asked_.end());
     if (!risen && !now.others.empty()) motion.find_speed_rise(speed_rise_);
     risen = risen || !now.others.empty();
     for (const int g : asked_) {
       if (g < 0) continue;  // of rows that are not numbers
-      const CoupledGuard& guard = now.branch.guards[g];
+      const CoupledGuard guard = now.branch.guard(g);
       if (keeps_speed(e, guard, from, to)) continue;
       const auto s = end_of(e, guard, motion, from, bands);
       if (s && (!found || *s < found->s)) found = Event{e, static_cast<std::size_t>(g), *s};
@@ -366,8 +383,8 @@ std::optional<CoupledElements::Event> CoupledElements::due(const State& state, c
     const auto along = [&](Index row, const VectorXd& x) {
       return row < 0 ? 0.0 : kernels::dot(now.known->rows.rows(), now.known->rows.col(row).data(), x.data() + begin);
     };
-    for (std::size_t g = 0; g < now.branch.guards.size(); ++g) {
-      const CoupledGuard& guard = now.branch.guards[g];
+    for (std::size_t g = 0; g < now.branch.guard_count(); ++g) {
+      const CoupledGuard guard = now.branch.guard(g);
       const double sum =
           along(guard.deformation, state.q) + along(guard.speed, state.v) + along(guard.acceleration, acceleration);
       if (guard.constant + guard.sense * sum < -band(e, guard, state, bands)) return Event{e, g, 1.0};

@@ -81,8 +81,8 @@ class CoupledElements {
     std::shared_ptr<const SetOverModes> known;
     bool may_fly = false;
     bool begins = true;
-    // What guards of deformations alone say of each row, least ≤ row ≤ most, and which of the guards say it (−1: none);
-    // the other guards.
+    // What guards of deformations alone say of each row, least ≤ row ≤ most, and which of the guards say it (−1: the
+    // bounds of the branch, or none); the other guards.
     Eigen::VectorXd least, most;
     std::vector<int> below, above, others;
     bool delayed = false;  ///< some of these are guards of deformations that begin the branch at zero

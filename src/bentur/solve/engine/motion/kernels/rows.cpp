@@ -104,10 +104,9 @@ BENTUR_INLINE bool reach(const PackedRows& rows, const double* offset, const Cub
 
 /// Rows r to r + 4 groups - 1 of raise_peaks().
 template <Peaks of, int groups>
-BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, Index r, Index count, const double* x,
-                                Index stride, double* peak, double* values) {
+BENTUR_INLINE void raise_groups(const PackedRows& rows, std::span<const Run> runs, const double* offset, Index r,
+                                Index count, const double* x, Index stride, double* peak, double* values) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): registers
-  const std::span<const Run> runs = rows.runs(r);
   const double* weights[groups];
   Four high[groups];
   Four rest[groups];
@@ -163,13 +162,14 @@ BENTUR_INLINE void raise_groups(const PackedRows& rows, const double* offset, In
 }
 
 template <Peaks of>
-BENTUR_INLINE void raise(const PackedRows& rows, const double* offset, Index count, const double* x, Index stride,
-                         double* peak, double* values) {
+BENTUR_INLINE void raise(const PackedRows& rows, const PackedRows::Columns* columns, const double* offset, Index count,
+                         const double* x, Index stride, double* peak, double* values) {
+  const auto runs = [&](Index r) { return columns != nullptr ? columns->runs(r) : rows.runs(r); };
   Index r = 0;
   for (; r + 2 * four <= rows.rows(); r += 2 * four) {
-    raise_groups<of, 2>(rows, offset, r, count, x, stride, peak, values);
+    raise_groups<of, 2>(rows, runs(r), offset, r, count, x, stride, peak, values);
   }
-  if (r < rows.rows()) raise_groups<of, 1>(rows, offset, r, count, x, stride, peak, values);
+  if (r < rows.rows()) raise_groups<of, 1>(rows, runs(r), offset, r, count, x, stride, peak, values);
 }
 
 /// Of sums().
@@ -242,6 +242,21 @@ PackedRows::PackedRows(const Eigen::MatrixXd& matrix, Index columns)
       run.left_out = around->left_out;
     }
   }
+}
+
+PackedRows::Columns PackedRows::chosen(const std::vector<char>& wanted) const {
+  Columns columns;
+  for (const std::vector<Run>& runs : runs_) {
+    std::vector<Run>& parts = columns.runs_.emplace_back();
+    for (const Run& run : runs) {
+      for (Index j = run.begin; j < run.end; ++j) {
+        if (wanted[j] == 0) continue;
+        if (parts.empty() || parts.back().end != j || j == run.begin) parts.push_back({j, j, run.left_out});
+        parts.back().end = j + 1;
+      }
+    }
+  }
+  return columns;
 }
 
 double PackedRows::operator()(Index row, Index column) const {
@@ -325,9 +340,9 @@ bool reach_of_samples(const PackedRows& rows, const double* offset, int count, c
 
 BENTUR_FOR_ALL_PROCESSORS
 void raise_peaks(Peaks of, const PackedRows& rows, const double* offset, Index count, const double* x, Index stride,
-                 double* peak, double* values) {
-  if (of == Peaks::of_abs) return raise<Peaks::of_abs>(rows, offset, count, x, stride, peak, values);
-  raise<Peaks::of_values>(rows, offset, count, x, stride, peak, values);
+                 double* peak, double* values, const PackedRows::Columns* columns) {
+  if (of == Peaks::of_abs) return raise<Peaks::of_abs>(rows, columns, offset, count, x, stride, peak, values);
+  raise<Peaks::of_values>(rows, columns, offset, count, x, stride, peak, values);
 }
 
 BENTUR_FOR_ALL_PROCESSORS

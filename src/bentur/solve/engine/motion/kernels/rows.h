@@ -55,6 +55,18 @@ class PackedRows {
   [[nodiscard]] std::span<const Run> runs(Index r) const { return runs_[r / 8]; }
   [[nodiscard]] std::span<const Run> runs() const { return all_runs_; }
 
+  /// Some of the columns, for raise_peaks().
+  class Columns {
+   public:
+    [[nodiscard]] std::span<const Run> runs(Index r) const { return runs_[r / 8]; }
+
+   private:
+    friend class PackedRows;
+    std::vector<std::vector<Run>> runs_;  ///< of eight rows each
+  };
+  /// Those that are wanted (per column, not 0).
+  [[nodiscard]] Columns chosen(const std::vector<char>& wanted) const;
+
  private:
   Index rows_ = 0, columns_ = 0, held_ = 0;
   std::vector<double> weights_;
@@ -93,9 +105,9 @@ bool reach_of_samples(const PackedRows& weights, const double* offset, int count
                       double* peak, const double* before, double* reach);
 
 /// Raises `peak` for every row r by `count` vectors x, `stride` apart; `values` has what rows r to r + 3 (r a multiple
-/// of four) are at vector n from entry r count + 4 n on.
+/// of four) are at vector n from entry r count + 4 n on. `columns`: those that count; null: all.
 void raise_peaks(Peaks of, const PackedRows& weights, const double* offset, Index count, const double* x, Index stride,
-                 double* peak, double* values);
+                 double* peak, double* values, const PackedRows::Columns* columns = nullptr);
 
 /// Raises `largest` of four rows by the sums of such values of four rows and of four others, at `count` vectors.
 void raise_sums(Index count, const double* values, const double* others, double* largest);

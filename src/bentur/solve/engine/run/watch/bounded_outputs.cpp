@@ -39,7 +39,36 @@ void BoundedOutputs::compare(Index steps, const double* x, const double* rise, I
 void BoundedOutputs::take_ends(Index steps, const double* x, Index stride) {
   ends_ = steps + 1;
   if (const Index needed = weights_.rows() * ends_; values_.size() < needed) values_.resize(needed);
-  kernels::raise_peaks(of_, weights_, offset.data(), ends_, x, stride, peak.data(), values_.data());
+  if (!part_columns(x, stride)) {
+    kernels::raise_peaks(of_, weights_, offset.data(), ends_, x, stride, peak.data(), values_.data());
+    return;
+  }
+  const kernels::PackedRows::Columns still = weights_.chosen(stays_), moving = weights_.chosen(moves_);
+  base_.resize(weights_.rows());
+  none_.setZero(weights_.rows());
+  kernels::raise_peaks(kernels::Peaks::of_values, weights_, offset.data(), 1, x, stride, none_.data(), base_.data(),
+                       &still);
+  kernels::raise_peaks(of_, weights_, base_.data(), ends_, x, stride, peak.data(), values_.data(), &moving);
+}
+
+/// Tells columns that stay what they are at all ends from those that do not: of many hinges few turn at a time. False
+/// where that is not worth while.
+bool BoundedOutputs::part_columns(const double* x, Index stride) {
+  constexpr Index many = 32, few_ends = 16;
+  const std::span<const kernels::PackedRows::Run> runs = weights_.runs();
+  if (weights_.columns() < many || ends_ < few_ends) return false;
+  moves_.assign(weights_.columns(), 0);
+  stays_.assign(weights_.columns(), 0);
+  Index still = 0;
+  for (const kernels::PackedRows::Run& run : runs) {
+    for (Index j = run.begin; j < run.end; ++j) {
+      Index n = 1;
+      while (n < ends_ && x[n * stride + j] == x[j]) ++n;
+      (n == ends_ ? stays_ : moves_)[j] = 1;
+      still += n == ends_ ? 1 : 0;
+    }
+  }
+  return still >= many / 2;
 }
 
 void BoundedOutputs::measure(Index steps, const double* rise, Index stride) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <vector>
 
 #include "bentur/solve/engine/motion/kernels/rows.h"
 
@@ -72,6 +73,7 @@ class BoundedOutputs {
     return quantity / 4 * 4 * ends_ + 4 * end + quantity % 4;
   }
   void measure(Eigen::Index steps, const double* rise, Eigen::Index stride);
+  [[nodiscard]] bool part_columns(const double* x, Eigen::Index stride);
 
   kernels::Peaks of_;
   kernels::PackedRows weights_;
@@ -79,6 +81,8 @@ class BoundedOutputs {
   Eigen::VectorXd inverse_;  ///< of the limits
   Eigen::VectorXd values_, shares_, betweens_;
   Eigen::Index ends_ = 0;
+  std::vector<char> moves_, stays_;  ///< scratch: per column
+  Eigen::VectorXd base_, none_;      ///< scratch: what columns that stay come to
 };
 
 }  // namespace bentur::engine
