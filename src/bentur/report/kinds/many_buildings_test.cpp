@@ -73,6 +73,18 @@ TEST(ManyBuildings, HaveTheirNamesBelowThemAndNotInTheLegend) {
   }
 }
 
+/// In a report the scene of a row is as broad as the page, so that its heights can be read, and no name stands upright.
+TEST(ManyBuildings, HaveASceneAsBroadAsThePage) {
+  FigureOptions options;
+  options.width = page_width;
+  const Layout placing = layout(make_figure(row(), "overview", options));
+  ASSERT_EQ(placing.panels.size(), 3U);
+  const PlacedPanel& scene = placing.panels.front();
+  EXPECT_GT(scene.right - scene.left, 0.9 * page_width);
+  EXPECT_FALSE(scene.x.upright);
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_LT(placing.panels[i].top, scene.bottom);
+}
+
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
   const std::vector<Eigen::Index> shown = shown_buildings(row(), {});
   EXPECT_LE(shown.size(), 8U);
