@@ -591,7 +591,7 @@ class Stills(Reports):
                               " > 1 ? 'fill' : 'stroke'])")
             for level in range(1, 5):
                 self.assertLessEqual(len({colour for colour, of in zip(colours, shown) if of == level}), 1)
-        key = self.js("[...document.querySelectorAll('#stage .caption')].map(line => line.textContent).filter(text => /[○●]/.test(text))")
+        key = self.js("[...document.querySelectorAll('#stage .caption')].map(line => line.textContent).filter(text => /[○●■◆]/.test(text))")
         self.assertEqual([line[2:] for line in key], [level["text"] for level in data["hinges"]["levels"]])
         self.opened(self.example("two-frames-si"))
         self.assertEqual(self.js("document.querySelectorAll('#stage .hinge').length"), 0)

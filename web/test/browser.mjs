@@ -24,8 +24,8 @@ function holdWork() {
   window.Worker = class extends Real {
     set onmessage(hear) {
       super.onmessage = (event) => {
-        const { kind, done } = event.data;
-        if (!["schema", "progress"].includes(kind) && !(kind === "curve" && done < 1)) window.unanswered -= 1;
+        const { kind, done, more } = event.data;
+        if (!["schema", "progress"].includes(kind) && !(kind === "curve" && done < 1) && !(more > 0)) window.unanswered -= 1;
         if (window.held) kept.push(() => hear.call(this, event));
         else hear.call(this, event);
       };

@@ -404,8 +404,11 @@ test("a figure tells the values that are pointed at, shows a part of the time, a
       await page.mouse.move(...at(0.45));
       await page.waitForTimeout(100);
     }
-    // It stands at the pointer and moves nothing; a line goes through all histories at that time.
+    // It stands at the pointer, covers neither that place nor more of the curve than on its other sides, and moves nothing; a
+    // line goes through all histories at that time.
     const tip = await figure.locator("output").boundingBox();
+    const [px, py] = at(0.5);
+    assert.ok(px < tip.x || px > tip.x + tip.width || py < tip.y || py > tip.y + tip.height, JSON.stringify(tip));
     assert.ok(Math.abs(tip.x + tip.width - at(0.5)[0]) < 40 || Math.abs(tip.x - at(0.5)[0]) < 40, JSON.stringify(tip));
     assert.deepEqual(await sheet.boundingBox(), box);
     const hairs = await page.locator(".hair:not([hidden])").evaluateAll((all) => new Set(all.map((one) => one.closest("figure").dataset.figure)).size);
@@ -700,6 +703,18 @@ test("work that takes long says so, also when other work is under way as it is a
     await letGo(page);
     await write(page, lasting("20.0"));
   }, { slow: true });
+});
+
+test("of a row the gaps of a verdict stand by the rank that its story gives them", async () => {
+  await onFresh(async (page) => {
+    await page.setInputFiles(".cases input[type=file]", [`${source}/examples/row-of-three.toml`, `${source}/data/el-centro-1940-ns.csv`]);
+    await solved(page);
+    const told = JSON.parse(await download(page, "summary")).statements.filter((one) => one.rank !== undefined);
+    const ranks = [...new Map(told.map((one) => [one.buildings.join(" | "), one.rank]))].sort((a, b) => a[1] - b[1]).map(([name]) => name);
+    const shown = await page.$$eval(".verdict details[data-gap]", (all) => all.map((one) => one.dataset.gap));
+    assert.ok(shown.length > 1);
+    assert.deepEqual(shown, ranks.filter((name) => shown.includes(name)));
+  });
 });
 
 test("work that takes longer than a page should is given up", async () => {

@@ -87,6 +87,7 @@ Json statements_of(const std::vector<std::string>& gaps, const Story& story, con
     all.push_back({{"kind", one.kind},
                    {"severity", severity_name(one.severity)},
                    {"gap", one.gap ? Json(gaps.at(*one.gap)) : Json()},
+                   {"rank", one.rank ? Json(*one.rank) : Json()},
                    {"badge", one.badge},
                    {"shown", shown_name(one.shown)},
                    {"text", one.text}});

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _palette = dict(_core.palette())
 #: Of buildings, in their order, and of all that is not a building.
-BUILDINGS = tuple(_palette[name] for name in ("blue", "orange", "green", "purple", "magenta", "olive"))
+BUILDINGS = tuple(_core.building_colours())
 BLACK, TEAL, GREY = TONES = tuple(_palette[name] for name in ("ink", "teal", "grey"))
 LINES = ("-", "--", "-.", ":")
 #: Width of a journal's column [in]; the figures of the program are 8.8 cm wide.

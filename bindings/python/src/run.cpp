@@ -343,6 +343,7 @@ void bind_run(py::module_& module) {
            py::arg("end"), py::arg("gap"), py::arg("elevation"));
 
   module.def("palette", &palette);
+  module.def("building_colours", &building_colours);
   module.def("solve", &solved, py::arg("case"), py::arg("output_step"), py::arg("progress"));
   module.def(
       "gap_json",

@@ -104,8 +104,11 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
     std::vector<std::string> items;
     for (const auto& item : statement.items) items.push_back(say(key + ".item", filled(item, say)));
     values.emplace_back("items", joined(items, say));
-    SaidStatement one{
-        .kind = statement.kind, .severity = statement.severity, .gap = statement.gap, .shown = statement.shown};
+    SaidStatement one{.kind = statement.kind,
+                      .severity = statement.severity,
+                      .gap = statement.gap,
+                      .rank = statement.rank,
+                      .shown = statement.shown};
     one.text = say(key, values);
     if (one.shown == Shown::row) one.rows = rows_of(statement, key, values, say);
     if (say.has(key + ".badge")) one.badge = say(key + ".badge");

@@ -14,7 +14,8 @@ struct SaidStatement {
   std::string kind;
   Severity severity = Severity::finding;
   std::optional<Eigen::Index> gap = {};
-  std::string badge = {};  ///< the verdict in two or three words; empty where the statement is none
+  std::optional<long> rank = {};  ///< of the gap, Statement::rank
+  std::string badge = {};         ///< the verdict in two or three words; empty where the statement is none
   std::string text = {};
   Shown shown = Shown::sentence;
   std::vector<std::vector<std::string>> rows = {};  ///< of a table of what else is known: what, how much, where, more

@@ -118,6 +118,17 @@ std::string Words::count(std::string_view key, long n) const {
   return (*this)(std::string(key) + (n == 1 ? ".one" : ".many"), {{"n", std::to_string(n)}});
 }
 
+std::string caption_key(const std::string& kind, bool in_plan) {
+  return (in_plan && kind == "overview" ? "plan." : "figure.") + kind;
+}
+
+std::string figure_title(const std::string& language, const std::string& key, std::string english) {
+  const Words say(language);
+  if (language == "en" || !say.has(key)) return english;
+  const std::string text = say(key);
+  return text.substr(0, text.find(". "));
+}
+
 FigureWords figure_words(const std::string& language) {
   using ByEnglish = std::map<std::string, std::string, std::less<>>;
   static const std::map<std::string, ByEnglish> all = [] {

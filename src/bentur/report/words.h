@@ -54,6 +54,12 @@ class Words {
   std::string language_;
 };
 
+/// The key of the text below a figure of a kind, of buildings in plan or of a row.
+[[nodiscard]] std::string caption_key(const std::string& kind, bool in_plan);
+/// The title of a figure in that language, which is the first sentence of the text of its key where there is one; in
+/// English its own, which says more.
+[[nodiscard]] std::string figure_title(const std::string& language, const std::string& key, std::string english);
+
 /// The texts of figures in that language, given the English ones; what is not in the catalogue, such as a name, as it
 /// is.
 [[nodiscard]] FigureWords figure_words(const std::string& language);

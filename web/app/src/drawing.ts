@@ -47,9 +47,11 @@ export function wantedNow(): [string, Wanted][] {
 }
 
 let speaks = "";
-/** Takes the figures of a run that has just been solved; those out of sight are of the run before, if in the same language. */
-export function take(made: Record<string, Drawn>) {
+/** Takes the figures of a run that has just been solved; those out of sight are of the run before, if in the same language.
+ *  `later`: they are yet to be drawn. */
+export function take(made: Record<string, Drawn>, later = false) {
   fresh = new Set(Object.keys(made));
+  if (later) drawInSight();
   drawn.value = { ...(speaks === language.value ? drawn.value : {}), ...made };
   speaks = language.value;
 }

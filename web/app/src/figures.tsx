@@ -65,6 +65,26 @@ function told({ panel, x, y }: Place, shown: Drawn, overTime: boolean, times: st
   return best;
 }
 
+/** Where values are told of a place, from the upper left of the figure [px]: beside it, on the side on which the fewest
+ *  points of curves would be covered. */
+function besides({ panel, scale }: Place, [px, py]: [number, number], lines: string[], wide: number): { left: number; top: number } {
+  const letter = 7, high = 17 * lines.length + 8, broad = letter * Math.max(...lines.map((line) => line.length)) + 16, off = 14;
+  const points = panel.curves.flatMap(({ x, y }) => {
+    const step = Math.max(1, Math.floor(x.length / 2000));
+    return Array.from({ length: Math.floor(x.length / step) }, (_, k) => [(panel.left + ofAxis(panel.x, x[k * step]) * panel.width) * scale,
+      (panel.top + (1 - ofAxis(panel.y, y[k * step])) * panel.height) * scale]);
+  });
+  let best = { left: 0, top: 0 }, least = Infinity;
+  for (const top of [py + off, py - off - high]) {
+    for (const left of [px + off, px - off - broad]) {
+      if (left < 0 || left + broad > wide) continue;
+      const covered = points.filter(([x, y]) => x >= left && x <= left + broad && y >= top && y <= top + high).length;
+      if (covered < least) [best, least] = [{ left, top }, covered];
+    }
+  }
+  return least < Infinity ? best : { left: Math.max(0, Math.min(px, wide - broad)), top: (panel.top + panel.height) * scale + off };
+}
+
 /** A figure as files, as `bentur plot` writes it. */
 function Files({ kind, caption }: Pick<FigureOverview, "kind" | "caption">) {
   const file = (save_: (svg: string) => void) => { void takeFigure(kind).then(save_).catch(() => undefined); };
@@ -108,7 +128,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
     const at = shown && placeOf(event, shown);
     const lines = at ? told(at, shown!, overTime, times) : [];
     const sheet = root.current!.getBoundingClientRect();
-    tell(lines.length > 0 ? { lines, left: event.clientX - sheet.left, top: event.clientY - sheet.top } : null);
+    tell(at && lines.length > 0 ? { lines, ...besides(at, [event.clientX - sheet.left, event.clientY - sheet.top], lines, sheet.width) } : null);
     if (overTime) pointed.value = at ? at.x : null;
     if (drag && at && at.panel === drag.from.panel) pull({ ...drag, to: at });
   };
@@ -130,7 +150,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
         {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : <p class="blank note" lang="en">{made?.error}</p>}
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         {overTime && shown?.panels.map((panel, i) => <i key={`hair${i}`} class="hair" hidden ref={(node) => { hairs.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
-        <output class={`tip${tip && tip.left > root.current!.clientWidth / 2 ? " before" : ""}`} hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>
+        <output class="tip" hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>
         {drag && <i class="pulled" style={{ top: percent(drag.from.panel.top), height: percent(drag.from.panel.height), left: drag.from.x < drag.to.x ? left(drag.from) : left(drag.to), width: `calc(${drag.from.x < drag.to.x ? left(drag.to) : left(drag.from)} - ${drag.from.x < drag.to.x ? left(drag.from) : left(drag.to)})` }} />}
       </div>
       <figcaption>{caption} <Files kind={kind} caption={caption} /></figcaption>

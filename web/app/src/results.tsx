@@ -45,15 +45,13 @@ function Statements({ overview }: { overview: Overview }) {
   const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
   const isFolded = (one: Said) => one.shown !== "sentence" || (one.severity === "finding" && !one.badge);
-  const kinds = ["pounding", "pounding_impulse", "too_small", "not_known"];
-  const worst = (i: number) => Math.min(...told.filter((one) => ofGap(one) && one.gap === i)
-    .map((one) => gravity(one) + (kinds.includes(one.kind) ? kinds.indexOf(one.kind) : kinds.length) / 10));
+  const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
   const pounds = told.some(isGrave);
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   return (
     <div class={`verdict${pounds ? " pounds" : ""}`}>
       <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
-      {row && overview.gaps.map((_, i) => i).sort((a, b) => worst(a) - worst(b)).map((i, place) => {
+      {row && overview.gaps.map((_, i) => i).sort((a, b) => rank(a) - rank(b)).map((i, place) => {
         const each = overview.gaps[i], mine = told.filter((one) => ofGap(one) && one.gap === i);
         const badge = mine.find((one) => one.badge);
         return mine.length > 0 && <details key={i} data-gap={each.name} open={overview.plan ? place === 0 : i === gap.value}>

@@ -27,7 +27,7 @@ export interface Histories {
 }
 /** `marks`: widths beside the one needed, of the motion reversed and of rules. */
 export interface GapOverview { name: string; width: number; needed: number | null; marks?: { at: number; name: string }[] }
-export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; badge: string; shown: "sentence" | "row" | "table"; text: string }
+export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; rank: number | null; badge: string; shown: "sentence" | "row" | "table"; text: string }
 export interface BuildingOverview {
   name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
   displacement: (number | null)[]; alone: (number | null)[]; drift: (number | null)[];
@@ -80,7 +80,7 @@ export type Answer = { id: number } & (
   | { kind: "refused"; errors: CaseError[] }
   | { kind: "progress"; done: number; part: number }
   | ({ kind: "result" } & Result)
-  | { kind: "drawn"; drawn: Record<string, Drawn> }
+  | { kind: "drawn"; drawn: Record<string, Drawn>; more: number } // of those asked for at once
   | { kind: "histories"; histories: Histories; overview: Overview }
   | { kind: "text"; text: string }
   | { kind: "contacts"; counts: number[] }
@@ -117,7 +117,7 @@ export class Solver {
       if (!this.running || data.id !== this.running.id) return;
       const { hear } = this.running;
       if (data.kind === "progress" && data.part !== this.part) this.limit(data.part);
-      const over = data.kind !== "progress" && !(data.kind === "curve" && data.done < 1);
+      const over = data.kind !== "progress" && !(data.kind === "curve" && data.done < 1) && !(data.kind === "drawn" && data.more > 0);
       if (over) this.rest();
       hear(data);
       if (over) this.next();
@@ -147,7 +147,8 @@ export class Solver {
     const files = this.sent < this.files.length ? this.files.slice(this.sent) : undefined;
     this.sent = this.files.length;
     this.limit(0);
-    if (asked.request.kind !== "draw") this.moment = window.setTimeout(() => this.slow(true), MOMENT); // of what is there already
+    if (asked.request.first) this.slow(true); // nothing else is there to be seen
+    else if (asked.request.kind !== "draw") this.moment = window.setTimeout(() => this.slow(true), MOMENT); // of what is there already
     this.awake.postMessage({ ...asked.request, id: this.last, files });
   }
 

@@ -82,6 +82,7 @@ function place() {
 }
 
 let settle = 0, curveText = "", curveFiles: Files = [];
+let seen = -1; // the number of the case whose results are there
 
 /** Runs the text: roughly sampled at once, finely when nothing has changed for a moment. */
 function run(fine: boolean) {
@@ -89,8 +90,9 @@ function run(fine: boolean) {
   clearTimeout(settle);
   place();
   const duration = result.value?.overview.duration ?? 20;
-  const number = asked.value += 1;
-  live.ask({ kind: "run", text: wanted, record, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002), draw: wantedNow() }, (answer) => {
+  const number = asked.value += 1, loaded = loads.value, first = loaded !== seen;
+  // Of a case that has just come the verdict is there before its figures.
+  live.ask({ kind: "run", first, text: wanted, record, language: language.value, step: fine ? null : Math.max(duration / 1000, 0.002), draw: first ? [] : wantedNow() }, (answer) => {
     if (answer.kind === "progress") progress.value = answer.done;
     if (answer.kind === "refused") batch(() => { errors.value = answer.errors; answered.value = number; });
     if (answer.kind === "result") {
@@ -98,8 +100,9 @@ function run(fine: boolean) {
         answered.value = number;
         errors.value = [];
         result.value = answer;
-        takeDrawn(answer.drawn);
         solvedText.value = wanted;
+        takeDrawn(answer.drawn, first);
+        seen = loaded;
         solvedWith.value = used;
         if (gap.value >= answer.overview.gaps.length) gap.value = 0;
         if (chosen.value === record) chosen.value = answer.overview.suite?.record ?? 0; // a suite may have fewer than before

@@ -43,8 +43,13 @@ async function answer(request: Request): Promise<void> {
   }
   const drawn = (draw: Draw): Record<string, Drawn> => Object.fromEntries(draw.map(([kind, wanted]) => [kind, studio.draw(kind, request.language, wanted)]));
   if (request.kind === "draw") {
-    const made = opened === keyOf(request.record, request.text) ? drawn(request.draw) : {};
-    return post({ id, kind: "drawn", drawn: made }, buffers(made));
+    const asked = opened === keyOf(request.record, request.text) ? request.draw : [];
+    if (asked.length === 0) return post({ id, kind: "drawn", drawn: {}, more: 0 });
+    for (const [k, one] of asked.entries()) { // each is there as soon as it is drawn
+      const made = drawn([one]);
+      post({ id, kind: "drawn", drawn: made, more: asked.length - 1 - k }, buffers(made));
+    }
+    return;
   }
   const started = performance.now();
   let parts = 1; // of a suite the runs of its records, and then their gaps

@@ -61,6 +61,7 @@ std::string statements_json(const std::vector<std::string>& names, const std::ve
                 {"level", statement.level ? Json(*statement.level) : Json(nullptr)},
                 {"values", values_json(statement.values)},
                 {"shown", shown_name(statement.shown)}};
+    if (statement.rank) one["rank"] = *statement.rank;
     if (!statement.subject.empty()) one["subject"] = statement.subject;
     if (!items.empty()) one["items"] = items;
     if (const auto& many = statement.many) {

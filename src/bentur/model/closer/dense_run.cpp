@@ -112,7 +112,7 @@ DenseFindings dense_findings(const Problem& problem, const Response& response, c
     const double omega = problem.buildings[floor.building].first_omega();
     if (omega > 0) longest = std::max(longest, 4 * std::numbers::pi / omega);
   }
-  findings.floors.periods = logarithmic_periods(60 * step, longest, 121);
+  findings.floors.periods = spectrum_periods(problem, findings.floors.floors, 60 * step, longest);
   for (const bool touches : {true, false}) {
     Problem as_it_is = problem;
     as_it_is.duration = response.duration > 0 ? response.duration : problem.duration;

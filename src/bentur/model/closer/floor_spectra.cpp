@@ -71,6 +71,24 @@ std::vector<FloorSpectra::Floor> spectrum_floors(const Problem& problem, const R
   return floors;
 }
 
+std::vector<double> spectrum_periods(const Problem& problem, const std::vector<FloorSpectra::Floor>& floors,
+                                     double shortest, double longest) {
+  constexpr double apart = 0.013;  // of a period: half of it is 13 % of the bandwidth of 5 % damping
+  const int count = 2 + static_cast<int>(std::log(longest / shortest) / apart);
+  std::vector<double> periods = logarithmic_periods(shortest, longest, count);
+  for (const FloorSpectra::Floor& floor : floors) {
+    for (const double omega : problem.buildings[floor.building].modes.omega) {
+      const double period = 2 * std::numbers::pi / omega;
+      if (period > shortest && period < longest) periods.push_back(period);
+    }
+  }
+  std::sort(periods.begin(), periods.end());
+  constexpr double same = 1e-6;
+  periods.erase(std::unique(periods.begin(), periods.end(), [](double a, double b) { return b < a * (1 + same); }),
+                periods.end());
+  return periods;
+}
+
 SampledMotion floor_motion(const Histories& histories, const Problem& problem, Index building, Index floor,
                            Index samples) {
   const GroundSpeed ground(problem.motion);

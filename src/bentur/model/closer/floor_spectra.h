@@ -23,6 +23,12 @@ struct FloorSpectra {
 /// is below, and the roof; without an impact the roofs of at most six buildings. None that moves with the ground.
 [[nodiscard]] std::vector<FloorSpectra::Floor> spectrum_floors(const Problem& problem, const Response& response);
 
+/// Periods [s] so near to one another that the peak of 5 % damping is met within 1 %, those of the floors' buildings
+/// among them.
+[[nodiscard]] std::vector<double> spectrum_periods(const Problem& problem,
+                                                   const std::vector<FloorSpectra::Floor>& floors, double shortest,
+                                                   double longest);
+
 /// The mean acceleration of a floor, absolute, over each so many samples: what it gains in speed and the ground with
 /// it, so that an impact counts by its impulse, however short it is. [length/s²]
 [[nodiscard]] SampledMotion floor_motion(const Histories& histories, const Problem& problem, Eigen::Index building,

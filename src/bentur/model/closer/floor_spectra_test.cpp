@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -63,6 +64,28 @@ TEST(FloorSpectra, OfShortPeriodsAreTheFloorsAcceleration) {
   const Response run = solve(calm, ExactSolver{}, {.output_step = 5e-4});
   const double found = floor_spectrum(run.histories, calm, 1, 0, {0.03}, 0.05).front();
   EXPECT_NEAR(found, run.buildings[1].acceleration(0), 0.01 * found);  // (0.03 s/0.66 s)² of it and the ground's start
+}
+
+/// A step of the periods is so small a part of the bandwidth 2ζ that an oscillator's own peak,
+///   |H(T)| / |H(T_n)| = 1 / √(1 + ((T_n/T)² − 1)² / (2ζ)²) about,
+/// is met within 1 %, and the periods of the buildings themselves stand among them.
+TEST(FloorSpectra, PeriodsAreNearEnoughToMeetPeaks) {
+  const Problem problem = beside_a_wall(std::make_shared<Linear>(2e5), 0.3);
+  const std::vector<double> periods = spectrum_periods(problem, {{.building = 1}}, 0.02, 4);
+  EXPECT_EQ(periods.front(), 0.02);
+  EXPECT_NEAR(periods.back(), 4, 1e-12);
+  for (std::size_t i = 0; i + 1 < periods.size(); ++i) {
+    ASSERT_LT(periods[i], periods[i + 1]);
+    const double apart = std::sqrt(periods[i + 1] / periods[i]);  // from the middle between the two
+    const double off = (apart * apart - 1) / (2 * 0.05);
+    EXPECT_LT(1 - 1 / std::sqrt(1 + off * off), 0.01) << periods[i];
+  }
+  for (const double omega : problem.buildings[1].modes.omega) {
+    const double period = 2 * std::numbers::pi / omega;
+    const auto next = std::lower_bound(periods.begin(), periods.end(), period * (1 - 2e-6));
+    ASSERT_NE(next, periods.end());
+    EXPECT_NEAR(*next, period, 2e-6 * period);  // of two so near to one another the first stays
+  }
 }
 
 TEST(FloorSpectra, FloorsAreThoseThatAreHitAndTheRoofs) {

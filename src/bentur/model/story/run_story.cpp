@@ -282,6 +282,16 @@ void tell_remarks(const AnyRun& run, Story& told) {
   told.statements.push_back(model_statement(run));
 }
 
+void rank_gaps(const GapView& view, std::vector<Statement>& statements) {
+  if (view.gaps.size() < 2) return;
+  const std::vector<std::size_t> order = worst_first(view.gaps);
+  for (Statement& one : statements) {
+    if (!one.gap) continue;
+    const auto place = std::find(order.begin(), order.end(), static_cast<std::size_t>(*one.gap));
+    one.rank = 1 + (place - order.begin());
+  }
+}
+
 template <class AnyRun>
 Story story_of(const AnyRun& run) {
   const GapView view = judged_view_of(run);
@@ -306,6 +316,7 @@ Story story_of(const AnyRun& run) {
   tell_links(run.problem, run.response.links, shown_units(run), run.c.units.length, told.statements);
   tell_motion(run, told.statements);
   leave_to_tables(worst, told.statements);
+  rank_gaps(view, told.statements);
   tell_remarks(run, told);
   return told;
 }
@@ -330,6 +341,7 @@ Story story_of_gaps(const AnyRun& run) {
   if constexpr (is_in_plan<AnyRun>) tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
   leave_to_tables(worst, told.statements);
+  rank_gaps(view, told.statements);
   leave_to_gap_tables(told.statements);
   tell_remarks(run, told);
   return told;

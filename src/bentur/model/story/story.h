@@ -49,6 +49,7 @@ struct Statement {
   std::string kind;
   Severity severity = Severity::finding;
   std::optional<Eigen::Index> gap = {};  ///< that it is of
+  std::optional<long> rank = {};  ///< of that gap among all of the run, from 1, the worst first; of one gap alone none
   std::vector<Eigen::Index> buildings = {};
   std::optional<double> level = {};  ///< [length]
   std::vector<StoryValue> values = {};

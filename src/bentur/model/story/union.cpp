@@ -116,6 +116,7 @@ std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
         kind.worst->kind.starts_with("assumed_")) {
       continue;  // of all alike
     }
+    all.back().rank.reset();  // each run has an order of its own
     all.back().many = {kind.count, static_cast<long>(runs.size()), runs[kind.run].name};
   }
   sort_by_severity(all);

@@ -14,8 +14,8 @@ namespace bentur {
 
 enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
-/// Blue, orange, green, purple, magenta and olive are buildings; black, teal and grey all that is not, red blows and
-/// what is not enough, amber what nearly is; pale ones are for areas.
+/// Blue, orange, green, purple, magenta, olive, indigo, brown, cyan and navy are buildings; black, teal and grey all
+/// that is not, red blows and what is not enough, amber what nearly is; pale ones are for areas.
 enum class Tone {
   black,
   blue,
@@ -30,9 +30,16 @@ enum class Tone {
   teal,
   magenta,
   olive,
-  amber
+  amber,
+  indigo,
+  brown,
+  cyan,
+  navy
 };
-/// That of building number `index` in every picture, and of nothing else.
+/// Those of buildings, in their order.
+inline constexpr Tone building_tones[] = {Tone::blue,  Tone::orange, Tone::green, Tone::purple, Tone::magenta,
+                                          Tone::olive, Tone::indigo, Tone::brown, Tone::cyan,   Tone::navy};
+/// That of building number `index` in every picture, and of nothing else; of more than ten they come again.
 [[nodiscard]] Tone building_tone(std::size_t index);
 
 constexpr double column_width = 8.8;  ///< of a journal [cm]
@@ -113,6 +120,7 @@ struct Panel {
   Axis x = {}, y = {};
   double height = 4.2;  ///< of the frame [cm]
   int rows = 1;         ///< of the figure that it takes: of more than one as high as those beside it
+  int across = 1;       ///< columns of the figure that it takes, from the first on where these are more than one
   /// A picture of things: lengths are alike both ways, there are no axes, and the frame is at most as high as is
   /// needed.
   bool to_scale = false;
@@ -165,6 +173,9 @@ struct PlacedFigure {
 
 /// The colours of figures on paper, each with its name: "blue", "#1f5fa8".
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> palette();
+
+/// Those of buildings, in their order.
+[[nodiscard]] std::vector<std::string> building_colours();
 
 /// The colours of figures as CSS, on paper and on a dark screen, for a figure that stands alone and for a page, whose
 /// own are among them.

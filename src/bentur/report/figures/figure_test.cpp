@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -210,9 +211,33 @@ TEST(FigureSvg, AreasAndMapsAreFilledAndCutOff) {
   EXPECT_EQ(count(svg, "<svg"), count(svg, "</svg>"));
 }
 
+/// Ten buildings have ten colours, none of which is that of anything else.
+TEST(FigureSvg, ColoursOfTenBuildingsDiffer) {
+  std::set<std::string> found = {colour(Tone::black).paper, colour(Tone::grey).paper, colour(Tone::red).paper,
+                                 colour(Tone::teal).paper, colour(Tone::amber).paper};
+  const std::size_t others = found.size();
+  for (std::size_t b = 0; b < 10; ++b) found.insert(colour(building_tone(b)).paper);
+  EXPECT_EQ(found.size(), others + 10);
+  EXPECT_EQ(building_tone(10), building_tone(0));
+  const std::vector<std::string> listed = building_colours();
+  for (std::size_t b = 0; b < listed.size(); ++b) EXPECT_EQ(listed[b], colour(building_tone(b)).paper);
+}
+
+TEST(FigureSvg, APanelAcrossColumnsIsAsBroadAsTheyAre) {
+  const Panel panel{.x = {.label = "x"}, .y = {.label = "y"}, .curves = {{.x = {0, 1}, .y = {0, 1}}}};
+  Figure figure{.panels = {panel, panel, panel}, .columns = 2, .width = 17};
+  figure.panels[0].across = 2;
+  const std::vector<PanelPlace> placed = placed_figure(figure, "").panels;
+  EXPECT_DOUBLE_EQ(placed[0].left, placed[1].left);
+  EXPECT_DOUBLE_EQ(placed[0].left + placed[0].width, placed[2].left + placed[2].width);
+  EXPECT_DOUBLE_EQ(placed[1].top, placed[2].top) << "the others stand below it, side by side";
+  EXPECT_GT(placed[1].top, placed[0].top + placed[0].height);
+}
+
 TEST(FigureSvg, LinesAreSeenOnPaperAndOnADarkScreen) {
-  for (const Tone tone : {Tone::black, Tone::blue, Tone::orange, Tone::grey, Tone::green, Tone::purple, Tone::red,
-                          Tone::teal, Tone::magenta, Tone::olive, Tone::amber}) {
+  for (const Tone tone :
+       {Tone::black, Tone::blue, Tone::orange, Tone::grey, Tone::green, Tone::purple, Tone::red, Tone::teal,
+        Tone::magenta, Tone::olive, Tone::amber, Tone::indigo, Tone::brown, Tone::cyan, Tone::navy}) {
     const Colour& one = colour(tone);
     EXPECT_GE(contrast(one.paper, paper.paper), 4.5) << one.name;
     EXPECT_GE(contrast(one.dark, paper.dark), 4.5) << one.name;

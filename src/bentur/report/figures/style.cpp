@@ -32,14 +32,17 @@ std::string style(const char* where, bool with_page) {
 
 }  // namespace
 
-Tone building_tone(std::size_t index) {
-  constexpr Tone tones[] = {Tone::blue, Tone::orange, Tone::green, Tone::purple, Tone::magenta, Tone::olive};
-  return tones[index % std::size(tones)];
-}
+Tone building_tone(std::size_t index) { return building_tones[index % std::size(building_tones)]; }
 
 std::vector<std::pair<std::string, std::string>> palette() {
   std::vector<std::pair<std::string, std::string>> all;
   for (const Colour& one : colours) all.emplace_back(one.name, one.paper);
+  return all;
+}
+
+std::vector<std::string> building_colours() {
+  std::vector<std::string> all;
+  for (const Tone tone : building_tones) all.emplace_back(colour(tone).paper);
   return all;
 }
 

@@ -80,13 +80,15 @@ class Reader {
   void read(const Node& node, const std::string& where, Panel& to) {
     table(node, where,
           {field("title", to.title), field("x", to.x), field("y", to.y), field("height", to.height),
-           field("rows", to.rows), field("to_scale", to.to_scale), field("curves", to.curves), field("rules", to.rules),
-           field("events", to.events), field("texts", to.texts), field("map", to.map), field("note", to.note),
-           field("names_at_ends", to.names_at_ends)});
+           field("rows", to.rows), field("across", to.across), field("to_scale", to.to_scale),
+           field("curves", to.curves), field("rules", to.rules), field("events", to.events), field("texts", to.texts),
+           field("map", to.map), field("note", to.note), field("names_at_ends", to.names_at_ends)});
     if (!(to.height >= 0.5 && to.height <= 100)) {
       error(where + ".height", fmt::format("{}", to.height), "must be in [0.5, 100]");
     }
-    if (to.rows < 1) error(where + ".rows", std::to_string(to.rows), "must be 1 or more");
+    for (const auto& [name, count] : {std::pair(".rows", to.rows), {".across", to.across}}) {
+      if (count < 1) error(where + name, std::to_string(count), "must be 1 or more");
+    }
   }
 
   void read(const Node& node, const std::string& where, Axis& to) {
@@ -185,7 +187,7 @@ class Reader {
   void read(const Node& node, const std::string& where, Tone& to) {
     word(node, where, to,
          {"black", "blue", "orange", "grey", "pale", "pale-blue", "pale-orange", "green", "purple", "red", "teal",
-          "magenta", "olive", "amber"});
+          "magenta", "olive", "amber", "indigo", "brown", "cyan", "navy"});
   }
 
   void read(const Node& node, const std::string& where, PlaceText::Side& to) {

@@ -21,7 +21,7 @@ TEST(FigureJson, ReadsEveryMember) {
   const std::optional<Figure> figure = figure_from_json(R"({
     "title": "t", "finding": "f", "columns": 2, "shares": [1, 2], "width": 17, "shared_legend": true,
     "panels": [
-      {"title": "p", "height": 3, "rows": 2, "note": "n", "to_scale": true,
+      {"title": "p", "height": 3, "rows": 2, "across": 2, "note": "n", "to_scale": true,
        "x": {"label": "x [m]", "from": 0, "to": 2.5, "places": [0, 1], "numbers": false, "least": [0, 1]},
        "y": {"label": "y [m]", "logarithmic": true, "names": ["a", "b"], "number": "record"},
        "curves": [{"label": "c", "x": [0, 1, 2], "y": [1, null, 3], "top": [2, 3, 4], "tone": "pale-blue",
@@ -38,6 +38,7 @@ TEST(FigureJson, ReadsEveryMember) {
   EXPECT_TRUE(figure->shared_legend);
   const Panel& panel = figure->panels.at(0);
   EXPECT_EQ(panel.rows, 2);
+  EXPECT_EQ(panel.across, 2);
   EXPECT_TRUE(panel.to_scale);
   EXPECT_EQ(panel.x.to, 2.5);
   EXPECT_FALSE(panel.x.numbers);

@@ -40,10 +40,6 @@ std::string motion_json(const PlanRun& run, const std::string& language) {
   return html::plan_animation_json(run, Words(language), first_of(run.response.impacts));
 }
 
-std::string caption_key(const std::string& kind, bool in_plan) {
-  return (in_plan && kind == "overview" ? "plan." : "figure.") + kind;
-}
-
 std::vector<PagePart> table_parts(const RunResults& results, const std::string& language) {
   const Words say(language);
   html::Report report = part_of(results, say);

@@ -31,7 +31,4 @@ struct PagePart {
 /// The same of buildings in plan: contacts, floors and planes.
 [[nodiscard]] std::vector<PagePart> table_parts(const PlanRun& run, const std::string& language);
 
-/// The key of the text below a figure of a kind, of buildings in plan or of a row.
-[[nodiscard]] std::string caption_key(const std::string& kind, bool in_plan);
-
 }  // namespace bentur

@@ -136,7 +136,7 @@ TEST(Report, HingesThatTurnedFurthest) {
   EXPECT_TRUE(has(page, "times that limit"));
   EXPECT_TRUE(has(page, "Moment over rotation of the hinge of each building that turned furthest"));
   EXPECT_TRUE(has(page, "numbered in the order in which they formed"));
-  EXPECT_TRUE(has(page, R"({"tone":"teal","text":"beyond IO"})")) << "what dots in motion mean";
+  EXPECT_TRUE(has(page, R"({"tone":"teal","mark":"●","text":"beyond IO"})")) << "what dots in motion mean";
   EXPECT_TRUE(has(plain(pair.page("id")), "Sendi plastis Old frame, yang berputar paling jauh"));
   EXPECT_FALSE(has(plain(run(example("two-frames-si")).page()), "Hinges"));
 }

@@ -58,7 +58,7 @@ Html paragraphs(const SaidStatement& statement, std::string& badge, const std::s
   return block + element("p", text, leads ? "class=\"lead\"" : "");
 }
 
-Html table_of(const SaidTable& table) {
+Html table_of(const SaidTable& table, std::string_view attributes) {
   HtmlTable shown;
   for (const std::size_t row : table.marked) shown.mark(row);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -66,7 +66,7 @@ Html table_of(const SaidTable& table) {
     std::vector<std::string> cells = column.cells;
     shown.add(column.label, column.unit, std::move(cells), table.are_numbers[i]);
   }
-  return shown.markup();
+  return shown.markup(attributes);
 }
 
 PageSection verdict_section(const Verdict& verdict, const Words& say) {
@@ -111,7 +111,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     }
   }
   block += each.folded(say, "appendix.gaps");
-  if (known) block += table_of(*known);
+  if (known) block += table_of(*known, "class=\"said\"");
   return {"verdict", say("heading.verdict"), element("div", block, verdict_class(grave))};
 }
 

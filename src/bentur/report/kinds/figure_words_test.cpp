@@ -12,6 +12,7 @@
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
 #include "tests/support/kinds_case.h"
+#include "tests/support/plan_run.h"
 
 namespace bentur {
 namespace {
@@ -55,6 +56,27 @@ TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
       }
     }
   }
+}
+
+/// What names an SVG or a PDF is of the language of its texts: in Indonesian the text below the figure in a report.
+TEST(FigureWords, TitlesAreOfTheLanguageAskedFor) {
+  const Words say("id");
+  FigureOptions indonesian;
+  indonesian.say = figure_words("id");
+  indonesian.language = "id";
+  const auto expect = [&](const auto& run, bool in_plan) {
+    for (const FigureKind& kind : figure_kinds(run)) {
+      const std::string english = make_figure(run, kind.name).title,
+                        title = make_figure(run, kind.name, indonesian).title;
+      EXPECT_NE(title, english) << kind.name;
+      EXPECT_FALSE(title.empty()) << kind.name;
+      EXPECT_TRUE(say(caption_key(kind.name, in_plan)).starts_with(title)) << kind.name << ": " << title;
+    }
+  };
+  for (const std::string& text : {std::string(test::struck_columns), std::string(test::every_kind)}) {
+    expect(test::drawn_run(text), false);
+  }
+  expect(test::plan_run(test::twisting_pair(), 0.002), true);
 }
 
 /// A tower of 154 m as well: the numbers along the height are levels, of which no power of ten goes into the unit.

@@ -129,6 +129,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   Figure figure{.title = carried.title, .columns = 2, .width = options.width * page_over_column};
   const bool has_impacts = !run.response.impacts.empty();
   double most = 0, storey = INFINITY;  // of all frames, so that they have one scale
+  Eigen::Index storeys = 0;            // of the highest
   for (const FrameForces* frame : frames) {
     LargestForce largest;
     for (const FrameForces::Forces* one :
@@ -140,11 +141,13 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       if (member.of_beam) storey = std::min(storey, member.length());
     }
     const StructuralModel& model = run.problem.buildings[frame->building].model;
+    storeys = std::max(storeys, model.floors());
     for (Eigen::Index f = model.first_storey(); f < model.floors(); ++f) {
       storey = std::min(storey, model.storey_heights[f]);
     }
   }
   const double reach = 0.42 * storey;
+  const double height = options.width * std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
   const double factor = shown_factor(run, carried.form);
   const std::string unit = shown_unit(run, carried.form);
   for (const FrameForces* frame : frames) {
@@ -157,7 +160,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     const Diagram diagram(carried, *frame, most > 0 ? reach / most : 0);
     Panel panel{.x = {.from = -1.15 * reach, .to = right + 1.15 * reach, .numbers = false},
                 .y = {.from = -0.05 * top, .to = top + 1.15 * reach, .numbers = false},
-                .height = 0.95 * options.width,
+                .height = height,
                 .to_scale = true};
     Curve members{.tone = building_tone(static_cast<std::size_t>(frame->building)), .width = 1.2, .complete = true};
     for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {

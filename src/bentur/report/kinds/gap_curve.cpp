@@ -6,6 +6,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 
@@ -35,7 +36,8 @@ Figure gap_curve_figure(const GapCurve& curve, const FigureOptions& options) {
   double most = curve.needed ? std::max(curve.given, *curve.needed) : curve.given;
   for (const double width : curve.widths) most = std::max(most, width);
   for (Panel* one : {&force, &amplification}) one->x.from = 0, one->x.to = most, one->height = 3;
-  Figure figure{.title = "Peak force and largest amplification against the gap",
+  Figure figure{.title = figure_title(options.language, "figure.gap-curve",
+                                      "Peak force and largest amplification against the gap"),
                 .panels = {force, amplification},
                 .width = options.width,
                 .shared_legend = true};

@@ -69,7 +69,7 @@ void add_hinge_marks(Panel& panel, const RunResults& run, const Scene& scene, co
   constexpr double of_mark = 1.6;  // radius of a mark of size 1 [px]
   const double radius = std::clamp(0.1 * wanted.storey * pixels, 1.4, 3.4);
   for (int level = wanted.with_those_at_rest ? 0 : 1; level <= SceneHinge::levels; ++level) {
-    Curve marks{.line = Line::none, .mark = level <= 1 ? Mark::circle : Mark::disc, .complete = true};
+    Curve marks{.line = Line::none, .mark = hinge_mark(level), .complete = true};
     marks.tone = level == 0 ? Tone::grey : hinge_tone(scene.bounds, level);
     marks.mark_size = radius / of_mark * (level == 0 ? 0.6 : 0.85 + 0.15 * level);  // they grow with the level
     if (level > 0) marks.mark_size = std::max(marks.mark_size, 1.5);                // with an edge

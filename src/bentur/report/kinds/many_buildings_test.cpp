@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/quantities.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
@@ -71,6 +74,36 @@ TEST(ManyBuildings, HaveTheirNamesBelowThemAndNotInTheLegend) {
       }
     }
   }
+}
+
+/// In a report the scene of a row is as broad as the page, so that its heights can be read, and no name stands upright.
+TEST(ManyBuildings, HaveASceneAsBroadAsThePage) {
+  FigureOptions options;
+  options.width = page_width;
+  const Layout placing = layout(make_figure(row(), "overview", options));
+  ASSERT_EQ(placing.panels.size(), 3U);
+  const PlacedPanel& scene = placing.panels.front();
+  EXPECT_GT(scene.right - scene.left, 0.9 * page_width);
+  EXPECT_FALSE(scene.x.upright);
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_LT(placing.panels[i].top, scene.bottom);
+}
+
+/// Statements of a gap say which place it has among all, and those of the worst are those of the table's first line.
+TEST(ManyBuildings, StatementsSayHowBadTheirGapIsAmongAll) {
+  const Story story = run_story(row());
+  const std::size_t gaps = row().problem.buildings.size() - 1;
+  std::map<long, Eigen::Index> of_rank;
+  for (const Statement& one : story.statements) {
+    ASSERT_EQ(one.rank.has_value(), one.gap.has_value());
+    if (!one.rank) continue;
+    EXPECT_EQ(of_rank.emplace(*one.rank, *one.gap).first->second, *one.gap);
+  }
+  EXPECT_EQ(of_rank.size(), gaps);
+  EXPECT_EQ(of_rank.begin()->first, 1);
+  const std::vector<std::size_t> order = worst_first(judged_gaps(row()));
+  for (const auto& [rank, gap] : of_rank) EXPECT_EQ(order.at(static_cast<std::size_t>(rank) - 1), gap);
+  const Story pair = run_story(test::drawn_run(row_of(2)));
+  for (const Statement& one : pair.statements) EXPECT_FALSE(one.rank);
 }
 
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {

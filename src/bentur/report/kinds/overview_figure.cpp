@@ -156,12 +156,18 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
                 .columns = is_wide ? 2 : 1,
                 .width = options.width};
   figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 7 : 0.65 * options.width));
+  constexpr double longish = 1.4;  // width over height
+  const double aspect = aspect_of(figure.panels.front());
   if (instant.point || asked_inside(run, options) != nullptr)
     figure.panels.push_back(opening_panel(run, instant, options));
   figure.panels.push_back(gap_panel(run, options));
-  if (is_wide) {
+  if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
+    figure.panels.front().across = 2;
+    figure.panels.front().height = 8.5;
+    figure.panels[1].height = figure.panels[2].height = std::max(figure.panels[1].height, figure.panels[2].height);
+  } else if (is_wide) {
     constexpr double height = 7, frames = 12.5;  // about [cm]
-    const double left = std::clamp(height * aspect_of(figure.panels.front()), 4.5, 7.5);
+    const double left = std::clamp(height * aspect, 4.5, 7.5);
     figure.panels.front().rows = static_cast<int>(figure.panels.size()) - 1;
     figure.shares = {left, frames - left};
   }

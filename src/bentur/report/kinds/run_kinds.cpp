@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -156,7 +158,10 @@ void refuse_figure(const std::string& kind, const std::string& of, const std::ve
 
 Figure make_figure(const RunResults& run, const std::string& kind, const FigureOptions& options) {
   for (const RunKind& one : run_kinds) {
-    if (kind == one.name) return one.make(run, options);
+    if (kind != one.name) continue;
+    Figure figure = one.make(run, options);
+    figure.title = figure_title(options.language, caption_key(kind, false), std::move(figure.title));
+    return figure;
   }
   refuse_figure(kind, "this run", figure_kinds(run));
 }

@@ -109,9 +109,10 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
   }
   const bool has_impacts = !run.response.impacts.empty();  // else the motions with and without contact are one
   const bool is_broad = spectra.floors.size() > 1;
+  const std::size_t columns = !is_broad ? 1 : spectra.floors.size() % 3 == 0 ? 3 : 2;  // so that rows are full
   Figure figure{.title = fmt::format("Response spectra of the motion of floors, damping ratio {}, S_a in g",
                                      number(spectra.damping)),
-                .columns = is_broad ? 2 : 1,
+                .columns = static_cast<int>(columns),
                 .width = options.width * (is_broad ? page_over_column : 1),
                 .shared_legend = true};
   const double gravity = standard_gravity(run.c.units.length);
@@ -159,15 +160,14 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
                  ": " + place;
       }
     }
-    const std::size_t column = figure.panels.size() % 2;
-    if (is_broad && column == 1) panel.y.label = "";
+    if (figure.panels.size() % columns > 0) panel.y.label = "";
     figure.panels.push_back(std::move(panel));
   }
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     Panel& panel = figure.panels[i];
     panel.y.least = {0, 1.08 * most / gravity};  // one scale, with room for names of periods
     for (const RuleLine& rule : panel.rules) panel.texts.push_back({rule.at, 1.04 * most / gravity, "T₁"});
-    if (i + (is_broad ? 2 : 1) >= figure.panels.size()) panel.x.label = word(options, "Period T [s]");
+    if (i + columns >= figure.panels.size()) panel.x.label = word(options, "Period T [s]");
   }
   figure.finding = largest + (has_impacts ? "; " + raised : "");
   return figure;

@@ -4,6 +4,7 @@
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 
@@ -54,7 +55,9 @@ Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOpti
   }
   double least_ratio = mean.front() / target.front();
   for (std::size_t i = 0; i < mean.size(); ++i) least_ratio = std::min(least_ratio, mean[i] / target[i]);
-  Figure figure{.title = "Spectra of the records as scaled, their mean, and the target, damping ratio 0.05",
+  Figure figure{.title = figure_title(options.language, "figure.suite",
+                                      "Spectra of the records as scaled, their mean, and the target, damping ratio "
+                                      "0.05"),
                 .finding = word(options, "mean at least {} of the target", number(least_ratio)),
                 .panels = {panel},
                 .width = options.width,

@@ -18,6 +18,11 @@ Tone hinge_tone(const HingeBounds& bounds, int level) {
   return tones[std::clamp(level, 1, SceneHinge::levels) - 1];
 }
 
+Mark hinge_mark(int level) {
+  constexpr Mark marks[] = {Mark::circle, Mark::disc, Mark::square, Mark::diamond};
+  return marks[std::clamp(level, 1, SceneHinge::levels) - 1];
+}
+
 namespace scene {
 namespace {
 

@@ -189,6 +189,60 @@ std::string along_text(const PlanRun& run, Index contact) {
   return fmt::format("{} = {} {}", stretch.across == 0 ? "y" : "x", number(place.contact->along), run.c.units.length);
 }
 
+bool lies_in(const PlanPoint& at, const PlanRings& rings) {
+  bool inside = false;
+  for (const std::vector<PlanPoint>& ring : rings) {
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+      const PlanPoint &from = ring[i], &to = ring[i + 1];
+      if ((from.y() > at.y()) == (to.y() > at.y())) continue;
+      inside ^= at.x() < from.x() + (at.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
+    }
+  }
+  return inside;
+}
+
+namespace {
+
+/// Parts of the way from a point to the next at which it crosses the edge of an area, with both ends, ascending.
+std::vector<double> crossings(const PlanPoint& from, const PlanPoint& to, const std::vector<PlanRings>& areas) {
+  std::vector<double> parts{0, 1};
+  const auto cross = [](const PlanPoint& a, const PlanPoint& b) { return a.x() * b.y() - a.y() * b.x(); };
+  const PlanPoint way = to - from;
+  for (const PlanRings& rings : areas) {
+    for (const std::vector<PlanPoint>& ring : rings) {
+      for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+        const PlanPoint edge = ring[i + 1] - ring[i], apart = ring[i] - from;
+        const double both = cross(way, edge);
+        const double here = cross(apart, edge) / both, there = cross(apart, way) / both;  // no number: parallel
+        if (here > 0 && here < 1 && there >= 0 && there <= 1) parts.push_back(here);
+      }
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+}  // namespace
+
+PlanRings seen_parts(const std::vector<PlanPoint>& ring, const std::vector<PlanRings>& areas) {
+  PlanRings seen;
+  bool goes_on = false;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+    const PlanPoint &from = ring[i], &to = ring[i + 1];
+    const std::vector<double> parts = crossings(from, to, areas);
+    for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
+      const auto at = [&](double part) -> PlanPoint { return from + part * (to - from); };
+      const PlanPoint middle = at((parts[k] + parts[k + 1]) / 2);
+      const bool hidden =
+          std::any_of(areas.begin(), areas.end(), [&](const PlanRings& rings) { return lies_in(middle, rings); });
+      if (!hidden && !goes_on) seen.push_back({at(parts[k])});
+      if (!hidden) seen.back().push_back(at(parts[k + 1]));
+      goes_on = !hidden;
+    }
+  }
+  return seen;
+}
+
 bool is_at(const PlanLink& link, const std::vector<Index>& floors, const PlanProblem& problem) {
   const auto is_nearest = [&](Index b) {
     return nearest_floor(problem.buildings[b].model, link.link.elevation) == floors.at(static_cast<std::size_t>(b));

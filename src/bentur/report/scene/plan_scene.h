@@ -75,6 +75,12 @@ class PlanScene {
 [[nodiscard]] std::string along_text(const PlanRun& run, Eigen::Index contact);
 /// Whether floors of the buildings are those nearest to a link, which is drawn with them then.
 [[nodiscard]] bool is_at(const PlanLink& link, const std::vector<Eigen::Index>& floors, const PlanProblem& problem);
+/// Closed lines around an area and its courts, the last point of each the first again.
+using PlanRings = std::vector<std::vector<PlanPoint>>;
+[[nodiscard]] bool lies_in(const PlanPoint& at, const PlanRings& rings);
+/// The parts of a closed line that none of the areas covers.
+[[nodiscard]] PlanRings seen_parts(const std::vector<PlanPoint>& ring, const std::vector<PlanRings>& areas);
+
 /// The floor nearest to a level.
 [[nodiscard]] Eigen::Index nearest_floor(const PlanModel& model, double elevation);
 

@@ -69,6 +69,8 @@ struct HingeBounds {
 /// Of a level from 1 to 4: the worse the more it warns, where levels are limits; parts of the largest rotation say
 /// nothing about damage and have the tone of all that is not a building.
 [[nodiscard]] Tone hinge_tone(const HingeBounds& bounds, int level);
+/// Each level has a shape of its own, by which it is known without colours.
+[[nodiscard]] Mark hinge_mark(int level);
 
 struct Scene {
   std::vector<double> breadths;  ///< of the buildings [length]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "bentur/files/result_reading.h"
 #include "bentur/io/results/plan/plan_variables.h"
@@ -11,6 +12,7 @@
 #include "bentur/model/quantities.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/studies/sweep_data.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -61,15 +63,19 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
   if (is_plan_run(results)) return make_figure(read_plan_results(results), kind, options);
   if (results.find("status") != nullptr) {
     const SweepData sweep(results, options.say);
-    if (is_ida(results) && kind == "ida") return ida_figure(sweep, options);
-    if (is_ida(results) && kind == "fragility") return fragility_figure(sweep, options);
+    const auto titled = [&](Figure figure) {
+      figure.title = figure_title(options.language, "figure.sweep." + kind, std::move(figure.title));
+      return figure;
+    };
+    if (is_ida(results) && kind == "ida") return titled(ida_figure(sweep, options));
+    if (is_ida(results) && kind == "fragility") return titled(fragility_figure(sweep, options));
     if (is_ida(results) && kind == "collapse") {
       FigureOptions of_collapse = options;
       of_collapse.event = collapse_event;
-      return fragility_figure(sweep, of_collapse);
+      return titled(fragility_figure(sweep, of_collapse));
     }
     for (const SweepKind& one : sweep_kinds()) {
-      if (kind == one.kind && is_in(results, one)) return sweep_figure(sweep, one, options);
+      if (kind == one.kind && is_in(results, one)) return titled(sweep_figure(sweep, one, options));
     }
     // Any other quantity by its own name.
     const auto is_it = [&](const Quantity& one) { return file_name(one) == kind && one.owner != Owner::impact; };

@@ -225,6 +225,32 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
   return figure;
 }
 
+namespace {
+
+/// Why no curve stands for the runs of a case.
+std::string why_unfitted(const SweepDimension& levels, const Fragility& fit, const FigureOptions& options) {
+  switch (fit.kind) {
+    case Fragility::Kind::separated:
+      return word(options, "no fit: no event up to {}, events alone from {}", intensity_text(levels, fit.lower),
+                  intensity_text(levels, fit.upper));
+    case Fragility::Kind::no_event:
+      return word(options, "no fit: no run has the event");
+    case Fragility::Kind::all_events:
+      return word(options, "no fit: every run has the event");
+    case Fragility::Kind::one_intensity:
+      return word(options, "no fit: one intensity alone");
+    case Fragility::Kind::falling:
+      return word(options, "no fit: events do not become likelier with intensity");
+    case Fragility::Kind::no_data:
+      return word(options, "no fit: no runs");
+    case Fragility::Kind::fitted:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
 Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const Analysis ida = analysis(sweep);
   const SweepDimension& levels = sweep.dimensions()[ida.level];
@@ -249,6 +275,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
               .height = 5.5};
   std::vector<Curve> areas, lines;
   std::string finding;
+  std::vector<std::string> unfitted;  // reasons, one a case
   bool any_event = false, is_observed_named = false;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     Curve observed;
@@ -263,7 +290,10 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     any_event = any_event || fragility.events > 0;
     const Fragility& fit = fragility.fit;
     const std::string name = case_name(sweep, ida, cases[c]);
-    if (fit.median > 0 && std::isfinite(fit.median)) {
+    if (fit.kind != Fragility::Kind::fitted) {
+      unfitted.push_back(why_unfitted(levels, fit, options));
+      finding += (finding.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") + unfitted.back();
+    } else if (fit.median > 0 && std::isfinite(fit.median)) {
       finding += (finding.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") +
                  word(options, "median intensity {}, dispersion {}", intensity_text(levels, fit.median),
                       number(fit.dispersion));
@@ -323,8 +353,9 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       for (Curve* const part : {&below, &above}) {
         if (part->x.size() > 1) lines.push_back(std::move(*part));
       }
-    } else {
-      observed.label = name;
+    } else {  // nothing that a colour could stand for
+      observed.label = name.empty() ? word(options, "observed") : word(options, "{}, no fit", name);
+      observed.tone = Tone::grey;
     }
     if (fit.kind == Fragility::Kind::fitted && !is_observed_named) {
       observed.label = word(options, "observed");
@@ -332,7 +363,14 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     }
     lines.push_back(std::move(observed));
   }
-  if (!any_event) panel.note = word(options, "no run has the event");
+  if (!any_event) {
+    panel.note = word(options, "no run has the event");
+  } else if (unfitted.size() == cases.size()) {
+    const bool is_one = std::equal(unfitted.begin() + 1, unfitted.end(), unfitted.begin());
+    panel.title = is_one ? unfitted.front() : word(options, "no fit of any: shares of runs as observed");
+  } else if (!unfitted.empty()) {
+    panel.title = unfitted.size() == 1 ? unfitted.front() : "";
+  }
   panel.curves = areas;
   panel.curves.insert(panel.curves.end(), lines.begin(), lines.end());
   return {.title = fmt::format("Fragility: probability of {} against intensity, lognormal fits with bootstrap bounds",

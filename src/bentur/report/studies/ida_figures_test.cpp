@@ -161,7 +161,11 @@ TEST(IdaFigure, FragilityNamesBoundsAndMarksWhereTheFirstWidthHasNoFit) {
   const TemporaryFolder folder;
   const NetcdfReader results(write_results(folder.path(), true));
   const Figure figure = make_figure(results, "fragility");
-  EXPECT_EQ(labelled(figure, "gap 0.1 m").line, Line::none);
+  const Curve& unfitted = labelled(figure, "gap 0.1 m, no fit");
+  EXPECT_EQ(unfitted.line, Line::none);
+  EXPECT_EQ(unfitted.tone, Tone::grey) << "a colour would be that of a curve";
+  EXPECT_TRUE(figure.panels[0].title.starts_with("no fit: ")) << figure.panels[0].title;
+  EXPECT_NE(figure.finding.find("gap 0.1 m: " + figure.panels[0].title), std::string::npos) << figure.finding;
   EXPECT_FALSE(labelled(figure, "95 % bounds").x.empty());
   EXPECT_EQ(labelled(figure, "observed").mark, labelled(figure, "gap 0.2 m").legend_mark);
 }

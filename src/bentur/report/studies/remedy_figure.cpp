@@ -7,6 +7,7 @@
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/studies/sweep_data.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -87,7 +88,7 @@ Figure remedy_figure(const RemedySearch& search, const FigureOptions& options) {
     panel.rules.push_back(
         {.at = *search.spec().limit, .label = word(options, "limit"), .tone = Tone::red, .line = Line::dashed});
   }
-  return {.title = "What a remedy gives for its size",
+  return {.title = figure_title(options.language, "figure.remedy", "What a remedy gives for its size"),
           .finding = word(options, "least {} of {} choices", number(search.best()->objective),
                           std::to_string(search.trials.size())),
           .panels = {std::move(panel)},

@@ -137,9 +137,13 @@ class Arrangement {
     result_.width = figure.width;
     std::vector<std::size_t> taken(columns_, 0);  // rows of each column
     for (const Panel& panel : figure.panels) {
-      const auto column = std::min_element(taken.begin(), taken.end());
-      cells_.push_back({*column, static_cast<std::size_t>(column - taken.begin())});
-      *column += static_cast<std::size_t>(panel.rows);
+      const std::size_t across = std::clamp<std::size_t>(static_cast<std::size_t>(panel.across), 1, columns_);
+      const auto column = across > 1 ? taken.begin() : std::min_element(taken.begin(), taken.end());
+      const auto beyond = column + static_cast<std::ptrdiff_t>(across);
+      const std::size_t row = *std::max_element(column, beyond);
+      const auto first = static_cast<std::size_t>(column - taken.begin());
+      cells_.push_back({row, first, first + across - 1});
+      std::fill(column, beyond, row + static_cast<std::size_t>(panel.rows));
       rows_ = std::max(rows_, *column);
       const int most = std::max(2, static_cast<int>(panel.height / 0.55));
       result_.panels.push_back({.panel = &panel, .y = ticks_of(panel, true, most)});
@@ -171,6 +175,7 @@ class Arrangement {
  private:
   struct Cell {
     std::size_t row = 0, column = 0;
+    std::size_t last = 0;  // column
   };
 
   void place_columns() {
@@ -186,12 +191,12 @@ class Arrangement {
       const bool has_label = !scaled(panel.y.label, placed.y).empty();
       before = std::max(before, (has_label ? label_room : 0.1) + 0.2 + numbers);
       if (has_label) labelled[cells_[i].column] = std::max(labelled[cells_[i].column], 0.2 + numbers);
-      right[cells_[i].column] = std::max(right[cells_[i].column], room_of_names(panel));
+      right[cells_[i].last] = std::max(right[cells_[i].last], room_of_names(panel));
       if (!panel.map) continue;
       placed.scale = scale_of(*panel.map);
       double widest = 0;
       for (const auto& [at, text] : placed.scale.labels) widest = std::max(widest, text_width(text));
-      double& behind = right[cells_[i].column];
+      double& behind = right[cells_[i].last];
       behind = std::max(behind, scale_width + 0.2 + widest + 0.1 + label_room);
     }
     constexpr int attempts = 3;  // until the numbers at the ends of the x axes have room
@@ -204,7 +209,7 @@ class Arrangement {
           return text_width(label.second) / 2 -
                  std::abs(of_end - along(placed.x, label.first)) * (placed.right - placed.left) + 0.08;
         };
-        double &before = left[cells_[i].column], &behind = right[cells_[i].column];
+        double &before = left[cells_[i].column], &behind = right[cells_[i].last];
         before = std::max(before, beyond(placed.x.labels.front(), 0));
         behind = std::max(behind, beyond(placed.x.labels.back(), 1));
       }
@@ -222,19 +227,18 @@ class Arrangement {
     const std::vector<double> alike(columns_, 1.0);
     const std::vector<double>& shares = figure_.shares.size() == columns_ ? figure_.shares : alike;
     const double whole = std::accumulate(shares.begin(), shares.end(), 0.0);
-    double at = 0;
+    std::vector<double> begins{0};  // of the columns
     for (std::size_t c = 0; c < columns_; ++c) {
-      const double width = std::max(1.0, free * shares[c] / whole);
-      for (std::size_t i = 0; i < result_.panels.size(); ++i) {
-        if (cells_[i].column != c) continue;
-        PlacedPanel& placed = result_.panels[i];
-        placed.cell_left = at;
-        placed.left = at + (placed.panel->to_scale ? edge : left[c]);
-        placed.right = at + left[c] + width;
-        placed.cell_right = placed.right + right[c];
-        place_numbers(placed, placed.right - placed.left);
-      }
-      at += left[c] + width + right[c];
+      begins.push_back(begins.back() + left[c] + std::max(1.0, free * shares[c] / whole) + right[c]);
+    }
+    for (std::size_t i = 0; i < result_.panels.size(); ++i) {
+      PlacedPanel& placed = result_.panels[i];
+      const auto& [row, first, last] = cells_[i];
+      placed.cell_left = begins[first];
+      placed.left = begins[first] + (placed.panel->to_scale ? edge : left[first]);
+      placed.cell_right = begins[last + 1];
+      placed.right = placed.cell_right - right[last];
+      place_numbers(placed, placed.right - placed.left);
     }
   }
 

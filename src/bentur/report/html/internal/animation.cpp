@@ -64,8 +64,10 @@ Json hinges_json(const Report& report, const Scene& scene) {
     worst = std::max(worst, hinge.level(report.problem.duration));
   }
   for (int level = 1; level <= worst; ++level) {
-    levels.push_back(
-        {{"tone", colour(hinge_tone(scene.bounds, level)).name}, {"text", hinge_level_text(say, scene.bounds, level)}});
+    constexpr const char* signs[] = {"\u25cb", "\u25cf", "\u25a0", "\u25c6"};  // as hinge_mark() says
+    levels.push_back({{"tone", colour(hinge_tone(scene.bounds, level)).name},
+                      {"mark", signs[level - 1]},
+                      {"text", hinge_level_text(say, scene.bounds, level)}});
   }
   return {{"dots", dots}, {"levels", levels}};
 }

@@ -130,7 +130,7 @@ struct Verdict {
 [[nodiscard]] Html csv_script(const std::string& csv);
 
 /// A table in words.
-[[nodiscard]] Html table_of(const SaidTable& table);
+[[nodiscard]] Html table_of(const SaidTable& table, std::string_view attributes = "");
 /// Tables of gaps, each gap under its name and each table under its heading. @param gaps names of all
 [[nodiscard]] Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables,
                               const Words& say);

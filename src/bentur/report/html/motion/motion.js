@@ -125,6 +125,7 @@ function benturMotion(parts, data) {
     const pixel = Math.max(1, wide / Math.max(stage.clientWidth, 1), low || 0);
     const grain = picture.grain / pixel, tall = bottom - top + below * pixel;
     drawn.pixel = pixel;
+    drawn.wide = wide;
     stage.style.setProperty("--px", pixel.toFixed(3));
     stage.style.setProperty("--slab", `${Math.min(5, 0.35 * grain).toFixed(2)}px`);
     stage.style.setProperty("--dot", `${Math.min(4.5, Math.max(1.8, 0.11 * grain)).toFixed(2)}px`);
@@ -246,9 +247,21 @@ function benturMotion(parts, data) {
     const more = current.length > 3 ? `; + ${current.length - 3}` : "";
     event_.textContent = current.slice(0, 3).map(describe).join("; ") + more;
     const level = picture.levels.length > 0 ? `, ${words.level} ${picture.levels[picture.level]}` : "";
-    drawn.caption[0].textContent = `${clock.textContent}, ${words.magnified.replace("{}", factor())}${level}`;
-    drawn.caption[1].textContent = current.length > 0 ? describe(current[0]) + (current.length > 1 ? `; + ${current.length - 1}` : "") : "";
+    told(drawn.caption[0], `${clock.textContent}, ${words.magnified.replace("{}", factor())}${level}`);
+    told(drawn.caption[1], current.length > 0 ? describe(current[0]) + (current.length > 1 ? `; + ${current.length - 1}` : "") : "");
     if (parts.shown) parts.shown(now, since, fading);
+  }
+
+  /** A line below the picture, without its last parts where it has no room for them; beside the picture it is whole. */
+  function told(line, text) {
+    const room = drawn.wide - 16 * drawn.pixel, of = `${text} ${room}`;
+    if (line.bentur === of) return;
+    line.bentur = of;
+    line.textContent = text;
+    for (let parts = text.split(", "); parts.length > 1 && line.getComputedTextLength() > room;) {
+      parts = parts.slice(0, -1);
+      line.textContent = `${parts.join(", ")}, …`;
+    }
   }
 
   const factor = () => number(Number(magnification.toPrecision(2)));

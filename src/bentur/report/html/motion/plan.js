@@ -82,9 +82,12 @@ function benturPlan(data, buildings, svg, number) {
 
   function show(motion, now, pixel) {
     place = benturPlanPlaces(scene, magnification, motion);
-    const { floors } = scene.levels[level];
+    const { floors, lower } = scene.levels[level]; // what ends below the level is pale, as the others never meet it there
     drawn.floors.forEach((all, b) => all.forEach((line, floor) => line.setAttribute("d", outline(b, floor))));
-    drawn.chosen.forEach((line, b) => line.setAttribute("d", outline(b, floors[b])));
+    drawn.chosen.forEach((line, b) => {
+      line.setAttribute("d", outline(b, floors[b]));
+      line.setAttribute("opacity", lower[b] ? 0.4 : 1);
+    });
     drawn.names.forEach((line, b) => { // go with the centre of the floor
       const centre = scene.centres[b][floors[b]];
       const [x, y] = benturPlanMovement(scene, motion, b, floors[b], ...centre);

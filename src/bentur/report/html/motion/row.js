@@ -50,14 +50,14 @@ function benturRow(data, buildings, svg, number) {
     drawn.shapes = scene.shapes.map(({ role, tone }) => svg("path", { class: `${role} stroke-${tone}` }, stage));
     drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
     drawn.dots = data.hinges.dots.map(({ name }) => {
-      const dot = svg("circle", { class: "hinge", opacity: 0 }, stage);
+      const dot = svg("rect", { class: "hinge", opacity: 0 }, stage);
       svg("title", {}, dot).textContent = name;
       return dot;
     });
     drawn.crosses = data.breaks.crosses.map(() => svg("path", { class: "break stroke-red", opacity: 0 }, stage));
   }
 
-  const key = data.hinges.levels.map(({ tone, text }, level) => [{ tone, mark: level === 0 ? "\u25cb" : "\u25cf", text }]);
+  const key = data.hinges.levels.map((level) => [level]);
   if (data.breaks.crosses.length > 0) key.push([{ tone: "red", mark: "\u00d7", text: data.breaks.text }]);
 
   function frame(magnified) {
@@ -94,8 +94,8 @@ function benturRow(data, buildings, svg, number) {
     data.hinges.dots.forEach(({ at, reached }, k) => {
       const level = reached.filter((time) => time !== null && time <= now).length;
       const dot = drawn.dots[k];
-      dot.setAttribute("cx", (unit * place(at)).toFixed(2));
-      dot.setAttribute("cy", y(at[0]).toFixed(2));
+      const turned = level > 3 ? " rotate(45)" : "";
+      dot.setAttribute("transform", `translate(${(unit * place(at)).toFixed(2)} ${y(at[0]).toFixed(2)})${turned}`);
       dot.setAttribute("opacity", level > 0 ? 1 : 0);
       if (dot.getAttribute("data-level") === String(level)) return;
       dot.setAttribute("data-level", level);

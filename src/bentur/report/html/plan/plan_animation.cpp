@@ -77,9 +77,13 @@ Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<do
     }
   }
   for (const double level : levels) {
-    Json floors = Json::array();
-    for (const PlanBuilding& building : run.problem.buildings) floors.push_back(nearest_floor(building.model, level));
-    told.push_back({{"elevation", level}, {"floors", floors}});
+    Json floors = Json::array(), lower = Json::array();  // buildings that end below the level
+    for (const PlanBuilding& building : run.problem.buildings) {
+      const PlanModel& model = building.model;
+      floors.push_back(nearest_floor(model, level));
+      lower.push_back(model.elevations.back() < level - model.storey_heights.back() / 2);
+    }
+    told.push_back({{"elevation", level}, {"floors", floors}, {"lower", lower}});
   }
   for (const PlanGap& gap : run.problem.gaps) gaps.push_back(gap.stretch.width);
   for (const PlanLink& link : run.problem.links) {

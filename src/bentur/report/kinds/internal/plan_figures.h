@@ -27,10 +27,10 @@ namespace bentur {
 [[nodiscard]] std::string shown_unit(const PlanRun& run, std::string_view form);
 [[nodiscard]] double shown_factor(const PlanRun& run, std::string_view form);
 
-/// A name where rings of a picture leave it the most room along x, at one of these parts of their height; no room:
-/// none.
-[[nodiscard]] PlaceText place_of_name(const std::string& name, const std::vector<std::vector<PlanPoint>>& rings,
-                                      const std::array<double, 3>& parts);
+/// A name where rings of a picture, as far as none above covers them, leave it the most room along x, at one of these
+/// parts of their height; no room: none.
+[[nodiscard]] PlaceText place_of_name(const std::string& name, const PlanRings& rings,
+                                      const std::array<double, 3>& parts, const std::vector<PlanRings>& above = {});
 
 [[nodiscard]] Figure map_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure overview_figure(const PlanRun& run, const FigureOptions& options);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_places.h"
@@ -6,6 +7,7 @@
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -98,7 +100,10 @@ std::vector<std::string> plan_figure_names() { return names_of(plan_kinds); }
 
 Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOptions& options) {
   for (const PlanKind& one : plan_kinds) {
-    if (kind == one.name) return one.make(run, options);
+    if (kind != one.name) continue;
+    Figure figure = one.make(run, options);
+    figure.title = figure_title(options.language, caption_key(kind, true), std::move(figure.title));
+    return figure;
   }
   const std::vector<std::string> of_rows = row_figure_names();
   const bool is_of_rows = std::find(of_rows.begin(), of_rows.end(), kind) != of_rows.end();

@@ -33,7 +33,13 @@ class BlockMap {
     const double margin = 0.015 * (upper_ - lower_).maxCoeff();  // so that outer walls are drawn whole
     panel_.x.from = lower_.x() - margin, panel_.x.to = upper_.x() + margin;
     panel_.y.from = lower_.y() - margin, panel_.y.to = upper_.y() + margin;
-    for (std::size_t i = 0; i < std::min(worst_gaps_shown, order_.size()); ++i) add_number(i);
+    Curve grounds{.label = say_("figure.text.place_among_worst"),
+                  .line = Line::none,
+                  .mark = Mark::circle,
+                  .complete = true,
+                  .mark_size = 4.2};
+    for (std::size_t i = 0; i < std::min(worst_gaps_shown, order_.size()); ++i) add_number(i, grounds);
+    panel_.curves.push_back(std::move(grounds));
     return std::move(panel_);
   }
 
@@ -113,18 +119,18 @@ class BlockMap {
     }
   }
 
-  /// Where the table of the worst has it; off the middle of the joint, where names of houses stand.
-  void add_number(std::size_t place) {
+  /// Where the table of the worst has it: on the joint, off its middle, beside which names of houses stand; of corners
+  /// beside the lines that meet there.
+  void add_number(std::size_t place, Curve& grounds) {
     const Stretch& stretch = run_.problem.gaps[order_[place]].stretch;
     const std::vector<double> corners = stretch.corners_along();
+    const double off = stretch.is_corner() ? 0.02 * (upper_ - lower_).maxCoeff() : 0;
     const PlanPoint at = stretch.middle(corners.front() + 0.85 * (corners.back() - corners.front()));
-    const bool is_corner = stretch.is_corner();
-    const double off = is_corner ? 0.012 * (upper_ - lower_).maxCoeff() : 0;  // beside the lines that meet there
-    panel_.texts.push_back(
-        {.x = at.x() + off,
-         .y = at.y() + off,
-         .text = std::to_string(place + 1),
-         .side = is_corner || stretch.across == 0 ? PlaceText::Side::right : PlaceText::Side::above});
+    add(grounds, at + PlanPoint::Constant(off));
+    panel_.texts.push_back({.x = grounds.x.back(),
+                            .y = grounds.y.back(),
+                            .text = std::to_string(place + 1),
+                            .side = PlaceText::Side::middle});
   }
 
   static void add(Curve& curve, const PlanPoint& at) {

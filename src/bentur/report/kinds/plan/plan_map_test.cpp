@@ -85,7 +85,7 @@ TEST(PlanMap, HasTheColourOfTheWorstThatIsJudged) {
   EXPECT_GT(all.size(), 1U);
   long named = 0;
   for (const Curve& curve : figure.panels.front().curves) named += curve.in_legend ? 1 : 0;
-  EXPECT_EQ(named, std::ssize(all));
+  EXPECT_EQ(named, std::ssize(all) + 1) << "and what the numbers are";
   for (const Curve& curve : figure.panels.front().curves) {
     if (curve.label == "H9") {
       EXPECT_EQ(curve.tone, Tone::grey);
@@ -116,6 +116,24 @@ TEST(PlanMap, HasTheNumbersOfTheTable) {
     };
     EXPECT_NEAR(text->x, near_the_end(curve->x), beside) << names[i];
     EXPECT_NEAR(text->y, near_the_end(curve->y), beside) << names[i];
+  }
+}
+
+/// Each number has a ground of its own, by which it is told from names, and the legend says what it is.
+TEST(PlanMap, NumbersStandOnAGroundThatTheLegendNames) {
+  const Panel panel = make_figure(run(), "map").panels.front();
+  const auto grounds = std::find_if(panel.curves.begin(), panel.curves.end(),
+                                    [](const Curve& one) { return one.label == "place among the worst"; });
+  ASSERT_NE(grounds, panel.curves.end());
+  EXPECT_TRUE(grounds->in_legend);
+  ASSERT_EQ(grounds->x.size(), 10U);
+  for (std::size_t i = 0; i < grounds->x.size(); ++i) {
+    const auto text = std::find_if(panel.texts.begin(), panel.texts.end(),
+                                   [&](const PlaceText& one) { return one.text == std::to_string(i + 1); });
+    ASSERT_NE(text, panel.texts.end());
+    EXPECT_EQ(text->x, grounds->x[i]);
+    EXPECT_EQ(text->y, grounds->y[i]);
+    EXPECT_EQ(text->side, PlaceText::Side::middle);
   }
 }
 

@@ -233,6 +233,30 @@ TEST(PlanScene, GapsOfBothAxesAreMagnified) {
 
 /// A polygon is drawn with its own edges, and floors that touch in the picture touch: across the gap, which is oblique,
 /// places are apart by the magnified gap.
+/// A square of 4 by 4 around the origin, below one that covers its right half and has a court of 1 by 1 in it.
+TEST(PlanScene, WhatIsCoveredIsNotSeen) {
+  const auto square = [](double x, double y, double half) {
+    return std::vector<PlanPoint>{
+        {x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}, {x - half, y - half}};
+  };
+  const std::vector<PlanPoint> low = square(0, 0, 2);
+  EXPECT_EQ(seen_parts(low, {}), PlanRings{low});
+  const PlanRings high{square(3, 0, 3), square(2, 0, 0.5)};
+  EXPECT_TRUE(lies_in({1, 1}, high));
+  EXPECT_FALSE(lies_in({-1, 1}, high));
+  EXPECT_FALSE(lies_in({2, 0.2}, high)) << "in its court";
+  double length = 0;
+  for (const std::vector<PlanPoint>& line : seen_parts(low, {high})) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      length += (line[i + 1] - line[i]).norm();
+      const PlanPoint middle = (line[i] + line[i + 1]) / 2;
+      EXPECT_FALSE(lies_in(middle, high));
+    }
+  }
+  EXPECT_NEAR(length, 2 + 4 + 2 + 1, 1e-12);  // half of three sides' ends, the left side, and what the court shows
+  EXPECT_TRUE(seen_parts(square(3, 2, 0.5), {high}).empty());
+}
+
 TEST(PlanScene, PolygonsAreDrawnAsTheyAre) {
   const PlanRun run =
       test::plan_run(test::twisting_pair("size = [15.0, 18.0]", "polygon = [[0, 0], [15, 0], [15, 18], [2, 18]]"));

@@ -46,8 +46,8 @@ class PlanPicture {
   Panel panel(const std::string& title, double height) {
     panel_ = {.title = title, .x = {.numbers = false}, .y = {.numbers = false}, .height = height, .to_scale = true};
     for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) add_gap(g);
-    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, true);
-    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b, false);
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint_at_rest(b);
+    for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b);
     if (has_centres()) add_centres();
     add_links();
     add_points();
@@ -62,19 +62,50 @@ class PlanPicture {
     return scene_.place(at, movement_of(run_.problem.buildings[b].model, floors_[b], at, motions_[b]));
   }
 
-  void add_footprint(Index b, bool at_rest) {
+  void add_footprint_at_rest(Index b) {
     const PlanBuilding& building = run_.problem.buildings[b];
-    if (at_rest && building.is_rigid()) return;
+    if (building.is_rigid()) return;
     for (const std::vector<PlanPoint>& ring : scene_.outlines(building.model.footprint)) {
-      Curve curve{.tone = building_tone(b), .width = 1.5, .complete = true};
-      if (at_rest) {
-        curve = {.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
-      } else {
-        curve.label = building.name;
-        curve.in_legend = false;
-      }
-      for (const PlanPoint& at : ring) add(curve, at_rest ? scene_.place(at) : moved(b, at));
+      Curve curve{.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
+      for (const PlanPoint& at : ring) add(curve, scene_.place(at));
       panel_.curves.push_back(std::move(curve));
+    }
+  }
+
+  [[nodiscard]] PlanRings moved_rings(Index b) const {
+    PlanRings rings = scene_.outlines(run_.problem.buildings[b].model.footprint);
+    for (std::vector<PlanPoint>& ring : rings) {
+      for (PlanPoint& at : ring) at = moved(b, at);
+    }
+    return rings;
+  }
+
+  [[nodiscard]] double level_of(Index b) const { return run_.problem.buildings[b].model.elevations[floors_[b]]; }
+
+  [[nodiscard]] std::vector<PlanRings> rings_above(Index b) const {
+    std::vector<PlanRings> above;
+    for (Index other = 0; other < std::ssize(run_.problem.buildings); ++other) {
+      if (!(level_of(other) > level_of(b)) || run_.problem.buildings[other].is_rigid()) continue;
+      above.push_back(moved_rings(other));
+    }
+    return above;
+  }
+
+  /// Seen from above: what a higher floor covers is not seen. Their displacements are of different levels, so that they
+  /// lie over one another without having met.
+  void add_footprint(Index b) {
+    const std::vector<PlanRings> above = rings_above(b);
+    for (const std::vector<PlanPoint>& ring : moved_rings(b)) {
+      Curve curve{.label = run_.problem.buildings[b].name,
+                  .tone = building_tone(b),
+                  .width = 1.5,
+                  .complete = true,
+                  .in_legend = false};
+      for (const std::vector<PlanPoint>& line : seen_parts(ring, above)) {
+        if (!curve.x.empty()) add(curve, PlanPoint::Constant(std::numeric_limits<double>::quiet_NaN()));
+        for (const PlanPoint& at : line) add(curve, at);
+      }
+      if (!curve.x.empty()) panel_.curves.push_back(std::move(curve));
     }
   }
 
@@ -85,12 +116,9 @@ class PlanPicture {
   void add_names() {
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       const PlanBuilding& building = run_.problem.buildings[b];
-      std::vector<std::vector<PlanPoint>> rings = scene_.outlines(building.model.footprint);
-      for (std::vector<PlanPoint>& ring : rings) {
-        for (PlanPoint& at : ring) at = moved(b, at);
-      }
-      PlaceText name = place_of_name(building.name, rings,
-                                     has_centres() ? std::array{0.75, 0.25, 0.5} : std::array{0.5, 0.85, 0.15});
+      PlaceText name =
+          place_of_name(building.name, moved_rings(b),
+                        has_centres() ? std::array{0.75, 0.25, 0.5} : std::array{0.5, 0.85, 0.15}, rings_above(b));
       if (fits(name)) {
         panel_.texts.push_back(std::move(name));
       } else if (has_centres()) {
@@ -214,7 +242,10 @@ class PlanPicture {
         .label = word(options_, "centre of rigidity"), .line = Line::none, .mark = Mark::cross, .complete = true};
     for (const PlanCentre& centre : centres_of(run_)) {
       if (centre.floor != floors_[centre.building]) continue;
-      add(centre.of_rigidity ? rigidity : masses, moved(centre.building, centre.at));
+      const PlanPoint at = moved(centre.building, centre.at);
+      const std::vector<PlanRings> above = rings_above(centre.building);
+      const auto covers = [&](const PlanRings& rings) { return lies_in(at, rings); };
+      if (std::none_of(above.begin(), above.end(), covers)) add(centre.of_rigidity ? rigidity : masses, at);
     }
     if (masses.x.empty()) return;
     panel_.curves.push_back(std::move(rigidity));
@@ -324,8 +355,8 @@ std::string instant_text(const PlanRun& run, const PlanInstant& instant, const F
 
 }  // namespace
 
-PlaceText place_of_name(const std::string& name, const std::vector<std::vector<PlanPoint>>& rings,
-                        const std::array<double, 3>& parts) {
+PlaceText place_of_name(const std::string& name, const PlanRings& rings, const std::array<double, 3>& parts,
+                        const std::vector<PlanRings>& above) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const std::vector<PlanPoint>& ring : rings) {
     for (const PlanPoint& at : ring) {
@@ -337,18 +368,25 @@ PlaceText place_of_name(const std::string& name, const std::vector<std::vector<P
   for (const double part : parts) {
     const double y = low + part * (high - low);
     std::vector<double> crossings;
-    for (const std::vector<PlanPoint>& ring : rings) {
-      for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-        const PlanPoint &from = ring[i], &to = ring[i + 1];
-        if ((from.y() > y) == (to.y() > y)) continue;
-        crossings.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+    const auto cross = [&](const PlanRings& all) {
+      for (const std::vector<PlanPoint>& ring : all) {
+        for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+          const PlanPoint &from = ring[i], &to = ring[i + 1];
+          if ((from.y() > y) == (to.y() > y)) continue;
+          crossings.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
+        }
       }
-    }
+    };
+    cross(rings);
+    std::for_each(above.begin(), above.end(), cross);
     std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+      const PlanPoint middle((crossings[i] + crossings[i + 1]) / 2, y);
+      const auto covers = [&](const PlanRings& one) { return lies_in(middle, one); };
+      if (!lies_in(middle, rings) || std::any_of(above.begin(), above.end(), covers)) continue;
       const double room = 0.94 * (crossings[i + 1] - crossings[i]);
       if (room < 1.05 * placed.room) continue;
-      placed.x = (crossings[i] + crossings[i + 1]) / 2;
+      placed.x = middle.x();
       placed.y = y;
       placed.room = room;
     }
