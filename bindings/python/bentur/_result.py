@@ -363,7 +363,7 @@ class Result:
         :raises CaseError: with all that cannot stand in the template.
         """
         head = None if template is None else _arguments.path("template", template)
-        return self._drawn_from.report_html(_arguments.text("language", language), head)
+        return self._drawn_from.report_html(_arguments.text("language", language), head, self.case._made)
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""

@@ -7,6 +7,7 @@
 #include "bentur/model/run_results.h"
 #include "bentur/report/words.h"
 #include "bentur/study/risk/hazard.h"
+#include "bentur/study/sensitivity/sensitivity.h"
 
 namespace bentur {
 
@@ -14,6 +15,8 @@ struct ReportOptions {
   std::string language = "en";             ///< one of report_languages()
   std::string version;                     ///< of the program
   std::string head = {};                   ///< an office's own, by safe_markup() of io; empty: the program's
+  /// Of a run: sensitivity_of_report(); the report then says how peaks change.
+  std::optional<Sensitivity> sensitivity = {};
   std::optional<HazardCurve> hazard = {};  ///< of the site: an incremental dynamic analysis then tells how often a year
 };
 
