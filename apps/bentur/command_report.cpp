@@ -93,7 +93,9 @@ std::string from_case(const Loaded& loaded, const std::string& file, const Repor
   }
   RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
   results.figures = figure_data(results);
-  return report_html(results, options);
+  ReportOptions all = options;
+  all.sensitivity = sensitivity_of_report(results.c, file);
+  return report_html(results, all);
 }
 
 /// The result files that a report is made from.

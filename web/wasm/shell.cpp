@@ -322,7 +322,10 @@ std::string Studio::report(const std::string& language) const {
   if (plan_run_) return plan_report_html(*plan_run_, options);
   if (spectral_) return spectral_report_html(*case_, *problem_, *spectral_, options);
   if (suite_run_) return suite_report_html(*suite_run_, *suite_gaps_, options);
-  return run_ ? report_html(*run_, options) : "";
+  if (!run_) return "";
+  ReportOptions all = options;
+  all.sensitivity = sensitivity_of_report(run_->c, folder / "cases" / run_->c.source->file);
+  return report_html(*run_, all);
 }
 
 std::string Studio::at_width(int gap, double width) {

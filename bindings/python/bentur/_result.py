@@ -359,7 +359,7 @@ class Result:
 
         :param language: ``"en"`` or ``"id"``.
         """
-        return self._drawn_from.report_html(_arguments.text("language", language))
+        return self._drawn_from.report_html(_arguments.text("language", language), self.case._made)
 
     def _repr_html_(self) -> str:
         """The first screen of the report, with the buildings in motion: what a notebook shows."""

@@ -332,12 +332,15 @@ void bind_run(py::module_& module) {
            })
       .def(
           "report_html",
-          [](PyRun& run, const std::string& language) {
-            const ReportOptions options{.language = language, .version = std::string(version())};
+          [](PyRun& run, const std::string& language, const PyCase* given) {
+            ReportOptions options{.language = language, .version = std::string(version())};
             tell_source(run);
+            if (given != nullptr && !run.plan) {
+              options.sensitivity = sensitivity_of_report(given->c, given->folder / fs::path(given->name).filename());
+            }
             return run.plan ? plan_report_html(*run.plan, options) : report_html(with_figures(run), options);
           },
-          py::arg("language") = "en")
+          py::arg("language") = "en", py::arg("case") = py::none())
       .def("figure_kinds", &kinds_of)
       .def("figure_svg", &drawn, py::arg("kind"), py::arg("language"), py::arg("width"), py::arg("start"),
            py::arg("end"), py::arg("gap"), py::arg("elevation"));

@@ -79,12 +79,13 @@ struct StudyRuns::Workspace {
   Case c;
 };
 
-StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo)
+StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo, RunValues values)
     : study_(std::move(study)),
       facts_(std::move(facts)),
       memo_(std::move(memo)),
       plan_(plan_axes(study_, true), study_.sampling),
-      quantities_(quantities_of(facts_)) {
+      quantities_(quantities_of(facts_)),
+      other_values_(std::move(values)) {
   widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
     return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
   });
@@ -318,6 +319,12 @@ std::vector<RunResult> StudyRuns::solve(std::span<const std::size_t> runs, const
     if (!go_on()) break;
     RunResult result{run, RunStatus::done, {}, {}};
     try {
+      if (other_values_) {
+        std::optional<std::vector<double>> values = other_values_(choices(run), go_on);
+        if (!values) break;
+        results.push_back({run, RunStatus::done, {}, *std::move(values)});
+        continue;
+      }
       std::optional<RunResult> one =
           facts_.plan ? solved_in_plan(workspace, run, options) : solved(workspace, run, options);
       if (!one) break;

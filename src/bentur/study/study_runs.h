@@ -28,13 +28,17 @@ struct RunResult {
   std::vector<double> values;  ///< a row by row_parts(); empty unless done
 };
 
+/// What is computed of a run in place of its row: nothing where it was stopped.
+using RunValues = std::function<std::optional<std::vector<double>>(const std::vector<Choice>& choices,
+                                                                   const std::function<bool()>& go_on)>;
+
 /// The runs of a study. Runs of one group (SweepPlan) share buildings, record and the response without contact, runs of
 /// different groups what is alike in them; runs of one record at several intensities share that response too where it
 /// only scales with them. What a run gives does not depend on which others are run, or where. May serve many threads.
 class StudyRuns {
  public:
   /// `study` has been checked, with these facts.
-  StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo);
+  StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> memo, RunValues values = {});
   ~StudyRuns();
 
   [[nodiscard]] const Study& study() const noexcept { return study_; }
@@ -94,6 +98,7 @@ class StudyRuns {
   std::shared_ptr<CaseMemo> memo_;
   SweepPlan plan_;
   std::vector<RowPart> quantities_;
+  RunValues other_values_;    // empty: a row
   bool widths_only_ = false;  // nothing but widths varies within a group
   bool scales_ = false;       // free responses of other intensities serve the contacts of a group
   mutable std::mutex mutex_;

@@ -7,12 +7,15 @@
 #include "bentur/model/run_results.h"
 #include "bentur/report/words.h"
 #include "bentur/study/risk/hazard.h"
+#include "bentur/study/sensitivity/sensitivity.h"
 
 namespace bentur {
 
 struct ReportOptions {
   std::string language = "en";             ///< one of report_languages()
   std::string version;                     ///< of the program
+  /// Of a run: sensitivity_of_report(); the report then says how peaks change.
+  std::optional<Sensitivity> sensitivity = {};
   std::optional<HazardCurve> hazard = {};  ///< of the site: an incremental dynamic analysis then tells how often a year
 };
 

@@ -1,8 +1,12 @@
 #include "bentur/study/remedy/optimiser.h"
 
+#include <algorithm>
 #include <exception>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+
+#include "bentur/study/remedy/internal/linear_program.h"
 
 #ifdef BENTUR_HAS_NLOPT
 #include <nlopt.h>
@@ -60,6 +64,45 @@ void search(nlopt_algorithm algorithm, const Minimisation& what) {
 
 }  // namespace
 
+namespace {
+
+double cost_of(unsigned n, const double* x, double* gradient, void* data) {
+  const auto& program = *static_cast<const LinearProgram*>(data);
+  if (gradient != nullptr) std::copy(program.cost.begin(), program.cost.end(), gradient);
+  return std::inner_product(x, x + n, program.cost.begin(), 0.0);
+}
+
+void excess_of(unsigned m, double* excess, unsigned n, const double* x, double* gradient, void* data) {
+  const auto& program = *static_cast<const LinearProgram*>(data);
+  for (unsigned row = 0; row < m; ++row) {
+    const LinearProgram::Row& one = program.rows[row];
+    excess[row] = std::inner_product(x, x + n, one.of.begin(), -one.bound);
+    if (gradient != nullptr) std::copy(one.of.begin(), one.of.end(), gradient + std::size_t{row} * n);
+  }
+}
+
+}  // namespace
+
+std::vector<double> minimum(const LinearProgram& program) {
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> owner(
+      nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(program.cost.size())), &nlopt_destroy);
+  const nlopt_opt optimiser = owner.get();
+  if (optimiser == nullptr) throw std::runtime_error("NLopt has no memory left");
+  auto* const data = const_cast<LinearProgram*>(&program);  // NLopt hands it back as it is
+  const std::vector<double> within(program.rows.size(), 1e-10);
+  nlopt_set_lower_bounds(optimiser, program.low.data());
+  nlopt_set_upper_bounds(optimiser, program.high.data());
+  nlopt_set_min_objective(optimiser, &cost_of, data);
+  nlopt_add_inequality_mconstraint(optimiser, static_cast<unsigned>(program.rows.size()), &excess_of, data,
+                                   within.data());
+  nlopt_set_maxeval(optimiser, 200);
+  nlopt_set_xtol_abs1(optimiser, 1e-9);
+  std::vector<double> x = program.start;
+  double least = 0;
+  nlopt_optimize(optimiser, x.data(), &least);  // what it has when rounding ends it is near enough
+  return x;
+}
+
 bool has_optimiser() { return true; }
 void search_everywhere(const Minimisation& what) { search(NLOPT_GN_DIRECT_L, what); }
 void search_nearby(const Minimisation& what) { search(NLOPT_LN_COBYLA, what); }
@@ -68,6 +111,7 @@ void search_nearby(const Minimisation& what) { search(NLOPT_LN_COBYLA, what); }
 
 bool has_optimiser() { return false; }
 void search_everywhere(const Minimisation& /*what*/) { throw std::logic_error("built without NLopt"); }
+std::vector<double> minimum(const LinearProgram& /*program*/) { throw std::logic_error("built without NLopt"); }
 void search_nearby(const Minimisation& /*what*/) { throw std::logic_error("built without NLopt"); }
 
 #endif

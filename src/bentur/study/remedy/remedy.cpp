@@ -19,6 +19,8 @@
 #include "bentur/study/plan/record_intensity.h"
 #include "bentur/study/plan/study_check.h"
 #include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/remedy/internal/measure.h"
+#include "bentur/study/remedy/objective_slopes.h"
 #include "bentur/study/remedy/optimiser.h"
 #include "bentur/study/study_runs.h"
 #include "bentur/study/study_variables.h"
@@ -31,6 +33,8 @@ using Places = std::vector<double>;
 
 constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double at_end = 1e-3;    // of a range, from its end
+constexpr double same_to = 1e-6;   // of an objective, by two ways
+constexpr double apart = 0.2;      // of a range, another place to begin at
 constexpr int most_halvings = 12;  // of the way back, to 1/4096 of it
 constexpr auto sync_every = std::chrono::seconds(2);
 
@@ -67,48 +71,6 @@ double place_of_case(const Study& study, const Vary& vary, const Problem& of_fir
   return value != nullptr && value->is_number() ? vary.sought->place(value->real) : 0;
 }
 
-/// The quantities of a row that an objective names.
-std::vector<RowPart> parts_named(const std::vector<RowPart>& parts, const std::string& name) {
-  std::vector<RowPart> found;
-  for (const RowPart& part : parts) {
-    if (is_quantity(part.name, name)) found.push_back(part);
-  }
-  return found;
-}
-
-/// What one run gives: infinite where it does not tell what happens, or ends in a collapse.
-class Measure {
- public:
-  Measure(const std::vector<RowPart>& parts, const std::string& objective) : of_(parts_named(parts, objective)) {
-    // Needs of the free response know nothing of contacts.
-    is_free_ = objective.starts_with("gap_needed");
-    for (const RowPart& part : parts) {
-      if (part.name == "collapsed" || (part.name == "unmodelled_contacts" && !is_free_)) refused_.push_back(part);
-    }
-  }
-
-  [[nodiscard]] const std::vector<RowPart>& parts() const { return of_; }
-  [[nodiscard]] double operator()(const RunResult& result) const {
-    if (result.status != RunStatus::done || largest(refused_, result.values).value_or(0) > 0) return none;
-    return largest(of_, result.values).value_or(none);
-  }
-
- private:
-  static std::optional<double> largest(const std::vector<RowPart>& parts, const std::vector<double>& row) {
-    std::optional<double> most;
-    for (const RowPart& part : parts) {
-      for (Eigen::Index i = 0; i < part.count; ++i) {
-        const double value = std::abs(row[part.first + static_cast<std::size_t>(i)]);
-        if (!std::isnan(value)) most = std::max(most.value_or(value), value);
-      }
-    }
-    return most;
-  }
-
-  std::vector<RowPart> of_, refused_;
-  bool is_free_ = false;
-};
-
 /// Tries choices, one after the other; each place once.
 class Trials {
  public:
@@ -118,7 +80,8 @@ class Trials {
         facts_(std::move(facts)),
         memo_(std::move(memo)),
         options_(options),
-        measure_(quantities, search.spec().objective) {
+        measure_(quantities, search.spec().objective),
+        slopes_(measure_.parts(), search.study, chosen_axes(search.study), memo_) {
     for (const std::size_t axis : chosen_axes(search.study)) {
       start_.push_back(place_of_case(search.study, search.study.first_along(axis), facts_.problem));
     }
@@ -166,6 +129,23 @@ class Trials {
       if (std::isfinite(one.objective)) worst = std::max(worst, 2 * one.objective);
     }
     return worst;
+  }
+
+  /// The peaks near the objective at a place where it is known, with their slopes; empty: there are none. Of the mean
+  /// over records it is one peak for all, of the largest of each.
+  std::vector<FunctionPart> parts(const Places& places) {
+    if (!options_.slopes || facts_.plan || !slopes_.may_be()) return {};
+    const double value = objective(places);
+    if (!std::isfinite(value)) return {};
+    const auto known = known_parts_.find(places);
+    return known != known_parts_.end() ? known->second : known_parts_[places] = found_parts(places, value);
+  }
+
+  [[nodiscard]] PlaceFunction function() {
+    return [this](const Places& places) { return finite(places); };
+  }
+  [[nodiscard]] FunctionParts slopes() {
+    return [this](const Places& places) { return parts(places); };
   }
 
   void finish() {
@@ -229,15 +209,53 @@ class Trials {
     return measures;
   }
 
-  void solve(const Places& places, std::size_t first, const std::vector<std::size_t>& missing,
-             std::vector<double>& measures) {
-    const StudyRuns runs(chosen_study(search_.study, places), facts_, memo_);
+  std::vector<RunResult> solved(const StudyRuns& runs, const std::vector<std::size_t>& wanted) {
     const auto goes_on = [&] {
       const double done = static_cast<double>(search_.trials.size()) / static_cast<double>(search_.spec().evaluations);
       return !options_.goes_on || options_.goes_on(done);
     };
-    const std::vector<RunResult> results =
-        options_.solve ? options_.solve(runs, missing, goes_on) : runs.solve(missing, goes_on);
+    return options_.solve ? options_.solve(runs, wanted, goes_on) : runs.solve(wanted, goes_on);
+  }
+
+  std::vector<FunctionPart> found_parts(const Places& places, double value) {
+    std::vector<std::size_t> all(search_.runs_each);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const StudyRuns runs(chosen_study(search_.study, places), facts_, memo_, slopes_.at(places));
+    const std::vector<RunResult> results = solved(runs, all);
+    if (results.size() < all.size()) throw Stopped();
+    std::map<std::size_t, FunctionPart> worst;  // of each record
+    std::vector<FunctionPart> parts;
+    for (const RunResult& result : results) {
+      for (FunctionPart& part : slopes_.parts(result.values)) {
+        FunctionPart& of_record = worst[record_of_[result.run]];
+        if (part.value > of_record.value) of_record = part;
+        parts.push_back(std::move(part));
+      }
+    }
+    if (search_.spec().mean) parts = {mean_of(worst)};
+    // Where another thing than these peaks is the largest, their slopes are not the objective's.
+    double most = 0;
+    for (const FunctionPart& part : parts) most = std::max(most, part.value);
+    if (parts.empty() || !(std::abs(most - value) <= same_to * value)) return {};
+    ++search_.with_slopes;
+    return parts;
+  }
+
+  FunctionPart mean_of(const std::map<std::size_t, FunctionPart>& of_records) const {
+    FunctionPart mean{0, Places(start_.size(), 0.0)};
+    for (const auto& [record, part] : of_records) {
+      mean.value += part.value / static_cast<double>(of_records.size());
+      for (std::size_t i = 0; i < part.slope.size(); ++i) {
+        mean.slope[i] += part.slope[i] / static_cast<double>(of_records.size());
+      }
+    }
+    return mean;
+  }
+
+  void solve(const Places& places, std::size_t first, const std::vector<std::size_t>& missing,
+             std::vector<double>& measures) {
+    const StudyRuns runs(chosen_study(search_.study, places), facts_, memo_);
+    const std::vector<RunResult> results = solved(runs, missing);
     for (const RunResult& result : results) {
       measures[result.run] = measure_(result);
       if (!journal_) continue;
@@ -261,6 +279,8 @@ class Trials {
   std::shared_ptr<CaseMemo> memo_;
   const RemedyOptions& options_;
   Measure measure_;
+  ObjectiveSlopes slopes_;
+  std::map<Places, std::vector<FunctionPart>> known_parts_;
   Places start_;
   std::vector<std::size_t> record_of_;  ///< per run of a trial
   std::optional<Journal> journal_;
@@ -279,24 +299,65 @@ void go_back(RemedySearch& search, Trials& trials) {
   }
 }
 
+/// The best of those that lie apart from all of some places; nothing where none has a number.
+const RemedyTrial* best_apart(const RemedySearch& search, const std::vector<Places>& from) {
+  const RemedyTrial* found = nullptr;
+  for (const RemedyTrial& one : search.trials) {
+    const bool is_apart = std::all_of(from.begin(), from.end(), [&](const Places& other) {
+      double most = 0;
+      for (std::size_t i = 0; i < other.size(); ++i) most = std::max(most, std::abs(one.places[i] - other[i]));
+      return most > apart;
+    });
+    if (is_apart && std::isfinite(one.objective) && (found == nullptr || one.objective < found->objective))
+      found = &one;
+  }
+  return found;
+}
+
+/// From the best on; with slopes, which need few steps, from another one too.
+void seek_least(RemedySearch& search, Trials& trials, std::size_t evaluations) {
+  if (search.best() == nullptr) return;
+  const std::size_t before = search.trials.size();
+  Descent down{trials.function(), trials.slopes(), search.best()->places, evaluations};
+  if (!search_by_slopes(down)) {
+    return search_nearby({.objective = down.function, .start = down.start, .evaluations = evaluations});
+  }
+  const RemedyTrial* const other = best_apart(search, {down.start, search.best()->places});
+  const std::size_t used = search.trials.size() - before;
+  if (other == nullptr || used >= evaluations) return;
+  down.start = other->places;
+  down.evaluations = evaluations - used;
+  search_by_slopes(down);
+}
+
+/// From the smallest on that keeps the limit.
+void seek_smallest(RemedySearch& search, Trials& trials, std::size_t evaluations) {
+  const double limit = *search.spec().limit;
+  const Places start = search.smallest()->places;
+  const Nearest nearest{trials.start(), limit};
+  if (search_by_slopes({trials.function(), trials.slopes(), start, evaluations, nearest})) return;
+  search_nearby({.objective = [&](const Places& places) { return trials.size_of(places); },
+                 .constraint = [&](const Places& places) { return trials.finite(places) - limit; },
+                 .start = start,
+                 .evaluations = evaluations});
+}
+
 void seek(RemedySearch& search, Trials& trials) {
-  const auto objective = [&](const Places& places) { return trials.finite(places); };
   (void)trials.objective(trials.start());
   const bool limited = search.spec().limit.has_value();
   const std::size_t back = limited ? std::min<std::size_t>(most_halvings, trials.left() / 4) : 0;
-  search_everywhere({.objective = objective, .start = trials.start(), .evaluations = (trials.left() - back) / 2});
-  if (const RemedyTrial* const best = search.best()) {
-    const std::size_t rest = trials.left() - back;
-    search_nearby({.objective = objective, .start = Places(best->places), .evaluations = limited ? rest / 2 : rest});
+  Minimisation everywhere{
+      .objective = trials.function(), .start = trials.start(), .evaluations = (trials.left() - back) / 4};
+  const std::size_t half = (trials.left() - back) / 2;
+  search_everywhere(everywhere);
+  if (search.best() == nullptr || trials.parts(search.best()->places).empty()) {
+    everywhere.evaluations = half;  // once more from its beginning: what is known costs nothing
+    search_everywhere(everywhere);
   }
-  const RemedyTrial* const smallest = search.smallest();
-  if (smallest == nullptr || smallest->size == 0) return;
-  if (search.axes > 1) {
-    search_nearby({.objective = [&](const Places& places) { return trials.size_of(places); },
-                   .constraint = [&](const Places& places) { return trials.finite(places) - *search.spec().limit; },
-                   .start = Places(smallest->places),
-                   .evaluations = trials.left() - back});
-  }
+  const std::size_t rest = trials.left() - back;
+  seek_least(search, trials, limited ? rest / 2 : rest);
+  if (search.smallest() == nullptr || search.smallest()->size == 0) return;
+  if (search.axes > 1) seek_smallest(search, trials, trials.left() - back);
   go_back(search, trials);
 }
 

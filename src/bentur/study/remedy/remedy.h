@@ -42,6 +42,7 @@ struct RemedySearch {
   std::size_t axes = 0;             ///< that are chosen
   std::size_t runs_each = 1;        ///< of a trial: one per record
   std::vector<RemedyTrial> trials;  ///< in the order of their making; the first is what the case says
+  std::size_t with_slopes = 0;      ///< at how many choices derivatives were taken
   bool stopped = false;
 
   [[nodiscard]] const RemedySpec& spec() const { return *study.remedy; }
@@ -65,11 +66,13 @@ struct RemedyOptions {
   /// Asked often, by what part of the evaluations is done [-]; false: end as soon as possible.
   std::function<bool(double)> goes_on = {};
   RunSolver solve = {};  ///< the runs of a choice; empty: one after the other
+  bool slopes = true;    ///< derivatives are used where there are any; false: for a comparison
 };
 
 /// Seeks the choice within the ranges of a study with [remedy] for which its objective is least, and with a limit the
 /// smallest choice that keeps it: half of the evaluations everywhere, then from the best on, then with the limit as a
-/// constraint, and at last by halving the way back to what the case says. (docs/studies.md, "Remedies")
+/// constraint, and at last by halving the way back to what the case says; where the objective has derivatives, along
+/// them. (docs/studies.md, "Remedies")
 /// @return nothing when the study has an error; all are in `diagnostics`.
 /// @throws std::runtime_error where a journal is there, or with `resume` is another study's, or cannot be written.
 [[nodiscard]] std::optional<RemedySearch> seek_remedy(const std::filesystem::path& study, const RemedyOptions& options,

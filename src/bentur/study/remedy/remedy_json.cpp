@@ -49,6 +49,7 @@ std::string remedy_json(const RemedySearch& search, std::string_view version) {
                      {"limit", spec.limit ? Json(*spec.limit) : Json(nullptr)},
                      {"parameters", parameters},
                      {"runs_each", search.runs_each},
+                     {"with_derivatives", search.with_slopes},
                      {"stopped", search.stopped},
                      {"statements", Json::parse(statements_json(search.buildings, remedy_story(search).statements))},
                      {"best", found_json(search, search.best())},

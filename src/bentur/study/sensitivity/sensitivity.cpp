@@ -24,6 +24,7 @@ using Eigen::Index;
 
 constexpr double relative_step = 1e-6;  // of a number: its square is below what assembly keeps
 constexpr std::array tables_of_numbers = {"building", "gap", "link", "excitation", "initial"};
+constexpr std::size_t most_buildings = 6;   // of a report
 constexpr std::array samples = {"values"};  // lists that are no parameters
 
 /// A number as a case has it, alone or as a text with its unit: "0.35 g".
@@ -242,6 +243,17 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
   }
   result.peaks = peaks_of(problem, found.found);
   return result;
+}
+
+std::optional<Sensitivity> sensitivity_of_report(const Case& c, const std::filesystem::path& file) {
+  if (c.given == nullptr || c.buildings.size() > most_buildings || c.is_in_plan()) return std::nullopt;
+  Diagnostics found;
+  try {
+    auto sensitivity = sensitivity_of(*c.given, file, {}, found);
+    return found.ok() ? std::move(sensitivity) : std::nullopt;
+  } catch (const InvalidParameter&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace bentur

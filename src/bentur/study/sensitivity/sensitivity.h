@@ -11,6 +11,7 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/core/units.h"
 #include "bentur/io/toml/toml_value.h"
+#include "bentur/model/case_spec.h"
 #include "bentur/model/story/story.h"
 #include "bentur/solve/tangent/tangent.h"
 
@@ -58,6 +59,10 @@ struct SensitivityOptions {
 /// @return nothing where there was an error, or the run was stopped: then there is none in `diagnostics`.
 [[nodiscard]] std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::filesystem::path& file,
                                                         const SensitivityOptions& options, Diagnostics& diagnostics);
+
+/// The same of a case as read, for the report of its run: nothing where there is none, or where there are so many
+/// buildings that it would take longer than the rest of a report.
+[[nodiscard]] std::optional<Sensitivity> sensitivity_of_report(const Case& c, const std::filesystem::path& file);
 
 /// What each peak changes with most, what keeps its derivatives from being known; a table of the numbers that matter.
 [[nodiscard]] Story sensitivity_story(const Sensitivity& found);

@@ -18,6 +18,7 @@
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
+#include "bentur/study/sensitivity/sensitivity.h"
 
 namespace bentur::html {
 
@@ -50,6 +51,9 @@ constexpr std::size_t rows_in_print = 30;
 
 /// Contact totals per level and peaks per floor.
 [[nodiscard]] PageSection peaks_section(const Report& report);
+
+/// How the peaks change with the numbers of the case: sentences, a picture, tables.
+[[nodiscard]] PageSection sensitivity_section(const Sensitivity& found, const Words& say, const std::string& language);
 
 /// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.
 [[nodiscard]] PageSection damage_section(const Report& report);

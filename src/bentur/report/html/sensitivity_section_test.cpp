@@ -1,0 +1,70 @@
+// How peaks change, in the report of a run.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "bentur/io/case/case_toml.h"
+#include "bentur/io/toml/toml_value.h"
+#include "bentur/report/html/internal/sections.h"
+#include "bentur/report/kinds/sensitivity_figure.h"
+
+namespace bentur {
+namespace {
+
+const std::filesystem::path sensitive = std::filesystem::path(BENTUR_SOURCE_DIR) / "examples" / "m12-el-centro.toml";
+
+Sensitivity sensitivity_of_example() {
+  std::ostringstream text;
+  text << std::ifstream(sensitive).rdbuf();
+  Diagnostics diagnostics;
+  const auto root = parse_toml(text.str(), sensitive.string(), diagnostics);
+  auto found = sensitivity_of(*root, sensitive, {}, diagnostics);
+  EXPECT_TRUE(diagnostics.ok());
+  return std::move(found.value());
+}
+
+TEST(SensitivitySection, HasAllThatTheCommandSaysAndAPicture) {
+  const Sensitivity found = sensitivity_of_example();
+  for (const std::string language : {"en", "id"}) {
+    const Words say(language);
+    const std::string page = html::sensitivity_section(found, say, language).content.str();
+    EXPECT_NE(page.find("building[0].frame.columns[0].depth"), std::string::npos);
+    for (const SaidStatement& one : said(sensitivity_story(found).statements, say)) {
+      EXPECT_NE(page.find(html::Html::text(one.text).str()), std::string::npos) << one.text;
+    }
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+    EXPECT_EQ(page.find("Peak force") == std::string::npos, language == "id");
+  }
+}
+
+TEST(SensitivitySection, ItsPictureHasTheNumbersThatAGapChangesMostWith) {
+  const Sensitivity found = sensitivity_of_example();
+  const Figure figure = sensitivity_figure(found);
+  ASSERT_EQ(figure.panels.size(), 1U);
+  const Panel& panel = figure.panels.front();
+  ASSERT_EQ(panel.texts.size(), 8U);
+  EXPECT_EQ(panel.texts.back().text, "excitation.delays[1]");  // uppermost: as the words have it
+  // Of both peaks a bar from zero to the elasticity.
+  std::vector<double> ends, expected;
+  for (const Curve& bar : panel.curves) {
+    EXPECT_TRUE(bar.x.front() == 0 || bar.x.back() == 0);
+    ends.push_back(bar.x.front() + bar.x.back());
+  }
+  for (const SensitivePeak& peak : found.peaks) {
+    if (!peak.is_largest || peak.name != panel.title) continue;
+    for (const PlaceText& text : panel.texts) {
+      const auto number = std::find_if(found.numbers.begin(), found.numbers.end(),
+                                       [&](const CaseNumber& one) { return one.path == text.text; });
+      expected.push_back(found.elasticity(peak, static_cast<std::size_t>(number - found.numbers.begin())));
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(ends, expected);
+}
+
+}  // namespace
+}  // namespace bentur

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bentur/study/study_runs.h"
+
+namespace bentur {
+
+/// The quantities of a row that an objective names.
+[[nodiscard]] std::vector<RowPart> parts_named(const std::vector<RowPart>& parts, const std::string& name);
+
+/// What one run gives an objective: the largest size of its quantity [its unit]; infinite where the run does not tell
+/// what happens, or ends in a collapse.
+class Measure {
+ public:
+  Measure(const std::vector<RowPart>& parts, const std::string& objective);
+
+  [[nodiscard]] const std::vector<RowPart>& parts() const { return of_; }
+  [[nodiscard]] double operator()(const RunResult& result) const;
+
+ private:
+  std::vector<RowPart> of_, refused_;
+  bool is_free_ = false;
+};
+
+}  // namespace bentur
