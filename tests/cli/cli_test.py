@@ -1894,6 +1894,7 @@ class Sensitivity(CommandLine):
         for case, why in (("hinged-frame", "yields"), ("restitution-asked", "curved")):
             self.assertIn(why, self.fails(2, "sensitivity", SOURCE / "examples" / f"{case}.toml").stderr)
         self.assertIn("no number", self.fails(2, "sensitivity", EL_CENTRO, "--by", "gap[0].between").stderr)
+        self.assertIn('did you mean "width"?', self.fails(2, "sensitivity", EL_CENTRO, "--by", "gap[0].widht").stderr)
 
 
 class Report(CommandLine):

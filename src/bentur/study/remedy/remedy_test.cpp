@@ -261,7 +261,9 @@ TEST_F(Remedies, AStoppedSearchGoesOnToTheSameEnd) {
       return true;
     };
     const RemedySearch rest = found(text, options);
-    if (whole.with_slopes == 0) EXPECT_EQ(asked_early, 0);  // what was tried is not run again; derivatives are
+    if (whole.with_slopes == 0) {  // what was tried is not run again; derivatives are
+      EXPECT_EQ(asked_early, 0);
+    }
     EXPECT_FALSE(rest.stopped);
     EXPECT_EQ(remedy_json(rest, "1"), remedy_json(whole, "1"));
     EXPECT_EQ(whole.with_slopes > 0, std::string(objective) == "gap_needed");

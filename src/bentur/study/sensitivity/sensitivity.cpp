@@ -14,6 +14,7 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/toml/parameter_path.h"
+#include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/tangent/problem_tangents.h"
 
@@ -73,6 +74,20 @@ std::vector<ParameterPath> numbers_in(const TomlValue& root) {
   return paths;
 }
 
+/// The key of the case beside the last one of a path that may have been meant; empty where none is like it.
+std::string meant(const TomlValue& root, ParameterPath path) {
+  const auto* const last = std::get_if<std::string>(&path.back());
+  if (last == nullptr) return {};
+  const std::string key = *last;
+  path.pop_back();
+  const TomlValue* const table = find_value(root, path);
+  std::vector<std::string> known;
+  if (table != nullptr) {
+    for (const TomlMember& member : table->members) known.push_back(member.key);
+  }
+  return likely(key, known);
+}
+
 /// Those that were asked for; what is none is an error.
 std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::filesystem::path& file,
                                          const std::vector<std::string>& asked, Diagnostics& diagnostics) {
@@ -84,7 +99,10 @@ std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::files
     const TomlValue* const value = path ? find_value(root, *path) : nullptr;
     if (path && (value == nullptr || !number_in(*value))) error = "is no number of this case";
     if (!error.empty()) {
-      diagnostics.error({file.string(), 0, 0}, text + ": " + error);
+      diagnostics.add({.position = {file.string(), 0, 0},
+                       .key = text,
+                       .rule = error,
+                       .suggestion = path && value == nullptr ? meant(root, *path) : ""});
     } else {
       paths.push_back(*path);
     }
