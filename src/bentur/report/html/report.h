@@ -12,8 +12,8 @@
 namespace bentur {
 
 struct ReportOptions {
-  std::string language = "en";             ///< one of report_languages()
-  std::string version;                     ///< of the program
+  std::string language = "en";  ///< one of report_languages()
+  std::string version;          ///< of the program
   /// Of a run: sensitivity_of_report(); the report then says how peaks change.
   std::optional<Sensitivity> sensitivity = {};
   std::optional<HazardCurve> hazard = {};  ///< of the site: an incremental dynamic analysis then tells how often a year

@@ -15,7 +15,7 @@ PageSection sensitivity_section(const Sensitivity& found, const Words& say, cons
   }
   for (const StoryTable& table : story.tables) {
     const SaidTable shown = said(table, say);
-    content += element("h4", shown.heading) + table_of(shown);
+    content += element("h3", shown.heading) + table_of(shown);
   }
   content += element("p", say("sensitivity.note"), "class=\"note\"");
   return {"sensitivity", say("heading.sensitivity"), content};

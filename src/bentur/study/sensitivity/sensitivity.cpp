@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/not_known.h"
@@ -99,10 +100,12 @@ std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::files
     const TomlValue* const value = path ? find_value(root, *path) : nullptr;
     if (path && (value == nullptr || !number_in(*value))) error = "is no number of this case";
     if (!error.empty()) {
-      diagnostics.add({.position = {file.string(), 0, 0},
-                       .key = text,
-                       .rule = error,
-                       .suggestion = path && value == nullptr ? meant(root, *path) : ""});
+      Diagnostic found;
+      found.position.file = file.string();
+      found.key = text;
+      found.rule = error;
+      if (path && value == nullptr) found.suggestion = meant(root, *path);
+      diagnostics.add(std::move(found));
     } else {
       paths.push_back(*path);
     }
