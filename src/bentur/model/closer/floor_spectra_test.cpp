@@ -11,6 +11,7 @@
 #include "bentur/contact/laws/linear.h"
 #include "bentur/contact/laws/restitution.h"
 #include "bentur/pounding/pounding.h"
+#include "tests/support/free_masses.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur {

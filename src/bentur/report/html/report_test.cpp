@@ -1,5 +1,6 @@
 #include "bentur/report/html/report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
