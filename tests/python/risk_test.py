@@ -110,10 +110,14 @@ def test_the_command_says_the_same(results, folder, program):
             [program, "risk", folder / "ida.nc", "--hazard", folder / "hazard.csv", *asked, "--lang", language],
             check=True, capture_output=True, text=True).stdout
         words = " ".join(text.split())
-        lines = bentur.risk(results, (X, RATE), "peak_force > 100", target=0.1, years=30, language=language)["verdict"]
+        of_file = {"target": 0.1, "years": 30, "language": language}
+        lines = bentur.risk(results, (X, RATE), "peak_force > 100", unit="g", **of_file)["verdict"]
         for line in lines:
             assert " ".join(line.split()) in words, line
         assert len(lines) > 6
+        # Of numbers without a unit it is said which one they are taken in.
+        more = bentur.risk(results, (X, RATE), "peak_force > 100", **of_file)["verdict"]
+        assert more[:-1] == lines and "--unit" in more[-1]
 
 
 def test_the_gap_for_a_target_keeps_it(results):

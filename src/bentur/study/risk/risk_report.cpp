@@ -202,6 +202,7 @@ std::optional<RiskReport> risk_report(IdaResults results, const std::optional<Id
     const double factor = in_metres(hazard.unit) / in_metres(results.study_unit);
     for (double& x : hazard.intensity) x *= factor;
   }
+  report.unit_is_taken = hazard.unit.empty();
   hazard.unit = results.study_unit;
   report.results = std::move(results);
   report.hazard = std::move(hazard);

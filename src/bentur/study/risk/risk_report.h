@@ -45,8 +45,9 @@ struct TargetGap {
 
 struct RiskReport {
   IdaResults results;
-  HazardCurve hazard;   ///< in the unit of the levels
-  std::string measure;  ///< of the levels, as OpenQuake calls them: "PGA", "SA(0.5)"
+  HazardCurve hazard;          ///< in the unit of the levels
+  std::string measure;         ///< of the levels, as OpenQuake calls them: "PGA", "SA(0.5)"
+  bool unit_is_taken = false;  ///< nothing says the hazard's unit: that of the levels is taken
   std::vector<CaseRisk> cases;
   std::vector<TargetGap> gaps;             ///< where a target was asked for
   std::vector<bool> gaps_vary_along = {};  ///< of each axis of the results, whether what is needed changes along it

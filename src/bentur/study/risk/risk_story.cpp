@@ -160,6 +160,13 @@ Story risk_story(const RiskReport& report, const RiskRequest& request) {
                                            {"rate", gap.rate}},
                                 .subject = subject});
   }
+  if (report.unit_is_taken) {
+    const std::string unit = level_unit(report.hazard.unit);
+    story.statements.push_back(
+        {.kind = "risk_unit",
+         .severity = Severity::warning,
+         .values = {{"from", report.hazard.intensity.front(), unit}, {"to", report.hazard.intensity.back(), unit}}});
+  }
   return story;
 }
 
