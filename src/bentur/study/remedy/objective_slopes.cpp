@@ -14,10 +14,10 @@ namespace {
 
 using Places = std::vector<double>;
 
-constexpr double step = 1e-6;      // of u: its square is below what assembly keeps
-constexpr double grazes = 1e-3;    // of the usual speed of contact: no derivative holds for long
-constexpr double counts = 0.5;     // of the largest: peaks further below are not soon the largest
-constexpr double as_large = 1e-6;  // of a peak: two that are as large are named by either
+constexpr double step = 1e-6;        // of u: its square is below what assembly keeps
+constexpr double slow_start = 1e-3;  // of the usual speed of contact: no derivative holds for long
+constexpr double counts = 0.5;       // of the largest: peaks further below are not soon the largest
+constexpr double as_large = 1e-6;    // of a peak: two that are as large are named by either
 
 /// The peaks that a part of a row is of; nothing: it is none of these.
 std::optional<std::vector<const Derivative*>> peaks_of(const RowPart& part, const Tangents* found) {
@@ -101,7 +101,7 @@ std::optional<std::vector<double>> ObjectiveSlopes::values_at(const Places& plac
     std::vector<double> values;
     for (const Derivative* const peak : peaks) {
       if (peak->value < counts * most || peak->value <= 0) continue;
-      const bool holds = peak->by.size() > 0 && peak->by.allFinite() && peak->grazing >= grazes;
+      const bool holds = peak->by.size() > 0 && peak->by.allFinite() && peak->grazing >= slow_start;
       if (!holds && peak->value > (1 - as_large) * most) return none;
       if (!holds) continue;
       values.push_back(peak->value);
