@@ -22,17 +22,6 @@ double distance_from_edge(const PlanPoint& at, const PlanPoint& from, const Plan
   return (from + part * edge - at).norm();
 }
 
-/// Whether a line from the place crosses the outline an odd number of times.
-bool goes_round(const std::vector<PlanPoint>& outline, const PlanPoint& at) {
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const PlanPoint &from = outline[i], &to = outline[(i + 1) % outline.size()];
-    if ((from.y() > at.y()) == (to.y() > at.y())) continue;
-    if (at.x() < from.x() + (to.x() - from.x()) * (at.y() - from.y()) / (to.y() - from.y())) inside = !inside;
-  }
-  return inside;
-}
-
 struct CornerBox {
   PlanPoint low, high;
   explicit CornerBox(const std::vector<PlanPoint>& corners) : low(corners.front()), high(corners.front()) {

@@ -190,15 +190,8 @@ std::string along_text(const PlanRun& run, Index contact) {
 }
 
 bool lies_in(const PlanPoint& at, const PlanRings& rings) {
-  bool inside = false;
-  for (const std::vector<PlanPoint>& ring : rings) {
-    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-      const PlanPoint &from = ring[i], &to = ring[i + 1];
-      if ((from.y() > at.y()) == (to.y() > at.y())) continue;
-      inside ^= at.x() < from.x() + (at.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
-    }
-  }
-  return inside;
+  const auto rounds = std::count_if(rings.begin(), rings.end(), [&](const auto& ring) { return goes_round(ring, at); });
+  return rounds % 2 == 1;
 }
 
 namespace {

@@ -120,7 +120,8 @@ std::vector<PlanPoint> without_straight_ones(const std::vector<PlanPoint>& corne
   return kept;
 }
 
-/// Whether a place is within a ring: a ray from it crosses an odd number of its edges.
+}  // namespace
+
 bool goes_round(const std::vector<PlanPoint>& ring, const PlanPoint& at) {
   bool within = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -131,8 +132,6 @@ bool goes_round(const std::vector<PlanPoint>& ring, const PlanPoint& at) {
   }
   return within;
 }
-
-}  // namespace
 
 double area_of(const std::vector<PlanPoint>& corners) {
   double twice = 0;

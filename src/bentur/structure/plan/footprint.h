@@ -59,6 +59,10 @@ struct Footprint {
 [[nodiscard]] Footprint polygon_footprint(const PlanPoint& corner, std::vector<PlanPoint> corners,
                                           std::vector<std::vector<PlanPoint>> courts = {});
 
+/// Whether a place is within a ring of corners, the first of which may stand at its end again: a ray from it crosses an
+/// odd number of edges.
+[[nodiscard]] bool goes_round(const std::vector<PlanPoint>& ring, const PlanPoint& at);
+
 /// The rule that a court of an outline breaks, beside the others; nothing where it is a ring within it that meets no
 /// other. @param ring of those of the footprint
 [[nodiscard]] std::optional<std::string> fault_of_court(const Footprint& footprint, std::size_t ring);

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
@@ -22,6 +23,22 @@ namespace {
 
 using Eigen::Index;
 
+struct Box {
+  PlanPoint low, high;
+};
+
+Box box_of(const PlanRings& rings) {
+  Box box{rings.front().front(), rings.front().front()};
+  for (const std::vector<PlanPoint>& ring : rings) {
+    for (const PlanPoint& at : ring) box = {box.low.cwiseMin(at), box.high.cwiseMax(at)};
+  }
+  return box;
+}
+
+bool meet(const Box& a, const Box& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
 /// The picture at one instant.
 class PlanPicture {
  public:
@@ -35,6 +52,8 @@ class PlanPicture {
                                              : floor_motion(run.response.course.time.empty() ? run.response.histories
                                                                                              : run.response.course,
                                                             b, floors_.back(), time_));
+      rings_.push_back(moved_rings(b));
+      boxes_.push_back(box_of(rings_.back()));
     }
     for (const Impact& impact : run.response.impacts) {
       const bool is_on = instant.impact && impact.start <= time_ && impact.end >= time_;
@@ -82,27 +101,39 @@ class PlanPicture {
 
   [[nodiscard]] double level_of(Index b) const { return run_.problem.buildings[b].model.elevations[floors_[b]]; }
 
+  /// Whether what stands above a building may cover something of it.
+  [[nodiscard]] bool is_above(Index other, Index b) const {
+    return level_of(other) > level_of(b) && !run_.problem.buildings[other].is_rigid();
+  }
+
+  /// Of what stands above a building that which may cover something of its floor.
   [[nodiscard]] std::vector<PlanRings> rings_above(Index b) const {
     std::vector<PlanRings> above;
-    for (Index other = 0; other < std::ssize(run_.problem.buildings); ++other) {
-      if (!(level_of(other) > level_of(b)) || run_.problem.buildings[other].is_rigid()) continue;
-      above.push_back(moved_rings(other));
+    for (Index other = 0; other < std::ssize(rings_); ++other) {
+      if (is_above(other, b) && meet(boxes_[other], boxes_[b])) above.push_back(rings_[other]);
     }
     return above;
+  }
+
+  [[nodiscard]] bool is_covered(Index b, const PlanPoint& at) const {
+    for (Index other = 0; other < std::ssize(rings_); ++other) {
+      if (is_above(other, b) && lies_in(at, rings_[other])) return true;
+    }
+    return false;
   }
 
   /// Seen from above: what a higher floor covers is not seen. Their displacements are of different levels, so that they
   /// lie over one another without having met.
   void add_footprint(Index b) {
     const std::vector<PlanRings> above = rings_above(b);
-    for (const std::vector<PlanPoint>& ring : moved_rings(b)) {
+    for (const std::vector<PlanPoint>& ring : rings_[b]) {
       Curve curve{.label = run_.problem.buildings[b].name,
                   .tone = building_tone(b),
                   .width = 1.5,
                   .complete = true,
                   .in_legend = false};
       for (const std::vector<PlanPoint>& line : seen_parts(ring, above)) {
-        if (!curve.x.empty()) add(curve, PlanPoint::Constant(std::numeric_limits<double>::quiet_NaN()));
+        if (!curve.x.empty()) add(curve, PlanPoint::Constant(not_known));
         for (const PlanPoint& at : line) add(curve, at);
       }
       if (!curve.x.empty()) panel_.curves.push_back(std::move(curve));
@@ -117,7 +148,7 @@ class PlanPicture {
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       const PlanBuilding& building = run_.problem.buildings[b];
       PlaceText name =
-          place_of_name(building.name, moved_rings(b),
+          place_of_name(building.name, rings_[b],
                         has_centres() ? std::array{0.75, 0.25, 0.5} : std::array{0.5, 0.85, 0.15}, rings_above(b));
       if (fits(name)) {
         panel_.texts.push_back(std::move(name));
@@ -243,9 +274,7 @@ class PlanPicture {
     for (const PlanCentre& centre : centres_of(run_)) {
       if (centre.floor != floors_[centre.building]) continue;
       const PlanPoint at = moved(centre.building, centre.at);
-      const std::vector<PlanRings> above = rings_above(centre.building);
-      const auto covers = [&](const PlanRings& rings) { return lies_in(at, rings); };
-      if (std::none_of(above.begin(), above.end(), covers)) add(centre.of_rigidity ? rigidity : masses, at);
+      if (!is_covered(centre.building, at)) add(centre.of_rigidity ? rigidity : masses, at);
     }
     if (masses.x.empty()) return;
     panel_.curves.push_back(std::move(rigidity));
@@ -330,7 +359,9 @@ class PlanPicture {
   double time_, size_ = 0;
   std::vector<Index> floors_;
   std::vector<Eigen::Vector3d> motions_;
-  std::set<Index> touching_;  // contacts
+  std::vector<PlanRings> rings_;  // of the floors, moved
+  std::vector<Box> boxes_;        // of these
+  std::set<Index> touching_;      // contacts
   std::set<Tone> labelled_;
   Panel panel_;
 };
