@@ -245,4 +245,19 @@ const Key* key_at(const KeyTable& keys, const ParameterPath& path, const TomlVal
   return found;
 }
 
+std::optional<std::string> near_unknown_key(const KeyTable& keys, const ParameterPath& path, const TomlValue& file) {
+  const KeyTable* table = &keys;
+  ParameterPath way;
+  for (const PathStep& step : path) {
+    way.push_back(step);
+    const auto* const name = std::get_if<std::string>(&step);
+    if (name == nullptr) continue;
+    if (table == nullptr) return std::nullopt;  // what buildings and laws are called
+    const Key* const key = key_at(keys, way, file);
+    if (key == nullptr) return likely(*name, table->names());
+    table = key->table;
+  }
+  return std::nullopt;
+}
+
 }  // namespace bentur

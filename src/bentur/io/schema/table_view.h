@@ -83,5 +83,9 @@ void check_values(const TomlView& table, const KeyTable& keys);
 /// The key that a path leads to, and so what its numbers are; null where the schema has none.
 /// @param file the whole file: which key counts depends on what stands beside it
 [[nodiscard]] const Key* key_at(const KeyTable& keys, const ParameterPath& path, const TomlValue& file);
+/// Of the first key on a path that its table of the schema does not have the one that may have been meant, empty where
+/// none is like it. Nothing where all are known.
+[[nodiscard]] std::optional<std::string> near_unknown_key(const KeyTable& keys, const ParameterPath& path,
+                                                          const TomlValue& file);
 
 }  // namespace bentur

@@ -301,22 +301,13 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
 /// something else is wrong already, none is made.
 void refuse_unknown_keys(const Study& study, Diagnostics& found) {
   for (const Vary& vary : study.varies) {
-    const KeyTable* table = &case_keys();
-    for (const PathStep& step : vary.path) {
-      const auto* const name = std::get_if<std::string>(&step);
-      if (name == nullptr) continue;
-      if (table == nullptr) break;  // what buildings and laws are called
-      const Key* const key = table->find(*name);
-      if (key == nullptr) {
-        found.add({.position = vary.parameter_position,
-                   .key = vary.parameter,
-                   .rule = "is not a known key",
-                   .suggestion = likely(*name, table->names()),
-                   .unknown_key = true});
-        break;
-      }
-      table = key->table;
-    }
+    const auto near = near_unknown_key(case_keys(), vary.path, study.case_root);
+    if (!near) continue;
+    found.add({.position = vary.parameter_position,
+               .key = vary.parameter,
+               .rule = "is not a known key",
+               .suggestion = *near,
+               .unknown_key = true});
   }
 }
 

@@ -14,8 +14,9 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/schema/table_view.h"
 #include "bentur/io/toml/parameter_path.h"
-#include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/tangent/problem_tangents.h"
 
@@ -75,20 +76,6 @@ std::vector<ParameterPath> numbers_in(const TomlValue& root) {
   return paths;
 }
 
-/// The key of the case beside the last one of a path that may have been meant; empty where none is like it.
-std::string meant(const TomlValue& root, ParameterPath path) {
-  const auto* const last = std::get_if<std::string>(&path.back());
-  if (last == nullptr) return {};
-  const std::string key = *last;
-  path.pop_back();
-  const TomlValue* const table = find_value(root, path);
-  std::vector<std::string> known;
-  if (table != nullptr) {
-    for (const TomlMember& member : table->members) known.push_back(member.key);
-  }
-  return likely(key, known);
-}
-
 /// Those that were asked for; what is none is an error.
 std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::filesystem::path& file,
                                          const std::vector<std::string>& asked, Diagnostics& diagnostics) {
@@ -104,7 +91,7 @@ std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::files
       found.position.file = file.string();
       found.key = text;
       found.rule = error;
-      if (path && value == nullptr) found.suggestion = meant(root, *path);
+      if (path && value == nullptr) found.suggestion = near_unknown_key(case_keys(), *path, root).value_or("");
       diagnostics.add(std::move(found));
     } else {
       paths.push_back(*path);
