@@ -26,11 +26,12 @@ std::string fastest_source(const Case& c, const Problem& problem, const Effort::
   return fmt::format("mode {} of {}", fastest.mode + 1, problem.buildings[fastest.building].name);
 }
 
+namespace {
+
+/// "35296 Hz, mode 3 of A".
 std::string fastest_text(const Case& c, const Problem& problem, const Effort::Fastest& fastest) {
   return fmt::format("{} Hz, {}", number(fastest.frequency), fastest_source(c, problem, fastest));
 }
-
-namespace {
 
 /// @param why what makes it so many steps, as a sentence before a space
 template <class Why>

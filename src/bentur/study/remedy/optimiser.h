@@ -18,6 +18,9 @@ struct Minimisation {
   std::size_t evaluations = 0;    ///< at most, from here on
 };
 
+/// The largest difference of one coordinate of two places.
+[[nodiscard]] double farthest(const std::vector<double>& a, const std::vector<double>& b);
+
 /// A part of a function that is the largest of several, at a place: its value there and its slopes.
 struct FunctionPart {
   double value = 0;           ///< [the function's unit]

@@ -303,11 +303,8 @@ void go_back(RemedySearch& search, Trials& trials) {
 const RemedyTrial* best_apart(const RemedySearch& search, const std::vector<Places>& from) {
   const RemedyTrial* found = nullptr;
   for (const RemedyTrial& one : search.trials) {
-    const bool is_apart = std::all_of(from.begin(), from.end(), [&](const Places& other) {
-      double most = 0;
-      for (std::size_t i = 0; i < other.size(); ++i) most = std::max(most, std::abs(one.places[i] - other[i]));
-      return most > apart;
-    });
+    const bool is_apart =
+        std::all_of(from.begin(), from.end(), [&](const Places& other) { return farthest(one.places, other) > apart; });
     if (is_apart && std::isfinite(one.objective) && (found == nullptr || one.objective < found->objective))
       found = &one;
   }

@@ -28,12 +28,6 @@ struct Seen {
   }
 };
 
-double distance(const Places& a, const Places& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
-}
-
 class Bundle {
  public:
   explicit Bundle(const Descent& what) : what_(what), is_limited_(what.nearest.has_value()) {}
@@ -55,11 +49,11 @@ class Bundle {
       const double gained = merit(at_, value_) - merit(next, value);
       const bool is_known = look(next);
       if (gained > 0.1 * promised) {
-        if (gained > 0.5 * promised && distance(next, at_) > 0.9 * box_) box_ = std::min(2 * box_, most_box);
+        if (gained > 0.5 * promised && farthest(next, at_) > 0.9 * box_) box_ = std::min(2 * box_, most_box);
         at_ = next;
         value_ = value;
       } else {
-        box_ = std::min(box_, distance(next, at_)) / (is_known ? 2 : 4);
+        box_ = std::min(box_, farthest(next, at_)) / (is_known ? 2 : 4);
       }
     }
     return true;
@@ -87,7 +81,7 @@ class Bundle {
     const double here = one.foretold(at_);
     return here > value_ ? 2 * (here - value_) : 0;
   }
-  [[nodiscard]] bool counts(const Seen& one) const { return distance(one.at, at_) <= 2 * box_; }
+  [[nodiscard]] bool counts(const Seen& one) const { return farthest(one.at, at_) <= 2 * box_; }
   [[nodiscard]] double foretold_merit(const Places& u) const {
     double value = 0;
     for (const Seen& one : seen_) {
@@ -144,6 +138,12 @@ class Bundle {
 };
 
 }  // namespace
+
+double farthest(const Places& a, const Places& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
 
 bool search_by_slopes(const Descent& what) { return Bundle(what).run(); }
 
