@@ -1,5 +1,5 @@
 // Any bytes as a study.
-#include "bentur/study/plan/study.h"
+#include "bentur/study/design/study.h"
 #include "tests/fuzz/support.h"
 
 void bentur::fuzz::feed(const std::string& input) {

@@ -12,7 +12,7 @@
 
 #include "bentur/io/records/record_files.h"
 #include "bentur/io/temporary_folder.h"
-#include "bentur/study/plan/study.h"
+#include "bentur/study/design/study.h"
 
 namespace bentur {
 namespace {

@@ -82,7 +82,7 @@ class PyStudy {
   /// Attributes of the file, and each variable, once all runs are solved.
   [[nodiscard]] py::tuple variables() const {
     const StudyFile file = study_file(*runs_, version());
-    const std::vector<RunResult> results = journal_ ? journal_->read(0, runs_->plan().runs()) : results_;
+    const std::vector<RunResult> results = journal_ ? journal_->read(0, runs_->design().runs()) : results_;
     py::list found;
     for (const StudyVariable& one : file.variables) {
       ResultVariable variable = one;
@@ -127,7 +127,7 @@ class PyStudy {
     const std::lock_guard lock(mutex_);
     std::vector<std::size_t> numbers;
     for (std::size_t i = first; i < first + count; ++i) {
-      const std::size_t run = runs_->plan().run_at(i);
+      const std::size_t run = runs_->design().run_at(i);
       if (!journal_ || !journal_->is_done(run)) numbers.push_back(run);
     }
     return numbers;
@@ -136,7 +136,7 @@ class PyStudy {
   void keep(std::vector<RunResult> found) {
     const std::lock_guard lock(mutex_);
     if (!journal_) {
-      results_.resize(runs_->plan().runs());
+      results_.resize(runs_->design().runs());
       for (RunResult& one : found) results_[one.run] = std::move(one);
       return;
     }
@@ -312,7 +312,7 @@ void bind_study(py::module_& module) {
       .def(py::init(&of_values), py::arg("case"), py::arg("tables"), py::arg("text"), py::arg("case_text"))
       .def_static("of_cases", &of_cases, py::arg("cases"), py::arg("labels"))
       .def_property_readonly("title", [](const PyStudy& study) { return study.runs().facts().title; })
-      .def_property_readonly("runs", [](const PyStudy& study) { return study.runs().plan().runs(); })
+      .def_property_readonly("runs", [](const PyStudy& study) { return study.runs().design().runs(); })
       .def("begin", &PyStudy::begin, py::arg("file"), py::arg("resume"), py::arg("force"), py::arg("attributes"))
       .def("variables", &PyStudy::variables)
       .def("finish", &PyStudy::finish, py::arg("write"))

@@ -5,7 +5,7 @@
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/json_schema.h"
-#include "bentur/study/plan/study_keys.h"
+#include "bentur/study/design/study_keys.h"
 
 namespace bentur {
 

@@ -60,11 +60,11 @@ class MadeUp : public testing::Test {
     auto facts = study ? check_study(*study, *memo, diagnostics) : std::nullopt;
     for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
     const StudyRuns runs(std::move(study.value()), std::move(facts.value()), memo);
-    const JournalOrigin origin{"1", "", "", "", {}, runs.plan().runs(), row_size(runs.quantities())};
+    const JournalOrigin origin{"1", "", "", "", {}, runs.design().runs(), row_size(runs.quantities())};
     const fs::path part = folder / "bentur-made-up.part", file = folder / "bentur-made-up.nc";
     fs::remove(part);
     Journal journal = Journal::begin(part, origin);
-    for (std::size_t run = 0; run < runs.plan().runs(); ++run) journal.write(made_up(runs, run));
+    for (std::size_t run = 0; run < runs.design().runs(); ++run) journal.write(made_up(runs, run));
     (void)write_sweep_netcdf(file, runs, journal, "1");
     fs::remove(part);
     return file;

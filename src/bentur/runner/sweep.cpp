@@ -28,10 +28,10 @@ std::optional<SweepOutline> outline_sweep(const fs::path& study, StudyKind kind,
   if (!runs) return std::nullopt;
   SweepOutline outline;
   for (std::size_t axis = 0; axis < runs->study().axes.size(); ++axis) {
-    outline.axes.push_back({runs->study().axes[axis], runs->plan().axes()[axis].levels});
+    outline.axes.push_back({runs->study().axes[axis], runs->design().axes()[axis].levels});
   }
-  outline.is_grid = runs->plan().is_grid();
-  outline.runs = runs->plan().runs();
+  outline.is_grid = runs->design().is_grid();
+  outline.runs = runs->design().runs();
   outline.values = row_size(runs->quantities());
   return outline;
 }
@@ -58,7 +58,7 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
   if (output.is_finished()) {
     dismiss_workers(ranks);
     report.finished = report.before = true;
-    report.runs = report.done = runs->plan().runs();
+    report.runs = report.done = runs->design().runs();
     return report;
   }
   Journal journal = output.begin();
@@ -68,10 +68,10 @@ std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& opti
   work_options.finished = [&](std::size_t done) {
     if (!options.progress || Clock::now() - shown < std::chrono::milliseconds(200)) return;
     shown = Clock::now();
-    options.progress({runs->plan().runs(), done, before, since(began)});
+    options.progress({runs->design().runs(), done, before, since(began)});
   };
   report.finished = coordinate(*runs, journal, ranks, work_options);
-  report.runs = runs->plan().runs();
+  report.runs = runs->design().runs();
   report.done = journal.done();
   report.solved = report.done - before;
   report.seconds = since(began);

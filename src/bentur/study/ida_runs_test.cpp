@@ -57,8 +57,8 @@ double value_of(const StudyRuns& runs, const RunResult& result, const std::strin
 }
 
 std::vector<RunResult> all(const StudyRuns& runs) {
-  std::vector<std::size_t> order(runs.plan().runs());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = runs.plan().run_at(i);
+  std::vector<std::size_t> order(runs.design().runs());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = runs.design().run_at(i);
   return runs.solve(order, [] { return true; });
 }
 
@@ -66,7 +66,7 @@ TEST(IdaRuns, EachRunIsTheCaseWithItsRecordScaled) {
   const StudyRuns runs =
       runs_of("[ida]\nintensity = 'pga'\nunit = 'g'\nlevels = [0.1, 0.5, 2]\n" + records + two_widths);
   EXPECT_EQ(runs.study().axes, (std::vector<std::string>{"record", "width", "intensity"}));
-  ASSERT_EQ(runs.plan().runs(), 12U);
+  ASSERT_EQ(runs.design().runs(), 12U);
   const double peaks[] = {0.06, 0.03 / 9.80665};  // of the two files [g]
   const std::vector<double>& intensities = runs.facts().intensities.values;
   ASSERT_EQ(intensities.size(), 2U);
@@ -100,11 +100,11 @@ TEST(IdaRuns, EachRunIsTheCaseWithItsRecordScaled) {
 
 TEST(IdaRuns, RunsOfOneRecordAndLevelShareTheirFreeResponse) {
   const StudyRuns runs = runs_of("[ida]\nintensity = 'pga'\nlevels = [0.1, 0.5, 2]\n" + records + two_widths);
-  EXPECT_TRUE(runs.plan().has_groups());
-  for (std::size_t run = 0; run < runs.plan().runs(); ++run) {
+  EXPECT_TRUE(runs.design().has_groups());
+  for (std::size_t run = 0; run < runs.design().runs(); ++run) {
     const std::size_t other = run / 6 * 6 + run % 3;  // the one with the first width
-    EXPECT_EQ(runs.plan().group(run), runs.plan().group(other));
-    EXPECT_EQ(runs.plan().run_at(run) / 6, run / 6);
+    EXPECT_EQ(runs.design().group(run), runs.design().group(other));
+    EXPECT_EQ(runs.design().run_at(run) / 6, run / 6);
   }
 }
 
@@ -124,7 +124,7 @@ TEST(IdaRuns, SpectralAccelerationIsReached) {
 
 TEST(IdaRuns, WithoutFilesTheCasesOwnRecordIsScaledWhateverTheCaseScalesItBy) {
   const StudyRuns plain = runs_of("[ida]\nintensity = 'pga'\nlevels = [0.5, 1.5]\n");
-  EXPECT_EQ(plain.plan().runs(), 2U);
+  EXPECT_EQ(plain.design().runs(), 2U);
   const StudyRuns scaled = runs_of(
       "[ida]\nintensity = 'pga'\nlevels = [0.5, 1.5]\n[[vary]]\nparameter = 'excitation'\nlabels = ['a']\n"
       "values = [{ kind = 'record', file = '../bad_input/good.AT2', pga = 77 }]\n");
@@ -143,7 +143,7 @@ TEST(IdaRuns, SamplesAreARecordAndABuildingThatEveryLevelHas) {
       "[[vary]]\nparameter = 'gap[0].width'\ndistribution = { uniform = { low = 0.0, high = "
       "0.8 } }\n");
   EXPECT_EQ(runs.study().axes, (std::vector<std::string>{"draw", "intensity"}));
-  ASSERT_EQ(runs.plan().runs(), 24U);
+  ASSERT_EQ(runs.design().runs(), 24U);
   std::vector<int> of_records(2, 0), of_slices(8, 0);
   for (std::size_t draw = 0; draw < 8; ++draw) {
     std::vector<double> widths;

@@ -32,7 +32,7 @@ name = "corner"
 values = [12.01, 12.03]
 )");
   ASSERT_TRUE(runs) << first_error();
-  ASSERT_EQ(runs->plan().runs(), 4);
+  ASSERT_EQ(runs->design().runs(), 4);
   std::vector<std::size_t> all(4);
   std::iota(all.begin(), all.end(), 0);
   const std::vector<RunResult> results = runs->solve(all, [] { return true; });
@@ -146,7 +146,7 @@ TEST_F(PlanRuns, OfAnIdaBothComponentsAreScaledAlike) {
   shake(true);
   const auto runs = runs_of(pairs + "[ida]\nintensity = 'pga'\nlevels = [1.5, 4.0]\npolarity = 'both'\n");
   ASSERT_TRUE(runs) << first_error();
-  ASSERT_EQ(runs->plan().runs(), 8);
+  ASSERT_EQ(runs->design().runs(), 8);
   const RecordIntensities& intensities = runs->facts().intensities;
   ASSERT_EQ(intensities.values.size(), 4);
   // The same numbers as of the files, read alone.
@@ -196,7 +196,7 @@ TEST_F(PlanRuns, OfAnIdaOfElasticPlansScaledOnesAreThoseOfEachAlone) {
       "[[vary]]\nparameter = 'plan.contact.friction'\nvalues = [0.1, 0.5]\n"
       "[ida]\nintensity = 'pga'\nlevels = [1.5, 2.5, 4.0]\n");
   ASSERT_TRUE(runs) << first_error();
-  ASSERT_EQ(runs->plan().runs(), 6);
+  ASSERT_EQ(runs->design().runs(), 6);
   std::vector<std::size_t> all(6);
   std::iota(all.begin(), all.end(), 0);
   std::size_t to_the_bit = 0, otherwise = 0;

@@ -11,7 +11,7 @@
 
 #include "bentur/io/output/atomic_file.h"
 #include "bentur/study/build_identity.h"
-#include "bentur/study/plan/study_check.h"
+#include "bentur/study/design/study_check.h"
 #include "bentur/study/study_variables.h"
 
 namespace bentur {
@@ -80,7 +80,7 @@ StudyOutput::StudyOutput(const StudyRuns& runs, StudyOutputOptions options)
               .study = runs.study().text,
               .case_text = runs.study().case_text,
               .records = runs.facts().records,
-              .runs = runs.plan().runs(),
+              .runs = runs.design().runs(),
               .values = row_size(runs.quantities())} {
   rules_.inputs.insert(rules_.inputs.end(), runs.facts().record_files.begin(), runs.facts().record_files.end());
   static_cast<void>(target());

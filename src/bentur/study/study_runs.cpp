@@ -83,11 +83,11 @@ StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> me
     : study_(std::move(study)),
       facts_(std::move(facts)),
       memo_(std::move(memo)),
-      plan_(plan_axes(study_, true), study_.sampling),
+      design_(design_axes(study_, true), study_.sampling),
       quantities_(quantities_of(facts_)),
       other_values_(std::move(values)) {
   widths_only_ = std::all_of(study_.varies.begin(), study_.varies.end(), [&](const Vary& vary) {
-    return !plan_.axes()[vary.axis].inner || width_place(vary.path).has_value();
+    return !design_.axes()[vary.axis].inner || width_place(vary.path).has_value();
   });
   // In plan laws may vary within a group: a run that a scaled response does not serve is solved by itself.
   const System system = facts_.plan ? system_of(*facts_.plan) : system_of(facts_.problem);
@@ -97,12 +97,12 @@ StudyRuns::StudyRuns(Study study, StudyFacts facts, std::shared_ptr<CaseMemo> me
 StudyRuns::~StudyRuns() = default;
 
 std::vector<Choice> StudyRuns::choices(std::size_t run) const {
-  std::vector<Choice> result(plan_.axes().size());
+  std::vector<Choice> result(design_.axes().size());
   for (std::size_t axis = 0; axis < result.size(); ++axis) {
-    if (plan_.axes()[axis].levels > 0) {
-      result[axis].level = plan_.level(run, axis);
+    if (design_.axes()[axis].levels > 0) {
+      result[axis].level = design_.level(run, axis);
     } else {
-      result[axis].u = plan_.unit(run, axis);
+      result[axis].u = design_.unit(run, axis);
     }
   }
   return result;
@@ -127,7 +127,7 @@ ReadCase StudyRuns::plan_of(std::size_t run) const {
 }
 
 std::shared_ptr<const StudyRuns::Group> StudyRuns::made_group(std::size_t run, const ReadCase* in_plan) const {
-  Group group{.number = plan_.group(run)};
+  Group group{.number = design_.group(run)};
   if (facts_.plan) {
     const std::optional<ReadCase> read = in_plan == nullptr ? std::optional(plan_of(run)) : std::nullopt;
     const ReadCase& chosen = read ? *read : *in_plan;
@@ -158,26 +158,26 @@ Free StudyRuns::free_response_of(std::size_t run, const AnyProblem& problem, con
 }
 
 std::optional<std::size_t> StudyRuns::at_first_level(std::size_t run) const {
-  if (!study_.ida || !plan_.is_grid()) return std::nullopt;
-  return plan_.at_level(run, study_.ida->axis, 0);
+  if (!study_.ida || !design_.is_grid()) return std::nullopt;
+  return design_.at_level(run, study_.ida->axis, 0);
 }
 
 /// Of those of its group the one that the group is made of, whichever comes first: at the first level of all inner
 /// axes.
 std::size_t StudyRuns::representative(std::size_t run) const {
-  for (std::size_t axis = 0; plan_.is_grid() && axis < plan_.axes().size(); ++axis) {
-    if (plan_.axes()[axis].inner) run = plan_.at_level(run, axis, 0);
+  for (std::size_t axis = 0; design_.is_grid() && axis < design_.axes().size(); ++axis) {
+    if (design_.axes()[axis].inner) run = design_.at_level(run, axis, 0);
   }
   return run;
 }
 
 std::shared_ptr<const StudyRuns::Group> StudyRuns::group_of(std::size_t run, const ReadCase* in_plan) const {
-  const bool is_shared = plan_.has_groups() || at_first_level(run) == run;
+  const bool is_shared = design_.has_groups() || at_first_level(run) == run;
   return is_shared ? shared_group(run, in_plan) : made_group(run, in_plan);
 }
 
 std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run, const ReadCase* in_plan) const {
-  const std::uint64_t number = plan_.group(run);
+  const std::uint64_t number = design_.group(run);
   std::shared_ptr<Place> place;
   {
     const std::lock_guard lock(mutex_);
@@ -199,7 +199,7 @@ std::shared_ptr<const StudyRuns::Group> StudyRuns::shared_group(std::size_t run,
 }
 
 void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
-  if (!workspace.group || (workspace.group->number != plan_.group(run))) {
+  if (!workspace.group || (workspace.group->number != design_.group(run))) {
     workspace.group = nullptr;
     workspace.group = group_of(run);
     workspace.problem = workspace.group->problem;
@@ -211,7 +211,7 @@ void StudyRuns::set_problem(Workspace& workspace, std::size_t run) const {
   const std::vector<Choice> chosen = choices(run);
   if (widths_only_) {
     for (const Vary& vary : study_.varies) {
-      if (plan_.axes()[vary.axis].inner) {
+      if (design_.axes()[vary.axis].inner) {
         set_widths(*width_place(vary.path), chosen_value(vary, chosen[vary.axis]), workspace.problem);
       }
     }
@@ -260,7 +260,7 @@ std::optional<RunResult> StudyRuns::row_of(std::size_t run, const Case& c, const
 
 std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::size_t run, SolveOptions& options) const {
   ReadCase chosen = plan_of(run);
-  if (!workspace.group || workspace.group->number != plan_.group(run)) {
+  if (!workspace.group || workspace.group->number != design_.group(run)) {
     workspace.group = nullptr;
     try {
       workspace.group = group_of(run, &chosen);

@@ -13,8 +13,8 @@
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/quantity_row.h"
 #include "bentur/pounding/pounding.h"
-#include "bentur/study/plan/study_check.h"
-#include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/design/study_check.h"
+#include "bentur/study/design/sweep_design.h"
 
 namespace bentur {
 
@@ -32,9 +32,10 @@ struct RunResult {
 using RunValues = std::function<std::optional<std::vector<double>>(const std::vector<Choice>& choices,
                                                                    const std::function<bool()>& go_on)>;
 
-/// The runs of a study. Runs of one group (SweepPlan) share buildings, record and the response without contact, runs of
-/// different groups what is alike in them; runs of one record at several intensities share that response too where it
-/// only scales with them. What a run gives does not depend on which others are run, or where. May serve many threads.
+/// The runs of a study. Runs of one group (SweepDesign) share buildings, record and the response without contact, runs
+/// of different groups what is alike in them; runs of one record at several intensities share that response too where
+/// it only scales with them. What a run gives does not depend on which others are run, or where. May serve many
+/// threads.
 class StudyRuns {
  public:
   /// `study` has been checked, with these facts.
@@ -43,7 +44,7 @@ class StudyRuns {
 
   [[nodiscard]] const Study& study() const noexcept { return study_; }
   [[nodiscard]] const StudyFacts& facts() const noexcept { return facts_; }
-  [[nodiscard]] const SweepPlan& plan() const noexcept { return plan_; }
+  [[nodiscard]] const SweepDesign& design() const noexcept { return design_; }
   [[nodiscard]] const std::vector<RowPart>& quantities() const noexcept { return quantities_; }
 
   /// What run number `run` has along each axis.
@@ -96,7 +97,7 @@ class StudyRuns {
   Study study_;
   StudyFacts facts_;
   std::shared_ptr<CaseMemo> memo_;
-  SweepPlan plan_;
+  SweepDesign design_;
   std::vector<RowPart> quantities_;
   RunValues other_values_;    // empty: a row
   bool widths_only_ = false;  // nothing but widths varies within a group

@@ -73,8 +73,8 @@ class Runs : public testing::Test {
   }
 
   static void expect_same_as_alone(const StudyRuns& runs) {
-    std::vector<std::size_t> order(runs.plan().runs());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = runs.plan().run_at(i);
+    std::vector<std::size_t> order(runs.design().runs());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = runs.design().run_at(i);
     std::vector<RunResult> results = runs.solve(order, [] { return true; });
     ASSERT_EQ(results.size(), order.size());
     std::reverse(order.begin(), order.end());  // other runs now begin the groups
@@ -98,7 +98,7 @@ class Runs : public testing::Test {
 
 TEST_F(Runs, WidthsAlone) {
   const StudyRuns runs = runs_of("[[vary]]\nparameter = 'gap[0].width'\nfrom = 0\nto = 0.08\ncount = 9\n");
-  EXPECT_TRUE(runs.plan().has_groups());
+  EXPECT_TRUE(runs.design().has_groups());
   expect_same_as_alone(runs);
 }
 
@@ -156,7 +156,7 @@ parameter = "gap[0].width"
 name = "gap_width"
 values = [0.05, 100]
 )");
-  EXPECT_FALSE(runs.plan().has_groups());
+  EXPECT_FALSE(runs.design().has_groups());
 }
 
 TEST_F(Runs, Samples) {

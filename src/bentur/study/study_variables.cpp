@@ -33,7 +33,7 @@ std::function<ResultValues(std::span<const RunResult>)> each_run(const Of& of) {
 class StudyList {
  public:
   explicit StudyList(const StudyRuns& runs)
-      : runs_(runs), study_(runs.study()), facts_(runs.facts()), is_grid_(runs.plan().is_grid()) {}
+      : runs_(runs), study_(runs.study()), facts_(runs.facts()), is_grid_(runs.design().is_grid()) {}
 
   StudyFile file(std::string_view version) {
     file_.attributes = file_attributes(facts_.title, "seismic pounding analysis", version);
@@ -46,9 +46,9 @@ class StudyList {
     for (const auto& [name, hash] : facts_.records) records += fmt::format("{}  {}\n", hash, name);
     if (!records.empty()) text("records", records);
     for (std::size_t axis = 0; is_grid_ && axis < study_.axes.size(); ++axis) {
-      file_.runs.push_back({study_.axes[axis], runs_.plan().axes()[axis].levels});
+      file_.runs.push_back({study_.axes[axis], runs_.design().axes()[axis].levels});
     }
-    if (!is_grid_) file_.runs.push_back({"sample", runs_.plan().runs()});
+    if (!is_grid_) file_.runs.push_back({"sample", runs_.design().runs()});
     places();
     for (const Vary& vary : study_.varies) varies(vary);
     for (std::size_t axis = 0; is_grid_ && axis < study_.axes.size(); ++axis) index(axis);

@@ -79,18 +79,18 @@ Message unpacked(const std::string& bytes) {
   }
 }
 
-/// Runs still to be handed out, in the order of the plan.
+/// Runs still to be handed out, in the order of the design.
 class Queue {
  public:
-  Queue(const SweepPlan& plan, const Journal& journal, std::size_t takers)
-      : plan_(plan), journal_(journal), takers_(takers), left_(plan.runs() - journal.done()) {}
+  Queue(const SweepDesign& design, const Journal& journal, std::size_t takers)
+      : design_(design), journal_(journal), takers_(takers), left_(design.runs() - journal.done()) {}
 
   /// Up to `wanted` runs; towards the end fewer, so that all takers finish together.
   RunNumbers take(std::size_t wanted) {
     RunNumbers runs;
     const std::size_t share = std::max<std::size_t>(1, left_ / (2 * takers_));
-    for (wanted = std::min(wanted, share); runs.size() < wanted && position_ < plan_.runs(); ++position_) {
-      const std::size_t run = plan_.run_at(position_);
+    for (wanted = std::min(wanted, share); runs.size() < wanted && position_ < design_.runs(); ++position_) {
+      const std::size_t run = design_.run_at(position_);
       if (!journal_.is_done(run)) runs.push_back(run);
     }
     left_ -= std::min(left_, runs.size());
@@ -99,7 +99,7 @@ class Queue {
   [[nodiscard]] bool empty() const { return left_ == 0; }
 
  private:
-  const SweepPlan& plan_;
+  const SweepDesign& design_;
   const Journal& journal_;
   std::size_t takers_;
   std::size_t left_;
@@ -114,9 +114,9 @@ class Coordinator {
         ranks_(ranks),
         options_(options),
         pool_(runs, options.threads, options.stop),
-        queue_(runs.plan(), journal, static_cast<std::size_t>(ranks.size() * options.threads)),
+        queue_(runs.design(), journal, static_cast<std::size_t>(ranks.size() * options.threads)),
         others_(ranks.size() - 1),
-        all_(runs.plan().runs()) {}
+        all_(runs.design().runs()) {}
 
   bool work() {
     while (!pool_.stopping() && (journal_.done() < all_ || others_ > 0)) {

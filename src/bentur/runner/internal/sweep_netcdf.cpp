@@ -94,7 +94,7 @@ RunBlock SweepFile::block_at(std::size_t first) const {
 
 /// All or none: a variable of texts with pieces that were never written cannot be read as a whole.
 void SweepFile::write_messages(const std::map<std::size_t, std::string>& failures) const {
-  for (std::size_t first = 0; !failures.empty() && first < runs_.plan().runs();) {
+  for (std::size_t first = 0; !failures.empty() && first < runs_.design().runs();) {
     const RunBlock block = block_at(first);
     std::vector<std::string> messages(block.runs);
     for (auto one = failures.lower_bound(first); one != failures.end() && one->first < first + block.runs; ++one) {
@@ -115,7 +115,7 @@ SweepTotals SweepFile::write(const Journal& journal) {
   const auto impacts = named("impacts"), unmodelled = named("unmodelled_contacts");
   const auto remarked = named("remarks"), doubted = named("doubts"), about = named("remark_kinds");
   std::map<std::size_t, std::string> failures;
-  for (std::size_t first = 0; first < runs_.plan().runs();) {
+  for (std::size_t first = 0; first < runs_.design().runs();) {
     const RunBlock block = block_at(first);
     first += block.runs;
     const std::vector<RunResult> results = journal.read(block.first, block.runs);

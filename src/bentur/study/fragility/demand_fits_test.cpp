@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "bentur/core/errors.h"
+#include "bentur/study/design/distribution.h"
 #include "bentur/study/fragility/ida_fragility.h"
-#include "bentur/study/plan/distribution.h"
 
 namespace bentur {
 namespace {

@@ -13,7 +13,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
-#include "bentur/study/plan/distribution.h"
+#include "bentur/study/design/distribution.h"
 
 namespace bentur {
 namespace {

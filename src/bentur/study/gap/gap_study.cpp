@@ -13,7 +13,7 @@
 #include "bentur/model/judgement/compare.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
-#include "bentur/study/plan/study_check.h"
+#include "bentur/study/design/study_check.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {
@@ -90,7 +90,7 @@ class Work {
       : study_(study), facts_(facts), row_(row), memo_(memo), result_(result) {}
 
   void run(const std::function<bool(double)>& progress) {
-    const std::vector<SweepAxis> axes = plan_axes(study_);
+    const std::vector<SweepAxis> axes = design_axes(study_);
     const AxisSubset records = record_axes(study_);
     const AxisSubset widths = subset(axes, [&](std::size_t axis) { return axes[axis].inner && sets_widths(axis); });
     const AxisSubset others = subset(axes, [&](std::size_t axis) {

@@ -15,10 +15,10 @@
 
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/study/build_identity.h"
+#include "bentur/study/design/record_intensity.h"
+#include "bentur/study/design/study_check.h"
+#include "bentur/study/design/sweep_design.h"
 #include "bentur/study/journal.h"
-#include "bentur/study/plan/record_intensity.h"
-#include "bentur/study/plan/study_check.h"
-#include "bentur/study/plan/sweep_plan.h"
 #include "bentur/study/remedy/internal/measure.h"
 #include "bentur/study/remedy/objective_slopes.h"
 #include "bentur/study/remedy/optimiser.h"
@@ -156,12 +156,12 @@ class Trials {
   /// Which record each run of a trial is of, whichever way it is applied and whatever else varies.
   void find_records() {
     const Study one = chosen_study(search_.study, start_);
-    const SweepPlan plan(plan_axes(one), one.sampling);
+    const SweepDesign design(design_axes(one), one.sampling);
     const AxisSubset records = record_axes(one, false);
     for (std::size_t run = 0; run < search_.runs_each; ++run) {
       std::size_t place = 0;
       for (std::size_t i = 0; i < records.axes.size(); ++i) {
-        place = place * records.sizes[i] + plan.level(run, records.axes[i]);
+        place = place * records.sizes[i] + design.level(run, records.axes[i]);
       }
       record_of_.push_back(place);
     }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/study/plan/study.h"
+#include "bentur/study/design/study.h"
 #include "bentur/study/study_runs.h"
 
 namespace bentur {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "bentur/core/diagnostics.h"
-#include "bentur/study/plan/study.h"
+#include "bentur/study/design/study.h"
 
 namespace bentur {
 

@@ -1,4 +1,4 @@
-#include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/design/sweep_design.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,7 +14,7 @@ constexpr std::size_t most_runs = 1000000000;
 
 }  // namespace
 
-SweepPlan::SweepPlan(std::vector<SweepAxis> axes, const Sampling& sampling) : axes_(std::move(axes)) {
+SweepDesign::SweepDesign(std::vector<SweepAxis> axes, const Sampling& sampling) : axes_(std::move(axes)) {
   const auto require = [](bool ok, const std::string& parameter, std::size_t value, const std::string& rule) {
     if (!ok) throw InvalidParameter(parameter, std::to_string(value), rule);
   };
@@ -44,7 +44,7 @@ SweepPlan::SweepPlan(std::vector<SweepAxis> axes, const Sampling& sampling) : ax
   }
 }
 
-std::size_t SweepPlan::level(std::size_t run, std::size_t axis) const {
+std::size_t SweepDesign::level(std::size_t run, std::size_t axis) const {
   const std::size_t levels = axes_[axis].levels;
   if (points_) {
     const double u = points_->at(run, axis);
@@ -54,15 +54,15 @@ std::size_t SweepPlan::level(std::size_t run, std::size_t axis) const {
   return run % levels;
 }
 
-std::size_t SweepPlan::at_level(std::size_t run, std::size_t axis, std::size_t level) const {
+std::size_t SweepDesign::at_level(std::size_t run, std::size_t axis, std::size_t level) const {
   std::size_t stride = 1;
   for (std::size_t later = axes_.size() - 1; later > axis; --later) stride *= axes_[later].levels;
   return run + (level - this->level(run, axis)) * stride;
 }
 
-double SweepPlan::unit(std::size_t run, std::size_t axis) const { return points_->at(run, axis); }
+double SweepDesign::unit(std::size_t run, std::size_t axis) const { return points_->at(run, axis); }
 
-std::size_t SweepPlan::run_at(std::size_t position) const {
+std::size_t SweepDesign::run_at(std::size_t position) const {
   if (points_) return order_.empty() ? position : order_[position];
   // Inner axes last, that is fastest: take the position apart in that order, and sum up with the strides of the run.
   std::size_t run = 0;
@@ -80,7 +80,7 @@ std::size_t SweepPlan::run_at(std::size_t position) const {
   return run;
 }
 
-std::uint64_t SweepPlan::group(std::size_t run) const {
+std::uint64_t SweepDesign::group(std::size_t run) const {
   if (points_ && !has_groups_) return run;
   std::uint64_t number = 0;
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {

@@ -1,4 +1,4 @@
-#include "bentur/study/plan/record_intensity.h"
+#include "bentur/study/design/record_intensity.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "bentur/study/plan/study_check.h"
+#include "bentur/study/design/study_check.h"
 
 #include <fmt/format.h>
 
@@ -339,7 +339,7 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
   Diagnostics found;
   Trial trial(study, memo, found);
   try {
-    (void)SweepPlan(plan_axes(study), study.sampling);
+    (void)SweepDesign(design_axes(study), study.sampling);
     if (trial.first()) {
       for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
         if (!study.ida || axis != study.ida->axis) trial.along(axis);
@@ -357,7 +357,7 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
   return found.ok() ? std::optional(trial.take()) : std::nullopt;
 }
 
-std::vector<SweepAxis> plan_axes(const Study& study, bool places) {
+std::vector<SweepAxis> design_axes(const Study& study, bool places) {
   const bool wave =
       has_wave_velocity(study.case_root) ||
       std::any_of(study.varies.begin(), study.varies.end(), [](const Vary& vary) { return has_wave_velocity(vary); });

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bentur/io/schema/table_view.h"
-#include "bentur/study/plan/study.h"
+#include "bentur/study/design/study.h"
 
 // The parts a study file is read in; read_study() puts them together.
 namespace bentur {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bentur/io/temporary_folder.h"
-#include "bentur/study/plan/study_check.h"
+#include "bentur/study/design/study_check.h"
 #include "tests/support/study_of.h"
 #include "tests/support/yielding_case.h"
 

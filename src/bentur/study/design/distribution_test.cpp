@@ -1,4 +1,4 @@
-#include "bentur/study/plan/distribution.h"
+#include "bentur/study/design/distribution.h"
 
 #include <gtest/gtest.h>
 

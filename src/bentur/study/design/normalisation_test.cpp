@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bentur/io/temporary_folder.h"
-#include "bentur/study/plan/study_check.h"
+#include "bentur/study/design/study_check.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {

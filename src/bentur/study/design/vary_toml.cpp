@@ -6,8 +6,8 @@
 #include <set>
 
 #include "bentur/io/toml/named_files.h"
-#include "bentur/study/plan/internal/study_parts.h"
-#include "bentur/study/plan/study_keys.h"
+#include "bentur/study/design/internal/study_parts.h"
+#include "bentur/study/design/study_keys.h"
 
 namespace bentur {
 namespace {

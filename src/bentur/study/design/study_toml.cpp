@@ -6,10 +6,10 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/schema/case_keys.h"
-#include "bentur/study/plan/internal/study_parts.h"
-#include "bentur/study/plan/study.h"
-#include "bentur/study/plan/study_keys.h"
-#include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/design/internal/study_parts.h"
+#include "bentur/study/design/study.h"
+#include "bentur/study/design/study_keys.h"
+#include "bentur/study/design/sweep_design.h"
 #include "bentur/study/suite/suite_study.h"
 
 namespace bentur {

@@ -1,4 +1,4 @@
-#include "bentur/study/plan/sampling.h"
+#include "bentur/study/design/sampling.h"
 
 #include <bit>
 #include <boost/random/sobol.hpp>

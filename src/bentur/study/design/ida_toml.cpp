@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "bentur/study/plan/internal/study_parts.h"
-#include "bentur/study/plan/record_intensity.h"
-#include "bentur/study/plan/study_keys.h"
-#include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/design/internal/study_parts.h"
+#include "bentur/study/design/record_intensity.h"
+#include "bentur/study/design/study_keys.h"
+#include "bentur/study/design/sweep_design.h"
 
 namespace bentur {
 namespace {
@@ -81,7 +81,7 @@ bool draw_together(Study& study) {
     numbers[axis] = drawn.size();
     drawn.push_back({.levels = first.distribution ? 0 : first.values.size()});
   }
-  const SweepPlan plan(drawn, study.sampling);
+  const SweepDesign design(drawn, study.sampling);
   std::vector<std::string> axes = {"draw"};
   for (Vary& vary : study.varies) {
     const std::size_t axis = numbers[vary.axis];
@@ -92,14 +92,14 @@ bool draw_together(Study& study) {
     }
     vary.axis = 0;
     if (vary.distribution) {
-      for (std::size_t n = 0; n < plan.runs(); ++n) {
-        vary.values.push_back(toml_number(*chosen_number(vary, {.u = plan.unit(n, axis)})));
+      for (std::size_t n = 0; n < design.runs(); ++n) {
+        vary.values.push_back(toml_number(*chosen_number(vary, {.u = design.unit(n, axis)})));
       }
       vary.distribution.reset();
       continue;
     }
-    std::vector<std::size_t> places(plan.runs());
-    for (std::size_t n = 0; n < places.size(); ++n) places[n] = plan.level(n, axis);
+    std::vector<std::size_t> places(design.runs());
+    for (std::size_t n = 0; n < places.size(); ++n) places[n] = design.level(n, axis);
     reorder(vary.values, places);
     reorder(vary.labels, places);
     reorder(vary.normalisation, places);

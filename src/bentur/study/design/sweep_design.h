@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "bentur/study/plan/sampling.h"
+#include "bentur/study/design/sampling.h"
 
 namespace bentur {
 
@@ -17,11 +17,11 @@ struct SweepAxis {
 
 /// The runs of a study by number, and the order to work on them: a grid counts through its axes with the last one
 /// fastest; samples are numbered as they are drawn.
-class SweepPlan {
+class SweepDesign {
  public:
   /// @throws InvalidParameter without axes, with a continuous axis in a grid, without samples, or with more than
   /// 10⁹ runs.
-  SweepPlan(std::vector<SweepAxis> axes, const Sampling& sampling);
+  SweepDesign(std::vector<SweepAxis> axes, const Sampling& sampling);
 
   [[nodiscard]] std::size_t runs() const noexcept { return runs_; }
   [[nodiscard]] bool is_grid() const noexcept { return !points_.has_value(); }

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/study/plan/internal/study_parts.h"
-#include "bentur/study/plan/study_keys.h"
+#include "bentur/study/design/internal/study_parts.h"
+#include "bentur/study/design/study_keys.h"
 
 namespace bentur {
 

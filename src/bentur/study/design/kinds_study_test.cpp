@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bentur/io/temporary_folder.h"
-#include "bentur/study/plan/study_check.h"
+#include "bentur/study/design/study_check.h"
 #include "tests/support/column_case.h"
 #include "tests/support/kinds_case.h"
 #include "tests/support/study_of.h"

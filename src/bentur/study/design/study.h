@@ -10,8 +10,8 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/io/toml/toml_value.h"
-#include "bentur/study/plan/distribution.h"
-#include "bentur/study/plan/sampling.h"
+#include "bentur/study/design/distribution.h"
+#include "bentur/study/design/sampling.h"
 
 namespace bentur {
 

@@ -6,7 +6,7 @@
 
 #include "bentur/core/units.h"
 #include "bentur/excitation/ground_motion.h"
-#include "bentur/study/plan/study.h"
+#include "bentur/study/design/study.h"
 
 namespace bentur {
 

@@ -10,9 +10,9 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/model/quantity_row.h"
-#include "bentur/study/plan/record_intensity.h"
-#include "bentur/study/plan/study.h"
-#include "bentur/study/plan/sweep_plan.h"
+#include "bentur/study/design/record_intensity.h"
+#include "bentur/study/design/study.h"
+#include "bentur/study/design/sweep_design.h"
 
 namespace bentur {
 
@@ -54,7 +54,7 @@ struct StudyFacts {
 
 /// The axes as a plan takes them: runs that differ in gap widths and contacts alone share the response without contact,
 /// unless delays are reckoned from the widths. @param places so may those in plan that differ in where buildings stand
-[[nodiscard]] std::vector<SweepAxis> plan_axes(const Study& study, bool places = false);
+[[nodiscard]] std::vector<SweepAxis> design_axes(const Study& study, bool places = false);
 
 /// The message of an error about a case made by a study, without its place in a file.
 [[nodiscard]] std::string first_message(const Diagnostics& diagnostics);

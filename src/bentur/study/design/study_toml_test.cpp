@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bentur/io/temporary_folder.h"
-#include "bentur/study/plan/study.h"
+#include "bentur/study/design/study.h"
 #include "tests/support/mutated_text.h"
 
 namespace bentur {

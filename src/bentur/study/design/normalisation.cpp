@@ -10,8 +10,8 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/input_file.h"
 #include "bentur/io/schema/case_keys.h"
-#include "bentur/study/plan/internal/study_parts.h"
-#include "bentur/study/plan/study_keys.h"
+#include "bentur/study/design/internal/study_parts.h"
+#include "bentur/study/design/study_keys.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {

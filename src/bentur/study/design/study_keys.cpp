@@ -1,4 +1,4 @@
-#include "bentur/study/plan/study_keys.h"
+#include "bentur/study/design/study_keys.h"
 
 #include "bentur/core/units.h"
 #include "bentur/io/schema/case_keys.h"
