@@ -39,12 +39,12 @@ function(bentur_in_batches target)
   endif()
 endfunction()
 
-# bentur_module(NAME [LIGHTLY] [DEPENDS target...] [PRIVATE_DEPENDS target...] [TESTS_USE target...])
+# bentur_module(NAME [LIGHTLY|TEXTS] [DEPENDS target...] [PRIVATE_DEPENDS target...] [TESTS_USE target...])
 # One library target per module folder, alias bentur::NAME; *_test.cpp beside the code become the executable NAME_test.
 # Every header is public, and installed, but those in folders named engine or internal, which only the module itself
 # includes. Its tests may use modules that need it. What it depends on is looked for, or built, for its sake: modules that others need come after them.
 function(bentur_module name)
-  cmake_parse_arguments(ARG "LIGHTLY" "" "DEPENDS;PRIVATE_DEPENDS;TESTS_USE" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHTLY;TEXTS" "" "DEPENDS;PRIVATE_DEPENDS;TESTS_USE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   list(FILTER headers EXCLUDE REGEX "/(engine|internal)/")
@@ -75,7 +75,9 @@ function(bentur_module name)
     endif()
   endforeach()
   target_compile_features(bentur_${name} PUBLIC cxx_std_20)
-  if(ARG_LIGHTLY)
+  if(ARG_TEXTS)
+    bentur_compile(bentur_${name} TEXTS)
+  elseif(ARG_LIGHTLY)
     bentur_compile(bentur_${name} LIGHTLY)
   else()
     bentur_compile(bentur_${name})
@@ -122,7 +124,7 @@ function(bentur_test name)
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     BENTUR_SOURCE_DIR="${PROJECT_SOURCE_DIR}" BENTUR_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  bentur_compile(${name} LIGHTLY)
+  bentur_compile(${name} TEXTS)
   set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 10)  # helpers of more tests have one another's names
   target_compile_options(${name} PRIVATE $<$<PLATFORM_ID:Emscripten>:-O1>)
   if(sanitized AND NOT name IN_LIST sanitized_programs)
@@ -150,7 +152,11 @@ function(bentur_compile_options target)
 endfunction()
 
 # What reads, writes and tests spends its time in files and in other modules: the compiler's last efforts, a third of the
-# time of its build, would be for nothing.
+# time of its build, would be for nothing; under the sanitizers all of its efforts, two thirds.
 function(bentur_optimise_lightly target)
-  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<NOT:$<PLATFORM_ID:Emscripten>>>:-O1>)
+  if(sanitized AND NOT BENTUR_FUZZ)  # which goes through readers a million times
+    target_compile_options(${target} PRIVATE -O0)
+  else()
+    target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<NOT:$<PLATFORM_ID:Emscripten>>>:-O1>)
+  endif()
 endfunction()

@@ -14,10 +14,11 @@ bentur_compile_options(bentur_precompiled)
 bentur_compile_options(bentur_precompiled_lightly)
 bentur_optimise_lightly(bentur_precompiled_lightly)
 
-# bentur_compile(TARGET [LIGHTLY]): the project's options and precompiled headers; LIGHTLY: see bentur_optimise_lightly.
+# bentur_compile(TARGET [LIGHTLY|TEXTS]): the project's options and precompiled headers; LIGHTLY, TEXTS: see
+# bentur_optimise_lightly. Under the sanitizers those that are LIGHTLY step through as much as the others.
 function(bentur_compile target)
   bentur_compile_options(${target})
-  if("LIGHTLY" IN_LIST ARGN)
+  if("TEXTS" IN_LIST ARGN OR ("LIGHTLY" IN_LIST ARGN AND NOT sanitized))
     bentur_optimise_lightly(${target})
     target_precompile_headers(${target} REUSE_FROM bentur_precompiled_lightly)
   else()
