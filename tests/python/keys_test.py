@@ -25,7 +25,7 @@ BEYOND = {
         "places in plan": """
             plan-footprints-overlap plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
             plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
-            plan-accidental plan-polygon-court plan-polygon-crosses plan-polygon-link plan-polygon-overlap
+            plan-accidental plan-accidental-far plan-polygon-court plan-polygon-crosses plan-polygon-link plan-polygon-overlap
             plan-polygon-part""",
         "order of numbers": """
             column-elevations-order gap-elevations-order matrices-elevations-order
@@ -60,6 +60,7 @@ BEYOND = {
             isolation-of-plan-in-row plan-isolation-of-row plan-soil-twist soil-of-plan-in-row
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             contact-spread-in-row plan-friction-of-law plan-gap-width plan-link-without-place
+            plan-accidental-below plan-accidental-spectrum
             plan-size-without-corner plan-suite-kinds plan-suite-same plan-suite-y-record matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice

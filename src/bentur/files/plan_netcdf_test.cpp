@@ -169,6 +169,10 @@ TEST(PlanReading, WhatWasWrittenIsWhatIsRead) {
                                              "[analysis]\ncollapse_drift = 1e-3\n"));
   EXPECT_EQ(fallen.response.status, Status::collapsed);
   expect_read_back(std::move(fallen));
+  // With masses that may stand elsewhere, where drifts and a collapse are of any of their places.
+  const std::string size = "size = [12.0, 18.0]\n", away = size + "accidental_eccentricity = 0.1\n";
+  expect_read_back(test::plan_run(test::twisting_pair(size, away)));
+  expect_read_back(test::plan_run(test::with(test::twisting_pair(name, name + "p_delta = true\n"), size, away)));
   // One on soil beside one on bearings, one of which yields.
   const std::string soil =
       "soil = { half_space = { shear_wave_velocity = 180, density = 1.9, poisson = 0.4, radius = 8 }, "

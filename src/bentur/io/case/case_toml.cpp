@@ -215,6 +215,7 @@ const ExcitationSpec& longest_of(const Case& c) {
 void make_in_plan(const TomlView& root, ReadCase& read, Diagnostics& diagnostics) {
   std::vector<PlanBuilding> made = make_buildings(root, read.c, read.buildings);
   read.plan.emplace();
+  refuse_masses_elsewhere(root, read.c, read.buildings);
   check_times(root, {}, read);
   if (!diagnostics.ok()) return;
   try {

@@ -102,8 +102,9 @@ const KeyTable& building_plan_keys() {
            .optional("the middle of the footprint"),
        Key::number("accidental_eccentricity", dimension::none, Range::finite,
                    {"Accidental eccentricity", "Eksentrisitas tak terduga"},
-                   "how far all centres of mass are moved, as parts of the size; what holds the floors stays")
-           .list("along x and y", 2)
+                   "parts of the size: a list moves all centres of mass, and what holds the floors stays; a number is "
+                   "of both ways, along x and along y")
+           .for_each("along x and y")
            .optional("0"),
        Key::number("inertias", dimension::mass_inertia, Range::positive, {"Inertias", "Inersia"},
                    "of the floors about the vertical through their centre of mass")

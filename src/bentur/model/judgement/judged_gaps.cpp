@@ -96,11 +96,7 @@ std::vector<LargestDrift> drifts_no_contact(const RunResults& run) {
   return drifts;
 }
 
-std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) {
-  std::vector<LargestDrift> drifts;
-  for (const PlanPeaks& peaks : run.response.buildings_no_contact) drifts.push_back(peaks.largest_drift());
-  return drifts;
-}
+std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) { return drifts_no_contact(run.response); }
 
 RunFacts run_facts(const RunResults& run) {
   return with_gaps(common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation)), run);

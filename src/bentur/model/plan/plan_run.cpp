@@ -61,6 +61,23 @@ std::vector<Eigen::VectorXd> initial_vectors(const std::vector<std::vector<doubl
   return vectors;
 }
 
+/// Of each building those with its masses elsewhere; empty where none has any.
+std::vector<std::vector<PlanBuilding>> buildings_elsewhere(const std::vector<BuildingSpec>& specs) {
+  std::vector<std::vector<PlanBuilding>> all(specs.size());
+  bool has_any = false;
+  for (std::size_t b = 0; b < specs.size(); ++b) {
+    const Plan* const plan = std::get_if<Plan>(&specs[b].structure);
+    if (plan == nullptr) continue;
+    BuildingSpec moved = specs[b];
+    for (Plan& one : with_masses_elsewhere(*plan)) {
+      moved.structure = std::move(one);
+      all[b].push_back(make_plan_building(moved));
+      has_any = true;
+    }
+  }
+  return has_any ? all : std::vector<std::vector<PlanBuilding>>();
+}
+
 }  // namespace
 
 PlanBuilding make_plan_building(const BuildingSpec& spec) {
@@ -172,6 +189,7 @@ PlanProblem make_plan_problem(const Case& c, std::vector<PlanBuilding> buildings
     problem.gaps.back().watched = watched_floors(gap, problem.buildings);
   }
   problem.links = links_of(c.links, problem.buildings);
+  problem.elsewhere = buildings_elsewhere(c.buildings);
   problem.motions = {c.excitation.motion, c.excitation_y.motion};
   problem.axes = axes_at(c.angle);
   problem.delays = c.excitation.delays;

@@ -86,10 +86,10 @@ std::string bare_columns(const GapView& facts) {
   return bare;
 }
 
-/// Whether a building's masses stand apart from where they are expected.
+/// Whether a building's masses stand apart from where they are expected, or are looked at there as well.
 bool is_moved(const Case& c, Index b) {
   const auto* const plan = std::get_if<Plan>(&c.buildings.at(static_cast<std::size_t>(b)).structure);
-  return plan != nullptr && !plan->accidental_eccentricity.isZero();
+  return plan != nullptr && (!plan->accidental_eccentricity.isZero() || plan->eccentricity_both_ways > 0);
 }
 
 /// What is open in every report.

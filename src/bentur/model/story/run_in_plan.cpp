@@ -159,6 +159,23 @@ void tell_slips(const PlanRun& run, std::vector<Statement>& statements) {
   }
 }
 
+namespace {
+
+/// That needs are of masses elsewhere too, and of which buildings by how much.
+void tell_masses_elsewhere(const PlanRun& run, std::vector<Statement>& statements) {
+  Statement statement{.kind = "masses_elsewhere", .severity = Severity::remark};
+  for (std::size_t b = 0; b < run.c.buildings.size(); ++b) {
+    const auto* const plan = std::get_if<Plan>(&run.c.buildings[b].structure);
+    if (plan == nullptr || plan->eccentricity_both_ways == 0) continue;
+    statement.buildings.push_back(static_cast<Index>(b));
+    statement.items.push_back(
+        {text_of("building", run.c.buildings[b].name), value_in("part", percent * plan->eccentricity_both_ways, "%")});
+  }
+  if (!statement.items.empty()) statements.push_back(std::move(statement));
+}
+
+}  // namespace
+
 bool tell_turning(const PlanRun& run, std::vector<Statement>& statements) {
   constexpr double more = 1 + 1e-9;
   const LargestOfFloors turns = largest_of_floors(run, "amplification_rotation");
@@ -179,6 +196,7 @@ bool tell_turning(const PlanRun& run, std::vector<Statement>& statements) {
 }
 
 void tell_left_out(const PlanRun& run, std::vector<Statement>& statements) {
+  tell_masses_elsewhere(run, statements);
   tell_rotations(run, statements);
   tell_ends_of_edges(run, statements);
 }

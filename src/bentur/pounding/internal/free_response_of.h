@@ -1,108 +1,16 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "bentur/pounding/internal/after_motion.h"
-#include "bentur/pounding/internal/asked.h"
-#include "bentur/pounding/internal/progress_of_parts.h"
-#include "bentur/pounding/internal/same_but_gaps.h"
-#include "bentur/pounding/pounding.h"
+#include "bentur/pounding/internal/free_parts.h"
 
-// What problems of rows and of plans are solved by alike. Of either there are, by overloads:
-//   validate, system_of, motions_in, gap_widths, gap_count, places_of, keeps_course, has_meetings: of a problem;
-//   free_response, take_levels, take_meetings, take_solution: a solution as a response;
-//   check_itself, drifts_no_contact: of a response.
+// Problems of rows and of plans are solved alike: what free_parts.h has without contact, and with it.
 namespace bentur {
 
-template <class AnyProblem, class AnyResponse>
-struct FreeResponseOf<AnyProblem, AnyResponse>::Parts {
-  AnyProblem problem;  // valid
-  Solver solver;
-  FreeSolution free;
-  RunLimits limits;
-  bool levels;
-  AnyResponse response;                         // as far as it goes without contact
-  std::optional<AnyResponse> with_widths = {};  // the same where needs hang on the widths of the problem
-};
-
 namespace any_problem {
-
-[[nodiscard]] inline bool is_over(Status status) { return status == Status::done || status == Status::collapsed; }
-
-template <class AnyProblem>
-[[nodiscard]] AnyProblem valid(AnyProblem problem) {
-  validate(problem);
-  return problem;
-}
-
-/// What the free solution says.
-template <class AnyResponse, class AnyProblem>
-[[nodiscard]] AnyResponse told(const AnyProblem& problem, const FreeSolution& free, bool levels) {
-  AnyResponse response = free_response(problem, free.solution());
-  response.duration = free.system().duration;
-  take_to_come(free, places_of(problem), response.points, response.watched);
-  const bool mirrored = free.solution().status == Status::done && is_mirrored(free.system());
-  if (levels) take_levels(problem, free.solution(), mirrored, response);
-  return response;
-}
-
-template <class Parts, class AnyResponse, class AnyProblem>
-[[nodiscard]] Parts parts_of(AnyProblem given, const Solver& solver, const std::function<bool(double)>& progress,
-                             const RunLimits& limits, bool levels) {
-  AnyProblem problem = valid(std::move(given));
-  FreeSolution free = free_solution(system_of(problem, levels), solver, progress, limits, problem.goes_on);
-  AnyResponse response = told<AnyResponse>(problem, free, levels);
-  return {std::move(problem), solver, std::move(free), limits, levels, std::move(response)};
-}
-
-/// A problem under the motion reversed, made where it is first asked for, as its response without contact is.
-template <class Parts, class AnyProblem>
-class ReversedFree {
- public:
-  /// @param problem lives as long as this
-  ReversedFree(const AnyProblem& problem, const Solver& solver, const RunLimits& limits,
-               std::function<bool(double)> progress = {})
-      : given_(problem), solver_(solver), limits_(limits), progress_(std::move(progress)) {}
-
-  [[nodiscard]] const AnyProblem& problem() {
-    if (!problem_) {
-      problem_ = given_;
-      for (GroundMotion& motion : motions_in(*problem_)) motion = reversed(std::move(motion));
-    }
-    return *problem_;
-  }
-  [[nodiscard]] const Parts& parts() {
-    using AnyResponse = decltype(Parts::response);
-    if (!parts_) parts_.emplace(parts_of<Parts, AnyResponse>(problem(), solver_, progress_, limits_, false));
-    return *parts_;
-  }
-  /// For take_meetings().
-  [[nodiscard]] std::function<FreeSolution()> free() {
-    return [this] { return parts().free; };
-  }
-
- private:
-  const AnyProblem& given_;
-  const Solver& solver_;
-  RunLimits limits_;
-  std::function<bool(double)> progress_;
-  std::optional<AnyProblem> problem_;
-  std::optional<Parts> parts_;
-};
-
-/// With the needs of the problem itself, for response().
-template <class Parts>
-[[nodiscard]] Parts with_needs(Parts parts) {
-  if (!has_meetings(parts.problem)) return parts;
-  ReversedFree<Parts, decltype(Parts::problem)> other(parts.problem, parts.solver, parts.limits);
-  parts.with_widths = parts.response;
-  take_meetings(parts.problem, parts.free.system(), parts.free, other.free(), parts.limits, parts.with_widths->points);
-  return parts;
-}
 
 /// With the contacts of `other`, which its system has, and which is the parts' problem but for gaps and laws.
 template <class Parts, class AnyProblem>
@@ -122,17 +30,16 @@ template <class Parts, class AnyProblem>
   return with;
 }
 
-/// What the reversed motion needs, where that is asked for and the free response does not have it, and what it does
-/// where some gap of several closes, so that others are struck that move otherwise than freely.
+/// What the reversed motion needs, where that is asked for and the free response does not have it; nothing where that
+/// is not known.
 template <class AnyProblem, class AnyResponse, class Parts>
-void add_reversed(const AnyProblem& problem, const SolveOptions& options, const System& system,
-                  ReversedFree<Parts, AnyProblem>& other, AnyResponse& response) {
+[[nodiscard]] std::optional<ReversedRun> reversed_free(const SolveOptions& options, const System& system,
+                                                       ReversedFree<Parts, AnyProblem>& other, AnyResponse& response) {
   if (!options.both_ways) {
     take_reversed({}, response.points);
     take_reversed({}, response.watched);
   }
-  if (!options.both_ways || !is_over(response.status) || !is_shaken(system)) return;
-  const auto is_solved = [&] { return is_over(other.parts().response.status); };
+  if (!options.both_ways || !is_over(response.status) || !is_shaken(system)) return std::nullopt;
   ReversedRun reversed;
   const auto take_free = [&](const AnyResponse& found) {
     reversed.collapse_no_contact = found.collapse_no_contact;
@@ -140,17 +47,27 @@ void add_reversed(const AnyProblem& problem, const SolveOptions& options, const 
   };
   if (is_mirrored(system)) {
     take_free(response);
-  } else {
-    if (!is_solved()) return;
-    const AnyResponse& found = other.parts().response;
-    take_free(found);
-    if (found.status == Status::done) {
-      take_reversed(found.points, response.points);
-      take_reversed(found.watched, response.watched);
-    }
+    return reversed;
   }
+  const AnyResponse& found = other.parts().response;
+  if (!is_over(found.status)) return std::nullopt;
+  take_free(found);
+  if (found.status == Status::done) {
+    take_reversed(found.points, response.points);
+    take_reversed(found.watched, response.watched);
+  }
+  return reversed;
+}
+
+/// The same, and what the reversed motion does where some gap of several closes, so that others are struck that move
+/// otherwise than freely.
+template <class AnyProblem, class AnyResponse, class Parts>
+void add_reversed(const AnyProblem& problem, const SolveOptions& options, const System& system,
+                  ReversedFree<Parts, AnyProblem>& other, AnyResponse& response) {
+  std::optional<ReversedRun> reversed = reversed_free(options, system, other, response);
+  if (!reversed) return;
   if (gap_count(problem) > 1 && some_point_closes(response.points, gap_widths(problem))) {
-    if (!is_solved()) return;
+    if (!is_over(other.parts().response.status)) return;
     SolveOptions rest;
     rest.limits = options.limits;
     if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
@@ -159,12 +76,64 @@ void add_reversed(const AnyProblem& problem, const SolveOptions& options, const 
     if (!is_over(with.status)) return;
     // Nothing is asked of the motion reversed once more.
     take_meetings(other.problem(), free.system(), free, other.free(), rest.limits, with.points);
-    reversed.has_contact = true;
-    reversed.collapse = with.collapse;
-    reversed.points = std::move(with.points);
-    reversed.watched = std::move(with.watched);
+    reversed->has_contact = true;
+    reversed->collapse = with.collapse;
+    reversed->points = std::move(with.points);
+    reversed->watched = std::move(with.watched);
   }
   response.reversed = std::move(reversed);
+}
+
+/// Raises what the response needs without contact to the most of all places where masses may stand; of a row they stand
+/// where they are. @param options of what is asked: `levels`, and `both_ways` where the response has what the reversed
+/// motion needs
+template <class Parts, class AnyProblem, class AnyResponse>
+void take_masses_elsewhere(const AnyProblem& problem, const Solver& solver, const SolveOptions& options,
+                           AnyResponse& response) {
+  if constexpr (requires { problem.elsewhere; }) {
+    const auto goes_on = [&](double) { return !options.progress || options.progress(1.0); };
+    for (const auto& places : mass_choices(problem)) {
+      if (!is_over(response.status)) return;
+      const AnyProblem moved = with_masses_at(problem, places);
+      const Parts parts = parts_of<Parts, AnyResponse>(moved, solver, goes_on, options.limits, options.levels);
+      AnyResponse free = parts.response;
+      if (!is_over(free.status)) {
+        response.status = free.status;
+        response.message = free.message;
+        return;
+      }
+      ReversedFree<Parts, AnyProblem> other(moved, solver, options.limits, goes_on);
+      const System& system = parts.free.system();
+      free.reversed = reversed_free(options, system, other, free);
+      take_meetings(moved, system, parts.free, other.free(), options.limits, free.points);
+      raise_needs(free, response);
+    }
+  }
+}
+
+/// What a free response has: of the reversed motion what follows from it.
+template <class Parts>
+[[nodiscard]] SolveOptions free_options(const Parts& parts) {
+  SolveOptions options;
+  options.limits = parts.limits;
+  options.levels = parts.levels;
+  options.both_ways = parts.levels && is_mirrored(parts.free.system());
+  return options;
+}
+
+/// With the needs of the problem itself, for response().
+template <class Parts>
+[[nodiscard]] Parts with_needs(Parts parts) {
+  if (!has_meetings(parts.problem) && !may_have_masses_elsewhere(parts.problem)) return parts;
+  auto needs = parts.response;
+  const System& system = parts.free.system();
+  if (has_meetings(parts.problem)) {
+    ReversedFree<Parts, decltype(Parts::problem)> other(parts.problem, parts.solver, parts.limits);
+    take_meetings(parts.problem, system, parts.free, other.free(), parts.limits, needs.points);
+  }
+  take_masses_elsewhere<Parts>(parts.problem, parts.solver, free_options(parts), needs);
+  parts.with_widths = std::move(needs);
+  return parts;
 }
 
 /// As solve() of a problem is.
@@ -183,6 +152,9 @@ template <class AnyResponse, class AnyProblem>
   AnyResponse response = solved(parts, problem, system, rest);
   add_reversed(problem, options, system, other, response);
   take_meetings(problem, system, parts.free, other.free(), options.limits, response.points);
+  rest = options;
+  rest.levels = levels;
+  take_masses_elsewhere<Parts>(problem, solver, rest, response);
   response.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return response;
 }
@@ -232,6 +204,7 @@ AnyResponse FreeResponseOf<AnyProblem, AnyResponse>::solve(const AnyProblem& pro
   AnyResponse response = any_problem::solved(*parts_, problem, system, options);
   any_problem::ReversedFree<Parts, AnyProblem> other(problem, parts_->solver, options.limits);
   take_meetings(problem, system, parts_->free, other.free(), options.limits, response.points);
+  any_problem::take_masses_elsewhere<Parts>(problem, parts_->solver, any_problem::free_options(*parts_), response);
   return response;
 }
 

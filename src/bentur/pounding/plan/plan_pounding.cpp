@@ -12,6 +12,7 @@
 #include "bentur/pounding/internal/free_response_of.h"
 #include "bentur/pounding/internal/levels.h"
 #include "bentur/pounding/internal/summaries.h"
+#include "bentur/pounding/plan/masses_elsewhere.h"
 #include "bentur/pounding/plan/plan_meetings.h"
 #include "bentur/structure/frame/infill.h"
 #include "bentur/structure/plan/plan_body.h"
@@ -427,6 +428,10 @@ void take_levels(const PlanProblem& problem, const Solution& free, bool reversed
 std::vector<LargestDrift> drifts_no_contact(const PlanResponse& response) {
   std::vector<LargestDrift> drifts;
   for (const PlanPeaks& one : response.buildings_no_contact) drifts.push_back(one.largest_drift());
+  for (std::size_t b = 0; b < std::min(drifts.size(), response.drifts_elsewhere.size()); ++b) {
+    const LargestDrift& other = response.drifts_elsewhere[b];
+    if (other.ratio > drifts[b].ratio) drifts[b] = other;
+  }
   return drifts;
 }
 

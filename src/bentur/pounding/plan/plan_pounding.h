@@ -100,8 +100,14 @@ struct PlanResponse {
   PlanHistories course = {};
   static constexpr std::size_t most_followed = 6;
   std::optional<ReversedRun> reversed = {};  ///< as Response's
+  /// Where masses may stand elsewhere (PlanProblem::elsewhere), the largest of each building without contact, and of
+  /// all of them are collapse_no_contact and what points and watched floors need; empty: nowhere.
+  std::vector<LargestDrift> drifts_elsewhere = {};
   std::vector<Discrepancy> discrepancies = {};
 };
+
+/// The largest drift of each building without contact, wherever its masses may stand.
+[[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const PlanResponse& response);
 
 /// The free response first, then the response with contact. Numerical trouble is a status with time and reason, never
 /// an exception. @throws InvalidParameter when the problem or the solver's parameter is not valid.

@@ -226,6 +226,17 @@ void validate(const PlanProblem& problem) {
   for (const PlanBuilding& building : problem.buildings) dofs.push_back(building.model.dofs());
   check_initial(problem.initial_displacement, dofs, "initial_displacement");
   check_initial(problem.initial_velocity, dofs, "initial_velocity");
+  const std::size_t moved = problem.elsewhere.size();
+  require(moved == 0 || moved == problem.buildings.size(), "elsewhere", fmt::format("{}", moved),
+          "must have a list for every building, or none");
+  for (std::size_t b = 0; b < moved; ++b) {
+    const std::size_t count = problem.elsewhere[b].size();
+    require(count == 0 || count == 4, "elsewhere", problem.buildings[b].name, "must have four places of its masses");
+    for (const PlanBuilding& one : problem.elsewhere[b]) {
+      check_building(one, problem.duration);
+      require(one.model.dofs() == dofs[b], "elsewhere", one.name, "must be the same building");
+    }
+  }
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) check_start(problem, gap, contact);
   }

@@ -98,6 +98,9 @@ struct PlanProblem {
   /// Drift ratio [-] > 0 of an edge, along it, at which a storey of a building with gravity loads has collapsed, which
   /// ends the run.
   double collapse_drift = 0.1;
+  /// Per building the same with its masses where they may stand as well, none of a building whose masses stand where
+  /// they are; empty: of none. What gaps need is then the most of all choices (masses_elsewhere.h).
+  std::vector<std::vector<PlanBuilding>> elsewhere = {};
 };
 
 /// "A | B", as the buildings stand in the problem.

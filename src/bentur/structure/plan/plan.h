@@ -89,6 +89,8 @@ struct Plan {
                                                 ///< [length]; empty: its middle
   /// By what of the size along x and y they are moved already [-].
   PlanPoint accidental_eccentricity = PlanPoint::Zero();
+  double eccentricity_both_ways =
+      0;  ///< by what of the size they may stand elsewhere, along x or y, either way [-] ≥ 0
   std::vector<double> inertias = {};  ///< about these, one per floor [mass·length²]; empty: (P-2)
   std::vector<PlanPlane> planes = {};
   std::optional<PlanRigidity> rigidity = {};      ///< beside the planes
@@ -102,6 +104,11 @@ struct Plan {
 /// [length], and its inertia about that [mass·length²].
 [[nodiscard]] PlanPoint centre_of_mass(const Plan& plan, Eigen::Index floor);
 [[nodiscard]] double inertia_of(const Plan& plan, Eigen::Index floor);
+
+/// The same with all centres of mass moved by parts of the size along x and y; what holds the floors stays.
+[[nodiscard]] Plan with_masses_moved(Plan plan, const PlanPoint& parts);
+/// The four that plan.eccentricity_both_ways asks for: to the right and to the left along x, up and down along y.
+[[nodiscard]] std::vector<Plan> with_masses_elsewhere(const Plan& plan);
 
 /// A direction in which nothing holds a storey, counted from 0.
 struct UnheldStorey {

@@ -107,20 +107,28 @@ void check_centres(const TableView& table, const Plan& plan) {
   }
 }
 
-/// Moves all centres of mass, which then must stand on the floor still.
+/// Moves all centres of mass, or takes by how much they may stand elsewhere; there they must stand on the floor still.
 void move_centres(const TableView& table, Plan& plan) {
   const auto given = table.find("accidental_eccentricity");
-  const auto parts = given ? read_pair(*given, Range::finite) : std::nullopt;
-  if (!parts) return;
-  std::vector<PlanPoint> moved;
-  for (Eigen::Index f = 0; f < std::ssize(plan.masses); ++f) {
-    moved.push_back(centre_of_mass(plan, f) + parts->cwiseProduct(plan.footprint.size));
-    if (plan.footprint.contains(moved.back())) continue;
-    given->error(fmt::format("moves the centre of mass of floor {} out of the footprint", f + 1));
+  const std::vector<double> parts = table.numbers("accidental_eccentricity", 2);
+  if (!given || parts.empty()) return;
+  const bool both_ways = given->is_number();
+  if (both_ways && parts.front() < 0) {
+    given->error_value("must be ≥ 0: a number is of both ways, a list of one");
     return;
   }
-  plan.centres_of_mass = std::move(moved);
-  plan.accidental_eccentricity = *parts;
+  Plan moved = plan;
+  moved.eccentricity_both_ways = both_ways ? parts.front() : 0;
+  const std::vector<Plan> all =
+      both_ways ? with_masses_elsewhere(moved) : std::vector{with_masses_moved(plan, {parts.front(), parts.back()})};
+  for (const Plan& one : all) {
+    for (Eigen::Index f = 0; f < std::ssize(one.masses); ++f) {
+      if (one.footprint.contains(centre_of_mass(one, f))) continue;
+      given->error(fmt::format("moves the centre of mass of floor {} out of the footprint", f + 1));
+      return;
+    }
+  }
+  plan = both_ways ? std::move(moved) : all.front();
 }
 
 /// The line that a plane stands on.
@@ -393,6 +401,16 @@ std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
     }
   }
   return all;
+}
+
+void refuse_masses_elsewhere(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {
+  if (!c.excitation.spectrum) return;
+  for (std::size_t b = 0; b < buildings.size(); ++b) {
+    const auto* const plan = std::get_if<Plan>(&buildings[b].spec.structure);
+    if (plan == nullptr || plan->eccentricity_both_ways == 0) continue;
+    const TomlView given = *view_of(root, buildings, b).find("plan")->find("accidental_eccentricity");
+    given.error_value("goes both ways under ground motions, not under a spectrum: give a list, [0.05, 0]");
+  }
 }
 
 }  // namespace bentur

@@ -20,6 +20,10 @@ namespace bentur {
 [[nodiscard]] std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
                                                        const std::vector<ReadBuilding>& buildings);
 
+/// plan_buildings.cpp: an error at each building whose masses go both ways under a spectrum, which says what they do
+/// where they are expected alone.
+void refuse_masses_elsewhere(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings);
+
 /// plan_buildings.cpp: one pair for all, or a list of one each; empty (and an error) unless all are right.
 /// @param count how many of a list; 0: any number from one
 [[nodiscard]] std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::size_t count);
