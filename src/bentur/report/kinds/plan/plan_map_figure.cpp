@@ -37,7 +37,7 @@ class BlockMap {
                   .line = Line::none,
                   .mark = Mark::circle,
                   .complete = true,
-                  .mark_size = 4.2};
+                  .mark_size = 5};  // with room for two digits
     for (std::size_t i = 0; i < std::min(worst_gaps_shown, order_.size()); ++i) add_number(i, grounds);
     panel_.curves.push_back(std::move(grounds));
     return std::move(panel_);
