@@ -125,7 +125,9 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     if (std::find(shown.begin(), shown.end(), one.building) != shown.end()) frames.push_back(&one);
   }
   if (frames.empty()) {
-    throw NoFigure("nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame");
+    throw NoFigure(
+        "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
+        "that are frames");
   }
   Figure figure{.title = carried.title, .columns = 2, .width = options.width * page_over_column};
   const bool has_impacts = !run.response.impacts.empty();
@@ -168,7 +170,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
                 .y = {.from = low, .to = high, .numbers = false},
                 .height = height,
                 .to_scale = true};
-    Curve members{.tone = building_tone(static_cast<std::size_t>(frame->building)), .width = 1.2, .complete = true};
+    Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
     for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
       for (const double station : {0.0, 1.0}) {
         const auto [x, y] = diagram.at(n, station, 0);
