@@ -79,7 +79,7 @@ class BlockMap {
       }
       panel_.curves.push_back(std::move(curve));
     }
-    if (PlaceText name = place_of_name(building.name, rings, {0.5, 0.85, 0.15}); name.room > 0) {
+    if (PlaceText name = place_of_name(building.name, rings, {0.42, 0.85, 0.15}); name.room > 0) {
       panel_.texts.push_back(std::move(name));
     }
   }
