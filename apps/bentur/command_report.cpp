@@ -12,6 +12,7 @@
 #include "bentur/files/result_reading.h"
 #include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_variable.h"
+#include "bentur/model/plan/plan_dense_run.h"
 #include "bentur/report/errors.h"
 #include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
@@ -89,7 +90,9 @@ std::string from_case(const Loaded& loaded, const std::string& file, const Repor
     return spectral_report_html(loaded.c, loaded.problem, gaps, options);
   }
   if (loaded.c.is_in_plan()) {
-    return plan_report_html(simulate_plan(loaded, report_output_step(loaded.plan), true, options.language), options);
+    PlanRun run = simulate_plan(loaded, report_output_step(loaded.plan), true, options.language);
+    run.closer = dense_findings(run);
+    return plan_report_html(run, options);
   }
   RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
   results.figures = figure_data(results);

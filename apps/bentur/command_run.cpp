@@ -12,6 +12,7 @@
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
+#include "bentur/model/plan/plan_dense_run.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/errors.h"
@@ -334,7 +335,8 @@ void execute(const RunArguments& arguments) {
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
   const double step = output ? loaded.c.analysis.output_step : 0;
   if (loaded.c.is_in_plan()) {
-    const PlanRun run = simulate_plan(loaded, step, !arguments.quiet, arguments.language);
+    PlanRun run = simulate_plan(loaded, step, !arguments.quiet, arguments.language);
+    if (!arguments.figures.empty()) run.closer = dense_findings(run);
     return tell(arguments, run, summary_json(run, version()), impacts_csv(run), output);
   }
   RunResults run = simulate(loaded, step, !arguments.quiet, arguments.language);

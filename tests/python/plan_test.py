@@ -100,6 +100,33 @@ def test_histories(result, folder):
     assert exact["force"].max() == pytest.approx(peak, rel=1e-12)
 
 
+FRAMES = """
+[[building.plane]]
+name = "framed"
+along = "x"
+at = 2.0
+frame = { elastic_modulus = 3e7, bay_widths = [5, 5], columns = [{ width = 0.4, depth = 0.5 }], beams = [{ width = 0.3, depth = 0.5 }] }
+"""
+
+
+def test_what_frames_carry_and_spectra_of_floors_are_drawn(program, tmp_path):
+    """The same bytes as the command line writes at once, and draws of its files."""
+    text = CASE.read_text().replace("../../data", str(doors.ROOT / "data"))
+    first = text.index("[[building.plane]]")
+    case = tmp_path / "case.toml"
+    case.write_text(text[:first] + FRAMES.lstrip() + text[first:])
+    subprocess.run([program, "run", case, "-q", "-o", tmp_path / "out", "--figures", "svg"], check=True)
+    found = bentur.run(case)
+    for kind in "floor-spectrum", "frame-moment", "frame-shear", "frame-axial":
+        svg = (tmp_path / f"out/figures/{kind}.svg").read_text()
+        assert found.plot(kind).svg == svg, kind
+        subprocess.run([program, "plot", tmp_path / "out", kind, "-o", tmp_path / "again.svg"], check=True)
+        assert (tmp_path / "again.svg").read_text() == svg, kind
+    assert found.report().count("framed, M [kN") == 1
+    with pytest.raises(ValueError, match="members of a frame"):
+        bentur.run(CASE).plot("frame-moment")
+
+
 def test_what_is_told(result, program):
     told = output(program, "run", CASE)
     assert result.verdict()[0].startswith("POUNDING: ")

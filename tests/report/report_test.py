@@ -288,6 +288,28 @@ levels = [0.1, 0.3, 0.6]
         boxes = set(re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", printed.read_bytes()))
         self.assertEqual({(round(float(w)), round(float(h))) for w, h in boxes}, {(595, 842)})
 
+    def test_a_block_of_thirty_houses_prints_on_twelve_pages(self):
+        """What is of one gap or house stays folded in the file that is printed."""
+        houses = []
+        for n in range(30):
+            storeys, stiffness = 1 + 5 * n % 4, 15000.0 + 4000 * (7 * n % 9)
+            held = "".join(f"{key} = {by * stiffness * storeys}\n" for key, by in (("x", 1), ("y", 1), ("torsion", 40)))
+            houses.append(f'[[building]]\nname = "H{n + 1}"\ndamping = 0.05\n[building.plan]\n'
+                          f"corner = [{10.03 * (n % 6):.2f}, {12.03 * (n // 6):.2f}]\nsize = [10.0, 12.0]\n"
+                          f"storey_heights = {[3.0] * storeys}\nmasses = {[120.0] * storeys}\n"
+                          f"[building.rigidity]\ncentre = [4.0, 6.0]\n{held}")
+        case = self.folder / "block.toml"
+        case.write_text('units = { length = "m", force = "kN" }\nanalysis = { duration = 8.0 }\n'
+                        'plan = { clearance = 0.1, contact = { law = "linear", stiffness = 4e5 } }\n'
+                        'excitation = { kind = "harmonic", period = 0.9, displacement_amplitude = 0.04, angle = 30.0 }\n'
+                        + "".join(houses))
+        self.opened(self.report(case))
+        printed = self.folder / "block.pdf"
+        self.browser.pdf(printed)
+        pages = len(re.findall(rb"/MediaBox \[", printed.read_bytes()))
+        self.assertGreater(pages, 3)
+        self.assertLessEqual(pages, 12)
+
     def test_text_of_a_case_runs_nothing(self):
         hostile = ["<script>window.pwned = 1</script>", "</script><script>window.pwned = 2</script>",
                    "\"><img src=x onerror=window.pwned=3>", "`${window.pwned = 4}`", "\"; system('touch pwned'); \"",

@@ -98,6 +98,8 @@ class Remedy(unittest.TestCase):
         self.assertFalse(self.part.exists())
         self.assertEqual(self.output.read_text(), self.bentur("remedy", STUDY, "--json").stdout)
         self.assertIn("batas", figure.read_text())
+        for name in "gap_needed", "m-1":
+            self.assertNotIn(name, figure.read_text().split("<desc>")[1])
         self.bentur("remedy", STUDY, "-o", self.output)  # its own result may be replaced
         mine = self.folder / "mine.json"
         mine.write_text("{}")

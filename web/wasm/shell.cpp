@@ -26,6 +26,7 @@
 #include "bentur/io/schema/json_schema.h"
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/plan/plan_dense_run.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
@@ -265,6 +266,8 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       if (const auto failed = run_within(options, progress, needed, refused, run)) return *failed;
       const double seconds = response.wall_time;
       plan_run_ = run_results(c, problem, std::move(response));
+      constexpr double numbers = 5e6;  // in memory, of a page's
+      if (output_step.isNull()) plan_run_->closer = dense_findings(*plan_run_, numbers);
       return solved(seconds);
     }
     if (!problem_) return failure("no case is open");

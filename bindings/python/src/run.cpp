@@ -19,6 +19,7 @@
 #include "bentur/io/toml/toml_writing.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/plan/plan_dense_run.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
@@ -269,10 +270,16 @@ const RunResults& with_figures(PyRun& run) {
   return results;
 }
 
+const PlanRun& plan_with_figures(PyRun& run) {
+  if (!run.has_figures) run.plan->closer = dense_findings(*run.plan);
+  run.has_figures = true;
+  return *run.plan;
+}
+
 /// Kinds of figure that the run can give, each with what it shows.
 std::vector<std::pair<std::string, std::string>> kinds_of(PyRun& run) {
   std::vector<std::pair<std::string, std::string>> kinds;
-  const std::vector<FigureKind> all = run.plan ? figure_kinds(*run.plan) : figure_kinds(with_figures(run));
+  const std::vector<FigureKind> all = run.plan ? figure_kinds(plan_with_figures(run)) : figure_kinds(with_figures(run));
   for (const FigureKind& kind : all) kinds.emplace_back(kind.name, kind.shows);
   return kinds;
 }
@@ -290,7 +297,8 @@ std::string drawn(PyRun& run, const std::string& kind, const std::string& langua
   options.gap = gap;
   options.elevation = elevation;
   try {
-    return figure_svg(run.plan ? make_figure(*run.plan, kind, options) : make_figure(with_figures(run), kind, options));
+    return figure_svg(run.plan ? make_figure(plan_with_figures(run), kind, options)
+                               : make_figure(with_figures(run), kind, options));
   } catch (const NoFigure& error) {
     throw py::value_error(error.what());
   }
@@ -338,7 +346,8 @@ void bind_run(py::module_& module) {
             if (given != nullptr && !run.plan) {
               options.sensitivity = sensitivity_of_report(given->c, given->folder / fs::path(given->name).filename());
             }
-            return run.plan ? plan_report_html(*run.plan, options) : report_html(with_figures(run), options);
+            return run.plan ? plan_report_html(plan_with_figures(run), options)
+                            : report_html(with_figures(run), options);
           },
           py::arg("language") = "en", py::arg("case") = py::none())
       .def("figure_kinds", &kinds_of)

@@ -89,6 +89,7 @@ export function beginDrawing() {
     void span.value;
     void point.value;
     void curve.value;
+    fresh = new Set(); // what is out of sight was drawn by what was chosen before
     untracked(drawInSight);
   });
   let shown = ""; // another case has other times and points

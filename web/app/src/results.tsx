@@ -38,8 +38,11 @@ function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOver
   })}</>;
 }
 
+const mostInSight = 10; // gaps, as a report's table has the worst of them
+
 /** What is to be said of the run, as every other door says it: the gravest first. What fails or collides is in sight; of a
- *  row, what is of one gap under its name and badge; what else was found is folded away, unless nothing else is to be told. */
+ *  row, what is of one gap under its name and badge, those below the worst ten folded; what else was found is folded away,
+ *  unless nothing else is to be told. */
 function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
   const told = overview.statements.filter((one) => one.severity !== "remark");
@@ -48,17 +51,25 @@ function Statements({ overview }: { overview: Overview }) {
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
   const pounds = told.some(isGrave);
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
+  const ranked = overview.gaps.map((_, i) => i).filter((i) => told.some((one) => ofGap(one) && one.gap === i)).sort((a, b) => rank(a) - rank(b));
+  const isInSight = (i: number) => ranked.indexOf(i) < mostInSight || (!overview.plan && i === gap.value);
+  const inSight = ranked.filter(isInSight), others = ranked.filter((i) => !isInSight(i));
+  const one = (i: number) => {
+    const each = overview.gaps[i], mine = told.filter((said) => ofGap(said) && said.gap === i);
+    const badge = mine.find((said) => said.badge);
+    return <details key={i} data-gap={each.name} open={overview.plan ? i === ranked[0] : i === gap.value}>
+      <summary>{each.name}{badge && <>: <span class={`badge${isGrave(badge) ? "" : " fine"}`}>{badge.badge}</span></>}</summary>
+      <Sentences all={mine} under={badge?.badge} />
+    </details>;
+  };
   return (
     <div class={`verdict${pounds ? " pounds" : ""}`}>
       <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
-      {row && overview.gaps.map((_, i) => i).sort((a, b) => rank(a) - rank(b)).map((i, place) => {
-        const each = overview.gaps[i], mine = told.filter((one) => ofGap(one) && one.gap === i);
-        const badge = mine.find((one) => one.badge);
-        return mine.length > 0 && <details key={i} data-gap={each.name} open={overview.plan ? place === 0 : i === gap.value}>
-          <summary>{each.name}{badge && <>: <span class={`badge${isGrave(badge) ? "" : " fine"}`}>{badge.badge}</span></>}</summary>
-          <Sentences all={mine} under={badge?.badge} />
-        </details>;
-      })}
+      {inSight.map(one)}
+      {others.length > 0 && <details data-others={others.length}>
+        <summary>{say("verdict.gaps", { n: others.length })}</summary>
+        {others.map(one)}
+      </details>}
       {folded.length > 0 && <details open={!pounds}><summary>{say("verdict.more")}</summary><Sentences all={folded} gaps={overview.gaps} /></details>}
     </div>
   );

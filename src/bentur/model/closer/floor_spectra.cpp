@@ -71,13 +71,12 @@ std::vector<FloorSpectra::Floor> spectrum_floors(const Problem& problem, const R
   return floors;
 }
 
-std::vector<double> spectrum_periods(const Problem& problem, const std::vector<FloorSpectra::Floor>& floors,
-                                     double shortest, double longest) {
+std::vector<double> spectrum_periods(const std::vector<Eigen::VectorXd>& omegas, double shortest, double longest) {
   constexpr double apart = 0.013;  // of a period: half of it is 13 % of the bandwidth of 5 % damping
   const int count = 2 + static_cast<int>(std::log(longest / shortest) / apart);
   std::vector<double> periods = logarithmic_periods(shortest, longest, count);
-  for (const FloorSpectra::Floor& floor : floors) {
-    for (const double omega : problem.buildings[floor.building].modes.omega) {
+  for (const Eigen::VectorXd& of_one : omegas) {
+    for (const double omega : of_one) {
       const double period = 2 * std::numbers::pi / omega;
       if (period > shortest && period < longest) periods.push_back(period);
     }
@@ -89,32 +88,36 @@ std::vector<double> spectrum_periods(const Problem& problem, const std::vector<F
   return periods;
 }
 
-SampledMotion floor_motion(const Histories& histories, const Problem& problem, Index building, Index floor,
-                           Index samples) {
-  const GroundSpeed ground(problem.motion);
-  const double delay = problem.delays.empty() ? 0 : problem.delays[building];
-  const auto& time = histories.time;
-  const auto speed = [&](Index i) {
-    return histories.velocity[building](floor, i) + ground.at(time[static_cast<std::size_t>(i)] - delay);
-  };
-  SampledMotion motion{.time_step = static_cast<double>(samples) * (time[1] - time[0]), .acceleration = {0}};
-  for (Index i = samples; i < std::ssize(time); i += samples) {
+Eigen::VectorXd ground_speed(const GroundMotion& motion, const std::vector<double>& time, double delay) {
+  const GroundSpeed ground(motion);
+  Eigen::VectorXd speed(std::ssize(time));
+  for (std::size_t i = 0; i < time.size(); ++i) speed(static_cast<Index>(i)) = ground.at(time[i] - delay);
+  return speed;
+}
+
+SampledMotion mean_acceleration(double step, const Eigen::VectorXd& speed, Index samples) {
+  SampledMotion motion{.time_step = static_cast<double>(samples) * step, .acceleration = {0}};
+  for (Index i = samples; i < speed.size(); i += samples) {
     motion.acceleration.push_back((speed(i) - speed(i - samples)) / motion.time_step);
   }
   return motion;
 }
 
-std::vector<double> floor_spectrum(const Histories& histories, const Problem& problem, Index building, Index floor,
-                                   const std::vector<double>& periods, double damping) {
+Eigen::VectorXd floor_speed(const Histories& histories, const Problem& problem, Index building, Index floor) {
+  const double delay = problem.delays.empty() ? 0 : problem.delays[building];
+  return histories.velocity[building].row(floor).transpose() + ground_speed(problem.motion, histories.time, delay);
+}
+
+std::vector<double> floor_spectrum(double step, const Eigen::VectorXd& speed, const std::vector<double>& periods,
+                                   double damping) {
   constexpr double to_a_period = 60;
-  const double step = histories.time[1] - histories.time[0];
   std::vector<double> spectrum;
   SampledMotion motion;
   Index last = 0;
   for (const double period : periods) {
     Index samples = 1;
     while (2 * to_a_period * static_cast<double>(samples) * step <= period) samples *= 2;
-    if (samples != last) motion = floor_motion(histories, problem, building, floor, samples);
+    if (samples != last) motion = mean_acceleration(step, speed, samples);
     last = samples;
     spectrum.push_back(oscillator_peaks(motion, period, damping).pseudo_acceleration);
   }

@@ -14,6 +14,7 @@ struct FloorSpectra {
   std::vector<double> periods = {};  ///< T [s]
   struct Floor {
     Eigen::Index building = 0, floor = 0;
+    Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< of one in plan: its direction, of length 1; of a row zero
     std::vector<double> with_contact = {}, without_contact = {};  ///< S_a [length/s²], one per period
   };
   std::vector<Floor> floors = {};  ///< building by building, the highest first
@@ -24,20 +25,24 @@ struct FloorSpectra {
 [[nodiscard]] std::vector<FloorSpectra::Floor> spectrum_floors(const Problem& problem, const Response& response);
 
 /// Periods [s] so near to one another that the peak of 5 % damping is met within 1 %, those of the floors' buildings
-/// among them.
-[[nodiscard]] std::vector<double> spectrum_periods(const Problem& problem,
-                                                   const std::vector<FloorSpectra::Floor>& floors, double shortest,
+/// among them. @param omegas theirs [rad/s], building by building
+[[nodiscard]] std::vector<double> spectrum_periods(const std::vector<Eigen::VectorXd>& omegas, double shortest,
                                                    double longest);
 
-/// The mean acceleration of a floor, absolute, over each so many samples: what it gains in speed and the ground with
-/// it, so that an impact counts by its impulse, however short it is. [length/s²]
-[[nodiscard]] SampledMotion floor_motion(const Histories& histories, const Problem& problem, Eigen::Index building,
-                                         Eigen::Index floor, Eigen::Index samples);
+/// What the ground gains in speed from the motion's start on, at these times less a delay. [length/s]
+[[nodiscard]] Eigen::VectorXd ground_speed(const GroundMotion& motion, const std::vector<double>& time, double delay);
+
+/// The speed of a floor, absolute but for what the ground had at the start. [length/s]
+[[nodiscard]] Eigen::VectorXd floor_speed(const Histories& histories, const Problem& problem, Eigen::Index building,
+                                          Eigen::Index floor);
+
+/// The mean acceleration over each so many samples of a speed that are `step` apart: an impact counts by its impulse,
+/// however short it is. [length/s²]
+[[nodiscard]] SampledMotion mean_acceleration(double step, const Eigen::VectorXd& speed, Eigen::Index samples);
 
 /// The spectrum of that: of each period by the longest means that leave 60 or more to it, by which S_a falls 0.14 %
 /// short at most. Periods are 60 samples long or more.
-[[nodiscard]] std::vector<double> floor_spectrum(const Histories& histories, const Problem& problem,
-                                                 Eigen::Index building, Eigen::Index floor,
+[[nodiscard]] std::vector<double> floor_spectrum(double step, const Eigen::VectorXd& speed,
                                                  const std::vector<double>& periods, double damping);
 
 }  // namespace bentur

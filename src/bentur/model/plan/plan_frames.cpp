@@ -6,6 +6,11 @@ namespace bentur {
 
 using Eigen::Index;
 
+std::string frame_name(const PlanProblem& problem, const PlanFramePlace& place) {
+  const PlanBuilding& building = problem.buildings[place.building];
+  return building.name + ", " + building.model.planes[place.plane].name;
+}
+
 std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem) {
   std::vector<PlanFramePlace> places;
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
@@ -17,7 +22,9 @@ std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem) {
   return places;
 }
 
-RunResults frames_of(const PlanRun& run) {
+RunResults frames_of(const PlanRun& run) { return frames_of(run, frames_that_yield(run.problem)); }
+
+RunResults frames_of(const PlanRun& run, const std::vector<PlanFramePlace>& places) {
   RunResults frames;
   frames.c.title = run.c.title;
   frames.c.units = run.c.units;
@@ -33,13 +40,12 @@ RunResults frames_of(const PlanRun& run) {
       if (list->size() > 0) largest = std::max(largest, list->maxCoeff());
     }
   }
-  std::vector<Index> before(run.problem.buildings.size(), 0);  // hinges of the frames before it
-  for (const PlanFramePlace& place : frames_that_yield(run.problem)) {
+  for (const PlanFramePlace& place : places) {
     const Index b = place.building, p = place.plane;
     const PlanModel& model = run.problem.buildings[b].model;
     const PlanModel::Plane& plane = model.planes[p];
     Building& building = frames.problem.buildings.emplace_back();
-    building.name = run.problem.buildings[b].name + ", " + plane.name;
+    building.name = frame_name(run.problem, place);
     building.model.elevations = model.elevations;
     building.model.storey_heights = model.storey_heights;
     building.model.floor_masses = model.floor_masses;
@@ -54,10 +60,12 @@ RunResults frames_of(const PlanRun& run) {
     peaks.storey_shear.setConstant(model.floors(), largest);
     Histories& histories = frames.response.histories;
     const Index hinges = std::ssize(plane.hinges.places);
+    Index before = 0;  // hinges of the frames before it
+    for (Index other = 0; other < p; ++other) before += std::ssize(model.planes[other].hinges.places);
     const bool known = b < std::ssize(run.response.histories.hinge_moment) &&
-                       run.response.histories.hinge_moment[b].rows() >= before[b] + hinges;
+                       run.response.histories.hinge_moment[b].rows() >= before + hinges;
     const auto rows = [&](const std::vector<Eigen::MatrixXd>& list) {
-      return known ? Eigen::MatrixXd(list[b].middleRows(before[b], hinges)) : Eigen::MatrixXd();
+      return known ? Eigen::MatrixXd(list[b].middleRows(before, hinges)) : Eigen::MatrixXd();
     };
     histories.hinge_moment.push_back(rows(run.response.histories.hinge_moment));
     histories.hinge_rotation.push_back(rows(run.response.histories.hinge_rotation));
@@ -65,7 +73,6 @@ RunResults frames_of(const PlanRun& run) {
     histories.displacement.emplace_back(
         Eigen::MatrixXd::Zero(model.floors(), samples));  // of pictures: it stands still
     for (auto* const list : {&histories.node_displacement, &histories.foundation}) list->emplace_back(0, samples);
-    before[b] += hinges;
   }
   return frames;
 }

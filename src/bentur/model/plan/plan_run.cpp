@@ -168,12 +168,15 @@ std::string link_name(const PlanProblem& problem, const PlanLink& link) {
   return problem.buildings.at(link.link.left).name + " – " + problem.buildings.at(link.link.right).name;
 }
 
-std::string link_along(const PlanLink& link) {
-  const PlanPoint& along = link.direction;
-  if (along == PlanPoint::UnitX()) return "x";
-  if (along == PlanPoint::UnitY()) return "y";
+std::string direction_text(const PlanPoint& along) {
+  constexpr double near = 1e-9;
+  for (const auto& [axis, name] : {std::pair(PlanPoint(PlanPoint::UnitX()), "x"), {PlanPoint::UnitY(), "y"}}) {
+    if ((along - axis).norm() < near || (along + axis).norm() < near) return name;
+  }
   return fmt::format("({:.4g}, {:.4g})", along.x(), along.y());
 }
+
+std::string link_along(const PlanLink& link) { return direction_text(link.direction); }
 
 PlanProblem make_plan_problem(const Case& c) {
   std::vector<PlanBuilding> buildings;

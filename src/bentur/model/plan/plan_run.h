@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/model/case.h"
+#include "bentur/model/closer/dense_run.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 
@@ -34,7 +35,9 @@ struct RunResults;
 
 /// "A – B".
 [[nodiscard]] std::string link_name(const PlanProblem& problem, const PlanLink& link);
-/// What it acts along: "x", "y" or a direction such as "(0.6, 0.8)".
+/// "x", "y" or a direction such as "(0.6, 0.8)".
+[[nodiscard]] std::string direction_text(const PlanPoint& along);
+/// What it acts along, likewise.
 [[nodiscard]] std::string link_along(const PlanLink& link);
 
 /// The problem a solver takes. @throws InvalidParameter when the case is not consistent.
@@ -49,6 +52,7 @@ struct PlanRun {
   PlanResponse response;
   std::vector<Remark> remarks = {};
   std::shared_ptr<const RunResults> row = {};  ///< row_of() it, where that has been made
+  DenseFindings closer = {};  ///< what figures show beyond the histories, where that has been found (plan_dense_run.h)
 
   [[nodiscard]] const PlanRun& view() const { return *this; }  ///< as RunResults::view(), where quantities are read
 };

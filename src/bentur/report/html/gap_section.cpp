@@ -9,7 +9,8 @@ Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTab
     Html content;
     for (; table != tables.end() && table->gap == gap; ++table) {
       const SaidTable shown = said(*table, say);
-      content += element("h4", shown.heading) + table_of(shown);
+      if (shown.heading != gaps.at(static_cast<std::size_t>(gap))) content += element("h4", shown.heading);
+      content += table_of(shown);
     }
     each.add(gaps.at(static_cast<std::size_t>(gap)), content);
   }

@@ -193,6 +193,7 @@ TEST(HandIn, OfASuiteOfRecordsToo) {
     EXPECT_EQ(sections_of(page), (std::vector<std::string>{"verdict", "assumptions", "input", "records", "checks",
                                                            "unchecked", "figures", "runs", "gaps"}));
     EXPECT_TRUE(holds(page, "<body class=\"hand-in\">") && holds(page, "31-07"));
+    EXPECT_TRUE(holds(page, "<h3>Office | Hotel</h3><div")) << "the name of a gap once";
   }
   EXPECT_TRUE(holds(page_of(text, "en"), "too few records"));
   std::string plain = text;

@@ -7,6 +7,7 @@
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/free_place.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -124,7 +125,9 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     if (std::find(shown.begin(), shown.end(), one.building) != shown.end()) frames.push_back(&one);
   }
   if (frames.empty()) {
-    throw NoFigure("nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame");
+    throw NoFigure(
+        "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
+        "that are frames");
   }
   Figure figure{.title = carried.title, .columns = 2, .width = options.width * page_over_column};
   const bool has_impacts = !run.response.impacts.empty();
@@ -148,6 +151,8 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   }
   const double reach = 0.42 * storey;
   const double height = options.width * std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
+  constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
+  const double width = figure.width / 2 - between;
   const double factor = shown_factor(run, carried.form);
   const std::string unit = shown_unit(run, carried.form);
   for (const FrameForces* frame : frames) {
@@ -158,11 +163,14 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       top = std::max(top, member.of_beam ? member.place : member.to);
     }
     const Diagram diagram(carried, *frame, most > 0 ? reach / most : 0);
-    Panel panel{.x = {.from = -1.15 * reach, .to = right + 1.15 * reach, .numbers = false},
-                .y = {.from = -0.05 * top, .to = top + 1.15 * reach, .numbers = false},
+    const double low = -0.05 * top, high = top + 1.15 * reach;
+    const double one_cm = std::max((high - low) / height, (right + 2.3 * reach) / width);
+    const double beside = (one_cm * width - right) / 2;  // for numbers too
+    Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
+                .y = {.from = low, .to = high, .numbers = false},
                 .height = height,
                 .to_scale = true};
-    Curve members{.tone = building_tone(static_cast<std::size_t>(frame->building)), .width = 1.2, .complete = true};
+    Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
     for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
       for (const double station : {0.0, 1.0}) {
         const auto [x, y] = diagram.at(n, station, 0);
@@ -176,18 +184,8 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     const auto named = [&](Panel& of, const LargestForce& largest) {
       if (largest.member < 0) return;
       const auto [x, y] = diagram.at(largest.member, carried.stations()[largest.station], largest.value);
-      const FrameMember& member = frame->members[largest.member];
-      const bool is_positive = largest.value > 0;
       of.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
-      const std::string text = number(factor * std::abs(largest.value)) + " " + unit;
-      if (member.of_beam) {
-        of.texts.push_back({x, y, text, is_positive ? PlaceText::Side::below : PlaceText::Side::above});
-      } else {  // towards the middle of the frame, where there is room, beside diagrams of either sign
-        const bool leftwards = member.place > 0.5 * right;
-        const double beside = std::abs(x - member.place);
-        of.texts.push_back({member.place + (leftwards ? -beside : beside), y, text,
-                            leftwards ? PlaceText::Side::left : PlaceText::Side::right});
-      }
+      add_beside(of, x, y, number(factor * std::abs(largest.value)) + " " + unit, one_cm);
     };
     Panel instant = panel;
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +

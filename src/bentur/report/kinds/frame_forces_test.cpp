@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/figures/box.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
@@ -190,6 +192,39 @@ TEST(FrameForces, SpectraOfFloorsAreDrawnInG) {
     }
   }
   EXPECT_NE(figure.finding.find("times that without contact"), std::string::npos);
+}
+
+/// The number of a diagram stands within its picture, on none of its lines, as the picture is drawn.
+TEST(FrameForces, NumbersLieOnNoLine) {
+  const RunResults run = test::drawn_run(test::hinged);
+  int looked_at = 0;
+  for (const char* const kind : {"frame-moment", "frame-shear", "frame-axial"}) {
+    const Figure figure = make_figure(run, kind);
+    const std::vector<PanelPlace> places = placed_figure(figure, "").panels;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Panel& panel = figure.panels[i];
+      const PanelPlace& place = places[i];
+      constexpr double a_cm = 96 / 2.54;  // [px]
+      const double scale = place.width / (place.x.second - place.x.first);
+      const auto right = [&](double x) { return scale * (x - place.x.first); };
+      const auto up = [&](double y) { return scale * (y - place.y.first); };
+      ASSERT_EQ(panel.texts.size(), 1U) << kind;
+      const PlaceText& text = panel.texts.front();
+      const double half = a_cm * text_width(text.text) / 2, high = 0.13 * a_cm;
+      const Box box{right(text.x) - half, right(text.x) + half, up(text.y) - high, up(text.y) + high};
+      EXPECT_GE(box.left, 0) << text.text;
+      EXPECT_LE(box.right, place.width) << text.text;
+      for (const Curve& curve : panel.curves) {
+        for (std::size_t n = 1; n < curve.x.size(); ++n) {
+          if (std::isnan(curve.x[n - 1]) || std::isnan(curve.x[n])) continue;
+          EXPECT_FALSE(box.meets(right(curve.x[n - 1]), up(curve.y[n - 1]), right(curve.x[n]), up(curve.y[n])))
+              << kind << ", panel " << i << ": " << text.text;
+        }
+      }
+      ++looked_at;
+    }
+  }
+  EXPECT_EQ(looked_at, 12);
 }
 
 /// What is not known is not there: rotations with mass of their own, and columns that have slipped.

@@ -26,6 +26,8 @@ struct FigureOptions {
   double width = column_width;                          ///< [cm]
   FigureWords say = {};
   std::string language = "en";  ///< of sentences, as report_languages() has them
+  /// Of frames in plan, which stand as buildings do: the number of the building that each is of, whose colour it has.
+  std::vector<std::size_t> of_building = {};
   /// Where more varies than a figure can show, shows a part of it, which the figure names, in place of an error.
   bool choose = false;
 };

@@ -120,8 +120,9 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
   std::string largest, raised;
   for (const FloorSpectra::Floor& floor : spectra.floors) {
     const Building& building = run.problem.buildings[floor.building];
-    const std::string place =
+    std::string place =
         building.name + ", " + word(options, "level {}", shown_value(run, building.model.elevations[floor.floor], "L"));
+    if (!floor.along.isZero(0)) place += ", " + word(options, "along {}", direction_text(floor.along));
     const auto curve = [&](std::vector<double> values, Curve style) {
       for (double& value : values) value /= gravity;
       style.x = spectra.periods;

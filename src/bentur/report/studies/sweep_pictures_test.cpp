@@ -18,7 +18,7 @@ std::filesystem::path write_study(const std::filesystem::path& folder, const std
   const std::filesystem::path path = folder / "sweep.nc";
   NetcdfWriter file(path.string());
   const ResultDimension width{"width", values}, period{"period", values}, point{"point", 2}, floor{"elevation_1", 1};
-  std::vector<double> widths, periods, impacts, ratios, forces;
+  std::vector<double> widths, periods, impacts, ratios, forces, first, second;
   for (std::size_t i = 0; i < values; ++i) {
     widths.push_back(0.1 * static_cast<double>(i));
     periods.push_back(0.5 + 0.1 * static_cast<double>(i));
@@ -27,6 +27,8 @@ std::filesystem::path write_study(const std::filesystem::path& folder, const std
       impacts.insert(impacts.end(), {j > i ? some : 0, 0});
       forces.insert(forces.end(), {j > i ? force : 0, 0});
       ratios.push_back(j > i ? 6 : 1);
+      first.push_back(static_cast<double>(1 + i + j));
+      second.push_back(static_cast<double>(5 + 3 * i + j));
     }
   }
   file.add({"width", {width}, "m", "gap[0].width", {}, widths});
@@ -36,6 +38,14 @@ std::filesystem::path write_study(const std::filesystem::path& folder, const std
   file.add({"impacts", {width, period, point}, "1", "impacts", {}, impacts});
   file.add({"peak_force", {width, period, point}, unit, "largest force", {}, forces});
   file.add({"acceleration_ratio_1", {width, period, floor}, "1", "ratio", {}, ratios});
+  file.add({"elevation_2",
+            {{"elevation_2", 1}},
+            "mm",
+            "elevation of the floors of building \"B\"",
+            {},
+            std::vector{8000.0}});
+  file.add({"peak_displacement_1", {width, period, floor}, "m", "displacement", {}, first});
+  file.add({"peak_displacement_2", {width, period, {"elevation_2", 1}}, "m", "displacement", {}, second});
   file.add({"status", {width, period}, "", "how the run ended", {}, std::vector<signed char>(values * values)});
   file.finish();
   return path;
@@ -59,6 +69,20 @@ TEST(SweepPictures, CellsWithoutContactHaveATintOfTheirOwn) {
   EXPECT_DOUBLE_EQ(scale.to, 2000) << "nothing is clipped, and no colour is of no cell";
   EXPECT_DOUBLE_EQ(scale.from, 3);
   EXPECT_GE(scale.labels.size(), 2U);
+}
+
+/// The same colour is the same displacement in the maps of both buildings, which one compares.
+TEST(SweepPictures, MapsOfTwoBuildingsHaveOneScale) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_study(folder.path(), "N", 5e5));
+  const Figure figure = make_figure(results, "displacement");
+  const Layout placing = layout(figure);
+  ASSERT_EQ(placing.panels.size(), 2U);
+  for (const PlacedPanel& panel : placing.panels) {
+    EXPECT_EQ(panel.scale.from, placing.panels.front().scale.from);
+    EXPECT_EQ(panel.scale.to, placing.panels.front().scale.to);
+    EXPECT_GE(panel.scale.to, 25) << "the largest of B; that of A is 11";
+  }
 }
 
 TEST(SweepPictures, AMapOfRatiosUsesItsColours) {

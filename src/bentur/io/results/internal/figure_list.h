@@ -35,6 +35,71 @@ class FigureList : private VariablePass<File> {
     frames();
   }
 
+  void floor_spectra() {
+    auto& spectra = figures_.floor_spectra;
+    if (!file_.has("floor_spectrum_period", !spectra.floors.empty())) return;
+    const ResultDimension period = file_.dimension({"floor_spectrum_period", spectra.periods.size()});
+    const ResultDimension floor = file_.dimension({"floor_spectrum", spectra.floors.size()});
+    fit(spectra.floors, floor.size);
+    pass({"floor_spectrum_period", {period}, "s", "period of linear oscillators on floors"}, spectra.periods);
+    single({"floor_spectrum_damping", {}, "1", "damping ratio of linear oscillators on floors"}, spectra.damping);
+    named({"floor_spectrum_building", {floor}, "", "buildings of the floors with a spectrum"}, spectra.floors,
+          &FloorSpectra::Floor::building, buildings_);
+    std::vector<int> floors;
+    for (const auto& one : spectra.floors) floors.push_back(static_cast<int>(one.floor));
+    made({"floor_spectrum_floor", {floor}, "", "their numbers, counted from 0"}, floors);
+    if constexpr (File::reads) {
+      for (std::size_t i = 0; i < floors.size(); ++i) spectra.floors[i].floor = floors[i];
+    }
+    Eigen::MatrixXd along(2, static_cast<Eigen::Index>(floor.size));
+    for (std::size_t i = 0; i < spectra.floors.size(); ++i)
+      along.col(static_cast<Eigen::Index>(i)) = spectra.floors[i].along;
+    if (file_.has("floor_spectrum_along", !along.isZero(0))) {
+      made({"floor_spectrum_along",
+            {floor, {"floor_spectrum_component", 2}},
+            "1",
+            "directions along x and y, of length 1, of their motion"},
+           along);
+      if constexpr (File::reads) {
+        for (std::size_t i = 0; i < spectra.floors.size(); ++i)
+          spectra.floors[i].along = along.col(static_cast<Eigen::Index>(i));
+      }
+    }
+    const auto spectrum = [&](const std::string& suffix, const std::string& what, auto member) {
+      std::vector<double> values;
+      for (const auto& one : spectra.floors) {
+        values.insert(values.end(), (one.*member).begin(), (one.*member).end());
+      }
+      made({"floor_spectrum_acceleration" + suffix,
+            {floor, period},
+            length_ + " s-2",
+            "spectral pseudo-acceleration of floors" + what},
+           values);
+      if constexpr (File::reads) {
+        for (std::size_t i = 0; i < floors.size(); ++i) {
+          const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * period.size);
+          (spectra.floors[i].*member).assign(from, from + static_cast<std::ptrdiff_t>(period.size));
+        }
+      }
+    };
+    spectrum("", "", &FloorSpectra::Floor::with_contact);
+    spectrum("_no_contact", " without contact", &FloorSpectra::Floor::without_contact);
+  }
+
+  void frames() {
+    for (std::size_t b = 0; b < buildings_.size(); ++b) {
+      const Eigen::Index building = static_cast<Eigen::Index>(b);
+      const auto found = std::find_if(figures_.frames.begin(), figures_.frames.end(),
+                                      [&](const FrameForces& one) { return one.building == building; });
+      if (!file_.has(fmt::format("member_time_{}", b + 1), found != figures_.frames.end())) continue;
+      if constexpr (File::reads) {
+        frame(figures_.frames.emplace_back(FrameForces{.building = building}), fmt::format("_{}", b + 1));
+      } else {
+        frame(*found, fmt::format("_{}", b + 1));
+      }
+    }
+  }
+
  private:
   void close_up() {
     auto& found = figures_.close_up;
@@ -93,57 +158,6 @@ class FigureList : private VariablePass<File> {
     const ResultDimension time = file_.dimension({"watched_time", nearest->time.size()});
     pass({"watched_time", {time}, "s", "instants joined by straight lines of the opening of" + which}, nearest->time);
     pass({"watched_opening", {time}, length_, "opening, negative inside what it faces, of" + which}, nearest->opening);
-  }
-
-  void floor_spectra() {
-    auto& spectra = figures_.floor_spectra;
-    if (!file_.has("floor_spectrum_period", !spectra.floors.empty())) return;
-    const ResultDimension period = file_.dimension({"floor_spectrum_period", spectra.periods.size()});
-    const ResultDimension floor = file_.dimension({"floor_spectrum", spectra.floors.size()});
-    fit(spectra.floors, floor.size);
-    pass({"floor_spectrum_period", {period}, "s", "period of linear oscillators on floors"}, spectra.periods);
-    single({"floor_spectrum_damping", {}, "1", "damping ratio of linear oscillators on floors"}, spectra.damping);
-    named({"floor_spectrum_building", {floor}, "", "buildings of the floors with a spectrum"}, spectra.floors,
-          &FloorSpectra::Floor::building, buildings_);
-    std::vector<int> floors;
-    for (const auto& one : spectra.floors) floors.push_back(static_cast<int>(one.floor));
-    made({"floor_spectrum_floor", {floor}, "", "their numbers, counted from 0"}, floors);
-    if constexpr (File::reads) {
-      for (std::size_t i = 0; i < floors.size(); ++i) spectra.floors[i].floor = floors[i];
-    }
-    const auto spectrum = [&](const std::string& suffix, const std::string& what, auto member) {
-      std::vector<double> values;
-      for (const auto& one : spectra.floors) {
-        values.insert(values.end(), (one.*member).begin(), (one.*member).end());
-      }
-      made({"floor_spectrum_acceleration" + suffix,
-            {floor, period},
-            length_ + " s-2",
-            "spectral pseudo-acceleration of floors" + what},
-           values);
-      if constexpr (File::reads) {
-        for (std::size_t i = 0; i < floors.size(); ++i) {
-          const auto from = values.begin() + static_cast<std::ptrdiff_t>(i * period.size);
-          (spectra.floors[i].*member).assign(from, from + static_cast<std::ptrdiff_t>(period.size));
-        }
-      }
-    };
-    spectrum("", "", &FloorSpectra::Floor::with_contact);
-    spectrum("_no_contact", " without contact", &FloorSpectra::Floor::without_contact);
-  }
-
-  void frames() {
-    for (std::size_t b = 0; b < buildings_.size(); ++b) {
-      const Eigen::Index building = static_cast<Eigen::Index>(b);
-      const auto found = std::find_if(figures_.frames.begin(), figures_.frames.end(),
-                                      [&](const FrameForces& one) { return one.building == building; });
-      if (!file_.has(fmt::format("member_time_{}", b + 1), found != figures_.frames.end())) continue;
-      if constexpr (File::reads) {
-        frame(figures_.frames.emplace_back(FrameForces{.building = building}), fmt::format("_{}", b + 1));
-      } else {
-        frame(*found, fmt::format("_{}", b + 1));
-      }
-    }
   }
 
   template <class Frame>

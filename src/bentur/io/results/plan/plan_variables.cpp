@@ -9,6 +9,7 @@
 #include "bentur/core/not_known.h"
 #include "bentur/io/results/internal/curve_names.h"
 #include "bentur/io/results/internal/place_list.h"
+#include "bentur/io/results/internal/plan_figures.h"
 #include "bentur/io/results/internal/variable_pass.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/structure/modes.h"
@@ -67,6 +68,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     of_links();
     quantities(Owner::run, {}, {QuantityPlace{}});
     of_impacts();
+    plan_figures(file_, run_, length_, force_);
     energy();
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bentur/report/figures/box.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
 
@@ -15,31 +16,6 @@ constexpr double clear = 0.13;     // between an end and its name [cm]
 constexpr double high = 0.32;      // of a name [cm]
 constexpr double widest = 3;       // of a name beside a frame [cm]
 constexpr double half_mark = 0.1;  // [cm]
-
-/// A rectangle in a frame, from its lower left corner [cm].
-struct Box {
-  double left = 0, right = 0, bottom = 0, top = 0;
-
-  [[nodiscard]] bool meets(const Box& other) const {
-    return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
-  }
-  /// Whether a straight line between two places passes through it (by parameters of where it enters and leaves).
-  [[nodiscard]] bool meets(double x0, double y0, double x1, double y1) const {
-    double enter = 0, leave = 1;
-    const auto cut = [&](double from, double to, double low, double up) {
-      if (from == to) {
-        if (from <= low || from >= up) leave = -1;
-        return;
-      }
-      const double a = (low - from) / (to - from), b = (up - from) / (to - from);
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    };
-    cut(x0, x1, left, right);
-    cut(y0, y1, bottom, top);
-    return enter < leave;
-  }
-};
 
 bool has_name(const Curve& curve) {
   return !curve.label.empty() && curve.in_legend && !curve.of_several && curve.top.empty() && curve.line != Line::none;

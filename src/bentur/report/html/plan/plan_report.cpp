@@ -257,8 +257,15 @@ std::vector<PagePart> table_parts(const PlanRun& run, const std::string& languag
 }
 
 double report_output_step(const PlanProblem& problem) {
-  constexpr double finest = 1e-3, most = 5e4;  // [s], samples
-  return std::max(finest, problem.duration / most);
+  constexpr double finest = 1e-3, most = 5e4, most_numbers = 5e6;  // [s], samples, of all histories
+  double numbers = 0;                                              // of one sample
+  for (const PlanBuilding& building : problem.buildings) {
+    // Movements, rotation and accelerations; drifts and shears of planes.
+    const Index kinds = 5 + 2 * std::ssize(building.model.planes);
+    numbers += static_cast<double>(kinds * building.model.floors());
+  }
+  for (const PlanGap& gap : problem.gaps) numbers += 4 * static_cast<double>(gap.contacts.size());
+  return std::max({finest, problem.duration / most, problem.duration * numbers / most_numbers});
 }
 
 std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {

@@ -54,6 +54,26 @@ TEST(PlanReport, HasThePartsOfARowsReport) {
   EXPECT_TRUE(shows(page, "Case file twisting-pair.toml") || shows(page, "Case file case.toml"));
 }
 
+/// A millisecond of a pair; of so many that their histories would fill a page's memory coarser, and within it.
+TEST(PlanReport, HistoriesOfManyFitIntoAPage) {
+  PlanProblem problem = twisting_pair().problem;
+  problem.duration = 10;
+  problem.delays.clear();
+  EXPECT_EQ(report_output_step(problem), 1e-3);
+  const PlanGap gap = problem.gaps.front();
+  const PlanBuilding building = problem.buildings.front();
+  for (int n = 0; n < 100; ++n) problem.gaps.push_back(gap);
+  for (int n = 0; n < 100; ++n) problem.buildings.push_back(building);
+  const double step = report_output_step(problem);
+  EXPECT_GT(step, 1e-3);
+  EXPECT_LT(step, 1e-2);
+  SolveOptions options;
+  options.output_step = step;
+  EXPECT_LT(effort(problem, ExactSolver{}, options).memory, 300e6);
+  options.output_step = 1e-3;
+  EXPECT_GT(effort(problem, ExactSolver{}, options).memory, 300e6) << "as fine as of a pair";
+}
+
 /// Between what is needed as given and reversed nothing collides, and it is said why the gap is too small.
 TEST(PlanReport, SaysWhyAGapIsTooSmallInWhichNothingCollides) {
   const PlanRun run = test::plan_run(test::twisting_pair("corner = [12.04, 0.0]", "corner = [12.088, 0.0]"));

@@ -42,6 +42,10 @@ namespace bentur {
 [[nodiscard]] Figure friction_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure bearing_loop_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure soil_loop_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure floor_spectrum_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_moment_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_shear_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_axial_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure energy_figure(const PlanRun& run, const FigureOptions& options);
 
 }  // namespace bentur

@@ -111,6 +111,11 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   return {shown.begin(), shown.end()};
 }
 
+Tone tone_of(const FigureOptions& options, Eigen::Index building) {
+  const auto number = static_cast<std::size_t>(building);
+  return building_tone(number < options.of_building.size() ? options.of_building[number] : number);
+}
+
 std::string filled_word(const FigureWords& say, std::string_view english, const std::vector<std::string>& values) {
   std::string text = say ? say(english) : std::string(english);
   std::size_t at = 0;

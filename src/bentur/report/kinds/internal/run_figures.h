@@ -51,6 +51,8 @@ template <class... Values>
 [[nodiscard]] std::string seconds_text(double time);
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
+/// The colour of a building, or of the one that a frame in plan is of.
+[[nodiscard]] Tone tone_of(const FigureOptions& options, Eigen::Index building);
 /// T of the first mode [s]; nothing without modes.
 [[nodiscard]] std::optional<double> first_period(const Building& building);
 

@@ -58,6 +58,8 @@ Figure frame_hinges_figure(const PlanRun& run, const FigureOptions& options) {
 Figure frame_loop_figure(const PlanRun& run, const FigureOptions& options) {
   return hinge_loop_figure(frames_of(run), of_frames(options));
 }
+bool has_floor_spectra(const PlanRun& run) { return !run.closer.floors.floors.empty(); }
+bool has_frames(const PlanRun& run) { return !run.closer.frames.empty(); }
 bool has_bearings(const PlanRun& run) {
   const std::vector<Eigen::MatrixXd>& all = run.response.histories.bearing;
   return std::any_of(all.begin(), all.end(), [](const Eigen::MatrixXd& one) { return one.rows() > 0; });
@@ -89,6 +91,12 @@ const PlanKind plan_kinds[] = {
      frame_hinges_figure, has_formed_hinges},
     {"hinge-loop", "moment over rotation of the hinge of each frame that turned furthest", has_formed_hinges,
      frame_loop_figure},
+    {"floor-spectrum", "response spectra of the motion of the floors that are hit and the roofs, across the joint",
+     has_floor_spectra, floor_spectrum_figure},
+    {"frame-moment", "moments over the frames that carry most, at the hardest impact and the largest of the run",
+     has_frames, frame_moment_figure},
+    {"frame-shear", "shears over these frames, likewise", has_frames, frame_shear_figure},
+    {"frame-axial", "axial forces of columns over these frames, likewise", has_frames, frame_axial_figure},
     {"energy", "where the energy is", has_energy, energy_figure, always<PlanRun>, true},
 };
 

@@ -37,7 +37,7 @@ class BlockMap {
                   .line = Line::none,
                   .mark = Mark::circle,
                   .complete = true,
-                  .mark_size = 4.2};
+                  .mark_size = 5};  // with room for two digits
     for (std::size_t i = 0; i < std::min(worst_gaps_shown, order_.size()); ++i) add_number(i, grounds);
     panel_.curves.push_back(std::move(grounds));
     return std::move(panel_);
@@ -79,7 +79,7 @@ class BlockMap {
       }
       panel_.curves.push_back(std::move(curve));
     }
-    if (PlaceText name = place_of_name(building.name, rings, {0.5, 0.85, 0.15}); name.room > 0) {
+    if (PlaceText name = place_of_name(building.name, rings, {0.42, 0.85, 0.15}); name.room > 0) {
       panel_.texts.push_back(std::move(name));
     }
   }

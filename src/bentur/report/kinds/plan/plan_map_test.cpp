@@ -9,6 +9,7 @@
 
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/story/story.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/html/plan/plan_animation.h"
 #include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/kinds/kinds.h"
@@ -127,6 +128,7 @@ TEST(PlanMap, NumbersStandOnAGroundThatTheLegendNames) {
   ASSERT_NE(grounds, panel.curves.end());
   EXPECT_TRUE(grounds->in_legend);
   ASSERT_EQ(grounds->x.size(), 10U);
+  EXPECT_GT(1.8 * grounds->mark_size, 96 / 2.54 * text_width("10") / 2 + 1.5) << "radius of a circle [px]";
   for (std::size_t i = 0; i < grounds->x.size(); ++i) {
     const auto text = std::find_if(panel.texts.begin(), panel.texts.end(),
                                    [&](const PlaceText& one) { return one.text == std::to_string(i + 1); });
