@@ -73,6 +73,13 @@ struct Hinges {
   /// Of the frame alone, fixed at its base and without gravity loads: K, G and the drifts of its storeys over its dofs.
   Eigen::MatrixXd frame_stiffness, frame_rows, frame_drifts;
   [[nodiscard]] Eigen::Index size() const { return rows.rows(); }
+  /// Scales all that is made of stiffness; what they bear stays.
+  void scale_stiffness(double factor) {
+    for (Eigen::MatrixXd* const one : {&rows, &stiffness, &column_forces, &frame_stiffness, &frame_rows}) {
+      *one *= factor;
+    }
+    hardening *= factor;
+  }
 };
 
 /// The masonry that fills a bay of a frame in one storey, across: as storey drift and shear.

@@ -143,12 +143,7 @@ void calibrate_period(StructuralModel& model, double first_period) {
   model.shears *= factor;
   model.column_forces *= factor;
   for (InfillPanel& panel : model.infills) panel.stiffness *= factor;
-  model.hinges.rows *= factor;
-  model.hinges.stiffness *= factor;
-  model.hinges.hardening *= factor;
-  model.hinges.column_forces *= factor;
-  model.hinges.frame_stiffness *= factor;
-  model.hinges.frame_rows *= factor;
+  model.hinges.scale_stiffness(factor);
   model.stiffness_factor = factor * model.stiffness_factor.value_or(1);
 }
 

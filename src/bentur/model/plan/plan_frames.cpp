@@ -50,6 +50,7 @@ RunResults frames_of(const PlanRun& run, const std::vector<PlanFramePlace>& plac
     building.model.storey_heights = model.storey_heights;
     building.model.floor_masses = model.floor_masses;
     building.model.slab = model.slab;
+    building.model.stiffness_factor = model.stiffness_factor;
     building.model.hinges = plane.hinges;
     building.model.infills = plane.infills;
     building.modes.omega = run.problem.buildings[b].modes.omega;

@@ -393,6 +393,7 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
   model.footprint = plan.footprint;
   model.storey_heights = plan.storey_heights;
   model.floor_masses = plan.masses;
+  model.stiffness_factor = plan.stiffness_factor;
   model.elevations = floor_elevations(plan.storey_heights, base_elevation);
   const Index dofs = model.dofs();
   VectorXd mass(dofs);

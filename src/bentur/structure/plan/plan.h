@@ -98,6 +98,8 @@ struct Plan {
   std::vector<double> gravity_loads = {};  ///< of P-Δ, on each floor, spread as its mass is [force] ≥ 0; empty: none
   std::optional<PlanSoil> soil = {};       ///< below it; nothing: its base moves with the ground
   std::optional<PlanIsolation> isolation = {};  ///< not together with soil
+  /// What calibrate_period() has multiplied all that holds the floors by [-]; nothing: it has not.
+  std::optional<double> stiffness_factor = {};
 };
 
 /// Of a plan whose lists have the right lengths, of one floor: its centre of mass, from the footprint's corner
@@ -155,7 +157,8 @@ struct PlanModel {
     [[nodiscard]] Eigen::Index elements() const { return law && !polygon ? 2 : 0; }
   };
   std::vector<Bearing> bearings = {};
-  std::optional<Eigen::Index> slab = {};  ///< the floor on bearings: no height
+  std::optional<Eigen::Index> slab = {};        ///< the floor on bearings: no height
+  std::optional<double> stiffness_factor = {};  ///< as Plan's
   /// Of storeys, three rows each over the dofs: shear along x and y [force/length] and torque about the centre of mass
   /// of the floor above [force], of planes and rigidity.
   Eigen::MatrixXd storey_forces;
@@ -210,6 +213,11 @@ struct PlanBuilding {
 /// @throws InvalidParameter, naming the key, when lists have wrong lengths, a value is out of its range, a centre of
 /// mass is outside the footprint, a storey is not held or the building does not stand under its gravity loads.
 [[nodiscard]] PlanModel plan_model(const Plan& plan, double base_elevation = 0.0);
+
+/// Scales what holds the floors until their longest period is this [s], on a base that does not move and without
+/// gravity loads; what yields and breaks has the strength that it had. plan_calibration.cpp
+/// @throws InvalidParameter as plan_model(), and unless the period is > 0.
+void calibrate_period(Plan& plan, double first_period);
 
 /// With its modes and damping. @param model on a base that does not move; damping is of this, and acts on what moves
 /// relative to the foundation @param tangent whether the stiffness part of damping follows that of a plane that yields

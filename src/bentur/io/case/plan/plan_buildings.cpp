@@ -276,9 +276,21 @@ void stand(const TomlView& generic, const GenericPlan& little, bool is_known, Pl
   }
 }
 
+/// Brings a building whose planes, rigidity or generic have been read to a period; one that nothing holds has its own
+/// error.
+void calibrate(const TomlView& given, Plan& plan) {
+  const auto period = given.as_number(Range::positive);
+  if (!period || !unheld_storeys(plan).empty()) return;
+  try {
+    calibrate_period(plan, *period);
+  } catch (const std::exception& error) {
+    given.error(std::string("cannot be computed with: ") + error.what());
+  }
+}
+
 void read_floors(const TableView& building, const Units& units, ReadBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"calibrate_period", "width", "frame", "stick", "matrices", "modal", "displacements"},
+  building.refuse({"width", "frame", "stick", "matrices", "modal", "displacements"},
                   "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
@@ -311,6 +323,7 @@ void read_floors(const TableView& building, const Units& units, ReadBuilding& re
     const bool held = read_rigidity(building, storeys, plan) && planes;
     if (known && held) check_held(building, plan);
   }
+  if (const auto period = building.get("calibrate_period"); period && known) calibrate(*period, plan);
   if (known) move_centres(*table, plan);
   read.modes = 3 * storeys;
   read.elevations = floor_elevations(plan.storey_heights);

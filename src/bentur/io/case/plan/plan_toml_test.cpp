@@ -2,13 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/io/results/plan/plan_json.h"
+#include "tests/support/plan_run.h"
 
 namespace bentur {
 namespace {
@@ -168,6 +173,52 @@ TEST(PlanToml, AccidentalEccentricityMovesCentresOfMassAlone) {
   EXPECT_LT((moved.stiffness - given.stiffness).norm(), 1e-12 * given.stiffness.norm());
   EXPECT_GT((moved.stiffness - building(plan_text).stiffness).norm(), 1e-3 * given.stiffness.norm());
   EXPECT_EQ(moved.mass, given.mass);
+}
+
+/// A number so that it is read again as it is.
+std::string exact(double value) { return fmt::format("{:.17g}", value); }
+
+TEST(PlanToml, ACalibratedBuildingIsOneOfOtherStiffness) {
+  const std::string name = "name = \"Walled\"\n";
+  const std::string hinged = test::hinged_pair();
+  const double own = 2 * std::numbers::pi / test::plan_run(hinged).problem.buildings[0].modes.omega(0);
+  const PlanRun calibrated =
+      test::plan_run(test::with(hinged, name, name + "calibrate_period = " + exact(1.2 * own) + "\n"));
+  const PlanBuilding& building = calibrated.problem.buildings[0];
+  EXPECT_NEAR(2 * std::numbers::pi / building.modes.omega(0), 1.2 * own, 1e-12 * own);
+  const double factor = building.model.stiffness_factor.value();
+  EXPECT_NEAR(factor, 1 / 1.44, 1e-12);
+  // The same by its numbers: what members and storeys bear is as it was.
+  std::string by_hand = test::with(hinged, "elastic_modulus = 3e7", "elastic_modulus = " + exact(3e7 * factor));
+  const auto end = [&] { return by_hand.find("name = \"Frame\""); };
+  for (std::size_t at = 0; (at = by_hand.find("stiffnesses = [", at)) < end(); ++at) {
+    at += std::string("stiffnesses = [").size();
+    const std::size_t close = by_hand.find(']', at);
+    std::string scaled;
+    std::istringstream given(by_hand.substr(at, close - at));
+    for (std::string one; std::getline(given, one, ',');) {
+      scaled += (scaled.empty() ? "" : ", ") + exact(std::stod(one) * factor);
+    }
+    by_hand.replace(at, close - at, scaled);
+  }
+  const PlanRun other = test::plan_run(by_hand);
+  ASSERT_EQ(calibrated.response.status, Status::done) << calibrated.response.message;
+  ASSERT_GT(calibrated.response.impacts.size(), 0U);
+  ASSERT_EQ(calibrated.response.impacts.size(), other.response.impacts.size());
+  for (std::size_t i = 0; i < other.response.points.size(); ++i) {
+    const PointSummary &mine = calibrated.response.points[i], &theirs = other.response.points[i];
+    EXPECT_NEAR(mine.gap_needed, theirs.gap_needed, 1e-9 * theirs.gap_needed);
+    EXPECT_NEAR(mine.peak_force, theirs.peak_force, 1e-8 * theirs.peak_force);
+  }
+  for (std::size_t p = 0; p < other.response.buildings[0].planes.size(); ++p) {
+    const auto &mine = calibrated.response.buildings[0].planes[p], &theirs = other.response.buildings[0].planes[p];
+    EXPECT_LT((mine.shear - theirs.shear).norm(), 1e-8 * theirs.shear.norm());
+    ASSERT_EQ(mine.frame.hinges.size(), theirs.frame.hinges.size());
+    for (std::size_t h = 0; h < theirs.frame.hinges.size(); ++h) {
+      EXPECT_NEAR(mine.frame.hinges[h].peak_moment, theirs.frame.hinges[h].peak_moment,
+                  1e-8 * (1 + theirs.frame.hinges[h].peak_moment));
+    }
+  }
 }
 
 TEST(PlanToml, ReadsPolygons) {
