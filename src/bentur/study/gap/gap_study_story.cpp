@@ -153,12 +153,10 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
   // Quantiles of a few say nothing.
   const bool few = told.count() < fewest;
   if (!std::isfinite(few ? over.largest.gap_needed : over.median.gap_needed)) return;
-  Statement statement = statement_of(told, gap,
-                                     few             ? "gaps_over_few"
-                                     : told.together ? "gaps_over_runs"
-                                                     : "gaps_over_records");
-  statement.values = {few ? StoryValue{"records", told.count()} : count_value(told),
-                      {"largest", over.largest.gap_needed, length}};
+  const char* const kind = few ? (told.together ? "gaps_over_few_runs" : "gaps_over_few")
+                               : (told.together ? "gaps_over_runs" : "gaps_over_records");
+  Statement statement = statement_of(told, gap, kind);
+  statement.values = {count_value(told), {"largest", over.largest.gap_needed, length}};
   if (!few) {
     statement.values.push_back({"median", over.median.gap_needed, length});
     statement.values.push_back({"most", quantile(over, most_asked).gap_needed, length});

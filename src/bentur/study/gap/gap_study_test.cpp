@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bentur/io/temporary_folder.h"
+#include "bentur/study/gap/gap_study_story.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {
@@ -80,6 +81,23 @@ TEST(GapStudies, QuantilesAndTheShareThatNeedsMoreThanGiven) {
   EXPECT_DOUBLE_EQ(json.at("given")[0].at("share_beyond"), 0.6);
   EXPECT_EQ(json.at("quantiles")[2].at("probability"), 0.84);
   EXPECT_DOUBLE_EQ(json.at("quantiles")[2].at("gap_needed"), quantile_of(all, 0.84));
+}
+
+/// What varies is one record with two choices: they are runs, not records.
+TEST(GapStudies, ChoicesAreNotCalledRecords) {
+  const auto kind_of = [](const std::string& varied) {
+    const GapStudy study = needs_of(varied).value();
+    for (const Statement& one : gap_study_story(study).statements) {
+      if (one.kind.starts_with("gaps_over")) return one.kind + " of " + one.values.front().name;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(kind_of("[[vary]]\nparameter = 'building[0].damping'\nvalues = [0.02, 0.05]\n"),
+            "gaps_over_few_runs of runs");
+  const std::string record = "{ kind = 'record', file = '../bad_input/good.AT2', scale = ";
+  EXPECT_EQ(kind_of("[[vary]]\nparameter = 'excitation'\nname = 'record'\nlabels = ['a', 'b']\nvalues = [" + record +
+                    "1.0 }, " + record + "2.0 }]\n"),
+            "gaps_over_few of records");
 }
 
 TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
