@@ -25,6 +25,7 @@ std::shared_ptr<PlaneFrame> frame_at(const Case& c, const PlanFramePlace& place)
   frame->floor_masses.assign(frame->storey_heights.size(), 1);
   frame->mass_matrix = MassMatrix::lumped;
   frame->condensation = Condensation::static_;
+  frame->elastic_modulus *= plan->stiffness_factor.value_or(1);
   return frame;
 }
 
@@ -177,6 +178,7 @@ DenseFindings dense_findings(const PlanRun& run, double budget) {
     PlanProblem as_it_is = run.problem;
     as_it_is.duration = response.duration > 0 ? response.duration : run.problem.duration;
     as_it_is.goes_on = false;
+    as_it_is.elsewhere.clear();
     for (PlanGap& gap : as_it_is.gaps) gap.watched.clear();
     if (!touches) as_it_is.gaps.clear();
     SolveOptions options;
