@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/study/fragility/internal/collapse_json.h"
 
 namespace bentur {
 
@@ -147,7 +148,9 @@ Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& f
                      {"b", cloud->b},
                      {"sigma", cloud->sigma},
                      {"determination", cloud->determination},
-                     {"runs", cloud->runs}};
+                     {"runs", cloud->runs},
+                     {"collapse", collapse_json(fragility)},
+                     {"of_all", of_all_json(fragility)}};
   }
   for (const Stripe& one : fragility.stripes) {
     json["stripes"].push_back({{"intensity", one.intensity},
