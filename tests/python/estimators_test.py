@@ -48,6 +48,7 @@ def test_likelihood(results, width):  # noqa: F811
     told = curve["distance"]
     p = stats.lognorm.cdf(x, s=curve["dispersion"], scale=curve["median"])
     assert told == pytest.approx(np.abs(p - (d > GAP).mean(axis=0)).max(), rel=1e-9)
+    np.testing.assert_allclose([one["probability"] for one in curve["counts"]], p, rtol=1e-9, atol=1e-15)
 
 
 def test_cloud(results):  # noqa: F811
@@ -183,11 +184,16 @@ def test_bounds_are_those_of_resampled_records(results):  # noqa: F811
     d, x = demands(results, 0)
     curve = bentur.fragility(results, f"gap_needed > {GAP}", method="cloud", resamples=2000)["curves"][0]
     random = np.random.default_rng(1)
-    medians = []
+    near = min(curve["counts"], key=lambda one: abs(np.log(one["intensity"] / curve["median"])))
+    medians, probabilities = [], []
     for _ in range(2000):
         some = np.log(d[random.integers(0, len(d), len(d))])
         b, a = np.polyfit(np.tile(np.log(x), len(d)), some.ravel(), 1)
+        sigma = np.sqrt(np.sum((some - a - b * np.log(x)) ** 2) / (d.size - 2))
         medians.append((np.log(GAP) - a) / b)
+        probabilities.append(stats.norm.cdf((np.log(near["intensity"]) - medians[-1]) * b / sigma))
     low, high = np.quantile(medians, [0.025, 0.975])
     # Of 2,000 resamples the ends are known to some hundredths of their distance.
     np.testing.assert_allclose(np.log(curve["median_bounds"]), [low, high], atol=0.1 * (high - low))
+    ends = np.quantile(probabilities, [0.025, 0.975])
+    np.testing.assert_allclose(near["bounds"], ends, atol=0.1 * (ends[1] - ends[0]))

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
 from ._errors import imported
@@ -200,8 +201,44 @@ def against(results: xarray.Dataset, quantity: str, along: str, *, ax: Axes | No
     return ax
 
 
+def _intensity_label(name: str, unit: str) -> str:
+    """``spectral acceleration at 1 s, 5 % damping [g]``, of what results call it."""
+    return f"{name.replace(', period ', ' at ').replace('damping 5 %', '5 % damping')} [{unit}]"
+
+
+def _logarithmic(ax: Axes) -> None:
+    """Intensities by their logarithm, with numbers at 1, 2 and 5."""
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
+    ax.set_xscale("log")
+    ax.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    ax.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    ax.xaxis.set_minor_formatter(NullFormatter())
+
+
+def _bounds_label(found: dict[str, Any]) -> str:
+    """What its bounds are of."""
+    bootstrap = found.get("bootstrap")
+    return "bounds" if bootstrap is None else f"{100 * bootstrap['confidence']:g} % bounds"
+
+
+def _band(x: NDArray[np.float64], counts: Sequence[dict[str, Any]]) -> tuple[Any, Any, Any]:
+    """Bounds of a probability at levels, and between them as straight lines of normal quantiles over ln x."""
+    from statistics import NormalDist
+
+    normal, least = NormalDist(), 1e-12
+    at = np.log([c["intensity"] for c in counts])
+    inside = x[(np.log(x) >= at[0] - 1e-9) & (np.log(x) <= at[-1] + 1e-9)]
+    ends = []
+    for end in (0, 1):
+        z = [normal.inv_cdf(min(max(c["bounds"][end], least), 1 - least)) for c in counts]
+        ends.append([normal.cdf(one) for one in np.interp(np.log(inside), at, z)])
+    return inside, *ends
+
+
 def fragility(found: dict[str, Any] | xarray.Dataset, *, ax: Axes | None = None) -> Axes:
-    """Curves of :func:`bentur.fragility` with the fractions of runs they are fitted to.
+    """Curves of :func:`bentur.fragility` with the fractions of runs they are fitted to; of a single curve also its bounds
+    at the levels. Levels that grow by one factor stand on a logarithmic scale.
 
     :param found: what that gives; or the results of :func:`bentur.ida`: then the curves of pounding.
     """
@@ -213,21 +250,29 @@ def fragility(found: dict[str, Any] | xarray.Dataset, *, ax: Axes | None = None)
     if not isinstance(found, dict):
         found = curves_of(found)
     ax = _axes(ax)
-    most = max(found["intensity"]["levels"])
-    x = np.linspace(most / 400, most, 400)
+    levels = np.array(found["intensity"]["levels"])
+    steps = np.diff(np.log(levels))
+    is_log = len(levels) > 2 and np.ptp(steps) < 1e-6 * steps[0]
+    x = np.geomspace(levels[0], levels[-1], 400) if is_log else np.linspace(levels[-1] / 400, levels[-1], 400)
+    if is_log:
+        _logarithmic(ax)
+    is_alone = len(found["curves"]) == 1
+    bounded = [c for c in found["curves"][0]["counts"] if c.get("bounds")] if is_alone else []
+    if bounded:
+        ax.fill_between(*_band(x, bounded), color="0.85", linewidth=0, label=_bounds_label(found))
     for n, curve in enumerate(found["curves"]):
         label = ", ".join(f"{k} = {v:g}" if isinstance(v, float) else f"{k} = {v}" for k, v in curve["case"].items())
         if curve["median"] is not None:  # else no curve fits, and the fractions stand alone
             z = np.log(x / curve["median"]) / curve["dispersion"]
             probability = [0.5 * (1 + erf(one / sqrt(2))) for one in z]
-            ax.plot(x, probability, **_apart(n), label=label or None)
+            ax.plot(x, probability, **_apart(n), label=label or ("lognormal fit" if bounded else None))
         counts = [c for c in curve["counts"] if c["runs"] > 0]
         at, parts = [c["intensity"] for c in counts], [c["events"] / c["runs"] for c in counts]
-        alone = label if curve["median"] is None else None
+        alone = label if curve["median"] is None else "observed" if bounded else None
         ax.plot(at, parts, "o", ms=2.5, mfc="white", color=_apart(n)["color"], label=alone or None)
     unit = re.sub(r"^gravity$|^[\d.]+ \w+ s-2$", "g", found["intensity"]["units"])  # a case's g may be its own
     ax.set(
-        xlabel=f"{found['intensity']['name'].split(',')[0]} [{unit}]",
+        xlabel=_intensity_label(found["intensity"]["name"], unit),
         ylabel=f"P({found['event']})",
         ylim=(-0.02, 1.02),
     )
@@ -270,7 +315,8 @@ def risk(found: dict[str, Any], *, case: int = 0, axes: Sequence[Axes] | None = 
     told = one["lognormal"] if one["by"] == "lognormal" else one["observed"]
     density = np.array(told["parts"][:-1]) / np.diff(np.log(x))
     lower.stairs(density, x, fill=True, color=TEAL, alpha=0.5)
-    lower.set(xscale="log", xlabel=f"{found['intensity']['name'].split(',')[0]} [{found['intensity']['unit']}]",
+    _logarithmic(lower)
+    lower.set(xlabel=_intensity_label(found["intensity"]["name"], found["intensity"]["unit"]),
               ylabel="rate per unit of ln x [1/year]")
     return axes
 

@@ -7,6 +7,7 @@
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
+#include "bentur/study/quantiles.h"
 
 namespace bentur {
 namespace {
@@ -221,6 +222,19 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
     result.bounds = bootstrap_fragility(units, options);
   }
   return result;
+}
+
+std::optional<Interval> probability_bounds(const CaseFragility& fragility, double intensity, double confidence) {
+  std::vector<double> values;
+  if (fragility.bounds) {
+    for (const Fragility& one : fragility.bounds->fits) {
+      const double p = one.probability(intensity);
+      if (!std::isnan(p)) values.push_back(p);
+    }
+  }
+  if (values.empty()) return std::nullopt;
+  const double tail = 0.5 * (1 - confidence);
+  return Interval{quantile_of(values, tail), quantile_of(values, 1 - tail)};
 }
 
 GapEstimate gap_estimate(const std::vector<double>& widths, const std::vector<const CaseFragility*>& fragilities,

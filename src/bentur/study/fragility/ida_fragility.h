@@ -81,6 +81,10 @@ struct CaseFragility {
 [[nodiscard]] CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options,
                                      FragilityMethod method = FragilityMethod::likelihood);
 
+/// Bounds of P(event | intensity) by the fits of the resamples that know it; nothing where there are none.
+[[nodiscard]] std::optional<Interval> probability_bounds(const CaseFragility& fragility, double intensity,
+                                                         double confidence);
+
 /// The gap for which P(event | intensity) ≤ p, from the fragilities at several widths.
 struct GapEstimate {
   std::optional<GapForProbability> gap;  ///< nothing where P at one of the widths is not known
