@@ -80,8 +80,8 @@ std::string one_level(const CaseFragility& fragility, const std::string& level) 
                      above ? "in all above" : "the largest level");
 }
 
-/// Why a case has no θ and β.
-std::string reason(const CaseFragility& fragility, const std::string& unit) {
+/// Why a case has no θ and β. @param is_cloud of the demands of runs that stand
+std::string reason(const CaseFragility& fragility, const std::string& unit, bool is_cloud = false) {
   const auto with_unit = [&](double x) { return unit.empty() ? number(x) : number(x) + " " + unit; };
   const Fragility& fit = fragility.fit;
   switch (fit.kind) {
@@ -102,6 +102,9 @@ std::string reason(const CaseFragility& fragility, const std::string& unit) {
       return "the event does not become likelier with intensity: no θ and β describe that";
     case Fragility::Kind::no_data:
       break;
+  }
+  if (is_cloud && fragility.runs > 0) {
+    return "fewer than three runs stand with a demand above 0, or all at one level: θ and β cannot be found";
   }
   return "no run has succeeded: θ and β cannot be found";
 }
@@ -138,6 +141,40 @@ std::string part_text(const Fragility& fit, const std::vector<IntensityCount>& c
                          (is_extrapolated(counts, fit) ? "; " + beyond(part, unit) : ""));
 }
 
+/// "from 0.2 to 0.4", or nothing.
+std::string from_to(const std::optional<Interval>& bounds) {
+  return !bounds || std::isnan(bounds->lower)
+             ? ""
+             : fmt::format(" (from {} to {})", number(bounds->lower), number(bounds->upper));
+}
+
+/// Which runs of a cloud collapse, and P(event) of all.
+std::string collapse_text(const CaseFragility& one, const std::string& unit) {
+  if (!one.fit.collapse) return "no run collapses";
+  const CollapseFit& fit = *one.fit.collapse;
+  const std::string counted = fmt::format("{} of {} runs collapse", fit.collapsed, fit.runs);
+  switch (fit.kind) {
+    case CollapseFit::Kind::fitted:
+      break;
+    case CollapseFit::Kind::separated:
+      return fmt::format("{}, {}: P_C cannot be found, θ and β are of the runs that stand alone", counted,
+                         fit.upper >= fit.lower
+                             ? fmt::format("from {} on and all that stand up to {}", with_unit_of(fit.upper, unit),
+                                           with_unit_of(fit.lower, unit))
+                             : "all below those that stand");
+    default:
+      return counted +
+             ", not more of them with intensity: P_C cannot be found, θ and β are of the runs that stand alone";
+  }
+  std::string text = fmt::format("{}, P_C = 1/(1 + exp(−({} + {} ln x))), ½ at {}", counted, number(fit.intercept),
+                                 number(fit.slope), with_unit_of(fit.intensity_of(0.5), unit));
+  if (const auto all = one.of_all()) {
+    text += fmt::format("; P(event) with them is ½ at {}{}, dispersion {}{}", with_unit_of(all->median, unit),
+                        from_to(all->median_bounds), number(all->dispersion), from_to(all->dispersion_bounds));
+  }
+  return text;
+}
+
 /// Collapse by itself, and what a cloud or stripes are made of.
 std::string more(const CaseFragility& one, const std::string& of, const std::string& unit) {
   std::string text;
@@ -151,6 +188,7 @@ std::string more(const CaseFragility& one, const std::string& of, const std::str
     text +=
         fmt::format("  {}ln d = {} + {} ln x, σ {}, R² {}, {} runs that stand.\n", of, number(one.cloud->a),
                     number(one.cloud->b), number(one.cloud->sigma), number(one.cloud->determination), one.cloud->runs);
+    text += fmt::format("  {}{}.\n", of, collapse_text(one, unit));
   }
   for (const Stripe& stripe : one.stripes) {
     text += fmt::format("  {}at {}: median demand {}, dispersion {}, {} of {} runs collapse.\n", of,
@@ -160,7 +198,7 @@ std::string more(const CaseFragility& one, const std::string& of, const std::str
   return text;
 }
 
-std::string curves_text(const FragilityReport& report, const std::string& unit) {
+std::string curves_text(const FragilityReport& report, const std::string& unit, bool is_cloud) {
   std::vector<std::size_t> cases;
   std::vector<double> median, median_low, median_high, dispersion, dispersion_low, dispersion_high, distance;
   std::vector<std::string> runs, events;
@@ -180,7 +218,7 @@ std::string curves_text(const FragilityReport& report, const std::string& unit) 
     const std::string name = case_name(report.results, c);
     const std::string of = name.empty() ? "" : name + ": ";
     distance.push_back(one.distance().value_or(not_known));
-    if (!known) notes += fmt::format("  {}{}.\n", of, reason(one, unit));
+    if (!known) notes += fmt::format("  {}{}.\n", of, reason(one, unit, is_cloud));
     if (one.is_misfit()) notes += fmt::format("  {}{}.\n", of, misfit);
     if (is_extrapolated(one.counts, one.fit)) notes += fmt::format("  {}{}.\n", of, beyond(one, unit));
     notes += more(one, of, unit);
@@ -244,7 +282,7 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
                        quantity.empty() ? "" : " " + quantity, records, records == 1 ? "" : "s",
                        results.table.together > 1 ? " as given and reversed" : "", results.table.levels.size(),
                        results.intensity, unit.empty() ? "" : " [" + unit + "]");
-  std::string result = title + "\n" + curves_text(report, unit);
+  std::string result = title + "\n" + curves_text(report, unit, request.method == FragilityMethod::cloud);
   if (!report.gaps.empty()) result += gaps_text(report, request, unit);
   const bool bounds = std::any_of(report.fragilities.begin(), report.fragilities.end(),
                                   [](const CaseFragility& one) { return one.bounds.has_value(); });
@@ -252,8 +290,9 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
       "\nP(event | x) = Φ(ln(x/θ)/β), {}. KS: the largest distance of the curve from the part of the "
       "runs with the event at a level.",
       request.method == FragilityMethod::likelihood ? "by maximum likelihood"
-      : request.method == FragilityMethod::cloud    ? "by a cloud: of the runs that stand, KS too"
-                                                    : "by the stripes' lognormal demands and collapses");
+      : request.method == FragilityMethod::cloud
+          ? "by a cloud of the runs that stand; where some collapse, P = P_C + (1 − P_C) Φ, KS of that"
+          : "by the stripes' lognormal demands and collapses");
   if (bounds) {
     result += fmt::format(" From, to: {} % bounds from {} resamples of whole records.",
                           number(100 * request.bootstrap.confidence), request.bootstrap.resamples);

@@ -316,6 +316,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
         part->line = Line::dashed;
       }
       constexpr int steps = 200;
+      constexpr double confidence = 0.95;
       for (int i = 1; i <= steps; ++i) {
         const double x = *panel.x.to * i / steps;
         const double fitted = fit.probability(x);
@@ -325,17 +326,11 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
           part->x.push_back(x);
           part->y.push_back(fitted);
         }
-        std::vector<double> values;
-        if (fragility.bounds) {
-          for (const Fragility& one : fragility.bounds->fits) {
-            const double p = one.probability(x);
-            if (!std::isnan(p)) values.push_back(p);
-          }
-        }
-        if (values.empty()) continue;
+        const auto bounds = probability_bounds(fragility, x, confidence);
+        if (!bounds) continue;
         area.x.push_back(x);
-        area.y.push_back(quantile_of(values, 0.025));
-        area.top.push_back(quantile_of(values, 0.975));
+        area.y.push_back(bounds->lower);
+        area.top.push_back(bounds->upper);
       }
       if (!area.x.empty()) {
         if (cases.size() == 1) {

@@ -137,6 +137,52 @@ TEST(Bounds, OfCloudsAndStripesComeFromWholeRecords) {
   EXPECT_FALSE(fit_case(by_chance(12), 0, {}, FragilityMethod::cloud).bounds);
 }
 
+/// The same, and the more probably collapsed the larger the level is.
+OutcomeTable by_chance_with_collapses() {
+  OutcomeTable table = by_chance(1);
+  for (std::size_t run = 0; run < table.outcomes.size(); ++run) {
+    const std::size_t record = run / 4, level = run % 4;
+    if ((5 * record + level) % 12 >= 3 * level) continue;  // 0, 3, 6, 9 of 12 records
+    table.collapsed[run] = 1;
+    table.outcomes[run] = Outcome::event;
+  }
+  return table;
+}
+
+TEST(FitCase, OfACloudSaysWhatIsOfAllRuns) {
+  const OutcomeTable table = by_chance_with_collapses();
+  const CaseFragility found = fit_case(table, 0, {.resamples = 300}, FragilityMethod::cloud);
+  ASSERT_TRUE(found.fit.collapse);
+  EXPECT_EQ(found.fit.collapse->kind, CollapseFit::Kind::fitted);
+  EXPECT_EQ(found.fit.collapse->collapsed, 18);
+  const auto all = found.of_all();
+  ASSERT_TRUE(all);
+  EXPECT_NEAR(*found.probability(all->median), 0.5, 1e-12);
+  EXPECT_LT(all->median, found.fit.median);
+  ASSERT_TRUE(all->median_bounds);
+  EXPECT_LT(all->median_bounds->lower, all->median);
+  EXPECT_GT(all->median_bounds->upper, all->median);
+  EXPECT_GT(all->usable, 290);
+  // The distance is of all runs from the curve of all.
+  double largest = 0;
+  for (const IntensityCount& one : found.counts) {
+    const double share = static_cast<double>(one.events) / static_cast<double>(one.runs);
+    largest = std::max(largest, std::abs(share - *found.probability(one.intensity)));
+  }
+  EXPECT_NEAR(found.distance().value(), largest, 1e-15);
+  EXPECT_FALSE(fit_case(by_chance(1), 0, {.resamples = 2}, FragilityMethod::cloud).of_all());
+}
+
+TEST(FitCase, OfACloudOfWhichAllCollapseHasTheEventAlways) {
+  OutcomeTable table = by_chance(1);
+  table.collapsed.assign(table.collapsed.size(), 1);
+  table.outcomes.assign(table.outcomes.size(), Outcome::event);
+  const CaseFragility found = fit_case(table, 0, {.resamples = 2}, FragilityMethod::cloud);
+  EXPECT_EQ(found.fit.kind, Fragility::Kind::all_events);
+  EXPECT_EQ(found.probability(0.2), 1);
+  EXPECT_FALSE(found.cloud);
+}
+
 TEST(Distance, IsTheLargestOfTheLevels) {
   Fragility fit;
   fit.kind = Fragility::Kind::fitted;
@@ -229,7 +275,13 @@ TEST(FitCase, ByCloudAndByStripesIsThatOfItsDemands) {
   }
   const CaseFragility cloud = fit_case(given, 0, {}, FragilityMethod::cloud);
   EXPECT_EQ(cloud.fit.median, cloud_fragility(*fit_cloud(demands), 3).median);
-  EXPECT_NEAR(cloud.distance().value(), fit_distance(cloud.split->standing_counts, cloud.fit).value(), 1e-15);
+  // The one that collapses does so at the higher of two levels: no logistic curve, and all is of those that stand.
+  ASSERT_TRUE(cloud.fit.collapse);
+  EXPECT_EQ(cloud.fit.collapse->kind, CollapseFit::Kind::separated);
+  EXPECT_FALSE(cloud.probability(1.5));
+  EXPECT_FALSE(fit_distance(cloud.counts, cloud.fit));
+  const Fragility standing = cloud_fragility(*fit_cloud(demands), 3);
+  EXPECT_NEAR(cloud.distance().value(), fit_distance(cloud.split->standing_counts, standing).value(), 1e-15);
   const CaseFragility stripes = fit_case(given, 0, {}, FragilityMethod::stripes);
   EXPECT_EQ(stripes.fit.median, stripe_fragility(stripes_of(demands), 3).median);
   EXPECT_EQ(stripes.stripes[1].collapsed, 1);

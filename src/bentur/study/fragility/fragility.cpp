@@ -142,13 +142,29 @@ double Fragility::probability(double intensity) const {
   require_positive("intensity", intensity);
   if (kind == Kind::no_event) return 0;
   if (kind == Kind::all_events) return 1;
-  if (kind == Kind::separated) return intensity < median ? 0 : (intensity > median ? 1 : 0.5);
-  return normal_probability(std::log(intensity / median) / dispersion);
+  const double beyond = kind == Kind::separated ? (intensity < median ? 0 : (intensity > median ? 1 : 0.5))
+                                                : normal_probability(std::log(intensity / median) / dispersion);
+  if (!collapse) return beyond;
+  const double gone = collapse->probability(intensity);
+  return gone + (1 - gone) * beyond;
 }
 
 double Fragility::intensity_of(double p) const {
   if (!(p > 0 && p < 1)) throw InvalidParameter("p", std::to_string(p), "must be in (0, 1)");
-  return dispersion == 0 ? median : median * std::exp(dispersion * normal_quantile(p));
+  const auto of_standing = [&](double q) {
+    return dispersion == 0 ? median : median * std::exp(dispersion * normal_quantile(q));
+  };
+  if (!collapse) return of_standing(p);
+  if (collapse->kind != CollapseFit::Kind::fitted) return not_known;
+  // Each part alone reaches p later than both; where neither has reached half of p, both have not reached p.
+  double low = std::log(std::min(of_standing(p / 2), collapse->intensity_of(p / 2)));
+  double high = std::log(std::min(of_standing(p), collapse->intensity_of(p)));
+  constexpr int halvings = 60;  // of logarithms, to round-off
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (probability(std::exp(middle)) < p ? low : high) = middle;
+  }
+  return std::exp(0.5 * (low + high));
 }
 
 double log_likelihood(const std::vector<IntensityCount>& counts, double median, double dispersion) {
@@ -218,7 +234,7 @@ Fragility fit_fragility(const std::vector<IntensityCount>& counts) {
 }
 
 std::optional<double> fit_distance(const std::vector<IntensityCount>& counts, const Fragility& fit) {
-  if (fit.kind != Fragility::Kind::fitted) return std::nullopt;
+  if (fit.kind != Fragility::Kind::fitted || (fit.collapse && !fit.collapse->is_known())) return std::nullopt;
   double largest = 0;
   for (const IntensityCount& one : counts) largest = std::max(largest, distance_at(one, fit));
   return largest;
@@ -268,6 +284,7 @@ FragilityBounds bootstrap_fragility(std::size_t units, const BootstrapOptions& o
   // The standard fixes the generator but not how its distributions use it: so take the remainder, whose bias is
   // count/2⁶⁴.
   FragilityBounds bounds;
+  bounds.confidence = options.confidence;
   std::vector<double> medians, dispersions;
   std::vector<std::size_t> sample(units);
   for (int i = 0; i < options.resamples; ++i) {

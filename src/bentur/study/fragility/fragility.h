@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "bentur/study/fragility/collapse_fit.h"
+
 namespace bentur {
 
 /// Lognormal fragility: the probability of an event (pounding, a force exceeded) at an intensity,
@@ -20,6 +22,11 @@ namespace bentur {
 /// x, θ [the intensity's unit] > 0, θ the median intensity of the event; β [-] > 0 its logarithmic dispersion; Φ the
 /// normal distribution. Binomial coefficients, which do not depend on θ and β, are left out of (2).
 /// Source: (1), (2) [Baker2015, doi 10.1193/021113EQS025M].
+/// Where runs collapse apart from the event, as those of a cloud, (1) is of the runs that stand, and of all
+///
+///   P(event | x) = P_C(x) + (1 − P_C(x)) Φ(ln(x/θ)/β).                                                    (4)
+///
+/// Source: (4) [JalayerEbrahimianMianoManfrediSezen2017, doi 10.1002/eqe.2922].
 struct IntensityCount {
   double intensity = 0;  ///< x [any unit] > 0
   long runs = 0;         ///< n ≥ 0
@@ -43,10 +50,11 @@ struct Fragility {
   /// The largest intensity without and the smallest with an event: θ is between them where separated; lower is 0 where
   /// all runs were events, upper is ∞ where none was.
   double lower = 0, upper = 0;
+  std::optional<CollapseFit> collapse = {};  ///< P_C of (4), where runs collapse apart; its θ and β are of the others
 
-  /// P(event | intensity) of (1); a step at θ where separated. NaN where θ is unknown.
+  /// P(event | intensity) of (1) or (4); a step at θ where separated. NaN where θ or P_C is unknown.
   [[nodiscard]] double probability(double intensity) const;
-  /// The intensity at which the probability is p, 0 < p < 1: θ e^{β Φ⁻¹(p)}.
+  /// The intensity at which the probability is p, 0 < p < 1: θ e^{β Φ⁻¹(p)}; of (4) found by halving, NaN as above.
   [[nodiscard]] double intensity_of(double p) const;
 };
 
@@ -93,6 +101,7 @@ struct FragilityBounds {
   Interval median, dispersion;
   int usable = 0;  ///< resamples that gave θ and β; a separated one gives β = 0, no event θ = ∞, only events θ = 0
   std::vector<Fragility> fits;  ///< one per resample, in order
+  double confidence = 0;        ///< of the intervals, as asked
 };
 
 struct BootstrapOptions {

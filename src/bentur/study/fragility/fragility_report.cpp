@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/study/fragility/internal/collapse_json.h"
 
 namespace bentur {
 
@@ -116,11 +117,18 @@ Json part_json(const Fragility& fit, const std::vector<IntensityCount>& counts) 
           {"events", events}};
 }
 
-Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& fragility) {
+/// @param confidence of the bounds
+Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& fragility, double confidence) {
   const bool known = fragility.fit.kind == Fragility::Kind::fitted;
   Json counts = Json::array();
   for (const IntensityCount& count : fragility.counts) {
-    counts.push_back({{"intensity", count.intensity}, {"runs", count.runs}, {"events", count.events}});
+    const auto p = known ? fragility.probability(count.intensity) : std::nullopt;
+    const auto band = p ? probability_bounds(fragility, count.intensity, confidence) : std::nullopt;
+    counts.push_back({{"intensity", count.intensity},
+                      {"runs", count.runs},
+                      {"events", count.events},
+                      {"probability", p ? Json(*p) : Json(nullptr)},
+                      {"bounds", band ? interval_json(*band) : Json(nullptr)}});
   }
   const auto& bounds = fragility.bounds;
   const auto distance = fragility.distance();
@@ -147,7 +155,9 @@ Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& f
                      {"b", cloud->b},
                      {"sigma", cloud->sigma},
                      {"determination", cloud->determination},
-                     {"runs", cloud->runs}};
+                     {"runs", cloud->runs},
+                     {"collapse", collapse_json(fragility)},
+                     {"of_all", of_all_json(fragility)}};
   }
   for (const Stripe& one : fragility.stripes) {
     json["stripes"].push_back({{"intensity", one.intensity},
@@ -221,7 +231,7 @@ std::optional<FragilityReport> fragility_report(IdaResults results, const Fragil
 std::string fragility_json(const FragilityReport& report, const FragilityRequest& request, std::string_view version) {
   Json curves = Json::array();
   for (std::size_t c = 0; c < report.fragilities.size(); ++c) {
-    curves.push_back(curve_json(report.results, c, report.fragilities[c]));
+    curves.push_back(curve_json(report.results, c, report.fragilities[c], request.bootstrap.confidence));
   }
   const Json json = {
       {"title", report.results.title},

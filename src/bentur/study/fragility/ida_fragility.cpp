@@ -1,23 +1,31 @@
 #include "bentur/study/fragility/ida_fragility.h"
 
+#include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
+#include "bentur/study/quantiles.h"
 
 namespace bentur {
 namespace {
 
 using FragilityKind = Fragility::Kind;
 
-/// By a fit alone; see CaseFragility::probability.
-std::optional<double> probability_of(const Fragility& fit, double intensity) {
+Fragility without_collapse(Fragility fit) {
+  fit.collapse.reset();
+  return fit;
+}
+
+/// Of the runs that stand, by a fit alone.
+std::optional<double> standing_probability(const Fragility& fit, double intensity) {
   switch (fit.kind) {
     case FragilityKind::fitted:
     case FragilityKind::no_event:
     case FragilityKind::all_events:
-      return fit.probability(intensity);
+      return without_collapse(fit).probability(intensity);
     case FragilityKind::separated:
       return intensity < fit.lower || (intensity == fit.lower && fit.lower < fit.upper) ? 0.0 : 1.0;
     case FragilityKind::one_intensity:
@@ -26,6 +34,15 @@ std::optional<double> probability_of(const Fragility& fit, double intensity) {
       break;
   }
   return std::nullopt;
+}
+
+/// By a fit alone; see CaseFragility::probability.
+std::optional<double> probability_of(const Fragility& fit, double intensity) {
+  const std::optional<double> beyond = standing_probability(fit, intensity);
+  if (!beyond || !fit.collapse) return beyond;
+  if (!fit.collapse->is_known()) return std::nullopt;
+  const double gone = fit.collapse->probability(intensity);
+  return gone + (1 - gone) * *beyond;
 }
 
 /// The fit of resample `i`: of a case without bounds that of all data where every resample gives the same one.
@@ -96,10 +113,15 @@ std::optional<CaseFragility::Split> split_off(const OutcomeTable& table, std::si
 
 Fragility fit_of_demands(const std::vector<RunDemand>& demands, double threshold, FragilityMethod method) {
   if (method == FragilityMethod::stripes) return stripe_fragility(stripes_of(demands), threshold);
-  if (const auto cloud = fit_cloud(demands)) return cloud_fragility(*cloud, threshold);
-  Fragility none;
-  none.median = none.dispersion = not_known;
-  return none;
+  std::vector<IntensityCount> collapses;
+  for (const RunDemand& one : demands) collapses.push_back({one.intensity, 1, one.collapsed ? 1 : 0});
+  const CollapseFit collapse = fit_collapse(collapses);
+  if (collapse.kind == CollapseFit::Kind::all) return fit_fragility(collapses);  // each has the event, whatever it is
+  Fragility fit;
+  fit.median = fit.dispersion = not_known;
+  if (const auto cloud = fit_cloud(demands)) fit = cloud_fragility(*cloud, threshold);
+  if (collapse.kind != CollapseFit::Kind::none) fit.collapse = collapse;
+  return fit;
 }
 
 /// Bounds too, from two records on: whole records are resampled, each with all its demands.
@@ -135,11 +157,35 @@ std::optional<double> CaseFragility::probability(double intensity) const {
 }
 
 std::optional<double> CaseFragility::distance() const {
-  return fit_distance(cloud && split ? split->standing_counts : counts, fit);
+  const bool of_standing = cloud && split && !is_of_all();
+  return fit_distance(of_standing ? split->standing_counts : counts, of_standing ? without_collapse(fit) : fit);
 }
 
 bool CaseFragility::is_misfit() const {
-  return bentur::is_misfit(cloud && split ? split->standing_counts : counts, fit);
+  const bool of_standing = cloud && split && !is_of_all();
+  return bentur::is_misfit(of_standing ? split->standing_counts : counts, of_standing ? without_collapse(fit) : fit);
+}
+
+std::optional<CaseFragility::OfAll> CaseFragility::of_all() const {
+  if (!fit.collapse || !is_of_all() || fit.kind != FragilityKind::fitted) return std::nullopt;
+  const auto from_to = [](const Fragility& one) {
+    constexpr double below = 0.15865525393145705, above = 1 - below;  // Φ(−1), Φ(1)
+    return std::pair(one.intensity_of(0.5), 0.5 * std::log(one.intensity_of(above) / one.intensity_of(below)));
+  };
+  OfAll result;
+  std::tie(result.median, result.dispersion) = from_to(fit);
+  if (!bounds) return result;
+  std::vector<double> medians, dispersions;
+  for (const Fragility& one : bounds->fits) {
+    if (one.kind != FragilityKind::fitted || (one.collapse && !one.collapse->is_known())) continue;
+    const auto [median, dispersion] = from_to(one);
+    medians.push_back(median);
+    dispersions.push_back(dispersion);
+  }
+  result.usable = static_cast<int>(medians.size());
+  result.median_bounds = percentile_interval(std::move(medians), bounds->confidence);
+  result.dispersion_bounds = percentile_interval(std::move(dispersions), bounds->confidence);
+  return result;
 }
 
 CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options,
@@ -176,6 +222,19 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
     result.bounds = bootstrap_fragility(units, options);
   }
   return result;
+}
+
+std::optional<Interval> probability_bounds(const CaseFragility& fragility, double intensity, double confidence) {
+  std::vector<double> values;
+  if (fragility.bounds) {
+    for (const Fragility& one : fragility.bounds->fits) {
+      const double p = one.probability(intensity);
+      if (!std::isnan(p)) values.push_back(p);
+    }
+  }
+  if (values.empty()) return std::nullopt;
+  const double tail = 0.5 * (1 - confidence);
+  return Interval{quantile_of(values, tail), quantile_of(values, 1 - tail)};
 }
 
 GapEstimate gap_estimate(const std::vector<double>& widths, const std::vector<const CaseFragility*>& fragilities,

@@ -34,7 +34,7 @@ struct OutcomeTable {
 /// By what θ and β are found.
 enum class FragilityMethod {
   likelihood,  ///< of the events counted at each level, all runs
-  cloud,       ///< of demands of runs that stand, (2) of CloudFit: P given no collapse
+  cloud,       ///< of demands of runs that stand, (2) of CloudFit, and of collapse apart, (1) of CollapseFit
   stripes      ///< of the levels' lognormal demands and collapses, (3) of Stripe
 };
 
@@ -53,15 +53,25 @@ struct CaseFragility {
   std::optional<Split> split = {};
   std::optional<CloudFit> cloud = {};  ///< by that method
   std::vector<Stripe> stripes = {};    ///< by that method
-  /// fit_distance() of what was counted; by a cloud of the runs that stand.
+  /// Whether the fit is of all runs: not where some collapse, and by a cloud no logistic curve describes which.
+  [[nodiscard]] bool is_of_all() const { return !fit.collapse || fit.collapse->is_known(); }
+  /// Of a cloud with collapses: the intensity at which (4) of Fragility is ½, and half the logarithm of the intensities
+  /// at which it is Φ(1) and Φ(−1), which of a lognormal are θ and β.
+  struct OfAll {
+    double median = 0, dispersion = 0;
+    std::optional<Interval> median_bounds = {}, dispersion_bounds = {};
+    int usable = 0;  ///< resamples that have both
+  };
+  [[nodiscard]] std::optional<OfAll> of_all() const;
+  /// fit_distance() of what was counted; of the runs that stand where the fit is of them alone.
   [[nodiscard]] std::optional<double> distance() const;
   /// is_misfit() of the same.
   [[nodiscard]] bool is_misfit() const;
 
-  /// P(event | intensity) at an intensity from the lowest to the highest level. It is 0 where no run has the event and
-  /// 1 where every run has it; where data are separated it is 1 above the last level without an event, the safe side;
-  /// with a single level it is the fraction of its runs that have the event. Nothing where (1) of Fragility does not
-  /// describe the data.
+  /// P(event | intensity), collapses too, at an intensity from the lowest to the highest level. It is 0 where no run
+  /// has the event and 1 where every run has it; where data are separated it is 1 above the last level without an
+  /// event, the safe side; with a single level it is the fraction of its runs that have the event. Nothing where (1) or
+  /// (4) of Fragility does not describe the data.
   [[nodiscard]] std::optional<double> probability(double intensity) const;
 };
 
@@ -70,6 +80,10 @@ struct CaseFragility {
 /// By a cloud or by stripes the table must have demands and a threshold > 0.
 [[nodiscard]] CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options,
                                      FragilityMethod method = FragilityMethod::likelihood);
+
+/// Bounds of P(event | intensity) by the fits of the resamples that know it; nothing where there are none.
+[[nodiscard]] std::optional<Interval> probability_bounds(const CaseFragility& fragility, double intensity,
+                                                         double confidence);
 
 /// The gap for which P(event | intensity) ≤ p, from the fragilities at several widths.
 struct GapEstimate {

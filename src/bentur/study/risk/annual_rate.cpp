@@ -1,6 +1,7 @@
 #include "bentur/study/risk/annual_rate.h"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -49,6 +50,50 @@ double proportional_part(const HazardSegment& s, double p, double q) {
   const double grown = std::abs(exponent * width) > 1e-9 ? std::expm1(exponent * width) / exponent : width;
   return s.rate_a * p - s.rate_b * q + p / s.a * s.rate_a * s.a * grown;
 }
+
+/// Collapses among runs that would not have the event otherwise: Q = P_C (1 − Φ(z)).
+class CollapseCurve {
+ public:
+  CollapseCurve(double median, double dispersion, const CollapseFit& collapse)
+      : median_(median),
+        dispersion_(dispersion),
+        collapse_(collapse),
+        widest_(0.5 * std::min(dispersion, 1 / collapse.slope)) {}
+
+  [[nodiscard]] double at(double x) const {
+    return collapse_.probability(x) * normal_probability(-std::log(x / median_) / dispersion_);
+  }
+
+  /// ∫ Q |dλ| over a segment.
+  [[nodiscard]] double part(const HazardSegment& s) const {
+    const double width = std::log(s.b / s.a), pieces = std::max(1.0, std::ceil(width / widest_));
+    double sum = 0;
+    for (double piece = 0; piece < pieces; ++piece) {
+      sum += boost::math::quadrature::gauss<double, 15>::integrate(
+          [&](double r) { return at(s.a * std::exp(r)) * s.slope * s.rate_a * std::exp(-s.slope * r); },
+          width * piece / pieces, width * (piece + 1) / pieces);
+    }
+    return sum;
+  }
+
+  /// What a hazard of slope k, λ at x, would add from there down to 0.
+  [[nodiscard]] double below(double x, double rate, double k) const {
+    if (!(k > 0)) return 0;
+    if (collapse_.slope <= k) return std::numeric_limits<double>::infinity();
+    // So far down that Q is e^{α₀} x^{α₁} to round-off.
+    constexpr double deviations = 9, exponent = -37;
+    const double low = std::min({x, median_ * std::exp(-deviations * dispersion_),
+                                 std::exp((exponent - collapse_.intercept) / collapse_.slope)});
+    const double rate_low = rate * std::pow(low / x, -k);
+    const double rest = at(low) * rate_low * k / (collapse_.slope - k);
+    return rest + (low < x ? part({low, x, rate_low, rate, k}) : 0.0);
+  }
+
+ private:
+  double median_, dispersion_;
+  const CollapseFit& collapse_;
+  double widest_;
+};
 
 void sum_up(AnnualRate& result) { result.rate = std::accumulate(result.parts.begin(), result.parts.end(), 0.0); }
 
@@ -114,6 +159,18 @@ AnnualRate annual_rate(const HazardCurve& hazard, double median, double dispersi
   } else if (median < first) {
     result.below = hazard.rate_at(median) - hazard.rate.front();
   }
+  return result;
+}
+
+AnnualRate annual_rate(const HazardCurve& hazard, double median, double dispersion, const CollapseFit& collapse) {
+  require_positive("dispersion", dispersion);
+  if (collapse.kind != CollapseFit::Kind::fitted) throw InvalidParameter("collapse", "not fitted", "must be fitted");
+  AnnualRate result = annual_rate(hazard, median, dispersion);
+  const CollapseCurve gone(median, dispersion, collapse);
+  for (std::size_t i = 0; i < hazard.segments(); ++i) result.parts[i] += gone.part(segment_at(hazard, i));
+  sum_up(result);
+  result.beyond -= hazard.rate.back() * gone.at(hazard.intensity.back());
+  result.below += gone.below(hazard.intensity.front(), hazard.rate.front(), hazard.slope(0));
   return result;
 }
 

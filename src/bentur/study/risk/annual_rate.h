@@ -21,6 +21,9 @@ namespace bentur {
 ///
 /// One segment from 0 to ∞ gives the closed form λ_E = λ(θ) e^{k²β²/2}.                                    (4)
 ///
+/// Where runs collapse apart, P = Φ(z) + P_C (1 − Φ(z)), (4) of Fragility, its second part is integrated over pieces of
+/// ln x no wider than half of β and of 1/α₁, by fifteen points of Gauss and Legendre.
+///
 /// Beyond the last number of the hazard nothing is known but that it is exceeded λ_n a year: all of it counts as the
 /// event, the safe side. Below the first nothing is counted.
 /// Sources: (1), (4) [CornellJalayerHamburgerFoutch2002, doi 10.1061/(ASCE)0733-9445(2002)128:4(526)].
@@ -33,6 +36,11 @@ struct AnnualRate {
 
 /// Of a lognormal P; β = 0: a step at θ. @throws InvalidParameter unless 0 < θ < ∞ and β ≥ 0.
 [[nodiscard]] AnnualRate annual_rate(const HazardCurve& hazard, double median, double dispersion);
+
+/// Of a lognormal of the runs that stand, and collapse apart. @throws InvalidParameter unless 0 < θ < ∞, β > 0 and the
+/// collapse is fitted.
+[[nodiscard]] AnnualRate annual_rate(const HazardCurve& hazard, double median, double dispersion,
+                                     const CollapseFit& collapse);
 
 /// What was observed at a level.
 struct ObservedShare {

@@ -94,6 +94,59 @@ TEST(AnnualRate, OfAnyCurveIsTheQuadrature) {
   }
 }
 
+/// A lognormal of the runs that stand, and collapse apart: by quadrature of the whole, of hazards as above.
+TEST(AnnualRate, OfACloudWithCollapsesIsTheQuadrature) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int trial = 0; trial < 30; ++trial) {
+    HazardCurve hazard{.intensity = {0.01 + 0.1 * u(random)}, .rate = {std::pow(10.0, -2 * u(random))}};
+    for (int i = 0; i < 8; ++i) {
+      hazard.intensity.push_back(hazard.intensity.back() * (1.05 + u(random)));
+      hazard.rate.push_back(hazard.rate.back() * std::pow(10.0, -1.5 * u(random)));
+    }
+    const double median = 0.05 + u(random), beta = 0.05 + u(random), half = 0.1 + u(random), slope = 1 + 12 * u(random);
+    const CollapseFit collapse{
+        .kind = CollapseFit::Kind::fitted, .intercept = -slope * std::log(half), .slope = slope, .runs = 9};
+    const AnnualRate found = annual_rate(hazard, median, beta, collapse);
+    const auto p = [&](double x) {
+      const double gone = 1 / (1 + std::pow(x / half, -slope));
+      return gone + (1 - gone) * phi(std::log(x / median) / beta);
+    };
+    EXPECT_NEAR(found.rate / by_quadrature(hazard, p), 1, 1e-9) << trial;
+    double sum = 0;
+    for (const double part : found.parts) sum += part;
+    EXPECT_NEAR(sum / found.rate, 1, 1e-12);
+    const double last = hazard.intensity.back();
+    EXPECT_NEAR(found.beyond, hazard.rate.back() * (1 - p(last)), 1e-12 * hazard.rate.back());
+    // What is below: the first segment goes on, to where nothing is left of it.
+    const double k = hazard.slope(0);
+    if (slope <= k) {
+      EXPECT_EQ(found.below, std::numeric_limits<double>::infinity());
+      continue;
+    }
+    if (slope - k < 1) continue;  // so far down that the numbers of the hazard are none of the machine's
+    HazardCurve longer = hazard;
+    const double down = std::exp(-40 / (slope - k)),
+                 low = hazard.intensity.front() * std::min(down, std::exp(-20 * beta));
+    longer.intensity.insert(longer.intensity.begin(), low);
+    longer.rate.insert(longer.rate.begin(), hazard.rate.front() * std::pow(low / hazard.intensity.front(), -k));
+    const double more = by_quadrature(longer, p) - found.rate;
+    EXPECT_NEAR(found.below, more, 1e-6 * (more + found.rate)) << trial;
+  }
+}
+
+TEST(AnnualRate, OfCollapseFarAboveTheHazardIsThatOfTheRunsThatStand) {
+  const HazardCurve hazard = power_law(1e-4, 2, 0.01, 2, 12);
+  const CollapseFit far{.kind = CollapseFit::Kind::fitted, .intercept = -20 * std::log(50.0), .slope = 20, .runs = 9};
+  EXPECT_NEAR(annual_rate(hazard, 0.3, 0.4, far).rate / annual_rate(hazard, 0.3, 0.4).rate, 1, 1e-12);
+  // And a step of collapse at ½ is the hazard there, where the runs that stand do not have the event.
+  const CollapseFit step{
+      .kind = CollapseFit::Kind::fitted, .intercept = 3000 * std::log(2.0), .slope = 3000, .runs = 9};
+  EXPECT_NEAR(annual_rate(hazard, 1e3, 0.1, step).rate / 4e-4, 1, 1e-4);
+  EXPECT_THROW((void)annual_rate(hazard, 0.3, 0.4, CollapseFit{.kind = CollapseFit::Kind::separated}),
+               InvalidParameter);
+}
+
 TEST(AnnualRate, OfAStepIsTheHazardThere) {
   const HazardCurve hazard = power_law(1e-4, 2, 0.01, 2, 12);
   for (const double median : {0.0123, 0.5, 1.999}) {

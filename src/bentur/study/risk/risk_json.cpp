@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "bentur/study/fragility/internal/collapse_json.h"
 #include "bentur/study/risk/risk_report.h"
 
 namespace bentur {
@@ -44,6 +45,8 @@ Json risk_of_case(const RiskReport& report, const CaseRisk& risk, const RiskRequ
                                  : Json(nullptr)},
           {"median", fitted ? Json(risk.fragility.fit.median) : Json(nullptr)},
           {"dispersion", fitted ? Json(risk.fragility.fit.dispersion) : Json(nullptr)},
+          {"collapse", risk.fragility.cloud ? collapse_json(risk.fragility) : Json(nullptr)},
+          {"of_all", of_all_json(risk.fragility)},
           {"misfit", risk.fragility.is_misfit()},
           {"runs", risk.fragility.runs},
           {"events", risk.fragility.events},

@@ -59,14 +59,16 @@ ShareOfEvents shares_of(const OutcomeTable& table, std::size_t c) {
 
 std::optional<AnnualRate> fitted_rate(const HazardCurve& hazard, const Fragility& fit) {
   if (fit.kind != Fragility::Kind::fitted) return std::nullopt;
-  return annual_rate(hazard, fit.median, fit.dispersion);
+  if (!fit.collapse) return annual_rate(hazard, fit.median, fit.dispersion);
+  if (fit.collapse->kind != CollapseFit::Kind::fitted) return std::nullopt;
+  return annual_rate(hazard, fit.median, fit.dispersion, *fit.collapse);
 }
 
 /// Of a resample: where there is no fit what its kind says, a step at θ, nothing or all of the hazard.
 double resampled_rate(const HazardCurve& hazard, const Fragility& fit) {
+  if (const auto fitted = fitted_rate(hazard, fit)) return fitted->rate;
+  if (fit.collapse) return not_known;
   switch (fit.kind) {
-    case Fragility::Kind::fitted:
-      return annual_rate(hazard, fit.median, fit.dispersion).rate;
     case Fragility::Kind::separated:
       return annual_rate(hazard, fit.median, 0).rate;
     case Fragility::Kind::no_event:
@@ -84,7 +86,7 @@ CaseRisk case_risk(const OutcomeTable& table, std::size_t c, const HazardCurve& 
   risk.fragility = fit_case(table, c, request.bootstrap, request.method);
   const Fragility& fit = risk.fragility.fit;
   risk.lognormal = fitted_rate(hazard, fit);
-  if (risk.lognormal) risk.closed_form = closed_form_rate(hazard, fit.median, fit.dispersion);
+  if (risk.lognormal && !fit.collapse) risk.closed_form = closed_form_rate(hazard, fit.median, fit.dispersion);
   if (risk.lognormal && risk.fragility.bounds) {
     std::vector<double> rates;
     for (const Fragility& one : risk.fragility.bounds->fits) {

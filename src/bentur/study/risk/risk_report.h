@@ -25,8 +25,8 @@ struct RiskRequest {
 struct CaseRisk {
   std::size_t c = 0;
   CaseFragility fragility;
-  std::optional<AnnualRate> lognormal;  ///< where θ and β are known
-  std::optional<double> closed_form;    ///< (4) of AnnualRate [1/year], beside it
+  std::optional<AnnualRate> lognormal;  ///< where θ and β are known, and which runs collapse, if they do so apart
+  std::optional<double> closed_form;    ///< (4) of AnnualRate [1/year], beside it; of a lognormal alone
   std::optional<Interval> bounds;       ///< of the lognormal's rate, by resampled records [1/year]
   AnnualRate observed;                  ///< of the shares observed at the levels
   std::vector<double> of_records;       ///< each record's part of `observed`, applied both ways together [1/year]

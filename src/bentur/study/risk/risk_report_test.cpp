@@ -101,6 +101,63 @@ TEST(RiskReport, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_FALSE(risk_report(results(3), {}, hazard("g", 1), cloud, error));
 }
 
+/// Runs whose demand scatters about 0.1 m per g, and of which more and more collapse.
+IdaResults collapsing(double half, bool is_separated) {
+  IdaResults made = results(10);
+  for (std::size_t r = 0; r < 10; ++r) {
+    for (std::size_t i = 0; i < 50; ++i) {
+      const std::size_t run = r * 50 + i;
+      const double x = made.table.levels[i];
+      // of neighbouring levels as many records collapse as a logistic curve says, others each time
+      const double due = is_separated ? (x > half ? 10 : 0) : 10 / (1 + std::pow(x / half, -4.0));
+      const bool gone = static_cast<double>((7 * r + 3 * i) % 10) + 0.5 < due;
+      made.table.collapsed[run] = gone ? 1 : 0;
+      made.table.outcomes[run] = gone || made.table.demands[run] > 0.05 ? Outcome::event : Outcome::no_event;
+    }
+  }
+  made.table.threshold = 0.05;
+  return made;
+}
+
+RiskRequest cloud_request() {
+  RiskRequest made = request();
+  made.event = "gap_needed > 0.05";
+  made.method = FragilityMethod::cloud;
+  return made;
+}
+
+TEST(RiskReport, OfACloudCountsCollapseApart) {
+  const RiskReport report = reported(collapsing(0.8, false), cloud_request());
+  const CaseRisk& risk = report.cases[0];
+  const Fragility& fit = risk.fragility.fit;
+  ASSERT_TRUE(fit.collapse);
+  ASSERT_TRUE(risk.is_lognormal());
+  EXPECT_NEAR(fit.collapse->intensity_of(0.5), 0.8, 0.05);
+  EXPECT_NEAR(fit.collapse->slope, 4, 0.5);
+  EXPECT_EQ(risk.told().rate, annual_rate(report.hazard, fit.median, fit.dispersion, *fit.collapse).rate);
+  EXPECT_GT(risk.told().rate, annual_rate(report.hazard, fit.median, fit.dispersion).rate);
+  EXPECT_NEAR(risk.told().rate / risk.observed.rate, 1, 0.15);
+  EXPECT_FALSE(risk.closed_form);  // it is of one lognormal
+  ASSERT_TRUE(risk.bounds);
+  EXPECT_LT(risk.bounds->lower, risk.told().rate);
+  EXPECT_GT(risk.bounds->upper, risk.told().rate);
+  const Story story = risk_story(report, cloud_request());
+  EXPECT_EQ(story.statements.at(1).kind, "risk_cloud");
+  // With collapses that come later, the rate goes to that of the runs that stand.
+  const CaseRisk later = reported(collapsing(3, false), cloud_request()).cases[0];
+  EXPECT_LT(later.told().rate, risk.told().rate);
+}
+
+TEST(RiskReport, OfACloudWhoseCollapsesAreSeparatedIsTheObservedRate) {
+  const RiskReport report = reported(collapsing(0.5, true), cloud_request());
+  const CaseRisk& risk = report.cases[0];
+  EXPECT_EQ(risk.fragility.fit.kind, Fragility::Kind::fitted);  // of the runs that stand
+  EXPECT_FALSE(risk.lognormal);
+  EXPECT_EQ(risk.told().rate, risk.observed.rate);
+  EXPECT_EQ(risk_story(report, cloud_request()).statements.at(1).kind, "risk_collapse_separated");
+  EXPECT_FALSE(risk.fragility.probability(0.3));
+}
+
 TEST(RiskReport, TheGapForATargetIsTheSmallestThatKeepsIt) {
   const IdaResults of = results(10);
   double before = std::numeric_limits<double>::infinity();

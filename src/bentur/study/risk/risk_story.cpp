@@ -35,7 +35,16 @@ void tell_fragility(const RiskReport& report, const CaseRisk& risk, std::vector<
                     const std::string& subject) {
   const std::string unit = level_unit(report.hazard.unit);
   const Fragility& fit = risk.fragility.fit;
-  if (risk.lognormal) {
+  if (risk.is_lognormal() && fit.collapse) {
+    statements.push_back({.kind = "risk_cloud",
+                          .values = {{"median", fit.median, unit},
+                                     {"dispersion", fit.dispersion},
+                                     {"half", fit.collapse->intensity_of(0.5), unit},
+                                     {"collapsed", static_cast<double>(fit.collapse->collapsed)},
+                                     {"runs", static_cast<double>(fit.collapse->runs)},
+                                     {"observed", risk.observed.rate}},
+                          .subject = subject});
+  } else if (risk.lognormal) {
     statements.push_back({.kind = risk.is_lognormal() ? "risk_lognormal" : "risk_misfit",
                           .severity = risk.is_lognormal() ? Severity::finding : Severity::warning,
                           .values = {{"median", fit.median, unit},
@@ -43,6 +52,14 @@ void tell_fragility(const RiskReport& report, const CaseRisk& risk, std::vector<
                                      {"lognormal", risk.lognormal->rate},
                                      {"observed", risk.observed.rate},
                                      {"closed", risk.closed_form.value_or(0)}},
+                          .subject = subject});
+  } else if (!risk.fragility.is_of_all()) {
+    const CollapseFit& collapse = *fit.collapse;
+    const bool is_separated = collapse.kind == CollapseFit::Kind::separated;
+    statements.push_back({.kind = is_separated ? "risk_collapse_separated" : "risk_collapse_falling",
+                          .severity = Severity::warning,
+                          .values = {{"collapsed", static_cast<double>(collapse.collapsed)},
+                                     {"runs", static_cast<double>(collapse.runs)}},
                           .subject = subject});
   } else {
     statements.push_back({.kind = "risk_observed",
