@@ -1124,7 +1124,7 @@ class PlanCases(CommandLine):
         results = self.folder / "results"
         self.done("run", self.CASE, "-o", results, "-q", "--figures", "svg")
         kinds = [line.split()[0] for line in self.done("plot", results, "--list").stdout.splitlines()]
-        self.assertEqual(kinds, ["overview", "scene", "displacement", "opening", "orbit", "force", "friction-cone"])
+        self.assertEqual(kinds, ["overview", "scene", "displacement", "opening", "orbit", "force", "friction-cone", "floor-spectrum"])
         self.assertEqual(sorted(f.stem for f in (results / "figures").glob("*.svg")), sorted(kinds))
         for kind in kinds:  # read back, a figure is the one that the run has drawn
             picture = self.folder / f"{kind}.svg"
