@@ -6,9 +6,9 @@
 #include <random>
 
 #include "bentur/core/errors.h"
+#include "bentur/study/design/distribution.h"
 #include "bentur/study/fragility/demand_fits.h"
 #include "bentur/study/fragility/fragility.h"
-#include "bentur/study/plan/distribution.h"
 
 namespace bentur {
 namespace {
