@@ -132,3 +132,18 @@ def test_types(tmp_path):
         capture_output=True, text=True, cwd=ROOT, env={"MYPYPATH": str(ROOT / "bindings/python"), "PATH": "/usr/bin:/bin"},
     )
     assert run.returncode == 0, run.stdout
+
+
+def test_a_fragility_alone_has_its_bounds():
+    """On levels that grow by one factor, whose bounds are where the answer has them."""
+    levels, ends = [0.1, 0.2, 0.4], [[0.02, 0.2], [0.3, 0.7], [0.8, 0.97]]
+    counts = [{"intensity": x, "runs": 4, "events": k, "probability": 0.5, "bounds": b} for x, k, b in zip(levels, (0, 2, 4), ends, strict=True)]
+    found = {"curves": [{"case": {}, "median": 0.2, "dispersion": 0.4, "counts": counts}], "event": "impacts > 0", "bootstrap": {"confidence": 0.9},
+             "intensity": {"name": "spectral acceleration, period 1 s, damping 5 %", "units": "gravity", "levels": levels}}
+    ax = bentur.plot.fragility(found)
+    corners = ax.collections[0].get_paths()[0].vertices
+    for x, (low, high) in zip(levels, ends, strict=True):  # the nearest of 400 points, a part in 300 away at most
+        at = corners[np.abs(np.log(corners[:, 0] / x)) < 0.004, 1]
+        assert np.min(at) == pytest.approx(low, abs=0.01) and np.max(at) == pytest.approx(high, abs=0.01)
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["90 % bounds", "lognormal fit", "observed"]
+    assert ax.get_xscale() == "log" and ax.get_xlabel() == "spectral acceleration at 1 s, 5 % damping [g]"
