@@ -90,7 +90,7 @@ BEYOND = {
             normalisation-file-not-there normalisation-file-short normalisation-of-zeros path-entry
             path-inside-another path-key-beside-others path-key-near path-malformed path-name-near path-not-a-list
             path-not-a-table path-table-near value-brings-about value-other-floors
-            value-out-of-range value-range-end value-type""",
+            value-out-of-range value-range-end value-type vary-first-too""",
         "lengths that follow from other keys": """
             files-unit-count labels-count normalisation-count together-count""",
         "names, and what stands twice": """

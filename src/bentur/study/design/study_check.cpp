@@ -76,14 +76,28 @@ class Trial {
       }
       return;
     }
-    // Of companions one may be a range and the other a list.
-    const bool ends = std::all_of(study_.varies.begin(), study_.varies.end(),
-                                  [&](const Vary& v) { return v.axis != axis || v.ends_decide; });
-    const std::size_t last = vary.values.size() - 1;
-    for (std::size_t level = 1; level <= last && errors_ < most_errors; ++level) {
-      if (ends && level != last) continue;
+    for (const std::size_t level : further_levels(axis)) {
+      if (errors_ >= most_errors) break;
       choices[axis].level = level;
       one(choices, axis);
+    }
+  }
+
+  /// The values of an axis that are wrong wherever they are put, where the first choices make no case to compare with.
+  void values_alone(std::size_t axis) {
+    std::vector<Choice> choices(study_.axes.size());
+    int errors = 0;
+    for (const std::size_t level : further_levels(axis)) {
+      if (errors >= most_errors) break;
+      choices[axis].level = level;
+      Diagnostics found;
+      (void)tried(choices, found);
+      for (const Diagnostic& one : found.errors()) {
+        // Others are of the case or of other values, and said of the first choices.
+        if (one.position.origin == 0 || study_.varies[one.position.origin - 1].axis != axis) continue;
+        report(one, choices);
+        ++errors;
+      }
     }
   }
 
@@ -107,6 +121,19 @@ class Trial {
   StudyFacts take() { return std::move(facts_); }
 
  private:
+  /// Those to be tried after the first: of a range whose ends decide the last, of a list all; of a distribution none.
+  [[nodiscard]] std::vector<std::size_t> further_levels(std::size_t axis) const {
+    // Of companions one may be a range and the other a list.
+    const bool ends = std::all_of(study_.varies.begin(), study_.varies.end(),
+                                  [&](const Vary& v) { return v.axis != axis || v.ends_decide; });
+    std::vector<std::size_t> levels;
+    const std::size_t count = study_.first_along(axis).values.size();
+    for (std::size_t level = 1; level < count; ++level) {
+      if (!ends || level + 1 == count) levels.push_back(level);
+    }
+    return levels;
+  }
+
   /// A file that the results come from.
   void note(const std::filesystem::path& file) {
     if (!facts_.record_files.insert(file.string()).second) return;
@@ -345,6 +372,10 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
         if (!study.ida || axis != study.ida->axis) trial.along(axis);
       }
       if (study.ida && found.ok()) trial.measure_records();
+    } else {
+      for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
+        if (!study.ida || axis != study.ida->axis) trial.values_alone(axis);
+      }
     }
   } catch (const InvalidParameter& error) {
     found.error({study.file.string(), 0, 0}, error.what());
