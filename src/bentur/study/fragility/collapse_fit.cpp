@@ -9,6 +9,7 @@
 #include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/study/fragility/fragility.h"
+#include "bentur/study/fragility/internal/concave_maximum.h"
 
 namespace bentur {
 namespace {
@@ -18,22 +19,17 @@ using CollapseKind = CollapseFit::Kind;
 /// ln(1 + e^z), however large z is.
 double softplus(double z) { return z > 0 ? z + std::log1p(std::exp(-z)) : std::log1p(std::exp(z)); }
 
-/// Of a standardised intensity: u = (ln x − mean)/spread, and the parts of all runs that collapse and stand there.
-struct LogisticPoint {
-  double u = 0, collapsed = 0, standing = 0;
-};
-
 /// The logarithm of the likelihood of z = a + b u, and its derivatives.
 struct LogisticLikelihood {
   double value = 0;
   double da = 0, db = 0;             // gradient
   double haa = 0, hab = 0, hbb = 0;  // negative Hessian, positive definite
 
-  LogisticLikelihood(const std::vector<LogisticPoint>& points, double a, double b) {
-    for (const LogisticPoint& one : points) {
-      const double z = a + b * one.u, p = 1 / (1 + std::exp(-z)), all = one.collapsed + one.standing;
-      value -= one.collapsed * softplus(-z) + one.standing * softplus(z);
-      const double slope = one.collapsed - all * p, bend = all * p / (1 + std::exp(z));
+  LogisticLikelihood(const std::vector<StandardLevel>& levels, double a, double b) {
+    for (const StandardLevel& one : levels) {
+      const double z = a + b * one.u, p = 1 / (1 + std::exp(-z)), all = one.events + one.others;
+      value -= one.events * softplus(-z) + one.others * softplus(z);
+      const double slope = one.events - all * p, bend = all * p / (1 + std::exp(z));
       da += slope;
       db += slope * one.u;
       haa += bend;
@@ -101,48 +97,17 @@ CollapseFit fit_collapse(const std::vector<IntensityCount>& counts) {
   CollapseFit fit = classified_collapse(counts);
   if (fit.kind != CollapseKind::fitted) return fit;
 
-  const auto runs = static_cast<double>(fit.runs);
-  double mean = 0, spread = 0;
-  for (const IntensityCount& one : counts) mean += static_cast<double>(one.runs) / runs * std::log(one.intensity);
-  for (const IntensityCount& one : counts) {
-    spread += static_cast<double>(one.runs) / runs * std::pow(std::log(one.intensity) - mean, 2);
-  }
-  spread = std::sqrt(spread);
-  std::vector<LogisticPoint> points;
-  for (const IntensityCount& one : counts) {
-    points.push_back({(std::log(one.intensity) - mean) / spread, static_cast<double>(one.events) / runs,
-                      static_cast<double>(one.runs - one.events) / runs});
-  }
-  const double share = static_cast<double>(fit.collapsed) / runs;
+  const StandardLevels data(counts);
+  const double share = data.events / data.runs;
   double a = std::log(share / (1 - share)), b = 0;
-  LogisticLikelihood at(points, a, b);
-  // Newton's method takes about 6 steps; the last of them change the likelihood by no more than its round-off.
-  constexpr int most_steps = 50;
-  constexpr double round_off = 1e-15;
-  for (int i = 0; i < most_steps; ++i) {
-    const double determinant = at.haa * at.hbb - at.hab * at.hab;
-    double step_a = (at.hbb * at.da - at.hab * at.db) / determinant;
-    double step_b = (at.haa * at.db - at.hab * at.da) / determinant;
-    if (!std::isfinite(step_a + step_b)) break;
-    LogisticLikelihood next(points, a + step_a, b + step_b);
-    const double enough = at.value - round_off * std::abs(at.value);
-    while (!(next.value >= enough) && std::hypot(step_a, step_b) > 1e-15 * std::hypot(a, b)) {
-      step_a /= 2;
-      step_b /= 2;
-      next = LogisticLikelihood(points, a + step_a, b + step_b);
-    }
-    if (!(next.value >= enough)) break;
-    a += step_a;
-    b += step_b;
-    at = next;
-    if (std::hypot(step_a, step_b) <= 1e-13 * std::hypot(a, b)) break;
-  }
+  constexpr double round_off = 1e-15;  // of the likelihood, which the last steps change by no more
+  (void)maximised<LogisticLikelihood>(data.levels, a, b, round_off);
   if (!(b > 0)) {
     fit.kind = CollapseKind::falling;
     return fit;
   }
-  fit.slope = b / spread;
-  fit.intercept = a - fit.slope * mean;
+  fit.slope = b / data.spread;
+  fit.intercept = a - fit.slope * data.mean;
   return fit;
 }
 

@@ -14,6 +14,7 @@
 #include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/study/design/distribution.h"
+#include "bentur/study/fragility/internal/concave_maximum.h"
 
 namespace bentur {
 namespace {
@@ -30,19 +31,14 @@ struct Tail {
   }
 };
 
-/// One intensity of standardised data: u = (ln x − mean)/spread.
-struct Level {
-  double u = 0, events = 0, others = 0;
-};
-
 /// Sum (2) and its derivatives by a and b of z = a + b u.
 struct Likelihood {
   double value = 0;
   double da = 0, db = 0;             ///< gradient
   double haa = 0, hab = 0, hbb = 0;  ///< negative Hessian, positive definite
 
-  Likelihood(const std::vector<Level>& levels, double a, double b) {
-    for (const Level& level : levels) {
+  Likelihood(const std::vector<StandardLevel>& levels, double a, double b) {
+    for (const StandardLevel& level : levels) {
       const double z = a + b * level.u;
       const Tail event(z), other(-z);
       value += weighted(level.events, event.logarithm) + weighted(level.others, other.logarithm);
@@ -170,7 +166,7 @@ double Fragility::intensity_of(double p) const {
 double log_likelihood(const std::vector<IntensityCount>& counts, double median, double dispersion) {
   require_positive("median", median);
   require_positive("dispersion", dispersion);
-  std::vector<Level> levels;
+  std::vector<StandardLevel> levels;
   for (const IntensityCount& one : joined(counts)) {
     levels.push_back({std::log(one.intensity / median), static_cast<double>(one.events),
                       static_cast<double>(one.runs - one.events)});
@@ -183,52 +179,16 @@ Fragility fit_fragility(const std::vector<IntensityCount>& counts) {
   Fragility result = classified(joined_counts);
   if (result.kind != Fragility::Kind::fitted) return result;
 
-  // Standardised, so that neither the unit nor the range of the intensities nor the number of runs matters.
-  double runs = 0, events = 0, mean = 0, spread = 0;
-  for (const IntensityCount& one : joined_counts) {
-    const auto n = static_cast<double>(one.runs);
-    runs += n;
-    events += static_cast<double>(one.events);
-    mean += n * std::log(one.intensity);
-  }
-  mean /= runs;
-  for (const IntensityCount& one : joined_counts) {
-    spread += static_cast<double>(one.runs) * std::pow(std::log(one.intensity) - mean, 2);
-  }
-  spread = std::sqrt(spread / runs);
-  std::vector<Level> levels;
-  for (const IntensityCount& one : joined_counts) {
-    levels.push_back({(std::log(one.intensity) - mean) / spread, static_cast<double>(one.events) / runs,
-                      static_cast<double>(one.runs - one.events) / runs});
-  }
-
-  double a = normal_quantile(events / runs), b = 0;  // no dependence on intensity: a concave function's any point does
-  Likelihood at(levels, a, b);
-  constexpr int most_steps = 200;  // Newton's method takes about 6; halving may need some more far from the maximum
-  for (int i = 0; i < most_steps; ++i) {
-    const double determinant = at.haa * at.hbb - at.hab * at.hab;
-    double step_a = (at.hbb * at.da - at.hab * at.db) / determinant;
-    double step_b = (at.haa * at.db - at.hab * at.da) / determinant;
-    if (!std::isfinite(step_a + step_b)) break;
-    Likelihood next(levels, a + step_a, b + step_b);
-    while (!(next.value >= at.value) && std::hypot(step_a, step_b) > 1e-15 * std::hypot(a, b)) {
-      step_a /= 2;
-      step_b /= 2;
-      next = Likelihood(levels, a + step_a, b + step_b);
-    }
-    if (!(next.value >= at.value)) break;
-    a += step_a;
-    b += step_b;
-    at = next;
-    if (std::hypot(step_a, step_b) <= 1e-13 * std::hypot(a, b)) break;
-  }
-  result.log_likelihood = at.value * runs;
-  const double log_median = mean - a / b * spread;
+  const StandardLevels data(joined_counts);
+  double a = normal_quantile(data.events / data.runs), b = 0;  // no dependence on intensity: any point does
+  const auto at = maximised<Likelihood>(data.levels, a, b);
+  result.log_likelihood = at.value * data.runs;
+  const double log_median = data.mean - a / b * data.spread;
   if (!(b > 0) || !(std::abs(log_median) < 700)) {  // as good as level: θ is no number of the machine
     result.kind = Fragility::Kind::falling;
     return result;
   }
-  result.dispersion = spread / b;
+  result.dispersion = data.spread / b;
   result.median = std::exp(log_median);
   return result;
 }
