@@ -135,10 +135,14 @@ ModalProperties modal_properties(const Building& building) {
   return properties;
 }
 
-void calibrate_period(StructuralModel& model, double first_period) {
+double calibration_factor(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness, double first_period) {
   require_positive("calibrate_period", first_period);
-  const double ratio = 2 * std::numbers::pi / (first_period * modes(model.mass, model.stiffness).omega(0));
-  const double factor = ratio * ratio;
+  const double ratio = 2 * std::numbers::pi / (first_period * modes(mass, stiffness).omega(0));
+  return ratio * ratio;
+}
+
+void calibrate_period(StructuralModel& model, double first_period) {
+  const double factor = calibration_factor(model.mass, model.stiffness, first_period);
   model.stiffness *= factor;
   model.shears *= factor;
   model.column_forces *= factor;

@@ -24,6 +24,10 @@ struct ModalProperties {
 /// The same of a building, of which not all modes may be known: fractions are of all that moves, loadᵀ M⁻¹ load.
 [[nodiscard]] ModalProperties modal_properties(const Building& building);
 
+/// What K is to be multiplied by [-] so that the first period is `first_period` [s]. @throws InvalidParameter unless
+/// that is finite and > 0.
+[[nodiscard]] double calibration_factor(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness,
+                                        double first_period);
 /// Scales K so that the first period is `first_period` [s]. @throws InvalidParameter unless that is finite and > 0.
 void calibrate_period(StructuralModel& model, double first_period);
 

@@ -14,26 +14,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The frame of a plane as it was stood: without masses of its own, which are the plan's. Null: springs, or not known.
-std::shared_ptr<PlaneFrame> frame_at(const Case& c, const PlanFramePlace& place) {
-  const Plan* const plan = std::get_if<Plan>(&c.buildings.at(place.building).structure);
-  if (plan == nullptr || place.plane >= std::ssize(plan->planes) || !plan->planes[place.plane].frame) return nullptr;
-  auto frame = std::make_shared<PlaneFrame>(*plan->planes[place.plane].frame);
-  for (std::vector<Section>* const members : {&frame->columns, &frame->beams}) {
-    for (Section& section : *members) section.mass = section.line_mass = 0;
-  }
-  frame->floor_masses.assign(frame->storey_heights.size(), 1);
-  frame->mass_matrix = MassMatrix::lumped;
-  frame->condensation = Condensation::static_;
-  frame->elastic_modulus *= plan->stiffness_factor.value_or(1);
-  return frame;
-}
-
+/// What members of the frame of a plane carry; nothing of springs, and where that is not known.
 std::optional<MemberForces> forces_at(const Case& c, const PlanProblem& problem, const PlanFramePlace& place) {
-  const std::shared_ptr<PlaneFrame> frame = frame_at(c, place);
+  const Plan* const plan = std::get_if<Plan>(&c.buildings.at(place.building).structure);
+  if (plan == nullptr || place.plane >= std::ssize(plan->planes) || !plan->planes[place.plane].frame) return {};
+  PlaneFrame frame = without_masses(*plan->planes[place.plane].frame);
+  frame.elastic_modulus *= plan->stiffness_factor.value_or(1);
   const Hinges& hinges = problem.buildings[place.building].model.planes.at(place.plane).hinges;
-  if (!frame || !hinges.columns.empty() || !MemberForces::knows(*frame, hinges.places)) return std::nullopt;
-  return MemberForces(*frame, hinges.places);
+  if (!hinges.columns.empty() || !MemberForces::knows(frame, hinges.places)) return {};
+  return MemberForces(frame, hinges.places);
 }
 
 /// All degrees of freedom of a building, dofs × samples.
@@ -59,11 +48,9 @@ struct FrameMoves {
     const Index storeys = model.floors() - model.first_storey();
     sways = plane.drifts.bottomRows(storeys) * dof_histories(histories, model, place.building);
     for (Index j = 1; j < storeys; ++j) sways.row(j) += sways.row(j - 1);
-    Index before = 0;  // hinges of the frames before it
-    for (Index p = 0; p < place.plane; ++p) before += std::ssize(model.planes[p].hinges.places);
     turned.resize(0, sways.cols());
     if (const Index hinges = std::ssize(plane.hinges.places); hinges > 0) {
-      turned = histories.hinge_rotation[place.building].middleRows(before, hinges);
+      turned = histories.hinge_rotation[place.building].middleRows(hinges_before(model, place.plane), hinges);
     }
   }
 

@@ -11,6 +11,12 @@ std::string frame_name(const PlanProblem& problem, const PlanFramePlace& place) 
   return building.name + ", " + building.model.planes[place.plane].name;
 }
 
+Index hinges_before(const PlanModel& model, Index plane) {
+  Index before = 0;
+  for (Index p = 0; p < plane; ++p) before += std::ssize(model.planes[p].hinges.places);
+  return before;
+}
+
 std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem) {
   std::vector<PlanFramePlace> places;
   for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
@@ -61,8 +67,7 @@ RunResults frames_of(const PlanRun& run, const std::vector<PlanFramePlace>& plac
     peaks.storey_shear.setConstant(model.floors(), largest);
     Histories& histories = frames.response.histories;
     const Index hinges = std::ssize(plane.hinges.places);
-    Index before = 0;  // hinges of the frames before it
-    for (Index other = 0; other < p; ++other) before += std::ssize(model.planes[other].hinges.places);
+    const Index before = hinges_before(model, p);
     const bool known = b < std::ssize(run.response.histories.hinge_moment) &&
                        run.response.histories.hinge_moment[b].rows() >= before + hinges;
     const auto rows = [&](const std::vector<Eigen::MatrixXd>& list) {

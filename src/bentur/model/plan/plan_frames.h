@@ -14,6 +14,8 @@ struct PlanFramePlace {
 };
 /// "building, plane".
 [[nodiscard]] std::string frame_name(const PlanProblem& problem, const PlanFramePlace& place);
+/// Hinges of the frames before a plane: histories of a building have those of all its frames, one after the other.
+[[nodiscard]] Eigen::Index hinges_before(const PlanModel& model, Eigen::Index plane);
 [[nodiscard]] std::vector<PlanFramePlace> frames_that_yield(const PlanProblem& problem);
 
 /// Each of these as a building of a row that is called "building, plane": what its hinges did, its columns that can

@@ -267,18 +267,22 @@ std::vector<CoupledElement> coupled_of(const PlanModel& model) {
 
 }  // namespace
 
-void stand_frame(PlaneFrame frame, PlanPlane& plane) {
-  plane.frame = std::make_shared<const PlaneFrame>(frame);
-  if (!frame.nodes.empty()) {
-    throw InvalidParameter("frame", plane.name, "must have no struck columns as a plane");
-  }
+PlaneFrame without_masses(PlaneFrame frame) {
   for (std::vector<Section>* const members : {&frame.columns, &frame.beams}) {
     for (Section& section : *members) section.mass = section.line_mass = 0;
   }
   frame.floor_masses.assign(frame.storey_heights.size(), 1);  // of which the stiffness knows nothing
   frame.mass_matrix = MassMatrix::lumped;
   frame.condensation = Condensation::static_;
-  StructuralModel model = plane_frame_model(frame);
+  return frame;
+}
+
+void stand_frame(PlaneFrame frame, PlanPlane& plane) {
+  plane.frame = std::make_shared<const PlaneFrame>(frame);
+  if (!frame.nodes.empty()) {
+    throw InvalidParameter("frame", plane.name, "must have no struck columns as a plane");
+  }
+  StructuralModel model = plane_frame_model(without_masses(frame));
   plane.sway_stiffness = std::move(model.stiffness);
   plane.hinges = std::move(model.hinges);
   plane.infills = std::move(model.infills);

@@ -36,6 +36,10 @@ struct PlanPlane {
   std::shared_ptr<const PlaneFrame> frame = nullptr;  ///< that it was made of; null: springs, or not known
 };
 
+/// A frame as a plane has it: members without mass, statically condensed; floors weigh 1, which its stiffness does not
+/// depend on.
+[[nodiscard]] PlaneFrame without_masses(PlaneFrame frame);
+
 /// Makes a plane a frame: statically condensed onto the sways of its floors, with its hinges and infill. Its masses are
 /// not looked at. @throws InvalidParameter as plane_frame_model(), and where it has struck columns
 void stand_frame(PlaneFrame frame, PlanPlane& plane);

@@ -1,7 +1,3 @@
-#include <numbers>
-
-#include "bentur/core/require.h"
-#include "bentur/structure/frame/plane_frame.h"
 #include "bentur/structure/modes.h"
 #include "bentur/structure/plan/plan.h"
 
@@ -22,12 +18,10 @@ void scale(PlanPlane& plane, double factor) {
 }  // namespace
 
 void calibrate_period(Plan& plan, double first_period) {
-  require_positive("calibrate_period", first_period);
   Plan bare = plan;
   bare.gravity_loads.clear();
   const PlanModel model = plan_model(bare);
-  const double ratio = 2 * std::numbers::pi / (first_period * modes(model.mass, model.stiffness).omega(0));
-  const double factor = ratio * ratio;
+  const double factor = calibration_factor(model.mass, model.stiffness, first_period);
   for (PlanPlane& plane : plan.planes) scale(plane, factor);
   if (plan.rigidity) {
     for (std::vector<double>* const list : {&plan.rigidity->x, &plan.rigidity->y, &plan.rigidity->torsion}) {
