@@ -367,16 +367,16 @@ std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagno
   Trial trial(study, memo, found);
   try {
     (void)SweepDesign(design_axes(study), study.sampling);
-    if (trial.first()) {
-      for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
-        if (!study.ida || axis != study.ida->axis) trial.along(axis);
-      }
-      if (study.ida && found.ok()) trial.measure_records();
-    } else {
-      for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
-        if (!study.ida || axis != study.ida->axis) trial.values_alone(axis);
+    const bool makes_case = trial.first();
+    for (std::size_t axis = 0; axis < study.axes.size(); ++axis) {
+      if (study.ida && axis == study.ida->axis) continue;
+      if (makes_case) {
+        trial.along(axis);
+      } else {
+        trial.values_alone(axis);
       }
     }
+    if (makes_case && study.ida && found.ok()) trial.measure_records();
   } catch (const InvalidParameter& error) {
     found.error({study.file.string(), 0, 0}, error.what());
   }

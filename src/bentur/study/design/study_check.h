@@ -52,8 +52,9 @@ struct StudyFacts {
 [[nodiscard]] bool take_places(const Problem& other, StudyFacts& facts);
 [[nodiscard]] bool take_places(const PlanProblem& other, StudyFacts& facts);
 
-/// The axes as a plan takes them: runs that differ in gap widths and contacts alone share the response without contact,
-/// unless delays are reckoned from the widths. @param places so may those in plan that differ in where buildings stand
+/// The axes as a design takes them: runs that differ in gap widths and contacts alone share the response without
+/// contact, unless delays are reckoned from the widths. @param places so may those in plan that differ in where
+/// buildings stand
 [[nodiscard]] std::vector<SweepAxis> design_axes(const Study& study, bool places = false);
 
 /// The message of an error about a case made by a study, without its place in a file.
