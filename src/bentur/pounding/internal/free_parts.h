@@ -26,7 +26,7 @@ struct FreeResponseOf<AnyProblem, AnyResponse>::Parts {
   RunLimits limits;
   bool levels;
   AnyResponse response;                         // as far as it goes without contact
-  std::optional<AnyResponse> with_widths = {};  // the same where needs hang on the widths of the problem
+  std::optional<AnyResponse> with_widths = {};  // the same where needs hang on widths or on where masses stand
 };
 
 namespace any_problem {
