@@ -138,8 +138,8 @@ for (const file of drawn) {
       assert.ok(figures.length > 4);
       for (const figure of figures) {
         if (figure === "energy.svg") continue; // the page keeps other samples of it
-        // Of many buildings the page keeps coarser samples; where numbers of a frame have room may hang on round-off.
-        if (figure.startsWith("frame-") || name === "crossroads.toml") continue;
+        // Dense runs of many have coarser samples in the page, whose spectra of floors so begin at longer periods.
+        if (figure === "floor-spectrum.svg" && name === "crossroads.toml") continue;
         const mine = one.figureFile(figure.slice(0, -4), "en", {});
         isDrawnAs(mine.split("\n"), readFileSync(`${folder}/results/figures/${figure}`, "utf8").split("\n"), exact.has(name));
       }

@@ -41,10 +41,8 @@ void add_beside(Panel& panel, double x, double y, const std::string& text, doubl
   struct Place {
     double x = 0, y = 0, far = 0;
     int met = 0;
-    [[nodiscard]] bool operator<(const Place& other) const {
-      return met != other.met ? met < other.met : far < other.far;
-    }
   };
+  const double round_off = 1e-6 * one_cm;  // of places to the left and to the right as far, the first is taken
   Place best{.met = 1 << 30};
   constexpr int reach = 24;  // steps each way
   for (int i = -reach; i <= reach; ++i) {
@@ -58,9 +56,9 @@ void add_beside(Panel& panel, double x, double y, const std::string& text, doubl
       const double up = std::max(0.0, std::abs(here.y - y) - half_height);
       here.far = std::hypot(across, up);
       if (here.far < 0.5 * clear * one_cm) continue;  // on the point itself
-      if (best.met == 0 && here.far >= best.far) continue;
+      if (best.met == 0 && here.far >= best.far - round_off) continue;
       here.met = met_by(panel, box, texts);
-      if (here < best) best = here;
+      if (here.met < best.met || (here.met == best.met && here.far < best.far - round_off)) best = here;
     }
   }
   if (best.met == 1 << 30) best = {.x = x, .y = y};
