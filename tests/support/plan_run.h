@@ -25,6 +25,17 @@ inline PlanRun plan_run(const std::string& text, double output_step = 0.01) {
   return {*std::move(c), std::move(problem), std::move(response)};
 }
 
+/// A run as the command line makes it, without histories, that comes to its end.
+inline PlanRun told_plan_run(const std::string& text) {
+  Diagnostics diagnostics;
+  MadeParts made;
+  auto c = read_case_text(text, "case.toml", diagnostics, &made);
+  if (!c) throw std::runtime_error(diagnostics.errors().front().text());
+  PlanResponse response = solve(made.plan, c->analysis.solver, solve_options(*c));
+  if (response.status != Status::done) throw std::runtime_error(response.message);
+  return run_results(*std::move(c), std::move(made.plan), std::move(response));
+}
+
 /// A text with each `before` replaced by `after`.
 inline std::string with(std::string text, const std::string& before, const std::string& after) {
   for (std::size_t at = 0; !before.empty() && (at = text.find(before, at)) != std::string::npos; at += after.size()) {

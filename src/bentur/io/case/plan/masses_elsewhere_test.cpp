@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "bentur/io/case/case_toml.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/story.h"
 #include "bentur/pounding/plan/masses_elsewhere.h"
+#include "tests/support/plan_run.h"
 
 namespace bentur {
 namespace {
@@ -99,16 +99,6 @@ std::string at(double x, double y) {
   return "accidental_eccentricity = [" + std::to_string(x) + ", " + std::to_string(y) + "]";
 }
 
-PlanRun run_of(const std::string& text) {
-  Diagnostics diagnostics;
-  MadeParts made;
-  auto c = read_case_text(text, "case.toml", diagnostics, &made);
-  EXPECT_TRUE(c) << (diagnostics.ok() ? "" : diagnostics.errors().front().text());
-  PlanResponse response = solve(made.plan, c->analysis.solver, solve_options(*c));
-  EXPECT_EQ(response.status, Status::done) << response.message;
-  return run_results(*c, made.plan, std::move(response));
-}
-
 /// The most that each point and watched floor needs, as the motion is given and reversed, one run after the other.
 struct Needs {
   std::vector<double> given, reversed;
@@ -134,16 +124,17 @@ void expect_most_of_all(const std::string& more) {
   Needs most;
   for (const auto& [ax, ay] : places) {
     for (const auto& [bx, by] : places) {
-      most.raise(run_of(three(at(ax, ay), at(bx, by), more, 0.2)).response);
+      most.raise(test::told_plan_run(three(at(ax, ay), at(bx, by), more, 0.2)).response);
     }
   }
-  const PlanRun both = run_of(three("accidental_eccentricity = 0.05", "accidental_eccentricity = 0.05", more, 0.2));
+  const PlanRun both =
+      test::told_plan_run(three("accidental_eccentricity = 0.05", "accidental_eccentricity = 0.05", more, 0.2));
   Needs found;
   found.raise(both.response);
   EXPECT_EQ(found.given, most.given);
   EXPECT_EQ(found.reversed, most.reversed);
   Needs expected;  // which is more than masses where they are expected need
-  expected.raise(run_of(three("", "", more, 0.2)).response);
+  expected.raise(test::told_plan_run(three("", "", more, 0.2)).response);
   EXPECT_NE(found.given, expected.given);
 }
 
@@ -153,7 +144,7 @@ TEST(MassesElsewhere, DoSoWhereBuildingsYieldAndEitherWayOfTheMotionIsItsOwn) { 
 
 TEST(MassesElsewhere, AreInTheFreeResponseOfManyRuns) {
   const std::string away = "accidental_eccentricity = 0.05";
-  const PlanRun run = run_of(three(away, away, "", 0.2));
+  const PlanRun run = test::told_plan_run(three(away, away, "", 0.2));
   const PlanFreeResponse free(run.problem, run.c.analysis.solver, {}, {}, true);
   Needs whole, shared, solved;
   whole.raise(run.response);
@@ -166,8 +157,8 @@ TEST(MassesElsewhere, AreInTheFreeResponseOfManyRuns) {
 }
 
 TEST(MassesElsewhere, LeaveTheRunItselfAsItIs) {
-  const PlanRun both = run_of(three("accidental_eccentricity = 0.05", "", "", 0.01));
-  const PlanRun alone = run_of(three("", "", "", 0.01));
+  const PlanRun both = test::told_plan_run(three("accidental_eccentricity = 0.05", "", "", 0.01));
+  const PlanRun alone = test::told_plan_run(three("", "", "", 0.01));
   ASSERT_FALSE(alone.response.impacts.empty());
   ASSERT_EQ(both.response.impacts.size(), alone.response.impacts.size());
   for (std::size_t i = 0; i < alone.response.impacts.size(); ++i) {
@@ -188,10 +179,12 @@ TEST(MassesElsewhere, MakeAGapTooSmallThatTheRunDoesNotClose) {
     return most;
   };
   const std::string away = "accidental_eccentricity = 0.1";
-  const double expected = need(run_of(three("", "", "", 0.2, 1))), worst = need(run_of(three(away, away, "", 0.2, 1)));
+  const double expected = need(test::told_plan_run(three("", "", "", 0.2, 1))),
+               worst = need(test::told_plan_run(three(away, away, "", 0.2, 1)));
   ASSERT_GT(worst, 1.01 * expected);
   const double width = 0.5 * (expected + worst);
-  const PlanRun without = run_of(three("", "", "", width, 1)), with = run_of(three(away, away, "", width, 1));
+  const PlanRun without = test::told_plan_run(three("", "", "", width, 1)),
+                with = test::told_plan_run(three(away, away, "", width, 1));
   const auto gap = [](const PlanRun& run) {
     for (const JudgedGap& one : judged_gaps(run)) {
       if (one.facts.right == "B") return one.judgement;

@@ -13,6 +13,7 @@
 #include "bentur/io/results/plan/plan_json.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
+#include "tests/support/plan_run.h"
 
 namespace bentur {
 namespace {
@@ -56,16 +57,6 @@ displacement_amplitude = 0.01
 duration = 4
 )";
 
-PlanRun plan_gap_run(const std::string& text) {
-  Diagnostics diagnostics;
-  auto c = read_case_text(text, "a.toml", diagnostics);
-  for (const Diagnostic& error : diagnostics.errors()) ADD_FAILURE() << error.text();
-  PlanProblem problem = make_plan_problem(*c);
-  PlanResponse response = solve(problem, c->analysis.solver, solve_options(*c));
-  EXPECT_EQ(response.status, Status::done) << response.message;
-  return {*std::move(c), std::move(problem), std::move(response)};
-}
-
 std::vector<std::string> plan_gap_errors(const std::string& text) {
   Diagnostics diagnostics;
   (void)read_case_text(text, "a.toml", diagnostics);
@@ -87,9 +78,9 @@ bool story_tells(const Story& story, const std::string& kind) {
 
 // The free response knows of no contact: floors that are watched alone need what they need with it.
 TEST(PlanGaps, APairWithoutContactIsWatchedAtAllItsFloors) {
-  const PlanRun with = plan_gap_run(three_in_plan);
+  const PlanRun with = test::told_plan_run(three_in_plan);
   const std::string none = "[[gap]]\nbetween = [\"A\", \"B\"]\nelevations = []\n";
-  const PlanRun run = plan_gap_run(with_piece(three_in_plan, "[excitation]", none + "[excitation]"));
+  const PlanRun run = test::told_plan_run(with_piece(three_in_plan, "[excitation]", none + "[excitation]"));
   ASSERT_EQ(run.problem.gaps.size(), 2U);
   const PlanGap& gap = run.problem.gaps[0];
   EXPECT_TRUE(gap.contacts.empty());
@@ -107,7 +98,7 @@ TEST(PlanGaps, APairWithoutContactIsWatchedAtAllItsFloors) {
 }
 
 TEST(PlanGaps, WatchBothEndsOfWhatFacesAnEdge) {
-  const PlanRun run = plan_gap_run(three_in_plan);
+  const PlanRun run = test::told_plan_run(three_in_plan);
   ASSERT_EQ(run.problem.gaps.size(), 2U);
   const PlanGap& gap = run.problem.gaps[0];
   ASSERT_EQ(gap.watched.size(), 4U);
@@ -121,7 +112,7 @@ TEST(PlanGaps, WatchBothEndsOfWhatFacesAnEdge) {
   EXPECT_TRUE(run.problem.gaps[1].watched.empty());
   // Levels that a case leaves out are watched against each other.
   const std::string low = "[[gap]]\nbetween = [\"B\", \"A\"]\nlevel_tolerance = 1.1\nelevations = [3.5]\n";
-  const PlanRun left_out = plan_gap_run(with_piece(three_in_plan, "[excitation]", low + "[excitation]"));
+  const PlanRun left_out = test::told_plan_run(with_piece(three_in_plan, "[excitation]", low + "[excitation]"));
   const std::vector<PlanWatched>& watched = left_out.problem.gaps[0].watched;
   ASSERT_EQ(watched.size(), 4U);  // 5.5 of B, and 6.7 with 7.7
   EXPECT_EQ(watched[2].floor_of, 0);
@@ -130,7 +121,7 @@ TEST(PlanGaps, WatchBothEndsOfWhatFacesAnEdge) {
 }
 
 TEST(PlanGaps, TellWhatIsNeededOfPointsAndOfWhatIsWatched) {
-  const PlanRun run = plan_gap_run(three_in_plan);
+  const PlanRun run = test::told_plan_run(three_in_plan);
   const json summary = json::parse(summary_json(run, "test")), told = json::parse(gap_json(run, "test"));
   for (const std::size_t g : {0U, 1U}) {
     const json &gap = summary["gaps"][g], &of_gap = told["gaps"][g];
@@ -169,7 +160,7 @@ TEST(PlanGaps, TellWhatIsNeededOfPointsAndOfWhatIsWatched) {
 TEST(PlanGaps, AreScreenedWithTheirEccentricities) {
   const auto screened = [](const std::string& text) {
     std::map<std::string, json> by_rule;
-    const json told = json::parse(gap_json(plan_gap_run(text), "test"));
+    const json told = json::parse(gap_json(test::told_plan_run(text), "test"));
     for (const json& gap : told["gaps"]) {
       for (const json& one : gap["screening"]) by_rule.emplace(one["rule"], one);
     }
@@ -201,9 +192,9 @@ TEST(PlanGaps, ABuildingBehindAnotherMakesARow) {
     const std::string third = "[[building]]\nname = \"C\"\ndamping = 0.05\nplan = { corner = " + corner +
                               ", size = [12, 18], storey_heights = [3.5, 3.2], masses = [200, 180] }\n"
                               "rigidity = { centre = [6, 9], x = 9e4, y = 9e4, torsion = 9e6 }\n";
-    const json told = json::parse(gap_json(
-        plan_gap_run(with_piece(three_in_plan, "[[building]]\nname = \"W\"", third + "[[building]]\nname = \"W\"")),
-        "test"));
+    const json told = json::parse(gap_json(test::told_plan_run(with_piece(three_in_plan, "[[building]]\nname = \"W\"",
+                                                                          third + "[[building]]\nname = \"W\"")),
+                                           "test"));
     for (const json& gap : told["gaps"]) {
       if (gap["between"] == json({"A", "B"})) return gap["screening"][2]["verdict"].get<std::string>();
     }
@@ -217,7 +208,7 @@ TEST(PlanGaps, RulesOfCodesTakeTheMovementOfEachPlaceAcrossTheGap) {
   const std::string code =
       "[code]\nen-1998-1 = { behaviour_factor = [2, 3, 1] }\nsame_owner = [true, false]\nfloors_aligned = [false, "
       "true]\n";
-  const PlanRun run = plan_gap_run(with_piece(three_in_plan, "[excitation]", code + "[excitation]"));
+  const PlanRun run = test::told_plan_run(with_piece(three_in_plan, "[excitation]", code + "[excitation]"));
   const json summary = json::parse(summary_json(run, "test")), told = json::parse(gap_json(run, "test"));
   for (const char* const list : {"points", "watched_floors"}) {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -260,7 +251,7 @@ TEST(PlanGaps, RulesFromHeightsAlone) {
 }
 
 TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
-  PlanRun run = plan_gap_run(three_in_plan);
+  PlanRun run = test::told_plan_run(three_in_plan);
   const bool meets = std::any_of(run.response.watched.begin(), run.response.watched.end(),
                                  [](const WatchedSummary& one) { return one.closes; });
   ASSERT_TRUE(meets);
@@ -272,7 +263,7 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   EXPECT_NE(gap["unmodelled_contact"][0]["to_model"].get<std::string>().find("strike floors alone"), std::string::npos);
   // Far enough apart nothing meets, and the need is told of the place that governs.
   const std::string apart = with_piece(three_in_plan, "corner = [12.02, 4]", "corner = [12.45, 4]");
-  const PlanRun far = plan_gap_run(with_piece(apart, "clearance = 0.1", "clearance = 0.5"));
+  const PlanRun far = test::told_plan_run(with_piece(apart, "clearance = 0.1", "clearance = 0.5"));
   EXPECT_FALSE(story_tells(run_story(far), "unmodelled"));
   // The other gap closes, so that this is not what would do.
   EXPECT_TRUE(story_tells(gap_story(far), "gap_need_alone"));
@@ -311,7 +302,7 @@ TEST(PlanGaps, SayWhatSlipsOff) {
       "}\n[[building]]\nname = \"A\"\ndamping = 0.0\nplan = { corner = [0, 0], size = [10, 10], " +
       floor + "[[building]]\nname = \"B\"\ndamping = 0.0\nplan = { corner = [10.02, 9.9], size = [10, 10], " + floor +
       "[excitation]\nkind = \"none\"\n[initial]\nvelocities = { A = [[0.5, -2, 0]] }\n[analysis]\nduration = 0.2\n";
-  const PlanRun run = plan_gap_run(text);
+  const PlanRun run = test::told_plan_run(text);
   const std::vector<Statement> told = run_story(run).statements;
   const auto slips = std::find_if(told.begin(), told.end(), [](const Statement& one) { return one.kind == "slips"; });
   ASSERT_NE(slips, told.end());
@@ -326,7 +317,7 @@ TEST(PlanGaps, SayWhatSlipsOff) {
   const json impacts = json::parse(summary_json(run, "test"))["impacts"];
   ASSERT_EQ(impacts.size(), 2U);
   for (const json& one : impacts) EXPECT_EQ(one["slipped"], true);
-  EXPECT_FALSE(story_tells(run_story(plan_gap_run(three_in_plan)), "slips"));
+  EXPECT_FALSE(story_tells(run_story(test::told_plan_run(three_in_plan)), "slips"));
 }
 
 }  // namespace
