@@ -267,6 +267,7 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   EXPECT_FALSE(story_tells(run_story(far), "unmodelled"));
   // The other gap closes, so that this is not what would do.
   EXPECT_TRUE(story_tells(gap_story(far), "gap_need_alone"));
+  run.row.reset();  // which was made of the whole response
   run.response.watched.clear();
   EXPECT_THROW((void)row_of(run), InvalidParameter);
 }
