@@ -56,6 +56,7 @@ class Pages(unittest.TestCase):
         self.assertTrue(any(needs for page in PAGES for needs, _ in worked_pages.blocks(page.read_text())))
 
 
+@unittest.skipUnless(os.environ.get("BENTUR_PART") == "all", "a minute of one processor: ./dev soak runs it")
 class Dampers(unittest.TestCase):
     """Those of two-real-buildings.md beside a grid over their whole range."""
 
