@@ -57,6 +57,7 @@ BEYOND = {
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio displacements-motion duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone generic-of-plan-in-row plan-generic-and-rigidity plan-generic-yields
+            matrices-alone-in-a-row
             isolation-of-plan-in-row plan-isolation-of-row plan-soil-twist soil-of-plan-in-row
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             contact-spread-in-row plan-friction-of-law plan-gap-width plan-link-without-place

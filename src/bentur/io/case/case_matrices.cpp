@@ -16,9 +16,10 @@ namespace {
 constexpr double symmetry_tolerance = 1e-9;  // of the largest entry [-]
 
 /// n × n numbers, or where `diagonal_allowed` a list of n: the diagonal. Empty when something is wrong.
-Eigen::MatrixXd read_matrix(const TomlView& view, std::size_t n, bool diagonal_allowed) {
+Eigen::MatrixXd read_matrix(const TomlView& view, std::size_t n, bool diagonal_allowed,
+                            const char* each = "one per elevation") {
   const std::string what = diagonal_allowed ? "numbers (the diagonal) or of rows" : "rows";
-  if (!view.is_list_of(what, {n, "one per elevation"})) return {};
+  if (!view.is_list_of(what, {n, each})) return {};
   const auto size = static_cast<Eigen::Index>(view.size());
   if (diagonal_allowed && view.item(0).is_number()) {
     const std::vector<double> diagonal = view.as_numbers(Range::positive);
@@ -66,6 +67,9 @@ void read_matrices(const TomlView& entry, ReadBuilding& building) {
   const auto table = TableView::of(entry, matrices_keys());
   if (!table) return;
   const TableView& view = *table;
+  for (const char* const key : {"elevations", "mass"}) {
+    if (!view.has(key)) view.error_missing(key);
+  }
   MatricesSpec spec;
   const auto list = view.find("elevations");
   spec.elevations = view.numbers("elevations");
@@ -91,6 +95,18 @@ void read_matrices(const TomlView& entry, ReadBuilding& building) {
     building.spec.damping = std::move(given);
   }
   building.spec.structure = std::move(spec);
+}
+
+Eigen::MatrixXd read_stiffness_in_plan(const TomlView& entry, std::size_t storeys) {
+  const auto view = TableView::of(entry, matrices_keys());
+  if (!view) return {};
+  view->refuse({"elevations", "mass"}, "follows from plan, which has storey_heights, masses and inertias");
+  view->refuse({"damping"}, "is not for buildings in plan: give building.damping");
+  const auto stiffness = view->get("stiffness");
+  if (!stiffness) return {};
+  Eigen::MatrixXd matrix = read_matrix(*stiffness, 3 * storeys, false, "three per storey");
+  check_definite(*stiffness, matrix, false);
+  return matrix;
 }
 
 }  // namespace bentur

@@ -68,15 +68,16 @@ void read_frame(const TomlView& frame, double gravity, ReadBuilding& building);
 /// among the sections of a frame; false where the error is about something else.
 bool at_section(const std::optional<TomlView>& columns, const std::optional<TomlView>& beams,
                 const InvalidParameter& error);
-/// case_frame.cpp: what makes the stiffness of a frame that stands as a plane, into `plane`. @return whether it is
-/// known
+/// case_frame.cpp: what makes the stiffness of a plane's frame, into `plane`. @return whether it is known
 bool read_frame_of_plane(const TableView& frame, const std::vector<double>& storey_heights, PlanPlane& plane);
 
 /// case_matrices.cpp: [building.matrices] into `building`, its damping too where it is given.
 void read_matrices(const TomlView& matrices, ReadBuilding& building);
+/// case_matrices.cpp: the stiffness of a building in plan, three rows per storey; empty (and an error) where it is
+/// wrong.
+[[nodiscard]] Eigen::MatrixXd read_stiffness_in_plan(const TomlView& matrices, std::size_t storeys);
 
-/// case_known.cpp: [building.modal], [building.generic], [building.displacements], and what rigid = true goes with,
-/// into `building`.
+/// case_known.cpp: [building.modal], [building.generic], [building.displacements], rigid = true, into `building`.
 void read_modal(const TomlView& modal, const Units& units, const CaseFiles& files, ReadBuilding& building);
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
 /// case_known.cpp: of a building in plan; without storeys where their number is not known.
@@ -84,9 +85,9 @@ void read_generic(const TomlView& generic, const Units& units, ReadBuilding& bui
 void read_rigid(const TableView& table, ReadBuilding& building);
 void read_displacements(const TomlView& displacements, ReadBuilding& building);
 
-/// case_support.cpp: gravity loads of a building whose elevations are known.
+/// case_support.cpp: gravity loads of a building whose elevations are known; with [building.isolation] and
+/// [building.soil].
 void read_gravity(const TableView& table, ReadBuilding& building);
-/// case_support.cpp: gravity loads, [building.isolation] and [building.soil] of a building.
 void read_support(const TableView& table, double gravity, ReadBuilding& building);
 
 /// case_columns.cpp: `columns` of a stick or a generic building.
@@ -220,15 +221,14 @@ struct ShapeRead {
                                          const std::filesystem::path& folder, Diagnostics& diagnostics);
 [[nodiscard]] ScreeningSpec read_screening(const TomlView& root);
 
-/// case_code.cpp
-/// @param gaps how many there are; 0: that is not known, and lists over them are not looked at
+/// case_code.cpp. @param gaps how many; 0: not known, and lists over them are not looked at
 [[nodiscard]] CodeSpec read_code(const TomlView& root, const Units& units, std::size_t buildings, std::size_t gaps);
 
 /// case_project.cpp
 [[nodiscard]] std::optional<ProjectSpec> read_project(const TomlView& root, const std::filesystem::path& folder,
                                                       Diagnostics& diagnostics);
 
-/// A case together with what was learnt in reading it.
+/// A case and what was learnt in reading it.
 struct ReadCase {
   Case c;
   std::vector<ReadBuilding> buildings;

@@ -89,8 +89,9 @@ const KeyTable& building_keys() {
             Key::sub_table("stick", stick_keys(), {"Shear building", "Bangunan geser"},
                            "a [shear building](case-buildings.md#buildingstick-a-shear-building)")
                 .one_of("structure"),
-            Key::sub_table("matrices", matrices_keys(), {"Matrices", "Matriks"},
-                           "[from another program](case-buildings.md#buildingmatrices-from-another-program)")
+            Key::sub_table(
+                "matrices", matrices_keys(), {"Matrices", "Matriks"},
+                "[from another program](case-buildings.md#buildingmatrices-from-another-program), also beside `plan`")
                 .one_of("structure"),
             Key::sub_table("modal", modal_keys(), {"Modes", "Ragam"},
                            "[known by its modes](case-buildings.md#buildingmodal-known-by-its-modes)")
@@ -326,14 +327,18 @@ const KeyTable& stick_keys() {
 }
 
 const KeyTable& matrices_keys() {
+  static constexpr auto beside_plan = "needed but beside `plan`";
   static const KeyTable table = {
       "building.matrices",
       "mass and stiffness from another program, floors × floors",
-      {elevations_of_floors(),
+      {elevations_of_floors().optional(beside_plan),
        Key::number("mass", dimension::mass, Range::finite, {"Mass", "Massa"},
                    "n rows of n numbers, or a list of n: the diagonal")
-           .matrix("one per elevation", true),
-       Key::number("stiffness", dimension::stiffness, Range::finite, {"Stiffness", "Kekakuan"}, "n rows of n numbers")
+           .matrix("one per elevation", true)
+           .optional(beside_plan),
+       Key::number("stiffness", dimension::stiffness, Range::finite, {"Stiffness", "Kekakuan"},
+                   "n rows of n numbers; in plan 3 n of 3 n: u_x, u_y [length] and rotation [rad] of the lowest "
+                   "floor's centre of mass, of the next …")
            .matrix("one per elevation"),
        Key::number("damping", dimension::dashpot, Range::finite, {"Damping", "Redaman"},
                    "n rows of n numbers, in place of `building.damping`")

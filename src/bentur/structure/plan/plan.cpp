@@ -94,6 +94,48 @@ std::vector<Spring> springs_of(const Plan& plan, Index storey, bool with_frames 
   return springs;
 }
 
+/// How a point of a floor moves, and turns, with a point of it that is `arm` away: over u_x, u_y, θ of that one.
+Eigen::Matrix3d carried(const PlanPoint& arm) {
+  Eigen::Matrix3d all;
+  all << 1, 0, -arm.y(), 0, 1, arm.x(), 0, 0, 1;
+  return all;
+}
+
+/// What is known of all floors at once, over the movements of their centres of mass.
+MatrixXd known_over_dofs(const Plan& plan) {
+  const PlanStiffness& known = *plan.known;
+  const Index floors = std::ssize(known.at);
+  MatrixXd moved = MatrixXd::Zero(3 * floors, 3 * floors);
+  for (Index f = 0; f < floors; ++f) moved.block<3, 3>(3 * f, 3 * f) = carried(known.at[f] - centre_of_mass(plan, f));
+  const MatrixXd all = moved.transpose() * known.matrix * moved;
+  return 0.5 * (all + all.transpose());
+}
+
+/// Forces and torques of the floors from a storey up on them, moved to the centre of mass of the floor above the
+/// storey: 3 × dofs, of the floors' own.
+MatrixXd borne_from(const Plan& plan, Index storey) {
+  const Index floors = std::ssize(plan.storey_heights);
+  MatrixXd all = MatrixXd::Zero(3, 3 * floors);
+  for (Index f = storey; f < floors; ++f) {
+    all.middleCols<3>(3 * f) = carried(centre_of_mass(plan, f) - centre_of_mass(plan, storey)).transpose();
+  }
+  return all;
+}
+
+/// Of a storey against u_x, u_y and θ of the centre of mass of the floor above it; what holds all floors at once by
+/// what the storey has where all floors from it up move as one.
+Eigen::Matrix3d storey_stiffness(const Plan& plan, Index storey) {
+  Eigen::Matrix3d all = Eigen::Matrix3d::Zero();
+  for (const Spring& spring : springs_of(plan, storey)) {
+    all += spring.stiffness * spring.above.transpose() * spring.above;
+  }
+  if (plan.known) {
+    const MatrixXd borne = borne_from(plan, storey);
+    all += borne * known_over_dofs(plan) * borne.transpose();
+  }
+  return all;
+}
+
 /// The deformation of a spring as a row over all degrees of freedom.
 Eigen::RowVectorXd over_dofs(const Spring& spring, Index storey, Index dofs) {
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(dofs);
@@ -170,6 +212,11 @@ void check_holds(const Plan& plan) {
     for (const MatrixXd* const one : {&plan.cantilever->x, &plan.cantilever->y, &plan.cantilever->torsion}) {
       check_matrix("cantilever", *one, floors);
     }
+  }
+  if (plan.known) {
+    check_matrix("known", plan.known->matrix, 3 * floors);
+    require_size("at", plan.known->at.size(), floors);
+    for (const PlanPoint& at : plan.known->at) check_point("at", at);
   }
   if (plan.rigidity) {
     const PlanRigidity& rigidity = *plan.rigidity;
@@ -254,6 +301,14 @@ void add_cantilever(const Plan& plan, PlanModel& model) {
   }
 }
 
+void add_known(const Plan& plan, PlanModel& model) {
+  const MatrixXd stiffness = known_over_dofs(plan);
+  model.stiffness += stiffness;
+  for (Index j = 0; j < model.floors(); ++j) {
+    model.storey_forces.middleRows<3>(3 * j) += borne_from(plan, j) * stiffness;
+  }
+}
+
 std::vector<CoupledElement> coupled_of(const PlanModel& model) {
   std::vector<CoupledElement> coupled;
   for (const PlanModel::Plane& plane : model.planes) {
@@ -292,45 +347,13 @@ void stand_frame(PlaneFrame frame, PlanPlane& plane) {
   for (Index j = 0; j < floors; ++j) plane.storeys.stiffnesses.push_back(storey_part(plane.sway_stiffness, j));
 }
 
-PlanPoint centre_of_mass(const Plan& plan, Index floor) {
-  return plan.centres_of_mass.empty() ? plan.footprint.middle() : of_list(plan.centres_of_mass, floor);
-}
-
-double inertia_of(const Plan& plan, Index floor) {
-  return plan.inertias.empty() ? plan.masses[floor] * plan.footprint.radius2() : plan.inertias[floor];
-}
-
-Plan with_masses_moved(Plan plan, const PlanPoint& parts) {
-  std::vector<PlanPoint> moved;
-  for (Index f = 0; f < std::ssize(plan.masses); ++f) {
-    moved.push_back(centre_of_mass(plan, f) + parts.cwiseProduct(plan.footprint.size));
-  }
-  plan.centres_of_mass = std::move(moved);
-  plan.accidental_eccentricity = parts;
-  return plan;
-}
-
-std::vector<Plan> with_masses_elsewhere(const Plan& plan) {
-  std::vector<Plan> all;
-  const double part = plan.eccentricity_both_ways;
-  if (part == 0) return all;
-  for (const PlanPoint& parts : {PlanPoint(part, 0), PlanPoint(-part, 0), PlanPoint(0, part), PlanPoint(0, -part)}) {
-    all.push_back(with_masses_moved(plan, parts));
-  }
-  return all;
-}
-
 std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
   constexpr std::array<std::string_view, 3> directions = {"x", "y", "rotation"};
   std::vector<UnheldStorey> found;
   const Eigen::Vector3d scale(1, 1, 1 / plan.footprint.size.maxCoeff());
   for (Index j = 0; j < std::ssize(plan.storey_heights); ++j) {
-    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-    for (const Spring& spring : springs_of(plan, j)) {
-      const Eigen::Vector3d row = scale.asDiagonal() * spring.above.transpose();
-      stiffness += spring.stiffness * row * row.transpose();
-    }
-    const SymmetricModes solved = symmetric_modes_of_3(stiffness);
+    const SymmetricModes solved =
+        symmetric_modes_of_3(scale.asDiagonal() * storey_stiffness(plan, j) * scale.asDiagonal());
     std::array<bool, 3> free = {};
     for (Index k = 0; k < 3; ++k) {
       if (solved.values(k) > unheld * solved.values(2)) continue;
@@ -379,10 +402,7 @@ VectorXd PlanModel::drift(Index storey, const PlanPoint& at, const PlanPoint& di
 }
 
 PlanPoint centre_of_rigidity(const Plan& plan, Index storey) {
-  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
-  for (const Spring& spring : springs_of(plan, storey)) {
-    k += spring.stiffness * spring.above.transpose() * spring.above;
-  }
+  const Eigen::Matrix3d k = storey_stiffness(plan, storey);
   // A translation u makes the torque r × (K_t u) about the centre of mass, r from there.
   const PlanPoint turned = Ldlt(k.topLeftCorner<2, 2>()).solve(k.block<2, 1>(0, 2));
   return centre_of_mass(plan, storey) + PlanPoint(turned.y(), -turned.x());
@@ -424,6 +444,7 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
     if (is_frame(plan.planes[p])) add_at_once(model.planes[p], plan.planes[p].sway_stiffness, model);
   }
   if (plan.cantilever) add_cantilever(plan, model);
+  if (plan.known) add_known(plan, model);
   if (!plan.gravity_loads.empty()) soften(plan.gravity_loads, model);
   return model;
 }

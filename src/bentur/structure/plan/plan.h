@@ -58,6 +58,12 @@ struct PlanCantilever {
   Eigen::MatrixXd x, y, torsion;
 };
 
+/// Stiffness from another program: of each floor u_x, u_y [length] and θ [rad] of a point (P-32).
+struct PlanStiffness {
+  std::vector<PlanPoint> at;  ///< one per floor, from the footprint's corner [length]
+  Eigen::MatrixXd matrix;     ///< 3 floors × 3 floors, positive definite
+};
+
 /// A foundation on springs and dashpots, at the middle of the footprint (P-27). Rocking is measured by the way that it
 /// moves what stands on it: along x or along y.
 struct PlanSoil {
@@ -99,6 +105,7 @@ struct Plan {
   std::vector<PlanPlane> planes = {};
   std::optional<PlanRigidity> rigidity = {};      ///< beside the planes
   std::optional<PlanCantilever> cantilever = {};  ///< beside both
+  std::optional<PlanStiffness> known = {};        ///< in place of all of these
   std::vector<double> gravity_loads = {};  ///< of P-Δ, on each floor, spread as its mass is [force] ≥ 0; empty: none
   std::optional<PlanSoil> soil = {};       ///< below it; nothing: its base moves with the ground
   std::optional<PlanIsolation> isolation = {};  ///< not together with soil

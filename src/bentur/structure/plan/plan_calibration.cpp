@@ -33,6 +33,7 @@ void calibrate_period(Plan& plan, double first_period) {
       *one *= factor;
     }
   }
+  if (plan.known) plan.known->matrix *= factor;
   plan.stiffness_factor = factor * plan.stiffness_factor.value_or(1);
 }
 

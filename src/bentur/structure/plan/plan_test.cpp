@@ -370,5 +370,48 @@ TEST(Plan, CentreOfRigidity) {
   }
 }
 
+/// What holds the storeys of a plan as a matrix (P-32).
+Plan told_by_matrix(Plan plan) {
+  const PlanModel model = plan_model(plan);
+  plan.known = PlanStiffness{.at = model.centres, .matrix = model.stiffness};
+  plan.planes.clear();
+  plan.rigidity.reset();
+  return plan;
+}
+
+TEST(PlanStiffness, IsThatOfThePlanesItWasMadeOf) {
+  Plan given = shifted_storeys();
+  Plan known = told_by_matrix(given);
+  for (const bool loaded : {false, true}) {
+    if (loaded) given.gravity_loads = known.gravity_loads = {1177, 883};
+    for (const PlanPoint& parts : {PlanPoint(0, 0), PlanPoint(0.05, 0), PlanPoint(-0.03, 0.04)}) {
+      const Plan one = with_masses_moved(given, parts), other = with_masses_moved(known, parts);
+      const PlanModel by_planes = plan_model(one), by_matrix = plan_model(other);
+      EXPECT_LE((by_matrix.stiffness - by_planes.stiffness).norm(), 1e-12 * by_planes.stiffness.norm());
+      EXPECT_LE((by_matrix.storey_forces - by_planes.storey_forces).norm(), 1e-12 * by_planes.storey_forces.norm());
+      for (Eigen::Index j = 0; j < 2; ++j) {
+        EXPECT_LE((centre_of_rigidity(other, j) - centre_of_rigidity(one, j)).norm(), 1e-11) << j;
+      }
+    }
+  }
+  calibrate_period(given, 0.5);
+  calibrate_period(known, 0.5);
+  EXPECT_NEAR(*known.stiffness_factor, *given.stiffness_factor, 1e-12 * *given.stiffness_factor);
+  EXPECT_LE((plan_model(known).stiffness - plan_model(given).stiffness).norm(), 1e-11 * known.known->matrix.norm());
+}
+
+TEST(PlanStiffness, HoldsEveryStoreyInEveryDirection) {
+  Plan known = told_by_matrix(shifted_storeys());
+  EXPECT_TRUE(unheld_storeys(known).empty());
+  known.known->matrix.row(5).setZero();  // of the upper floor's rotation
+  known.known->matrix.col(5).setZero();
+  const std::vector<UnheldStorey> found = unheld_storeys(known);
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_EQ(found[0].storey, 1);
+  EXPECT_THROW((void)plan_model(known), InvalidParameter);
+  known.known->matrix.conservativeResize(3, 3);
+  EXPECT_THROW((void)plan_model(known), InvalidParameter);
+}
+
 }  // namespace
 }  // namespace bentur

@@ -227,7 +227,8 @@ bool read_rigidity(const TableView& building, std::size_t storeys, Plan& plan) {
 void check_held(const TableView& building, const Plan& plan) {
   if (plan.planes.empty() && !plan.rigidity) {
     building.error(
-        "has no planes and no rigidity: give [[building.plane]] tables, [building.rigidity] or both, or "
+        "has no planes and no rigidity: give [[building.plane]] tables, [building.rigidity] or both, "
+        "[building.matrices] or "
         "[building.generic]");
     return;
   }
@@ -290,8 +291,7 @@ void calibrate(const TomlView& given, Plan& plan) {
 
 void read_floors(const TableView& building, const Units& units, ReadBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"width", "frame", "stick", "matrices", "modal", "displacements"},
-                  "does not go with buildings in plan");
+  building.refuse({"width", "frame", "stick", "modal", "displacements"}, "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
   const auto table = building.table("plan");
@@ -316,8 +316,17 @@ void read_floors(const TableView& building, const Units& units, ReadBuilding& re
     if (known) check_centres(*table, plan);
   }
   if (generic) {
-    building.refuse({"plane", "rigidity"}, "does not go with generic, whose periods say what holds the storeys");
+    building.refuse({"plane", "rigidity", "matrices"},
+                    "does not go with generic, whose periods say what holds the storeys");
     if (little) stand(*generic, *little, known, plan);
+  } else if (const auto matrices = building.find("matrices")) {
+    building.refuse({"plane", "rigidity"}, "does not go with matrices, which say what holds the storeys");
+    PlanStiffness stiffness{.at = {}, .matrix = read_stiffness_in_plan(*matrices, storeys)};
+    known = known && stiffness.matrix.size() > 0;
+    for (std::size_t f = 0; known && f < storeys; ++f) {
+      stiffness.at.push_back(centre_of_mass(plan, static_cast<Eigen::Index>(f)));
+    }
+    if (known) plan.known = std::move(stiffness);
   } else {
     const bool planes = read_planes(building, plan);
     const bool held = read_rigidity(building, storeys, plan) && planes;
