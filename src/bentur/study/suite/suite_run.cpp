@@ -85,22 +85,22 @@ double needed_both_ways(const RunResults& row) {
 constexpr std::string_view told_in_tables[] = {"impacts",          "peak_force", "gap_needed",
                                                "peak_drift_ratio", "ductility",  "column_demand_capacity"};
 
-/// Whether floors meet under a record where no contact is modelled, so that its impacts and forces say nothing.
+/// Whether floors meet under a record where no contact is modelled, so that its impacts and forces are not known.
 bool is_not_modelled(const SuiteRecordRun& one) {
   return std::any_of(one.statements.begin(), one.statements.end(),
                      [](const Statement& said) { return said.kind == "unmodelled"; });
 }
 
-/// Counts as such; in place of what is not modelled that; and of such records no mean, and no less than the largest.
+/// Counts as such; of records whose contact is not modelled that word, no mean, and no less than the largest of others.
 void tell_in_words(const SuiteRun& run, bool are_counts, StoryColumn& column) {
   const std::size_t count = run.records.size();
   const bool lacks = std::any_of(run.records.begin(), run.records.end(), is_not_modelled);
   if (!are_counts && !lacks) return;
   for (std::size_t i = 0; i < column.numbers.size(); ++i) {
     const double value = column.numbers[i];
-    if (i < count && is_not_modelled(run.records[i]) && value == 0) {
+    if (std::isnan(value) && i < count && is_not_modelled(run.records[i])) {
       column.texts.emplace_back("story.not_modelled");
-    } else if (std::isnan(value) || (i == count && lacks)) {
+    } else if (std::isnan(value) || (i == count && lacks) || (i > count && lacks && value == 0)) {
       column.texts.emplace_back("–");
     } else {
       const bool is_whole = are_counts && i != count;
@@ -212,6 +212,10 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
   }
   result.statements = run_story(run).statements;
   result.judged = told_judgements(run);
+  for (std::size_t i = 0; is_not_modelled(result) && i < parts.size(); ++i) {
+    const std::string_view key = parts[i].quantity->key;
+    if (key == "impacts" || key == "peak_force") result.values[i] = NAN;
+  }
 }
 
 }  // namespace
