@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -104,6 +105,49 @@ TEST(ManyBuildings, StatementsSayHowBadTheirGapIsAmongAll) {
   for (const auto& [rank, gap] : of_rank) EXPECT_EQ(order.at(static_cast<std::size_t>(rank) - 1), gap);
   const Story pair = run_story(test::drawn_run(row_of(2)));
   for (const Statement& one : pair.statements) EXPECT_FALSE(one.rank);
+}
+
+/// The bars are of the gaps that the verdict's table puts first, whichever way of the motion they fall short in.
+TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
+  RunResults run = row();
+  const std::vector<std::size_t> before = worst_first(judged_gaps(run));
+  for (PointSummary& point : run.response.points) {
+    const bool is_last =
+        run.problem.points[&point - run.response.points.data()].gap == static_cast<Eigen::Index>(before.back());
+    if (is_last) point.gap_needed_reversed = 10;  // the least becomes the worst
+  }
+  std::vector<std::size_t> order = worst_first(judged_gaps(run));
+  ASSERT_EQ(order.front(), before.back());
+  order.resize(5);
+  std::sort(order.begin(), order.end(), std::greater<>());
+  std::vector<std::string> expected;
+  for (const std::size_t gap : order) expected.push_back(gap_name(run.problem, static_cast<Eigen::Index>(gap)));
+  FigureOptions options;
+  options.width = page_width;
+  std::vector<std::string> named = make_figure(run, "overview", options).panels.back().y.names;
+  for (std::string& name : named) name = name.substr(0, name.find(':'));  // ": not known"
+  EXPECT_EQ(named, expected);
+}
+
+/// A gap that is wide enough for what it needs, and too small since it closes all the same, says so in the table.
+TEST(ManyBuildings, AGapThatIsNotShortSaysWhyItIsTooSmall) {
+  RunResults run = row();
+  for (PointSummary& point : run.response.points) point.gap_needed_reversed = point.gap_needed = 0.01;
+  const Story story = run_story(run);
+  const auto table =
+      std::find_if(story.tables.begin(), story.tables.end(), [](const StoryTable& one) { return one.kind == "row"; });
+  const auto column = [&](const char* label) {
+    return *std::find_if(table->columns.begin(), table->columns.end(),
+                         [&](const StoryColumn& one) { return one.label == label; });
+  };
+  const StoryColumn impacts = column("column.impacts"), lacks = column("column.short_by");
+  int closed = 0;
+  for (std::size_t i = 0; i < impacts.texts.size(); ++i) {
+    if (impacts.texts[i] == "0") continue;
+    ++closed;
+    EXPECT_EQ(lacks.texts[i], "row.collides");
+  }
+  EXPECT_GT(closed, 0);
 }
 
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
