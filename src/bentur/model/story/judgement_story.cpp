@@ -232,7 +232,8 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     impacts.texts.push_back(std::to_string(count));
     hardest.numbers.push_back(peak_force_of(facts) > 0 ? shown.force * peak_force_of(facts) : not_known);
   }
-  lacks.texts = column(lacks.numbers);
+  for (StoryColumn* const one : {&needed, &reversed, &lacks}) one->digits = 3;
+  lacks.texts = column(lacks.numbers, lacks.digits);
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (std::isnan(lacks.numbers[i])) lacks.texts[i] = why_not_short(view.gaps[order[i]].judgement);
   }
@@ -257,7 +258,9 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
                               : unknown > 0  ? "row_unknown"
                                              : "row_none",
                       .severity = small + unknown == 0 ? Severity::finding : Severity::warning};
-  statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown)};
+  statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown),
+                      count_of("may_be", unknown),
+                      word_of("fall_short", small == 1 ? "story.is_small" : "story.are_small")};
   const bool more = small > 0 && unknown > 0;
   statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));

@@ -18,6 +18,7 @@
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/story_text.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/plan_run.h"
 
@@ -148,6 +149,37 @@ TEST(ManyBuildings, AGapThatIsNotShortSaysWhyItIsTooSmall) {
     EXPECT_EQ(lacks.texts[i], "row.collides");
   }
   EXPECT_GT(closed, 0);
+}
+
+/// The verdict begins with how many gaps are too small, how often they close, and the hardest impact of all.
+TEST(ManyBuildings, TheVerdictBeginsWithTheHardestImpact) {
+  const std::vector<Statement> all = run_story(row()).statements;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [](const Statement& one) { return one.severity == Severity::warning; });
+  ASSERT_NE(found, all.end());
+  const Statement& first = *found;
+  ASSERT_EQ(first.kind, "row_pounding");
+  const auto value = [&](const char* name) {
+    return std::find_if(first.values.begin(), first.values.end(), [&](const StoryValue& v) { return v.name == name; })
+        ->value;
+  };
+  EXPECT_EQ(std::get<long>(value("times")), std::ssize(row().response.impacts));
+  double hardest = 0;
+  std::set<Eigen::Index> closed;
+  for (std::size_t p = 0; p < row().problem.points.size(); ++p) {
+    const PointSummary& point = row().response.points[p];
+    hardest = std::max(hardest, point.peak_force);
+    if (point.impacts > 0) closed.insert(row().problem.points[p].gap);
+  }
+  EXPECT_EQ(std::get<double>(value("force")), hardest);
+  EXPECT_EQ(std::get<long>(value("closed")), std::ssize(closed));
+  const Eigen::Index left = first.buildings.front();
+  EXPECT_EQ(std::get<std::string>(value("left")), row().problem.buildings[left].name);
+  const SaidStatement said_first = said({first}, Words("en")).front();
+  EXPECT_EQ(said_first.badge, "Pounding");
+  // What names both buildings needs no name of their gap before it.
+  EXPECT_EQ(of_gap("House 1 and House 2 collide", "House 1 | House 2"), "House 1 and House 2 collide");
+  EXPECT_EQ(of_gap("They need 1 m", "House 1 | House 2", "1 | 2"), "1 | 2: They need 1 m");
 }
 
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
