@@ -347,6 +347,10 @@ TEST(Remarks, SayOfWhichRunTheyAre) {
   const std::vector<Remark> found = remarks(c, problem, &response);
   EXPECT_EQ(list(found), (Names{"base_shear B", "base_shear_alone A", "drift B", "drift_alone A"}));
   for (const Remark& one : found) EXPECT_NEAR(one.value, one.unit == "%" ? 1.2 : 0.5, 1e-9) << one.key;
+  thrown = quieter;
+  thrown.drift_ratio_no_contact = quieter.drift_ratio_no_contact = quieter.drift_ratio * (1 + 1e-12);
+  thrown.storey_shear_no_contact = quieter.storey_shear_no_contact = quieter.storey_shear * (1 + 1e-12);
+  EXPECT_EQ(list(remarks(c, problem, &response)), (Names{"base_shear A", "base_shear B", "drift A", "drift B"}));
 }
 
 // By hand: floors 30 + beams 0.375 · 10 + three columns 0.4 over half the storeys that meet there.
