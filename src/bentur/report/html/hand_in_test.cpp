@@ -231,6 +231,24 @@ TEST(HandIn, ImpactsOfARecordWhoseContactIsNotModelledAreNotKnown) {
   for (const std::size_t column : {1, 2}) {
     EXPECT_EQ(table->columns[column].texts, (std::vector<std::string>{"story.not_modelled", "0", "–", "–"}));
   }
+  // What a sentence has said already is no reason once more.
+  for (const Statement& one : told.statements) {
+    if (one.kind != "records_too_small") continue;
+    ASSERT_EQ(one.items.size(), 2U);
+    for (const auto& item : one.items) {
+      EXPECT_TRUE(std::none_of(item.begin(), item.end(), [](const StoryValue& value) {
+        const auto* const word = std::get_if<std::string>(&value.value);
+        return word != nullptr && (*word == "reason.contact" || *word == "reason.unmodelled");
+      }));
+    }
+  }
+  // The buildings are drawn under the record of the gravest sentence; how records were scaled stands with them.
+  const std::string page = suite_report_html(run, {}, {.version = "0"});
+  const std::size_t verdict = page.find("<section id=\"verdict\""), records = page.find("<section id=\"records\"");
+  const std::size_t drawn = page.find("class=\"overview\""), scaled = page.find("2 records of 2 files are taken");
+  EXPECT_TRUE(verdict < drawn && drawn < page.find("<section", drawn));
+  EXPECT_TRUE(holds(page, "The record under which the worst happens, ../../data/el-centro-1940-ns.csv"));
+  EXPECT_TRUE(records < scaled && scaled == page.rfind("2 records of 2 files are taken"));
 }
 
 TEST(HandIn, WhatARecordDoesNotTellCountsAsNotMet) {

@@ -79,6 +79,8 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   std::vector<std::string> badges(gaps.size());
   for (SaidStatement statement : all) {
     if (statement.severity == Severity::remark || statement.shown == Shown::row) continue;
+    if (!statement.gap && statement.kind.starts_with("suite") && !is_grave(statement.severity))
+      continue;  // its section
     if (!are_many && statement.shown == Shown::table) continue;
     if (are_many && statement.gap && statement.severity != Severity::danger) {
       // Of many gaps what each needs is folded away behind the table.
@@ -92,7 +94,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     }
   }
   for (const StoryTable& table : verdict.story.tables) {
-    if (table.kind.starts_with("row")) block += table_of(said(table, say));
+    if (table.kind.starts_with("row")) block += table_of(said(table, say), "class=\"gaps\"");
   }
   block += verdict.key;
   std::vector<std::string> names;
@@ -160,14 +162,11 @@ Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, con
   options.say = figure_words(language);
   options.language = language;
   Html drawn;
-  std::string finding;
   for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
     options.width = width;
-    const Figure figure = make(options);
-    finding = figure.finding;
-    drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
+    drawn += element("div", Html::markup(figure_element(make(options), caption)), fmt::format("class=\"{}\"", name));
   }
-  return element("figure", drawn + element("figcaption", caption + ". " + finding), "class=\"overview\"");
+  return element("figure", drawn + element("figcaption", caption + "."), "class=\"overview\"");
 }
 
 }  // namespace bentur::html

@@ -180,6 +180,32 @@ std::vector<Statement> told_of(const SuiteRun& run, Eigen::Index gap, const Suit
                            gap);
 }
 
+/// What many records say of a gap, without what sentences of its own have said already, and what a table says as well.
+void say_once(std::vector<Statement>& statements) {
+  const auto is_said = [&](const std::optional<Eigen::Index>& gap, std::string_view kind) {
+    return std::any_of(statements.begin(), statements.end(),
+                       [&](const Statement& one) { return one.gap == gap && one.kind.starts_with(kind); });
+  };
+  constexpr std::string_view rows[] = {"storey_yields", "links", "amplified", "acceleration_ratio"};
+  for (Statement& one : statements) {
+    if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
+    if (one.kind == "gaps_over_records") one.shown = Shown::table;
+    if (one.kind == "records_short" && is_said(one.gap, "records_too_small")) one.shown = Shown::table;
+    if (one.kind != "records_too_small") continue;
+    const auto has_sentence = [&](const std::vector<StoryValue>& item) {
+      return std::any_of(item.begin(), item.end(), [&](const StoryValue& value) {
+        const auto* const why = std::get_if<std::string>(&value.value);
+        if (value.name != "why" || why == nullptr) return false;
+        return (*why == "reason.unmodelled" && is_said(one.gap, "unmodelled")) ||
+               ((*why == "reason.contact" || *why == "reason.contact_impulse") && is_said(one.gap, "pounding"));
+      });
+    };
+    std::vector<std::vector<StoryValue>> left = one.items;
+    std::erase_if(left, has_sentence);
+    if (!left.empty()) one.items = std::move(left);
+  }
+}
+
 /// How the only gap is judged under each record.
 StoryColumn verdicts_of(const SuiteRun& run) {
   StoryColumn column{.label = "gap.given_is", .are_words = true};
@@ -354,6 +380,7 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   put(std::move(of_gaps.statements));
   Story scaled = bentur::suite_story(suite, run.c.units);
   put(std::move(scaled.statements));
+  if (are_many) say_once(told.statements);
   sort_by_severity(told.statements);
   StoryColumn name{.label = "column.record", .are_words = true};
   for (std::size_t i = 0; i < run.records.size(); ++i) name.texts.push_back(suite.records[i].name());
