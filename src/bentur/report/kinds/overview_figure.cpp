@@ -158,7 +158,7 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   figure.panels.push_back(gap_panel(run, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
-    figure.panels.front().height = 8.5;
+    figure.panels.front().height = 6.5;
     figure.panels[1].height = figure.panels[2].height = std::max(figure.panels[1].height, figure.panels[2].height);
   } else if (is_wide) {
     constexpr double height = 7, frames = 12.5;  // about [cm]
