@@ -201,8 +201,9 @@ TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
     }
   }
   double drawn = 0;
-  for (const Curve& curve : make_figure(row(), kind).panels.front().curves) {
-    for (const double x : curve.x) drawn = std::max(drawn, x);
+  for (const Panel& panel : make_figure(row(), kind).panels) {
+    EXPECT_EQ(panel.curves.size(), 1U) << "more than can be followed in one frame";
+    for (const double x : panel.curves.front().x) drawn = std::max(drawn, x);
   }
   EXPECT_EQ(drawn, largest);
   FigureOptions options;
