@@ -81,7 +81,7 @@ Figure beside(const RunResults& run, const FigureOptions& options, const std::ve
   const auto fitting = [&] {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, figure.width - of_axis) / room));
   };
-  if (shown.size() > 2 && fitting() < shown.size()) figure.width *= page_over_column;
+  if (shown.size() > 2 && fitting() < shown.size()) figure.width = broad(figure.width);
   const std::size_t rows = (shown.size() + fitting() - 1) / fitting();
   const std::size_t columns = (shown.size() + rows - 1) / rows;
   figure.columns = static_cast<int>(columns);
@@ -172,7 +172,7 @@ void set_apart(Figure& figure) {
   }
   figure.panels = std::move(panels);
   figure.columns = static_cast<int>(count);
-  if (figure.width < page_over_column * column_width) figure.width *= page_over_column;
+  figure.width = broad(figure.width);
 }
 
 /// A quantity of the floors of a building, the lowest first.
