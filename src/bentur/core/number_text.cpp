@@ -52,12 +52,15 @@ std::string power_of_ten(int exponent) {
 
 std::string number(double value) { return without_zeros(with_decimals(value, decimals_for(std::abs(value)))); }
 
-std::vector<std::string> column(const std::vector<double>& values) {
-  double largest = 0;
+std::vector<std::string> column(const std::vector<double>& values, int digits) {
+  double largest = 0, least = INFINITY;
   for (const double value : values) {
-    largest = !std::isfinite(value) ? largest : std::max(largest, std::abs(value));
+    if (!std::isfinite(value) || value == 0) continue;
+    largest = std::max(largest, std::abs(value));
+    least = std::min(least, std::abs(value));
   }
-  const int most = decimals_for(largest);
+  int most = decimals_for(largest);
+  for (int fewer = 4 - digits; fewer > 0 && most > 0 && least > std::pow(10.0, 1 - most); --fewer) --most;
   int needed = 0;
   for (const double value : values) {  // no more decimals than some number uses: 100 200 300, 0.2 0.25
     const std::string text = without_zeros(with_decimals(value, most));

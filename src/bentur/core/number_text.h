@@ -16,9 +16,9 @@ namespace bentur {
 /// "10⁻⁵".
 [[nodiscard]] std::string power_of_ten(int exponent);
 
-/// Numbers of one column with equally many decimals, as many as leave the largest at most four significant digits.
-/// A value that does not exist (NaN) becomes a dash.
-[[nodiscard]] std::vector<std::string> column(const std::vector<double>& values);
+/// Numbers of one column with equally many decimals, as many as leave the largest at most four significant digits, or
+/// as few as asked for unless one of them would vanish. A value that does not exist (NaN) becomes a dash.
+[[nodiscard]] std::vector<std::string> column(const std::vector<double>& values, int digits = 4);
 
 /// The finite number that a text is, from its first character to its last.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);

@@ -36,6 +36,9 @@ TEST(NumberText, AColumnHasEquallyManyDecimals) {
   EXPECT_EQ(column({0.72618, 0.5, 12.25}), (Cells{"0.73", "0.50", "12.25"}));
   EXPECT_EQ(column({100, 200, 300}), (Cells{"100", "200", "300"}));
   EXPECT_EQ(column({0.2, 0, 0.25}), (Cells{"0.20", "0", "0.25"}));
+  EXPECT_EQ(column({0.1480, 0.0349}, 3), (Cells{"0.148", "0.035"}));
+  EXPECT_EQ(column({0.1480, 0.0004}, 3), (Cells{"0.1480", "0.0004"}));
+  EXPECT_EQ(column({5297, 471.2}, 3), (Cells{"5297", "471"}));
   EXPECT_EQ(column({1, std::numeric_limits<double>::quiet_NaN()}), (Cells{"1", "–"}));
 }
 

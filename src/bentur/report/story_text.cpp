@@ -138,7 +138,7 @@ SaidTable said(const StoryTable& table, const Words& say) {
   for (const StoryColumn& column : table.columns) {
     TableColumn shown{word(column.label), column.unit, {}};
     if (column.texts.empty()) {
-      shown.cells = bentur::column(column.numbers);
+      shown.cells = bentur::column(column.numbers, column.digits);
     } else {
       for (const std::string& text : column.texts) {
         shown.cells.push_back(column.are_words                ? word(text)
@@ -191,6 +191,14 @@ std::vector<std::string> rows_in_words(const SaidTable& table) {
   return lines;
 }
 
+std::string of_gap(const std::string& text, const std::string& gap, std::string shown) {
+  if (shown.empty()) shown = gap;
+  const std::size_t bar = gap.find(" | ");
+  const bool is_named = bar != std::string::npos && text.find(gap.substr(0, bar)) != std::string::npos &&
+                        text.find(gap.substr(bar + 3)) != std::string::npos;
+  return is_named ? text : shown + ": " + text;
+}
+
 std::string with_spaces(std::string text) {
   constexpr std::string_view no_break = "\u00A0";
   for (std::size_t at = text.find(no_break); at != std::string::npos; at = text.find(no_break, at)) {
@@ -211,7 +219,7 @@ std::vector<std::string> story_lines(const std::vector<std::string>& gaps, const
     if (told != Told::all && (one.severity == Severity::remark) != (told == Told::remarks)) continue;
     if (told != Told::remarks && one.shown != Shown::sentence) continue;
     std::string line = one.badge.empty() ? one.text : upper_case(one.badge) + ": " + one.text;
-    if (gaps.size() > 1 && one.gap) line.insert(0, gaps.at(static_cast<std::size_t>(*one.gap)) + ": ");
+    if (gaps.size() > 1 && one.gap) line = of_gap(line, gaps.at(static_cast<std::size_t>(*one.gap)));
     if (one.kind.starts_with("remark.") && one.badge.empty()) line = say("cli.remark", {{"text", line}});
     lines.push_back(std::move(line));
   }

@@ -48,6 +48,9 @@ struct SaidTable {
 /// A badge in capitals, as terminals have it.
 [[nodiscard]] std::string upper_case(std::string text);
 
+/// A sentence behind the name of its gap, unless it names both buildings. @param shown the name in short
+[[nodiscard]] std::string of_gap(const std::string& text, const std::string& gap, std::string shown = {});
+
 /// Which statements of a story: of its outcome those that a first screen has as sentences.
 enum class Told { outcome, remarks, all };
 /// A line a statement, the gravest first: "BADGE: text", behind the gap's name in a row of several gaps; remarks as

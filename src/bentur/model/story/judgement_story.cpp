@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "bentur/core/not_known.h"
+#include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 
@@ -189,6 +190,21 @@ namespace {
 
 constexpr std::size_t most_lines = 12;  ///< of a table; of more gaps it has the worst alone
 
+/// Of a gap that is not short of what it needs why it is not enough, as a word of the catalogue.
+std::string why_not_short(const Judgement& judged) {
+  if (judged.reasons.empty()) return "–";
+  switch (judged.reasons.front().kind) {
+    case Reason::Kind::contact:
+      return "row.collides";
+    case Reason::Kind::unmodelled:
+      return "story.not_modelled";
+    case Reason::Kind::rule:
+      return "row.rule";
+    default:
+      return judged.value == Sufficiency::unknown ? "gap.not_known" : "–";
+  }
+}
+
 /// Of all in their order, or of many of the worst. @param order worst_first()
 StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, const ShownUnits& shown) {
   const std::string& length = view.c.units.length;
@@ -196,7 +212,7 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
   order.resize(order.size() <= most_lines ? order.size() : worst_gaps_shown);
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn given{"column.given", length}, needed{"column.simulated", length}, reversed{"column.reversed", length};
-  StoryColumn lacks{"column.short_by", length};
+  StoryColumn lacks{.label = "column.short_by", .unit = length, .are_words = true, .are_counts = true};
   StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
   StoryTable table{.kind = order.size() == view.gaps.size() ? "row" : "row_worst",
                    .values = {count_of("shown", std::ssize(order)), count_of("count", std::ssize(view.gaps))}};
@@ -215,6 +231,11 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     for (const LevelFacts& level : facts.levels) count += level.given.impacts;
     impacts.texts.push_back(std::to_string(count));
     hardest.numbers.push_back(peak_force_of(facts) > 0 ? shown.force * peak_force_of(facts) : not_known);
+  }
+  for (StoryColumn* const one : {&needed, &reversed, &lacks}) one->digits = 3;
+  lacks.texts = column(lacks.numbers, lacks.digits);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (std::isnan(lacks.numbers[i])) lacks.texts[i] = why_not_short(view.gaps[order[i]].judgement);
   }
   table.columns = {name, verdict, given, needed, reversed, lacks, impacts, hardest};
   return table;
@@ -237,7 +258,9 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
                               : unknown > 0  ? "row_unknown"
                                              : "row_none",
                       .severity = small + unknown == 0 ? Severity::finding : Severity::warning};
-  statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown)};
+  statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown),
+                      count_of("may_be", unknown),
+                      word_of("fall_short", small == 1 ? "story.is_small" : "story.are_small")};
   const bool more = small > 0 && unknown > 0;
   statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));

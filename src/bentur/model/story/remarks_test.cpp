@@ -331,6 +331,28 @@ TEST(Remarks, OfAResponseBeyondElasticBuildings) {
   EXPECT_EQ(found[3].value, 4);  // of all points of the gap
 }
 
+// Of a building the larger of both runs, by a key of its own where that is the one without contact.
+TEST(Remarks, SayOfWhichRunTheyAre) {
+  const Case c = ordinary();
+  const Problem problem = make_problem(c);
+  Response response;
+  response.buildings.resize(2);
+  response.points.resize(3);
+  const double weight = proportions(problem.buildings[0], c.units, nullptr).weight;
+  BuildingPeaks &quieter = response.buildings[0], &thrown = response.buildings[1];
+  quieter.drift_ratio = thrown.drift_ratio_no_contact = Eigen::Vector3d::Constant(0.011);
+  quieter.drift_ratio_no_contact = thrown.drift_ratio = Eigen::Vector3d::Constant(0.012);
+  quieter.storey_shear = thrown.storey_shear_no_contact = Eigen::Vector3d::Constant(0.45 * weight);
+  quieter.storey_shear_no_contact = thrown.storey_shear = Eigen::Vector3d::Constant(0.5 * weight);
+  const std::vector<Remark> found = remarks(c, problem, &response);
+  EXPECT_EQ(list(found), (Names{"base_shear B", "base_shear_alone A", "drift B", "drift_alone A"}));
+  for (const Remark& one : found) EXPECT_NEAR(one.value, one.unit == "%" ? 1.2 : 0.5, 1e-9) << one.key;
+  thrown = quieter;
+  thrown.drift_ratio_no_contact = quieter.drift_ratio_no_contact = quieter.drift_ratio * (1 + 1e-12);
+  thrown.storey_shear_no_contact = quieter.storey_shear_no_contact = quieter.storey_shear * (1 + 1e-12);
+  EXPECT_EQ(list(remarks(c, problem, &response)), (Names{"base_shear A", "base_shear B", "drift A", "drift B"}));
+}
+
 // By hand: floors 30 + beams 0.375 · 10 + three columns 0.4 over half the storeys that meet there.
 TEST(Proportions, AreWhatOneComparesFirst) {
   const Case c = ordinary();

@@ -223,12 +223,15 @@ std::vector<Storeys> storeys_of(const PlanProblem& problem, const PlanResponse& 
                    &one.yielding, &other.yielding, &one.frame});
   }
   const Index lowest = problem.buildings[b].model.first_storey();
-  double shear = 0;
-  for (const Eigen::VectorXd* const one : {&with.shear_x, &with.shear_y, &alone.shear_x, &alone.shear_y}) {
-    if (lowest < one->size()) shear = std::max(shear, (*one)(lowest));
-  }
+  const auto shear = [&](const PlanPeaks& peaks) {
+    double most = 0;
+    for (const Eigen::VectorXd* const one : {&peaks.shear_x, &peaks.shear_y}) {
+      if (lowest < one->size()) most = std::max(most, (*one)(lowest));
+    }
+    return most;
+  };
   all.push_back({name, with.edge_drift_ratio(), alone.edge_drift_ratio(), &none.yielding, &none.yielding_no_contact,
-                 &none, shear});
+                 &none, shear(with), shear(alone)});
   return all;
 }
 

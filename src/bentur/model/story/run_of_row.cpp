@@ -79,12 +79,9 @@ void tell_columns(const RunResults& run, std::vector<Statement>& statements) {
 
 std::vector<Storeys> storeys_of(const Problem& problem, const Response& response, Index b) {
   const BuildingPeaks& peaks = response.buildings[b];
-  double shear = 0;
-  for (const Eigen::VectorXd* const one : {&peaks.storey_shear, &peaks.storey_shear_no_contact}) {
-    if (one->size() > 0) shear = std::max(shear, (*one)(0));
-  }
+  const auto lowest = [](const Eigen::VectorXd& shears) { return shears.size() > 0 ? shears(0) : 0; };
   return {{problem.buildings[b].name, peaks.drift_ratio, peaks.drift_ratio_no_contact, &peaks.yielding,
-           &peaks.yielding_no_contact, &peaks, shear}};
+           &peaks.yielding_no_contact, &peaks, lowest(peaks.storey_shear), lowest(peaks.storey_shear_no_contact)}};
 }
 
 }  // namespace bentur::story

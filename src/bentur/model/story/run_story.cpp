@@ -249,6 +249,38 @@ void tell_motion(const AnyRun& run, std::vector<Statement>& statements) {
   }
 }
 
+/// Of several gaps that close what is said of all of them says how often, and of the hardest impact where and when.
+void tell_hardest(std::vector<Statement>& statements) {
+  const auto all = std::find_if(statements.begin(), statements.end(),
+                                [](const Statement& one) { return one.kind == "row_some" || one.kind == "row_all"; });
+  if (all == statements.end()) return;
+  const auto value = [](const Statement& one, std::string_view name) {
+    return std::find_if(one.values.begin(), one.values.end(), [&](const StoryValue& v) { return v.name == name; });
+  };
+  const Statement* hardest = nullptr;
+  double most = 0;
+  long times = 0, closed = 0;
+  for (const Statement& one : statements) {
+    if (!one.gap || !one.kind.starts_with("pounding")) continue;
+    ++closed;
+    times += std::get<long>(value(one, "times")->value);
+    const double size = std::get<double>(value(one, one.kind == "pounding" ? "force" : "speed")->value);
+    if (hardest == nullptr || one.kind < hardest->kind || (one.kind == hardest->kind && size > most)) {
+      hardest = &one;
+      most = size;
+    }
+  }
+  if (hardest == nullptr) return;
+  std::vector<StoryValue> values = hardest->values;
+  std::erase_if(values, [](const StoryValue& one) { return one.name == "times"; });
+  all->kind = "row_" + hardest->kind;
+  all->buildings = hardest->buildings;
+  all->level = hardest->level;
+  all->values.insert(all->values.end(), values.begin(), values.end());
+  all->values.push_back(count_of("times", times));
+  all->values.push_back(count_of("closed", closed));
+}
+
 /// What a table says as well as a sentence. @param worst of many gaps the one that sentences are about
 void leave_to_tables(std::optional<Index> worst, std::vector<Statement>& statements) {
   constexpr std::string_view rows[] = {
@@ -259,7 +291,7 @@ void leave_to_tables(std::optional<Index> worst, std::vector<Statement>& stateme
     if (one.severity == Severity::danger) continue;
     if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
     if (one.kind == "rules_understate") one.shown = Shown::table;  // a note of the rules' rows
-    if (worst && one.gap && *one.gap != *worst) one.shown = Shown::table;
+    if (worst && one.gap && (*one.gap != *worst || one.kind.starts_with("pounding"))) one.shown = Shown::table;
   }
 }
 
@@ -315,6 +347,7 @@ Story story_of(const AnyRun& run) {
   story::tell_hinges(run, told);
   tell_links(run.problem, run.response.links, shown_units(run), run.c.units.length, told.statements);
   tell_motion(run, told.statements);
+  tell_hardest(told.statements);
   leave_to_tables(worst, told.statements);
   rank_gaps(view, told.statements);
   tell_remarks(run, told);
@@ -340,6 +373,7 @@ Story story_of_gaps(const AnyRun& run) {
   for (StoryTable& one : tables_of(view)) told.tables.push_back(std::move(one));
   if constexpr (is_in_plan<AnyRun>) tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
+  tell_hardest(told.statements);
   leave_to_tables(worst, told.statements);
   rank_gaps(view, told.statements);
   leave_to_gap_tables(told.statements);

@@ -72,6 +72,7 @@ struct StoryColumn {
   std::vector<std::string> texts = {};  ///< in place of numbers
   bool are_words = false;               ///< the texts are keys of the catalogue, or empty
   bool are_counts = false;              ///< the texts are counts and shares, set as numbers are
+  int digits = 4;                       ///< of the largest number
 };
 
 struct StoryTable {

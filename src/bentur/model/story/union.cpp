@@ -37,6 +37,8 @@ constexpr Measure measures[] = {
 /// What is told of all runs together, or says of a run that something did not happen.
 constexpr std::string_view of_single_runs[] = {"row_all",
                                                "row_some",
+                                               "row_pounding",
+                                               "row_pounding_impulse",
                                                "row_unknown",
                                                "row_none",
                                                "no_pounding",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -201,6 +202,53 @@ TEST(HandIn, OfASuiteOfRecordsToo) {
   const std::string bare = page_of(plain, "en");
   EXPECT_EQ(sections_of(bare), (std::vector<std::string>{"verdict", "records", "figures", "runs", "gaps", "input"}));
   EXPECT_FALSE(holds(bare, "<body class="));
+}
+
+// The first record sends floors into a column where no contact is modelled, and others against each other; the second
+// moves nothing so far.
+TEST(HandIn, ImpactsOfARecordWhoseContactIsNotModelledAreNotKnown) {
+  std::string text = case_to_hand_in("two-real-buildings/record", "");
+  const auto replace = [&](const std::string& old, const std::string& by) {
+    text.replace(text.find(old), old.size(), by);
+  };
+  replace("event = \"Imperial Valley 1940\" }",
+          "event = \"A\" }, { file = \"../../data/four-lobes.csv\", unit = \"m/s2\", time_step = 0.4, event = \"B\" }");
+  replace("scale = \"en-1998-1\"", "scale = { factors = [3.0, 0.1] }");
+  const SuiteRun run = run_suite(case_of(text, "/examples/two-real-buildings/"), [](double) { return true; });
+  ASSERT_TRUE(has_kind(run.records[0].statements, "unmodelled") && has_kind(run.records[0].statements, "pounding"));
+  ASSERT_FALSE(has_kind(run.records[1].statements, "unmodelled"));
+  int counted = 0;
+  for (std::size_t q = 0; q < run.quantities.size(); ++q) {
+    if (run.quantities[q].name != "impacts" && run.quantities[q].name != "peak_force") continue;
+    ++counted;
+    EXPECT_TRUE(std::isnan(run.records[0].values[q]) && std::isnan(run.mean(q)));
+    EXPECT_EQ(run.records[1].values[q], 0);
+  }
+  EXPECT_EQ(counted, 2);
+  const Story told = suite_story(run, {});
+  const auto table = std::find_if(told.tables.begin(), told.tables.end(),
+                                  [](const StoryTable& one) { return one.kind == "suite_runs"; });
+  for (const std::size_t column : {1, 2}) {
+    EXPECT_EQ(table->columns[column].texts, (std::vector<std::string>{"story.not_modelled", "0", "–", "–"}));
+  }
+  // What a sentence has said already is no reason once more.
+  for (const Statement& one : told.statements) {
+    if (one.kind != "records_too_small") continue;
+    ASSERT_EQ(one.items.size(), 2U);
+    for (const auto& item : one.items) {
+      EXPECT_TRUE(std::none_of(item.begin(), item.end(), [](const StoryValue& value) {
+        const auto* const word = std::get_if<std::string>(&value.value);
+        return word != nullptr && (*word == "reason.contact" || *word == "reason.unmodelled");
+      }));
+    }
+  }
+  // The buildings are drawn under the record of the gravest sentence; how records were scaled stands with them.
+  const std::string page = suite_report_html(run, {}, {.version = "0"});
+  const std::size_t verdict = page.find("<section id=\"verdict\""), records = page.find("<section id=\"records\"");
+  const std::size_t drawn = page.find("class=\"overview\""), scaled = page.find("2 records of 2 files are taken");
+  EXPECT_TRUE(verdict < drawn && drawn < page.find("<section", drawn));
+  EXPECT_TRUE(holds(page, "The record under which the worst happens, ../../data/el-centro-1940-ns.csv"));
+  EXPECT_TRUE(records < scaled && scaled == page.rfind("2 records of 2 files are taken"));
 }
 
 TEST(HandIn, WhatARecordDoesNotTellCountsAsNotMet) {

@@ -7,6 +7,9 @@
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
 #include "bentur/report/html/internal/sections.h"
+#include "bentur/report/html/plan/plan_report.h"
+#include "bentur/report/html/report.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/study/suite/suite_hand_in.h"
 
 namespace bentur {
@@ -27,8 +30,48 @@ Html suite_tables(const html::Report& report, const char* first, const char* sec
   return content;
 }
 
+/// How the records were chosen and scaled.
+bool is_of_choice(const Statement& one) { return !one.gap && one.kind.starts_with("suite") && !is_grave(one.severity); }
+
 PageSection suite_section(const html::Report& report) {
-  return {"records", report.say("suite.records"), suite_tables(report, "suite", "suite_buildings")};
+  std::vector<Statement> of_choice = report.story.statements;
+  std::erase_if(of_choice, [](const Statement& one) { return !is_of_choice(one); });
+  Html sentences;
+  for (const SaidStatement& one : said(of_choice, report.say)) sentences += element("p", Html::text(one.text));
+  return {"records", report.say("suite.records"), sentences + suite_tables(report, "suite", "suite_buildings")};
+}
+
+/// The record that the gravest statement is of.
+std::size_t worst_record(const SuiteRun& run, const Story& story) {
+  const auto& records = run.c.excitation.suite->records;
+  for (const Statement& one : story.statements) {
+    if (!one.many) continue;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      if (records[i].name() == one.many->worst) return i;
+    }
+  }
+  return 0;
+}
+
+/// The buildings and their gap under one record, which is run again.
+template <class AnyProblem>
+Html picture_of(const Case& c, const AnyProblem& problem, const std::string& caption, const std::string& language) {
+  SolveOptions options = solve_options(c);
+  options.output_step = report_output_step(problem);
+  auto response = solve(problem, c.analysis.solver, options);
+  if (response.status == Status::failed) return {};
+  const auto results = run_results(c, problem, std::move(response));
+  return html::opening_figure([&](const FigureOptions& drawn) { return make_figure(results, "overview", drawn); },
+                              caption, language);
+}
+
+Html worst_picture(const SuiteRun& run, const html::Report& report, const std::string& language) {
+  const std::size_t worst = worst_record(run, report.story);
+  const Case c = case_of_record(run.c, worst);
+  const std::string caption =
+      report.say("figure.overview_of_record", {{"record", run.c.excitation.suite->records[worst].name()}});
+  return run.plan ? picture_of(c, make_plan_problem(c, run.plan->buildings), caption, language)
+                  : picture_of(c, make_problem(c, run.problem.buildings), caption, language);
 }
 
 PageSection suite_runs_section(const html::Report& report) {
@@ -66,9 +109,11 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
         return suite_figure(*run.c.excitation.suite, run.c.units, drawn);
       },
       "figure.", options.language);
+  html::PageSection verdict = html::verdict_section(report);
+  verdict.content += worst_picture(run, report, options.language);
   html::PageBody body{
       .header = html::title_block(report, title, say("suite.by", {{"version", options.version}})),
-      .sections = {html::verdict_section(report), suite_section(report), html::figures_section(say, figures),
+      .sections = {std::move(verdict), suite_section(report), html::figures_section(say, figures),
                    suite_runs_section(report), suite_gaps_section(report),
                    run.plan ? html::plan_input_section(run.c, *run.plan, 0, say) : html::input_section(report)}};
   if (report.to_hand_in) {

@@ -47,15 +47,14 @@ Html drawn_bars(const std::vector<GapBar>& bars, double largest, const std::stri
 
 }  // namespace
 
-Html paragraphs(const SaidStatement& statement, std::string& badge, const std::string& gap) {
+Html paragraphs(const SaidStatement& statement, std::string& badge) {
   Html block;
   if (!statement.badge.empty() && statement.badge != badge) {
     block += element("p", statement.badge, "class=\"badge\"");
     badge = statement.badge;
   }
   const bool leads = statement.severity == Severity::danger || !statement.badge.empty();
-  const std::string text = gap.empty() ? statement.text : gap + ": " + statement.text;
-  return block + element("p", text, leads ? "class=\"lead\"" : "");
+  return block + element("p", statement.text, leads ? "class=\"lead\"" : "");
 }
 
 Html table_of(const SaidTable& table, std::string_view attributes) {
@@ -78,18 +77,24 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   std::string badge;
   std::vector<Html> of_gaps(gaps.size());
   std::vector<std::string> badges(gaps.size());
-  for (const SaidStatement& statement : all) {
+  for (SaidStatement statement : all) {
     if (statement.severity == Severity::remark || statement.shown == Shown::row) continue;
+    if (!statement.gap && statement.kind.starts_with("suite") && !is_grave(statement.severity))
+      continue;  // its section
     if (!are_many && statement.shown == Shown::table) continue;
     if (are_many && statement.gap && statement.severity != Severity::danger) {
       // Of many gaps what each needs is folded away behind the table.
-      of_gaps[*statement.gap] += paragraphs(statement, badges[*statement.gap], "");
+      of_gaps[*statement.gap] += paragraphs(statement, badges[*statement.gap]);
     } else {
-      block += paragraphs(statement, badge, are_many && statement.gap ? gaps[*statement.gap].in_short : "");
+      if (are_many && statement.gap) {
+        const auto& [name, in_short, facts] = gaps[*statement.gap];
+        statement.text = of_gap(statement.text, name, in_short);
+      }
+      block += paragraphs(statement, badge);
     }
   }
   for (const StoryTable& table : verdict.story.tables) {
-    if (table.kind.starts_with("row")) block += table_of(said(table, say));
+    if (table.kind.starts_with("row")) block += table_of(said(table, say), "class=\"gaps\"");
   }
   block += verdict.key;
   std::vector<std::string> names;
@@ -157,14 +162,11 @@ Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, con
   options.say = figure_words(language);
   options.language = language;
   Html drawn;
-  std::string finding;
   for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
     options.width = width;
-    const Figure figure = make(options);
-    finding = figure.finding;
-    drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
+    drawn += element("div", Html::markup(figure_element(make(options), caption)), fmt::format("class=\"{}\"", name));
   }
-  return element("figure", drawn + element("figcaption", caption + ". " + finding), "class=\"overview\"");
+  return element("figure", drawn + element("figcaption", caption + "."), "class=\"overview\"");
 }
 
 }  // namespace bentur::html

@@ -98,6 +98,20 @@ class Diagram {
   double scale_;
 };
 
+/// What a round number is drawn as, about half of the largest, below the frame. @param scale [length per unit shown]
+void add_scale(Panel& panel, double scale, double largest, const std::string& unit, double level) {
+  if (!(scale > 0)) return;
+  const double power = std::pow(10.0, std::floor(std::log10(largest / 2)));
+  const double digits = largest / 2 / power;
+  const double value = (digits >= 5 ? 5 : digits >= 2 ? 2 : 1) * power;
+  const double end = scale * value, cap = 0.15 * end;
+  panel.curves.push_back({.x = {0, 0, not_known, 0, end, not_known, end, end},
+                          .y = {level - cap, level + cap, not_known, level, level, not_known, level - cap, level + cap},
+                          .width = 0.9,
+                          .complete = true});
+  panel.texts.push_back({.x = end, .y = level, .text = number(value) + " " + unit});
+}
+
 /// "bottom of the column of line 2, storey 1", of shears and axial forces "column of line 2, storey 1".
 std::string member_text(const FigureOptions& options, const Carried& carried, const FrameForces& frame,
                         const LargestForce& largest) {
@@ -129,7 +143,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
         "that are frames");
   }
-  Figure figure{.title = carried.title, .columns = 2, .width = options.width * page_over_column};
+  Figure figure{.title = carried.title, .columns = 2, .width = broad(options.width)};
   const bool has_impacts = !run.response.impacts.empty();
   double most = 0, storey = INFINITY;  // of all frames, so that they have one scale
   Eigen::Index storeys = 0;            // of the highest
@@ -150,7 +164,8 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     }
   }
   const double reach = 0.42 * storey;
-  const double height = options.width * std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
+  const double height =
+      figure.width * column_width / page_width * std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
   constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
   const double width = figure.width / 2 - between;
   const double factor = shown_factor(run, carried.form);
@@ -163,7 +178,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       top = std::max(top, member.of_beam ? member.place : member.to);
     }
     const Diagram diagram(carried, *frame, most > 0 ? reach / most : 0);
-    const double low = -0.05 * top, high = top + 1.15 * reach;
+    const double low = -0.22 * top, high = top + 1.15 * reach;
     const double one_cm = std::max((high - low) / height, (right + 2.3 * reach) / width);
     const double beside = (one_cm * width - right) / 2;  // for numbers too
     Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
@@ -188,6 +203,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       add_beside(of, x, y, number(factor * std::abs(largest.value)) + " " + unit, one_cm);
     };
     Panel instant = panel;
+    add_scale(instant, most > 0 ? reach / (factor * most) : 0, factor * most, unit, -0.17 * top);
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
                     word(options, "at {}", seconds_text(frame->time));
     instant.curves.push_back(

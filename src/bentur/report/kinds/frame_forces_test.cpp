@@ -170,6 +170,10 @@ TEST(FrameForces, PicturesDrawThemToOneScale) {
         most = std::max(most, std::abs(frame.least.moments(static_cast<Index>(k), static_cast<Index>(n))));
       }
     }
+    // A bar below the frame is as long as the number beside it is drawn.
+    const PlaceText& bar = figure.panels[2 * f].texts.front();
+    EXPECT_NEAR(bar.x, scale * std::stod(bar.text), 1e-9) << bar.text;
+    EXPECT_TRUE(bar.text.ends_with(" kN·m") && bar.y < 0);
     const std::string& name = run.problem.buildings[frame.building].name;
     EXPECT_NE(figure.finding.find(name + ": largest moment " + number(most) + " kN·m"), std::string::npos)
         << figure.finding;
@@ -208,8 +212,8 @@ TEST(FrameForces, NumbersLieOnNoLine) {
       const double scale = place.width / (place.x.second - place.x.first);
       const auto right = [&](double x) { return scale * (x - place.x.first); };
       const auto up = [&](double y) { return scale * (y - place.y.first); };
-      ASSERT_EQ(panel.texts.size(), 1U) << kind;
-      const PlaceText& text = panel.texts.front();
+      ASSERT_EQ(panel.texts.size(), i % 2 == 0 ? 2U : 1U) << kind;  // the scale's below the frame
+      const PlaceText& text = panel.texts.back();
       const double half = a_cm * text_width(text.text) / 2, high = 0.13 * a_cm;
       const Box box{right(text.x) - half, right(text.x) + half, up(text.y) - high, up(text.y) + high};
       EXPECT_GE(box.left, 0) << text.text;

@@ -81,7 +81,7 @@ Figure beside(const RunResults& run, const FigureOptions& options, const std::ve
   const auto fitting = [&] {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, figure.width - of_axis) / room));
   };
-  if (shown.size() > 2 && fitting() < shown.size()) figure.width *= page_over_column;
+  if (shown.size() > 2 && fitting() < shown.size()) figure.width = broad(figure.width);
   const std::size_t rows = (shown.size() + fitting() - 1) / fitting();
   const std::size_t columns = (shown.size() + rows - 1) / rows;
   figure.columns = static_cast<int>(columns);
@@ -137,6 +137,42 @@ constexpr std::size_t most_dashes = 4;  // of so many curves none has those of a
 void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Index building) {
   const auto place = std::find(shown.begin(), shown.end(), building) - shown.begin();
   bentur::tell_apart(curve, static_cast<std::size_t>(place), building_tone(static_cast<std::size_t>(building)));
+}
+
+/// More curves than can be followed in one frame have one each, side by side at one scale, whose titles name them.
+void set_apart(Figure& figure) {
+  constexpr std::size_t most_together = 3;
+  const std::size_t count = figure.panels.front().curves.size();
+  const bool are_alike = std::all_of(figure.panels.begin(), figure.panels.end(),
+                                     [&](const Panel& one) { return one.curves.size() == count; });
+  if (count <= most_together || !are_alike) return;
+  std::vector<Panel> panels;
+  for (const Panel& all : figure.panels) {
+    double from = all.rules.front().at, to = from;
+    for (const Curve& curve : all.curves) {
+      from = std::min(from, *std::min_element(curve.x.begin(), curve.x.end()));
+      to = std::max(to, *std::max_element(curve.x.begin(), curve.x.end()));
+    }
+    const double margin = 0.06 * (to - from);
+    for (std::size_t i = 0; i < count; ++i) {
+      Panel one = all;
+      one.names_at_ends = false;
+      one.title = all.curves[i].label;
+      one.curves = {all.curves[i]};
+      one.curves.front().label = "";
+      one.curves.front().line = Line::solid;
+      one.x.from = from == 0 ? 0 : from - margin;
+      one.x.to = to + margin;
+      if (i != count / 2) one.x.label = "";
+      if (figure.panels.size() > 1) one.height = std::min(one.height, 5.0);
+      one.y = figure.panels.front().y;
+      if (i > 0) leave_to_neighbour(one.y);
+      panels.push_back(std::move(one));
+    }
+  }
+  figure.panels = std::move(panels);
+  figure.columns = static_cast<int>(count);
+  figure.width = broad(figure.width);
 }
 
 /// A quantity of the floors of a building, the lowest first.
@@ -218,10 +254,12 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
-  return {.title = "Largest displacement with contact over that without",
-          .finding = word(options, "largest {}: {}", number(most.value), most.place(run, options)),
-          .panels = {panel},
-          .width = options.width};
+  Figure figure{.title = "Largest displacement with contact over that without",
+                .finding = word(options, "largest {}: {}", number(most.value), most.place(run, options)),
+                .panels = {panel},
+                .width = options.width};
+  set_apart(figure);
+  return figure;
 }
 
 Figure forces_figure(const RunResults& run, const FigureOptions& options) {
@@ -257,6 +295,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
     figure.panels.push_back(std::move(panel));
   }
   if (figure.panels.empty()) throw NoFigure("nothing moves without contact, so that there are no ratios");
+  set_apart(figure);
   return figure;
 }
 
@@ -301,6 +340,7 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
   }
   if (figure.panels.empty()) throw NoFigure("no building shown has storeys");
   if (figure.panels.size() == 1) figure.columns = 1;
+  set_apart(figure);
   return figure;
 }
 

@@ -112,7 +112,7 @@ Figure hinges_figure(const RunResults& run, const FigureOptions& options) {
   const bool is_broad = shown.size() > 1;
   Figure figure{.title = "Hinges by how far they turned, numbered in the order in which they formed",
                 .columns = is_broad ? 2 : 1,
-                .width = options.width * (is_broad ? page_over_column : 1),
+                .width = is_broad ? broad(options.width) : options.width,
                 .shared_legend = true};
   const double room = figure.width / figure.columns - 0.7;  // of a frame [cm]
   const Scene scene = scene_of(run.problem, run.response);

@@ -129,12 +129,18 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   };
   const Impact& impact = run.response.impacts.at(run.figures.close_up->impact);
   const std::optional<double> restitution = impact.restitution();
-  std::string obtained = word(options, "{} % of the work lost", number(std::round(1e3 * loss_in(course)) / 10));
-  if (restitution) obtained = word(options, "speeds e = {}", fmt::format("{:.3f}", *restitution)) + ", " + obtained;
+  const std::string lost = word(options, "{} % of the work lost", number(std::round(1e3 * loss_in(course)) / 10));
+  std::string found = lost;  // the speeds are not of the contact alone, which the picture shows
+  if (restitution) {
+    found +=
+        "; " + word(options,
+                    "speed of parting over that of closing, which the buildings' own stiffness changes too, e = {}",
+                    fmt::format("{:.3f}", *restitution));
+  }
   Curve closing = part(0, deepest + 1, {.label = word(options, "closing")});
-  Curve parting = part(
-      deepest, course.end,
-      {.label = word(options, "parting") + ": " + obtained, .tone = Tone::grey, .line = Line::dashed, .width = 1.3});
+  Curve parting =
+      part(deepest, course.end,
+           {.label = word(options, "parting") + ": " + lost, .tone = Tone::grey, .line = Line::dashed, .width = 1.3});
   if (!impact.open_ended) {  // what is left comes back without force
     parting.x.push_back(0);
     parting.y.push_back(0);
@@ -147,7 +153,7 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   return {.title = title(run, course, options),
           .finding = word(options, "peak {} at a penetration of {}", shown_value(run, impact.peak_force, "F"),
                           shown_value(run, impact.peak_penetration, "L")) +
-                     "; " + obtained,
+                     "; " + found,
           .panels = {panel},
           .width = options.width};
 }

@@ -92,7 +92,7 @@ Figure bearing_loop_figure(const RunResults& run, const FigureOptions& options) 
 Figure soil_loop_figure(const RunResults& run, const FigureOptions& options) {
   Figure figure{.title = "Force and moment of the springs and dashpots under foundations over sway and rocking",
                 .columns = 2,
-                .width = options.width * page_over_column};
+                .width = broad(options.width)};
   const bool exact = !run.response.course.foundation.empty();
   const std::vector<Eigen::MatrixXd>& all = exact ? run.response.course.foundation : run.response.histories.foundation;
   for (const Eigen::Index b : shown_buildings(run, options)) {

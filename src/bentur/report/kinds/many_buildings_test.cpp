@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -17,6 +18,7 @@
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/story_text.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/plan_run.h"
 
@@ -106,6 +108,80 @@ TEST(ManyBuildings, StatementsSayHowBadTheirGapIsAmongAll) {
   for (const Statement& one : pair.statements) EXPECT_FALSE(one.rank);
 }
 
+/// The bars are of the gaps that the verdict's table puts first, whichever way of the motion they fall short in.
+TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
+  RunResults run = row();
+  const std::vector<std::size_t> before = worst_first(judged_gaps(run));
+  for (PointSummary& point : run.response.points) {
+    const bool is_last =
+        run.problem.points[&point - run.response.points.data()].gap == static_cast<Eigen::Index>(before.back());
+    if (is_last) point.gap_needed_reversed = 10;  // the least becomes the worst
+  }
+  std::vector<std::size_t> order = worst_first(judged_gaps(run));
+  ASSERT_EQ(order.front(), before.back());
+  order.resize(5);
+  std::sort(order.begin(), order.end(), std::greater<>());
+  std::vector<std::string> expected;
+  for (const std::size_t gap : order) expected.push_back(gap_name(run.problem, static_cast<Eigen::Index>(gap)));
+  FigureOptions options;
+  options.width = page_width;
+  std::vector<std::string> named = make_figure(run, "overview", options).panels.back().y.names;
+  for (std::string& name : named) name = name.substr(0, name.find(':'));  // ": not known"
+  EXPECT_EQ(named, expected);
+}
+
+/// A gap that is wide enough for what it needs, and too small since it closes all the same, says so in the table.
+TEST(ManyBuildings, AGapThatIsNotShortSaysWhyItIsTooSmall) {
+  RunResults run = row();
+  for (PointSummary& point : run.response.points) point.gap_needed_reversed = point.gap_needed = 0.01;
+  const Story story = run_story(run);
+  const auto table =
+      std::find_if(story.tables.begin(), story.tables.end(), [](const StoryTable& one) { return one.kind == "row"; });
+  const auto column = [&](const char* label) {
+    return *std::find_if(table->columns.begin(), table->columns.end(),
+                         [&](const StoryColumn& one) { return one.label == label; });
+  };
+  const StoryColumn impacts = column("column.impacts"), lacks = column("column.short_by");
+  int closed = 0;
+  for (std::size_t i = 0; i < impacts.texts.size(); ++i) {
+    if (impacts.texts[i] == "0") continue;
+    ++closed;
+    EXPECT_EQ(lacks.texts[i], "row.collides");
+  }
+  EXPECT_GT(closed, 0);
+}
+
+/// The verdict begins with how many gaps are too small, how often they close, and the hardest impact of all.
+TEST(ManyBuildings, TheVerdictBeginsWithTheHardestImpact) {
+  const std::vector<Statement> all = run_story(row()).statements;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [](const Statement& one) { return one.severity == Severity::warning; });
+  ASSERT_NE(found, all.end());
+  const Statement& first = *found;
+  ASSERT_EQ(first.kind, "row_pounding");
+  const auto value = [&](const char* name) {
+    return std::find_if(first.values.begin(), first.values.end(), [&](const StoryValue& v) { return v.name == name; })
+        ->value;
+  };
+  EXPECT_EQ(std::get<long>(value("times")), std::ssize(row().response.impacts));
+  double hardest = 0;
+  std::set<Eigen::Index> closed;
+  for (std::size_t p = 0; p < row().problem.points.size(); ++p) {
+    const PointSummary& point = row().response.points[p];
+    hardest = std::max(hardest, point.peak_force);
+    if (point.impacts > 0) closed.insert(row().problem.points[p].gap);
+  }
+  EXPECT_EQ(std::get<double>(value("force")), hardest);
+  EXPECT_EQ(std::get<long>(value("closed")), std::ssize(closed));
+  const Eigen::Index left = first.buildings.front();
+  EXPECT_EQ(std::get<std::string>(value("left")), row().problem.buildings[left].name);
+  const SaidStatement said_first = said({first}, Words("en")).front();
+  EXPECT_EQ(said_first.badge, "Pounding");
+  // What names both buildings needs no name of their gap before it.
+  EXPECT_EQ(of_gap("House 1 and House 2 collide", "House 1 | House 2"), "House 1 and House 2 collide");
+  EXPECT_EQ(of_gap("They need 1 m", "House 1 | House 2", "1 | 2"), "1 | 2: They need 1 m");
+}
+
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
   const std::vector<Eigen::Index> shown = shown_buildings(row(), {});
   EXPECT_LE(shown.size(), 8U);
@@ -125,8 +201,9 @@ TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
     }
   }
   double drawn = 0;
-  for (const Curve& curve : make_figure(row(), kind).panels.front().curves) {
-    for (const double x : curve.x) drawn = std::max(drawn, x);
+  for (const Panel& panel : make_figure(row(), kind).panels) {
+    EXPECT_EQ(panel.curves.size(), 1U) << "more than can be followed in one frame";
+    for (const double x : panel.curves.front().x) drawn = std::max(drawn, x);
   }
   EXPECT_EQ(drawn, largest);
   FigureOptions options;

@@ -1,9 +1,14 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
@@ -58,21 +63,13 @@ struct GapBar {
   Tone tone = Tone::grey;
 };
 
-/// Where it falls short the most.
-struct GapBars {
-  Eigen::Index gap = 0;
-  double lacking = 0;          ///< [length]
-  std::vector<GapBar> bars{};  ///< given, needed, and, where that is known of some gap, needed the other way round
-};
-
-GapBars bars_of(const GapFacts& facts, Eigen::Index gap) {
+/// Where it falls short the most: given, needed, and, where that is known of some gap, needed the other way round.
+std::vector<GapBar> bars_of(const GapFacts& facts) {
   const GoverningNeed found = governing_need(facts).value_or(GoverningNeed{});
   const auto needed = [](const char* name, const GoverningNeed::OneWay& one) {
     return GapBar{name, one.needed.value_or(NAN), one.is_short ? Tone::red : Tone::black};
   };
-  return {gap,
-          found.given.needed.value_or(0) - found.at.width,
-          {{"given", found.at.width}, needed("needed", found.given), needed("reversed", found.reversed)}};
+  return {{"given", found.at.width}, needed("needed", found.given), needed("reversed", found.reversed)};
 }
 
 /// From 0 on, `thick` in places of the axis of names; nothing of what is not known.
@@ -86,7 +83,7 @@ void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
 
 /// Each bar by its name and value, the given gap uppermost.
 void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& options) {
-  const std::vector<GapBar> bars = bars_of(judged_gaps(run).front().facts, 0).bars;
+  const std::vector<GapBar> bars = bars_of(judged_gaps(run).front().facts);
   for (std::size_t k = 0; k < bars.size(); ++k) {
     const GapBar& one = bars[bars.size() - 1 - k];
     const std::string value =
@@ -97,32 +94,30 @@ void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& optio
   panel.height = 1.8;
 }
 
-/// Gaps by the names of their buildings, the leftmost uppermost; of many those that lack most.
+/// Gaps by the names of their buildings, the leftmost uppermost; of many those that the verdict names first.
 void add_gaps(Panel& panel, const RunResults& run, const FigureOptions& options) {
   constexpr std::size_t most = 5;
-  std::vector<GapBars> gaps;
-  for (const JudgedGap& one : judged_gaps(run)) gaps.push_back(bars_of(one.facts, std::ssize(gaps)));
-  const std::size_t all = gaps.size();
-  std::stable_sort(gaps.begin(), gaps.end(), [](const GapBars& a, const GapBars& b) { return a.lacking > b.lacking; });
-  gaps.resize(std::min(all, most));
-  std::sort(gaps.begin(), gaps.end(), [](const GapBars& a, const GapBars& b) { return a.gap > b.gap; });
-  std::string told;  // what of the three is known of some gap
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto known = [&](const GapBars& gap) { return !std::isnan(gap.bars[k].value); };
-    if (std::any_of(gaps.begin(), gaps.end(), known)) told += (k > 0 ? ", " : "") + word(options, gaps[0].bars[k].name);
-  }
-  panel.title = word(options, "from above: {}", told);
-  if (all > most) panel.title += "; " + word(options, "the tightest of {} gaps", std::to_string(all));
+  const std::vector<JudgedGap> judged = judged_gaps(run);
+  std::vector<std::size_t> gaps = worst_first(judged);
+  gaps.resize(std::min(judged.size(), most));
+  std::sort(gaps.begin(), gaps.end(), std::greater<>());
+  std::vector<std::string> told;  // what of the three is known of some gap
   for (std::size_t place = 0; place < gaps.size(); ++place) {
-    const auto& [gap, lacking, bars] = gaps[place];
+    const std::vector<GapBar> bars = bars_of(judged[gaps[place]].facts);
     const std::string unknown = std::isnan(bars[1].value) ? ": " + word(options, "not known") : "";
     constexpr double longest = 1.5;  // of a name [cm]
-    const auto name = [&](Eigen::Index b) { return cut_to(run.problem.buildings[b].name, longest); };
-    panel.y.names.push_back(name(gap) + " | " + name(gap + 1) + unknown);
+    const auto name = [&](std::size_t b) { return cut_to(run.problem.buildings[b].name, longest); };
+    panel.y.names.push_back(name(gaps[place]) + " | " + name(gaps[place] + 1) + unknown);
+    told.resize(bars.size());
     for (std::size_t k = 0; k < bars.size(); ++k) {
       add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
+      if (!std::isnan(bars[k].value)) told[k] = word(options, bars[k].name);
     }
   }
+  std::erase(told, "");
+  panel.title = word(options, "from above: {}", fmt::format("{}", fmt::join(told, ", ")));
+  if (judged.size() > most)
+    panel.title += "; " + word(options, "the tightest of {} gaps", std::to_string(judged.size()));
   panel.height = 0.3 + 0.6 * static_cast<double>(gaps.size());
 }
 
@@ -163,7 +158,7 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   figure.panels.push_back(gap_panel(run, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
-    figure.panels.front().height = 8.5;
+    figure.panels.front().height = 6.5;
     figure.panels[1].height = figure.panels[2].height = std::max(figure.panels[1].height, figure.panels[2].height);
   } else if (is_wide) {
     constexpr double height = 7, frames = 12.5;  // about [cm]

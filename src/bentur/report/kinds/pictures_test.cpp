@@ -187,8 +187,9 @@ TEST(Pictures, TheLoopOfAnImpactIsClosed) {
   whole.y.insert(whole.y.end(), parting.y.begin(), parting.y.end());
   const double factor = run.view().shown.force;
   EXPECT_NEAR(area_of(whole), factor * impact.energy_lost, 0.01 * factor * impact.energy_lost);
-  EXPECT_NE(parting.label.find("speeds e = "), std::string::npos);
   EXPECT_NE(parting.label.find("% of the work lost"), std::string::npos);
+  EXPECT_EQ(parting.label.find("e = "), std::string::npos) << "speeds are those of buildings that go on pushing";
+  EXPECT_NE(figure.finding.find("e = "), std::string::npos);
 }
 
 TEST(Pictures, AJumpOfTheForceIsUpright) {

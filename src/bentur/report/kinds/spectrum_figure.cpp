@@ -113,7 +113,7 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
   Figure figure{.title = fmt::format("Response spectra of the motion of floors, damping ratio {}, S_a in g",
                                      number(spectra.damping)),
                 .columns = static_cast<int>(columns),
-                .width = options.width * (is_broad ? page_over_column : 1),
+                .width = is_broad ? broad(options.width) : options.width,
                 .shared_legend = true};
   const double gravity = standard_gravity(run.c.units.length);
   double most = 0, most_ratio = 0;

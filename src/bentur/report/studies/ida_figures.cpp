@@ -191,7 +191,7 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
                                               : 1,
                 .width = options.width,
                 .shared_legend = true};
-  if (cases.size() > 1) figure.width *= page_over_column;
+  if (cases.size() > 1) figure.width = broad(figure.width);
   double largest_force = 0;
   for (const std::vector<std::size_t>& one : cases) {
     Panel panel = ida_panel(sweep, options, ida, sweep.combinations(one, ida.record));

@@ -64,7 +64,7 @@ class SweepDrawing {
       panel.x.label = "";
       panel.x.numbers = panel.x.names.empty();  // names stand below the last panel alone
     }
-    if (takes_a_page(figure)) figure.width *= page_over_column;
+    if (takes_a_page(figure)) figure.width = broad(figure.width);
     figure.shared_legend = figure.panels.size() > 1 && same_legends(figure);
     share_range(figure);
     if (most_ && least_) {

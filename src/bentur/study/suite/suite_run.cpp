@@ -85,22 +85,22 @@ double needed_both_ways(const RunResults& row) {
 constexpr std::string_view told_in_tables[] = {"impacts",          "peak_force", "gap_needed",
                                                "peak_drift_ratio", "ductility",  "column_demand_capacity"};
 
-/// Whether floors meet under a record where no contact is modelled, so that its impacts and forces say nothing.
+/// Whether floors meet under a record where no contact is modelled, so that its impacts and forces are not known.
 bool is_not_modelled(const SuiteRecordRun& one) {
   return std::any_of(one.statements.begin(), one.statements.end(),
                      [](const Statement& said) { return said.kind == "unmodelled"; });
 }
 
-/// Counts as such; in place of what is not modelled that; and of such records no mean, and no less than the largest.
+/// Counts as such; of records whose contact is not modelled that word, no mean, and no less than the largest of others.
 void tell_in_words(const SuiteRun& run, bool are_counts, StoryColumn& column) {
   const std::size_t count = run.records.size();
   const bool lacks = std::any_of(run.records.begin(), run.records.end(), is_not_modelled);
   if (!are_counts && !lacks) return;
   for (std::size_t i = 0; i < column.numbers.size(); ++i) {
     const double value = column.numbers[i];
-    if (i < count && is_not_modelled(run.records[i]) && value == 0) {
+    if (std::isnan(value) && i < count && is_not_modelled(run.records[i])) {
       column.texts.emplace_back("story.not_modelled");
-    } else if (std::isnan(value) || (i == count && lacks)) {
+    } else if (std::isnan(value) || (i == count && lacks) || (i > count && lacks && value == 0)) {
       column.texts.emplace_back("–");
     } else {
       const bool is_whole = are_counts && i != count;
@@ -180,6 +180,32 @@ std::vector<Statement> told_of(const SuiteRun& run, Eigen::Index gap, const Suit
                            gap);
 }
 
+/// What many records say of a gap, without what sentences of its own have said already, and what a table says as well.
+void say_once(std::vector<Statement>& statements) {
+  const auto is_said = [&](const std::optional<Eigen::Index>& gap, std::string_view kind) {
+    return std::any_of(statements.begin(), statements.end(),
+                       [&](const Statement& one) { return one.gap == gap && one.kind.starts_with(kind); });
+  };
+  constexpr std::string_view rows[] = {"storey_yields", "links", "amplified", "acceleration_ratio"};
+  for (Statement& one : statements) {
+    if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
+    if (one.kind == "gaps_over_records") one.shown = Shown::table;
+    if (one.kind == "records_short" && is_said(one.gap, "records_too_small")) one.shown = Shown::table;
+    if (one.kind != "records_too_small") continue;
+    const auto has_sentence = [&](const std::vector<StoryValue>& item) {
+      return std::any_of(item.begin(), item.end(), [&](const StoryValue& value) {
+        const auto* const why = std::get_if<std::string>(&value.value);
+        if (value.name != "why" || why == nullptr) return false;
+        return (*why == "reason.unmodelled" && is_said(one.gap, "unmodelled")) ||
+               ((*why == "reason.contact" || *why == "reason.contact_impulse") && is_said(one.gap, "pounding"));
+      });
+    };
+    std::vector<std::vector<StoryValue>> left = one.items;
+    std::erase_if(left, has_sentence);
+    if (!left.empty()) one.items = std::move(left);
+  }
+}
+
 /// How the only gap is judged under each record.
 StoryColumn verdicts_of(const SuiteRun& run) {
   StoryColumn column{.label = "gap.given_is", .are_words = true};
@@ -212,6 +238,10 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
   }
   result.statements = run_story(run).statements;
   result.judged = told_judgements(run);
+  for (std::size_t i = 0; is_not_modelled(result) && i < parts.size(); ++i) {
+    const std::string_view key = parts[i].quantity->key;
+    if (key == "impacts" || key == "peak_force") result.values[i] = NAN;
+  }
 }
 
 }  // namespace
@@ -350,6 +380,7 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   put(std::move(of_gaps.statements));
   Story scaled = bentur::suite_story(suite, run.c.units);
   put(std::move(scaled.statements));
+  if (are_many) say_once(told.statements);
   sort_by_severity(told.statements);
   StoryColumn name{.label = "column.record", .are_words = true};
   for (std::size_t i = 0; i < run.records.size(); ++i) name.texts.push_back(suite.records[i].name());

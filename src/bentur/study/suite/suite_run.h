@@ -23,7 +23,7 @@ struct SuiteQuantity {
 struct SuiteRecordRun {
   Status status = Status::done;
   std::string message = {};                ///< why it failed
-  std::vector<double> values;              ///< one per quantity; NaN: there is none. A gap needed is that of both ways
+  std::vector<double> values;              ///< one per quantity; NaN: not known. A gap needed is that of both ways
   std::vector<Statement> statements = {};  ///< run_story() of it
   std::vector<ToldJudgement> judged = {};  ///< per gap
 };

@@ -54,6 +54,8 @@ constexpr RemarkKind kinds[] = {
     {"check_energy", "", none, as_round_off},
     {"slow_starts", "", none, 0},
     {"merged_corners", "", none, 0},
+    {"drift_alone", "%", none, 1},
+    {"base_shear_alone", "", none, 0.4},
 };
 
 std::size_t number_of(std::string_view key) {

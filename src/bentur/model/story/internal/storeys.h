@@ -15,8 +15,8 @@ struct Storeys {
   std::string name;  ///< of the building, or of the plane of it
   Eigen::VectorXd drift, drift_alone;
   const BuildingPeaks::Yielding *yielding, *yielding_alone;
-  const BuildingPeaks* frame;  ///< whose hinges and columns they have
-  double base_shear = 0;       ///< of the whole building, with contact or without; 0 of a plane [force]
+  const BuildingPeaks* frame;                   ///< whose hinges and columns they have
+  double base_shear = 0, base_shear_alone = 0;  ///< of the whole building; 0 of a plane [force]
 };
 [[nodiscard]] std::vector<Storeys> storeys_of(const Problem& problem, const Response& response, Eigen::Index building);
 [[nodiscard]] std::vector<Storeys> storeys_of(const PlanProblem& problem, const PlanResponse& response,

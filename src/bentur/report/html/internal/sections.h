@@ -100,9 +100,8 @@ struct AppliedRecord {
 
 // What the sections share.
 
-/// A statement of the verdict as paragraphs: its badge where that is not `badge`, the one before, and its text, behind
-/// the name of its gap unless that is empty.
-[[nodiscard]] Html paragraphs(const SaidStatement& statement, std::string& badge, const std::string& gap);
+/// A statement of the verdict as paragraphs: its badge where that is not `badge`, the one before, and its text.
+[[nodiscard]] Html paragraphs(const SaidStatement& statement, std::string& badge);
 /// What a verdict shows of a gap.
 struct VerdictGap {
   std::string name, in_short;       ///< the latter before sentences

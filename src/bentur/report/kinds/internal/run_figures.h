@@ -92,7 +92,9 @@ template <class... Values>
 [[nodiscard]] Figure frame_axial_figure(const RunResults& run, const FigureOptions& options);
 
 /// Of widths: figures with more panels take a page's.
-constexpr double page_over_column = page_width / column_width;
+/// Of a figure with more beside one another than a column has room for: a page for a column [cm]. What is as wide as a
+/// page stays, so that its letters stay as large as they are asked for.
+constexpr double broad(double width) { return width >= page_width ? width : width * page_width / column_width; }
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
 /// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.

@@ -138,7 +138,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
   const bool two = has_two_windows(place, options);
   Figure figure{.title = "Displacements of the centres of mass relative to the bases and rotations, " + place.title,
                 .columns = two ? 2 : 1,
-                .width = two ? options.width * page_over_column : options.width,
+                .width = two ? broad(options.width) : options.width,
                 .shared_legend = true};
   const std::string& length = run.c.units.length;
   const PlanHistories& histories = course_of(run);
@@ -296,7 +296,7 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
   const std::string& length = run.c.units.length;
   Figure figure{.title = "Orbits of the edges at both ends of the stretch, seen from above",
                 .columns = 2,
-                .width = options.width * page_over_column};
+                .width = broad(options.width)};
   PlanPoint reach = PlanPoint::Zero();
   reach[gap.stretch.across] = 1.05 * gap.stretch.width;
   for (const int side : {0, 1}) {

@@ -24,7 +24,7 @@ Panel loop_panel(const Eigen::MatrixXd& all, Index along, Index force, double fa
 Figure bearing_loop_figure(const PlanRun& run, const FigureOptions& options) {
   Figure figure{.title = "Force of bearings over their displacement, without dashpots",
                 .columns = 2,
-                .width = options.width * page_over_column};
+                .width = broad(options.width)};
   for (Index b = 0; b < std::ssize(run.response.histories.bearing); ++b) {
     const Eigen::MatrixXd& all = run.response.histories.bearing[b];
     if (all.rows() == 0) continue;
@@ -60,7 +60,7 @@ Figure soil_loop_figure(const PlanRun& run, const FigureOptions& options) {
   constexpr double round_off = 1e-9;
   Figure figure{.title = "Force and moment of the springs and dashpots under foundations over how these move",
                 .columns = 2,
-                .width = options.width * page_over_column};
+                .width = broad(options.width)};
   constexpr std::array<const char*, 5> moves = {"Sway along x", "Sway along y", "Rocking along x [rad]",
                                                 "Rocking along y [rad]", "Twist [rad]"};
   constexpr std::array<const char*, 5> forces = {"Force of the soil V", "Force of the soil V", "Moment of the soil M",
