@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "bentur/study/design/distribution.h"
 
@@ -210,6 +212,27 @@ TEST(RiskReport, WithoutEventsNothingIsBelowWhatIsBeyondTheLevels) {
   EXPECT_FALSE(report.cases[0].is_lognormal());
   EXPECT_NEAR(report.cases[0].told().rate, 1e-4, 1e-12);  // λ of the highest level, 1 g
   EXPECT_NEAR(report.cases[0].told().beyond, 1e-4, 1e-12);
+}
+
+TEST(RiskReport, SaysHowWellTheCurveDescribesTheRuns) {
+  const RiskRequest asked = request();
+  const RiskReport report = reported(results(10), asked);
+  const CaseRisk& risk = report.cases.at(0);
+  // By hand: the largest distance of the shares at the levels from the lognormal.
+  double largest = 0;
+  for (const IntensityCount& one : risk.fragility.counts) {
+    const double share = static_cast<double>(one.events) / static_cast<double>(one.runs);
+    const Fragility& fit = risk.fragility.fit;
+    const double p = normal_probability(std::log(one.intensity / fit.median) / fit.dispersion);
+    largest = std::max(largest, std::abs(share - p));
+  }
+  const auto json = nlohmann::json::parse(risk_json(report, asked, "0"));
+  EXPECT_NEAR(json.at("cases")[0].at("distance").get<double>(), largest, 1e-12);
+  int told = 0;
+  for (const Statement& one : risk_story(report, asked).statements) {
+    for (const StoryValue& value : one.values) told += value.name == "distance" ? 1 : 0;
+  }
+  EXPECT_EQ(told, 1);
 }
 
 TEST(RiskReport, OfACloudItIsTheFittedCurveAndBesideItTheSharesThatRise) {
