@@ -23,7 +23,7 @@ struct FragilityArguments {
   std::string file;
   FragilityRequest request;
   std::optional<double> at;
-  std::string method = "likelihood";
+  std::string method = fragility_methods().front();
   bool json = false;
 };
 
@@ -121,8 +121,8 @@ std::string beyond(const CaseFragility& one, const std::string& unit) {
     lowest = std::min(lowest, count.intensity);
     highest = std::max(highest, count.intensity);
   }
-  return fmt::format("θ is extrapolated, levels were analysed from {} to {}", with_unit_of(lowest, unit),
-                     with_unit_of(highest, unit));
+  return fmt::format("θ is extrapolated, {} were analysed from {} to {}", one.is_unscaled ? "intensities" : "levels",
+                     with_unit_of(lowest, unit), with_unit_of(highest, unit));
 }
 
 /// That θ and β do not describe what they were found from.
@@ -278,21 +278,27 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
   const std::string quantity = shown(results.quantity_units);
   const std::size_t records = results.table.records / results.table.together;
   std::string title = results.title.empty() ? "" : results.title + "\n";
-  title += fmt::format("Event: {}{}. {} record{}{}, {} levels of {}{}\n", request.event,
-                       quantity.empty() ? "" : " " + quantity, records, records == 1 ? "" : "s",
-                       results.table.together > 1 ? " as given and reversed" : "", results.table.levels.size(),
-                       results.intensity, unit.empty() ? "" : " [" + unit + "]");
+  const std::string both = results.table.together > 1 ? " as given and reversed" : "";
+  title += fmt::format("Event: {}{}. {} record{}{}, ", request.event, quantity.empty() ? "" : " " + quantity, records,
+                       records == 1 ? "" : "s", both);
+  title +=
+      results.table.is_cloud() ? "not scaled, by their " : fmt::format("{} levels of ", results.table.levels.size());
+  title += results.intensity + (unit.empty() ? "" : " [" + unit + "]") + "\n";
   std::string result = title + "\n" + curves_text(report, unit, request.method == FragilityMethod::cloud);
   if (!report.gaps.empty()) result += gaps_text(report, request, unit);
   const bool bounds = std::any_of(report.fragilities.begin(), report.fragilities.end(),
                                   [](const CaseFragility& one) { return one.bounds.has_value(); });
-  result += fmt::format(
-      "\nP(event | x) = Φ(ln(x/θ)/β), {}. KS: the largest distance of the curve from the part of the "
-      "runs with the event at a level.",
-      request.method == FragilityMethod::likelihood ? "by maximum likelihood"
-      : request.method == FragilityMethod::cloud
-          ? "by a cloud of the runs that stand; where some collapse, P = P_C + (1 − P_C) Φ, KS of that"
-          : "by the stripes' lognormal demands and collapses");
+  const bool is_cloud = request.method == FragilityMethod::cloud;
+  result += fmt::format("\nP(event | x) = Φ(ln(x/θ)/β), {}. ",
+                        request.method == FragilityMethod::likelihood ? "by maximum likelihood"
+                        : is_cloud ? "by a cloud of the runs that stand; where some collapse, P = P_C + (1 − P_C) Φ" +
+                                         std::string(results.table.is_cloud() ? "" : ", KS of that")
+                                   : "by the stripes' lognormal demands and collapses");
+  result += !results.table.is_cloud()
+                ? "KS: the largest distance of the curve from the part of the runs with the event "
+                  "at a level."
+            : is_cloud ? "KS: the largest distance of what is left of ln d from a normal distribution."
+                       : "No KS: each record has an intensity of its own, at which one run is no share.";
   if (bounds) {
     result += fmt::format(" From, to: {} % bounds from {} resamples of whole records.",
                           number(100 * request.bootstrap.confidence), request.bootstrap.resamples);
@@ -303,9 +309,7 @@ std::string text(const FragilityReport& report, const FragilityRequest& request)
 void run(const FragilityArguments& arguments) {
   FragilityRequest request = arguments.request;
   request.at = arguments.at;
-  request.method = arguments.method == "cloud"     ? FragilityMethod::cloud
-                   : arguments.method == "stripes" ? FragilityMethod::stripes
-                                                   : FragilityMethod::likelihood;
+  request.method = fragility_method(arguments.method);
   for (const double p : request.probabilities) {
     if (!(p > 0 && p < 1)) throw Failure(exit_bad_input, fmt::format("bentur: --probability {}: must be in (0, 1)", p));
   }
@@ -339,7 +343,7 @@ void add_fragility_command(CLI::App& app) {
   command
       ->add_option("--method", arguments->method,
                    "of θ and β: likelihood (default), cloud or stripes (of demands, events that exceed a number)")
-      ->check(CLI::IsMember({"likelihood", "cloud", "stripes"}));
+      ->check(CLI::IsMember(fragility_methods()));
   CLI::Option* at =
       command->add_option("--at", arguments->at, "intensity for the gaps, in the unit of the levels")->check(finite());
   CLI::Option* probability =

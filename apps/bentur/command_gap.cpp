@@ -100,6 +100,8 @@ std::string study_text(const GapStudy& study, const Story& story, const Words& s
     text += say("cli.scaled_records",
                 {{"value", number(*study.at)}, {"unit", study.intensity_unit}, {"intensity", study.intensity}}) +
             "\n";
+  } else if (!study.intensity.empty()) {
+    text += say("cli.unscaled_records", {{"intensity", study.intensity}}) + "\n";
   }
   std::vector<std::string> names;
   for (const GapStudy::Between& gap : study.gaps) names.push_back(gap.name);
@@ -212,7 +214,7 @@ void add_gap_command(CLI::App& app) {
   command->add_option("FILE", arguments->file, "the case file (TOML), or a study: then over all of its records")
       ->required()
       ->check(not_empty());
-  command->add_option("--at", arguments->at, "for a study with [ida]: the intensity; default its highest level")
+  command->add_option("--at", arguments->at, "for a study with [ida] and levels: the intensity; default the highest")
       ->check(positive());
   command->add_flag("--rules", arguments->rules, "what rules of [code] ask from heights alone; nothing is computed");
   add_record(*command, arguments->record);

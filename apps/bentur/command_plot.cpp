@@ -26,6 +26,7 @@ namespace {
 struct PlotArguments {
   std::string results, kind, output, language = "en";
   std::vector<std::string> at;
+  std::string method = fragility_methods().front();
   FigureOptions options;
   double from = NAN, to = NAN, elevation = NAN;
   int gap = -1;
@@ -38,6 +39,7 @@ FigureOptions options_of(const PlotArguments& arguments) {
   FigureOptions options = arguments.options;
   options.say = figure_words(arguments.language);
   options.language = arguments.language;
+  options.method = fragility_method(arguments.method);
   options.from = given(arguments.from);
   options.to = given(arguments.to);
   options.elevation = given(arguments.elevation);
@@ -188,6 +190,8 @@ void add_plot_command(CLI::App& app) {
       ->type_name("NAME");
   command->add_option("--event", arguments->options.event,
                       "of a fragility: as in bentur fragility; default \"impacts > 0\"");
+  command->add_option("--method", arguments->method, "of a fragility: as in bentur fragility; default likelihood")
+      ->check(CLI::IsMember(fragility_methods()));
   command->add_option("--width", arguments->options.width, "of the figure [cm]; default 8.8, a journal's column")
       ->check(finite())
       ->check(CLI::Range(5.0, 60.0));

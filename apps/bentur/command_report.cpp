@@ -33,6 +33,8 @@ struct ReportArguments {
   std::string output;
   std::string language = "en";
   std::string hazard;
+  std::string event = pounding_event;
+  std::string method = fragility_methods().front();
   HazardOptions hazard_options;
   std::optional<int> record;
   bool force = false;
@@ -130,6 +132,11 @@ void run(const ReportArguments& arguments) {
     throw Failure(exit_bad_input,
                   error_words("--record is for a case with excitation.kind = \"suite\"", arguments.language));
   }
+  const bool asks = arguments.event != pounding_event || arguments.method != fragility_methods().front();
+  if (asks && !is_netcdf) {
+    throw Failure(exit_bad_input,
+                  error_words("--event and --method are for the results of bentur ida", arguments.language));
+  }
   Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   // Before the work, so that a place that cannot be written to costs none.
@@ -138,6 +145,8 @@ void run(const ReportArguments& arguments) {
   OutputFile output(arguments.output, ResultKind::report, {files, arguments.force});
   ReportOptions options{.language = arguments.language, .version = std::string(version())};
   options.hazard = read_site(arguments);
+  options.event = arguments.event;
+  options.method = fragility_method(arguments.method);
   const std::string page = is_folder   ? from_results(input, options)
                            : is_netcdf ? from_netcdf(input, options)
                                        : from_case(loaded, input.string(), options);
@@ -168,6 +177,12 @@ void add_report_command(CLI::App& app) {
       ->type_name("FILE");
   command->add_option("--site", arguments->hazard_options.site, "which of several sites of --hazard, from 1")
       ->check(CLI::Range(1L, 1000000000L));
+  command->add_option("--event", arguments->event,
+                      "of results of bentur ida: the fragility of this event too, as in bentur fragility");
+  command
+      ->add_option("--method", arguments->method,
+                   "of that fragility and the rates a year: likelihood (default), cloud or stripes")
+      ->check(CLI::IsMember(fragility_methods()));
   add_record(*command, arguments->record);
   add_force(*command, arguments->force);
   command->footer("Example: bentur report case.toml -o report.html");

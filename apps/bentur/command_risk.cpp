@@ -20,16 +20,14 @@ struct RiskArguments {
   std::string file, hazard;
   RiskRequest request;
   HazardOptions options;
-  std::string method = "likelihood";
+  std::string method = fragility_methods().front();
   std::string language = "en";
   bool json = false;
 };
 
 void run(const RiskArguments& arguments) {
   RiskRequest request = arguments.request;
-  request.method = arguments.method == "cloud"     ? FragilityMethod::cloud
-                   : arguments.method == "stripes" ? FragilityMethod::stripes
-                                                   : FragilityMethod::likelihood;
+  request.method = fragility_method(arguments.method);
   if (request.target && !(*request.target > 0 && *request.target < 1)) {
     throw Failure(exit_bad_input, fmt::format("bentur risk: --target {}: must be in (0, 1)", *request.target));
   }
@@ -72,7 +70,7 @@ void add_risk_command(CLI::App& app) {
   command->add_option("--event", request.event,
                       "a quantity of the results compared with a number in its unit there; default \"impacts > 0\"");
   command->add_option("--method", arguments->method, "of the fragility: likelihood (default), cloud or stripes")
-      ->check(CLI::IsMember({"likelihood", "cloud", "stripes"}));
+      ->check(CLI::IsMember(fragility_methods()));
   command->add_option("--years", request.years, "for which a probability is given; default 50")->check(finite());
   command->add_option("--target", request.target, "the gap for this probability of pounding in --years")
       ->check(finite());

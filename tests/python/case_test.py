@@ -2,6 +2,8 @@
 
 import concurrent.futures
 import ctypes
+import hashlib
+import math
 import multiprocessing
 import os
 import pickle
@@ -121,6 +123,36 @@ def test_replace():
         case.replace({"gap[x].contact": {"law": "linear", "stiffness": 1e8}})
     with pytest.raises(bentur.CaseError, match="gap.0..width = \"own\", must be a number"):
         case.replace({"gap[0].width": bentur.ForceLaw(force=hertz)})
+
+
+def test_replaced_cases_share_what_is_alike_and_see_what_has_changed(tmp_path):
+    """Records and buildings that stay are not read again: results are those of the case as a file all the same, with
+    the hash of the record, and a record that is written anew is read anew, at once or much later."""
+    def write(scale):
+        text = "".join(f"{scale * math.sin(0.2 * i):+.6f}\n" for i in range(400))
+        (tmp_path / "record.txt").write_text(text)
+        return hashlib.sha256(text.encode()).hexdigest()
+
+    hashes = [write(scale) for scale in (1, 2, 3, 4)]
+    write(1)
+    motion = bentur.Excitation(kind="record", file=str(tmp_path / "record.txt"), unit="m/s2", time_step=0.02)
+    case = pair(excitation=motion)
+
+    def told(width):
+        made = case.replace({"gap[0].width": width})
+        return made, bentur.run(made).summary["excitation"]
+
+    for scale in (2, 3):  # at once, and of one size
+        write(scale)
+        assert told(0.01)[1]["sha256"] == hashes[scale - 1]
+    time.sleep(2.5)
+    for width in (0.01, 0.02):
+        made, excitation = told(width)
+        assert excitation["sha256"] == hashes[2] and excitation["pga_read"] == pytest.approx(3, rel=1e-2)
+        again = bentur.Case.from_text(made.to_toml())
+        assert same(bentur.run(made), bentur.run(again))
+    write(4)
+    assert told(0.02)[1]["sha256"] == hashes[3]
 
 
 def test_a_component_is_named_and_what_the_heading_says_is_held_against_arguments(tmp_path):

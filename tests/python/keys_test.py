@@ -88,6 +88,7 @@ BEYOND = {
             distribution-negative distribution-uniform-negative files-alone-in-case files-bad-record
             files-empty-glob files-mixed-units files-no-folder files-not-there
             files-unit-contradicts ida-component-of-row ida-harmonic ida-period-too-short ida-record-of-zeros
+            ida-unscaled-of-zeros ida-unscaled-suite
             normalisation-file-not-there normalisation-file-short normalisation-of-zeros path-entry
             path-inside-another path-key-beside-others path-key-near path-malformed path-name-near path-not-a-list
             path-not-a-table path-table-near value-brings-about value-other-floors
@@ -99,6 +100,7 @@ BEYOND = {
             name-twice path-twice path-units polarity-twice value-twice""",
         "keys of several tables, or numbers of several keys": """
             distribution-bounds distribution-in-grid grid-too-large ida-levels-order ida-missing
+            ida-unscaled-normalised ida-unscaled-without-records
             ida-with-sampling range-backwards remedy-for-a-sweep remedy-without-range sweep-of-ida
             value-table-without-label vary-missing""",
     },

@@ -159,6 +159,18 @@ def test_the_page_of_the_analysis_says_it(folder, results, program):
     assert "How often a year" not in bare.read_text()
 
 
+@pytest.mark.parametrize("language, words", [("en", "Goodness of fit: KS"), ("id", "Kecocokan: KS")])
+def test_the_goodness_of_fit_is_said(results, folder, program, language, words):
+    found = bentur.risk(results, folder / "hazard.csv", "peak_force > 100", language=language)
+    curves = bentur.fragility(results, "peak_force > 100")["curves"]
+    assert [one["distance"] for one in found["cases"]] == [one["distance"] for one in curves]
+    assert any(words in line for line in found["verdict"])
+    told = subprocess.run([program, "risk", folder / "ida.nc", "--hazard", folder / "hazard.csv", "--event",
+                           "peak_force > 100", "--lang", language], capture_output=True, text=True).stdout
+    # Lines are wrapped.
+    assert words in " ".join(told.split())
+
+
 def test_the_figure(results):
     pytest.importorskip("matplotlib")
     import bentur.plot

@@ -149,6 +149,7 @@ def remedy_json(
     resume: bool,
     progress: Callable[[float], object] | None,
 ) -> str: ...
+def fragility_methods() -> list[str]: ...
 def fragility_json(
     results: Any,
     event: str,

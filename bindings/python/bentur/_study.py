@@ -300,7 +300,7 @@ def fragility(
     :param method: of θ and β: "likelihood", or of events that exceed a number above 0 "cloud" or "stripes".
     :raises ValueError: where the results do not have what is asked for.
     """
-    method = _arguments.one_of("method", method, ("likelihood", "cloud", "stripes"))
+    method = _arguments.one_of("method", method, _core.fragility_methods())
     wanted = _arguments.listed("probabilities", probabilities)
     if not hasattr(results, "data_vars"):
         raise TypeError(f"results is a {type(results).__name__}, must be an xarray.Dataset of bentur.ida")
@@ -378,7 +378,7 @@ def risk(
         resamples=_arguments.whole("resamples", resamples, 1, 10**6),
         confidence=_arguments.number("confidence", confidence),
         seed=_arguments.whole("seed", seed, 0, 2**64 - 1),
-        method=_arguments.one_of("method", method, ("likelihood", "cloud", "stripes")),
+        method=_arguments.one_of("method", method, _core.fragility_methods()),
         language=_arguments.text("language", language),
     )
     found: dict[str, Any] = json.loads(told)

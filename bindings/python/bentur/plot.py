@@ -250,7 +250,9 @@ def fragility(found: dict[str, Any] | xarray.Dataset, *, ax: Axes | None = None)
     if not isinstance(found, dict):
         found = curves_of(found)
     ax = _axes(ax)
-    levels = np.array(found["intensity"]["levels"])
+    # Of records that are not scaled each has an intensity of its own.
+    own = {count["intensity"] for curve in found["curves"] for count in curve["counts"]}
+    levels = np.array(found["intensity"]["levels"] or sorted(own))
     steps = np.diff(np.log(levels))
     is_log = len(levels) > 2 and np.ptp(steps) < 1e-6 * steps[0]
     x = np.geomspace(levels[0], levels[-1], 400) if is_log else np.linspace(levels[-1] / 400, levels[-1], 400)

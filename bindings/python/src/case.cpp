@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "bentur/core/errors.h"
+#include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/input_file.h"
@@ -24,11 +25,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What cases that are made of others by with_values() share.
+CaseMemo* shared_memo() {
+  static const std::shared_ptr<CaseMemo> memo = CaseMemo::of_files_that_change();
+  return memo.get();
+}
+
 std::shared_ptr<PyCase> read_unlocked(std::shared_ptr<const TomlValue> given, const std::string& name,
-                                      const fs::path& folder, std::optional<CaseSource> source, Diagnostics& found) {
+                                      const fs::path& folder, std::optional<CaseSource> source, CaseMemo* memo,
+                                      Diagnostics& found) {
   auto made = std::make_shared<PyCase>();
   const TomlView view(*given, "", name, found);
-  ReadCase parts = read_case_parts(view, folder, found);
+  ReadCase parts = read_case_parts(view, folder, found, memo);
   if (found.ok() && !parts.plan) {
     try {
       made->problem = is_without_motion(parts.c) ? make_still_problem(parts.c) : parts.problem();
@@ -47,13 +55,16 @@ std::shared_ptr<PyCase> read_unlocked(std::shared_ptr<const TomlValue> given, co
 }
 
 std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::path& folder,
-                             std::optional<CaseSource> source) {
+                             std::optional<CaseSource> source, CaseMemo* memo = nullptr) {
   Diagnostics found;
   std::shared_ptr<PyCase> made;
   {
+    // A law of Python's own must be taken and let go of with the lock.
+    const bool has_own = has_own_law(root);
     std::optional<py::gil_scoped_release> unlocked;
-    if (!has_own_law(root)) unlocked.emplace();
-    made = read_unlocked(std::make_shared<const TomlValue>(std::move(root)), name, folder, std::move(source), found);
+    if (!has_own) unlocked.emplace();
+    made = read_unlocked(std::make_shared<const TomlValue>(std::move(root)), name, folder, std::move(source),
+                         has_own ? nullptr : memo, found);
   }
   if (!found.ok()) raise_case_error(found);
   return made;
@@ -90,7 +101,7 @@ std::shared_ptr<PyCase> with_values(const PyCase& given, const py::dict& values)
     put_value(root, *place, toml_of(value, text));
   }
   if (!found.ok()) raise_case_error(found);
-  return read(std::move(root), given.name, given.folder, std::nullopt);
+  return read(std::move(root), given.name, given.folder, std::nullopt, shared_memo());
 }
 
 /// The case of one record of its suite, from 1. Its values stay those of the whole case.

@@ -15,12 +15,6 @@ namespace py = pybind11;
 namespace bentur::python {
 namespace {
 
-FragilityMethod method_of(const std::string& method) {
-  return method == "cloud"     ? FragilityMethod::cloud
-         : method == "stripes" ? FragilityMethod::stripes
-                               : FragilityMethod::likelihood;
-}
-
 /// An xarray.Dataset of results, read as a file is. The lock must be held.
 class DatasetSource final : public ResultSource {
  public:
@@ -76,7 +70,7 @@ std::string fragility(const py::object& dataset, const std::string& event, int r
                       std::uint64_t seed, const std::optional<double>& at, const std::vector<double>& probabilities,
                       const std::string& along, const std::string& method) {
   const FragilityRequest request{.event = event,
-                                 .method = method_of(method),
+                                 .method = fragility_method(method),
                                  .bootstrap = {.resamples = resamples, .confidence = confidence, .seed = seed},
                                  .at = at,
                                  .probabilities = probabilities,
@@ -102,7 +96,7 @@ py::tuple risk(const py::object& dataset, const std::string& hazard, bool is_tex
                const std::string& method, const std::string& language) {
   const HazardOptions options{.site = site, .unit = unit};
   const RiskRequest request{.event = event,
-                            .method = method_of(method),
+                            .method = fragility_method(method),
                             .bootstrap = {.resamples = resamples, .confidence = confidence, .seed = seed},
                             .years = years,
                             .target = target};
@@ -131,6 +125,7 @@ py::tuple risk(const py::object& dataset, const std::string& hazard, bool is_tex
 }  // namespace
 
 void bind_fragility(py::module_& module) {
+  module.def("fragility_methods", &fragility_methods);
   module.def("fragility_json", &fragility, py::arg("results"), py::arg("event"), py::arg("resamples"),
              py::arg("confidence"), py::arg("seed"), py::arg("at"), py::arg("probabilities"), py::arg("along"),
              py::arg("method"));

@@ -114,11 +114,40 @@ TEST(IdaRuns, SpectralAccelerationIsReached) {
   for (const RunResult& result : all(runs)) {
     const std::vector<Choice> choices = runs.choices(result.run);
     const double factor = record_factor(runs.facts().intensities, runs.facts().intensities.place(choices),
-                                        runs.study().ida->levels[choices[runs.study().ida->axis].level]);
+                                        runs.study().ida->levels[choices[runs.study().ida->axis.value()].level]);
     const ReadCase read = case_of(runs, result.run, factor);
     const auto& motion = std::get<SampledMotion>(read.c.excitation.motion);
     const double level = choices[1].level == 0 ? 0.3 : 3;  // [m/s²], the case's own unit
     EXPECT_NEAR(oscillator_peaks(motion, 0.2, 0.02).pseudo_acceleration, level, 1e-12 * level);
+  }
+}
+
+TEST(IdaRuns, ACloudTakesRecordsAsTheirFilesHaveThem) {
+  const StudyRuns cloud = runs_of("[ida]\nintensity = 'pga'\nunit = 'g'\nlevels = 'unscaled'\n" + records + two_widths);
+  EXPECT_EQ(cloud.study().axes, (std::vector<std::string>{"record", "width"}));
+  const std::vector<double>& intensities = cloud.facts().intensities.values;
+  ASSERT_EQ(intensities.size(), 2U);
+  // Run by run and to the last bit what a sweep over the same records gives; the case scales nothing.
+  const StudyRuns sweep = runs_of(records + two_widths);
+  const std::vector<RunResult> a = all(cloud), b = all(sweep);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(a[i].status, RunStatus::done) << a[i].message;
+    ASSERT_EQ(a[i].run, b[i].run);
+    const double peak = intensities[cloud.choices(a[i].run)[0].level];
+    EXPECT_NEAR(value_of(cloud, a[i], "peak_ground_acceleration"), peak * 9.80665, 1e-14);
+    EXPECT_EQ(std::memcmp(a[i].values.data(), b[i].values.data(), a[i].values.size() * sizeof(double)), 0) << i;
+  }
+}
+
+TEST(IdaRuns, ACloudLeavesOutWhatTheCaseScalesItsRecordBy) {
+  const std::string scaled =
+      "[[vary]]\nparameter = 'excitation'\nname = 'record'\nlabels = ['a', 'b']\n"
+      "values = [{ kind = 'record', file = '../bad_input/good.AT2', pga = 77 }, "
+      "{ kind = 'record', file = '../bad_input/good.AT2', scale = 3 }]\n";
+  const StudyRuns cloud = runs_of("[ida]\nintensity = 'pga'\nlevels = 'unscaled'\n" + scaled);
+  for (const RunResult& result : all(cloud)) {
+    EXPECT_NEAR(value_of(cloud, result, "peak_ground_acceleration"), 0.06 * 9.80665, 1e-14);
   }
 }
 

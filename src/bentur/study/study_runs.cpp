@@ -111,8 +111,9 @@ std::vector<Choice> StudyRuns::choices(std::size_t run) const {
 TomlValue StudyRuns::root_of(std::size_t run) const {
   const std::vector<Choice> chosen = choices(run);
   TomlValue root = chosen_case(study_, chosen);
-  if (const auto& ida = study_.ida)
-    put_intensity(facts_.intensities, chosen, ida->levels[chosen[ida->axis].level], root);
+  if (const auto& ida = study_.ida; ida && ida->axis) {
+    put_intensity(facts_.intensities, chosen, ida->levels[chosen[*ida->axis].level], root);
+  }
   return root;
 }
 
@@ -158,8 +159,8 @@ Free StudyRuns::free_response_of(std::size_t run, const AnyProblem& problem, con
 }
 
 std::optional<std::size_t> StudyRuns::at_first_level(std::size_t run) const {
-  if (!study_.ida || !design_.is_grid()) return std::nullopt;
-  return design_.at_level(run, study_.ida->axis, 0);
+  if (!study_.ida || !study_.ida->axis || !design_.is_grid()) return std::nullopt;
+  return design_.at_level(run, *study_.ida->axis, 0);
 }
 
 /// Of those of its group the one that the group is made of, whichever comes first: at the first level of all inner

@@ -158,12 +158,15 @@ class StudyList {
     add(std::move(variable));
   }
 
-  /// The levels, and what they say of each record. Read again by read_ida_results().
+  /// The levels, and what they say of each record; of a cloud those of the records. Read again by read_ida_results().
   void intensities(const IdaSpec& ida) {
     const std::string units = intensity_units(ida, facts_.units);
     const std::string name = intensity_name(ida);
-    const ResultDimension& level = file_.runs[ida.axis];
-    ResultVariable intensity{"intensity", {level}, units, name, {}, ida.levels};
+    const RecordIntensities& records = facts_.intensities;
+    std::vector<ResultDimension> along;
+    for (const std::size_t axis : records.axes) along.push_back(file_.runs[axis]);
+    const std::vector<ResultDimension> levels = ida.axis ? std::vector<ResultDimension>{file_.runs[*ida.axis]} : along;
+    ResultVariable intensity{"intensity", levels, units, name, {}, ida.axis ? ida.levels : records.values};
     intensity.attributes = {{"measure", ida.spectral ? "sa" : "pga"},
                             {"study_unit", ida.unit.empty() ? facts_.units.length + "/s2" : ida.unit}};
     if (ida.spectral) {
@@ -171,17 +174,19 @@ class StudyList {
       intensity.attributes.push_back({"damping", ida.damping});
     }
     add(std::move(intensity));
-    const RecordIntensities& records = facts_.intensities;
-    std::vector<ResultDimension> along;
-    for (const std::size_t axis : records.axes) along.push_back(file_.runs[axis]);
     add({"record_intensity", along, units, name + " of the record as its file has it", {}, records.values});
-    along.push_back(level);
+    coordinates_ += " record_intensity";
+    if (!ida.axis) {
+      coordinates_ += " intensity";
+      return;
+    }
+    along.push_back(levels.front());
     std::vector<double> factors;
     for (std::size_t place = 0; place < records.values.size(); ++place) {
       for (const double one : ida.levels) factors.push_back(record_factor(records, place, one));
     }
     add({"scale_factor", along, "1", "what the record is multiplied by", {}, factors});
-    coordinates_ += " record_intensity scale_factor";
+    coordinates_ += " scale_factor";
   }
 
   void values_of(const RowPart& part) {

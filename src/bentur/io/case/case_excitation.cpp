@@ -129,7 +129,8 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
                                                 const std::filesystem::path& folder, RecordEcho& echo,
                                                 Diagnostics& diagnostics, CaseMemo* memo) {
   const auto source = view.exactly_one("record");
-  if (source == "values") return read_values(view, units, echo, memo == nullptr);
+  const bool is_identified = memo == nullptr || memo->has_identities();  // else many runs, whose study keeps the hashes
+  if (source == "values") return read_values(view, units, echo, is_identified);
   const auto file = source ? view.find("file") : std::nullopt;
   const auto name = file ? file->as_text() : std::nullopt;
   RecordOptions options;
@@ -164,8 +165,8 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
   const auto unit = settle_unit(view, *record, *name, options.unit);
   echo = echo_of(*record, *name, unit.value_or(""));
   echo.path = (folder / *name).string();
-  if (memo == nullptr) {  // else many runs, whose study keeps the hashes
-    FileIdentity identity = identify(echo.path);
+  if (is_identified) {
+    FileIdentity identity = memo != nullptr ? memo->identity(echo.path) : identify(echo.path);
     echo.size = identity.size;
     echo.sha256 = std::move(identity.sha256);
   }

@@ -1,14 +1,17 @@
 #include "bentur/io/case/case_memo.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <cstdint>
+#include <ctime>
 #include <span>
 
 namespace bentur {
 namespace {
 
 constexpr std::size_t most_buildings = 128;
+constexpr std::size_t most_identities = 1024;
 constexpr std::size_t most_values = std::size_t{4} << 20;  // of records: 32 MiB
 
 void append_text(const std::string& text, std::string& key) {
@@ -69,7 +72,29 @@ std::string building_key(const TomlValue& table, const Units& units, std::span<c
   return key;
 }
 
+/// Appends what tells a file from what stands there later. @return whether any later change would show
+bool append_state(const std::string& file, std::string& key) {
+  struct stat state = {};
+  if (::stat(file.c_str(), &state) != 0) return false;
+  append_bytes(state.st_dev, key);
+  append_bytes(state.st_ino, key);
+  append_bytes(state.st_size, key);
+  append_bytes(state.st_mtim.tv_sec, key);
+  append_bytes(state.st_mtim.tv_nsec, key);
+  append_bytes(state.st_ctim.tv_sec, key);
+  append_bytes(state.st_ctim.tv_nsec, key);
+  constexpr std::time_t coarse = 1;  // [s], steps that a file system may count in
+  const std::time_t now = std::time(nullptr);
+  return state.st_ctim.tv_sec + coarse < now && state.st_mtim.tv_sec + coarse < now;
+}
+
 }  // namespace
+
+std::shared_ptr<CaseMemo> CaseMemo::of_files_that_change() {
+  auto memo = std::make_shared<CaseMemo>();
+  memo->files_change_ = true;
+  return memo;
+}
 
 std::shared_ptr<const ReadBuilding> CaseMemo::building(const TomlValue& table, const Units& units,
                                                        const std::vector<ReadBuilding>& before) const {
@@ -83,6 +108,7 @@ void CaseMemo::keep(const TomlView& root, const Units& units, const std::vector<
   const TomlView list = *root.find("building");
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     if (has_column_nodes(buildings[b].spec)) continue;  // what makes them stands in gaps, not in its table
+    if (files_change_ && !buildings[b].spec.shapes_path.empty()) continue;
     std::string key = building_key(list.item(b).value(), units, std::span(buildings).first(b));
     const std::lock_guard lock(mutex_);
     if (buildings_.find(key) != buildings_.end()) continue;
@@ -102,13 +128,14 @@ std::optional<StrongMotionRecord> CaseMemo::record(const std::filesystem::path& 
   append_bytes(options.skip_lines, key);
   append_text(options.component.value_or(""), key);
   append_text(options.unit, key);
+  const bool is_kept = !files_change_ || append_state(file.string(), key);
   {
     const std::lock_guard lock(mutex_);
     const auto found = records_.find(key);
     if (found != records_.end()) return *found->second;
   }
   std::optional<StrongMotionRecord> record = read_record(file, options, diagnostics);
-  if (!record) return record;
+  if (!record || !is_kept) return record;
   const std::lock_guard lock(mutex_);
   if (values_ + record->values.size() > most_values) {
     records_.clear();
@@ -118,6 +145,23 @@ std::optional<StrongMotionRecord> CaseMemo::record(const std::filesystem::path& 
     values_ += record->values.size();
   }
   return record;
+}
+
+FileIdentity CaseMemo::identity(const std::filesystem::path& file) {
+  std::string key;
+  append_text(file.string(), key);
+  const bool is_kept = append_state(file.string(), key);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = identities_.find(key);
+    if (found != identities_.end()) return found->second;
+  }
+  FileIdentity identity = identify(file);
+  if (!is_kept) return identity;
+  const std::lock_guard lock(mutex_);
+  if (identities_.size() >= most_identities) identities_.clear();
+  identities_.emplace(std::move(key), identity);
+  return identity;
 }
 
 }  // namespace bentur

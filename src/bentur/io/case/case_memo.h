@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/file_identity.h"
 #include "bentur/io/records/record_files.h"
 
 namespace bentur {
@@ -19,6 +20,12 @@ namespace bentur {
 /// once.
 class CaseMemo {
  public:
+  /// Of a study, whose files are those that stood there when it began, and which keeps their hashes itself.
+  CaseMemo() = default;
+  /// One that may outlive the files: what has changed since is read again, and of what has changed within the last
+  /// seconds, whose next change its time might not show, nothing is kept. Its cases know their files by their hashes.
+  [[nodiscard]] static std::shared_ptr<CaseMemo> of_files_that_change();
+
   /// The building made before of the same table, units and names of the buildings `before` it; null when there is none.
   [[nodiscard]] std::shared_ptr<const ReadBuilding> building(const TomlValue& table, const Units& units,
                                                              const std::vector<ReadBuilding>& before) const;
@@ -29,10 +36,16 @@ class CaseMemo {
   [[nodiscard]] std::optional<StrongMotionRecord> record(const std::filesystem::path& file,
                                                          const RecordOptions& options, Diagnostics& diagnostics);
 
+  [[nodiscard]] bool has_identities() const { return files_change_; }
+  /// As identify(), of files that change.
+  [[nodiscard]] FileIdentity identity(const std::filesystem::path& file);
+
  private:
+  bool files_change_ = false;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const ReadBuilding>> buildings_;
   std::map<std::string, std::shared_ptr<const StrongMotionRecord>> records_;
+  std::map<std::string, FileIdentity> identities_;
   std::size_t values_ = 0;  // of all records
 };
 

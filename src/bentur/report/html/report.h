@@ -6,6 +6,7 @@
 
 #include "bentur/model/run_results.h"
 #include "bentur/report/words.h"
+#include "bentur/study/fragility/ida_results.h"
 #include "bentur/study/risk/hazard.h"
 #include "bentur/study/sensitivity/sensitivity.h"
 
@@ -17,6 +18,9 @@ struct ReportOptions {
   /// Of a run: sensitivity_of_report(); the report then says how peaks change.
   std::optional<Sensitivity> sensitivity = {};
   std::optional<HazardCurve> hazard = {};  ///< of the site: an incremental dynamic analysis then tells how often a year
+  /// Of an incremental dynamic analysis: an event whose fragility is shown too, and by what it is found.
+  std::string event = pounding_event;
+  FragilityMethod method = FragilityMethod::likelihood;
 };
 
 /// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so

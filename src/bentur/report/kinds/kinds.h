@@ -20,10 +20,11 @@ struct FigureOptions {
   std::optional<double> from, to;   ///< of histories and energies [s]
   std::optional<std::size_t> gap;   ///< counted from 0; default: the one with the hardest impact
   std::optional<double> elevation;  ///< of the contact point [length]; default: that of the hardest impact
-  std::vector<std::pair<std::string, std::string>> at;  ///< of a sweep: name and value of what stays fixed
-  std::string against;                                  ///< of a sweep: what stands along the x axis
-  std::string event = pounding_event;                   ///< of a fragility: EventRule
-  double width = column_width;                          ///< [cm]
+  std::vector<std::pair<std::string, std::string>> at;   ///< of a sweep: name and value of what stays fixed
+  std::string against;                                   ///< of a sweep: what stands along the x axis
+  std::string event = pounding_event;                    ///< of a fragility: EventRule
+  FragilityMethod method = FragilityMethod::likelihood;  ///< of a fragility: what finds it
+  double width = column_width;                           ///< [cm]
   FigureWords say = {};
   std::string language = "en";  ///< of sentences, as report_languages() has them
   /// Of frames in plan, which stand as buildings do: the number of the building that each is of, whose colour it has.

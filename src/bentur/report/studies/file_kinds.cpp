@@ -46,7 +46,13 @@ std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
   if (results.find("status") == nullptr) refuse(results);
   std::vector<FigureKind> kinds;
   if (is_ida(results)) {
-    kinds.push_back({"ida", "peak contact force of every record at growing intensity, with fractiles"});
+    if (is_cloud(results)) {
+      if (is_in(results, {"gap-needed", "gap_needed", ""})) {
+        kinds.push_back({"cloud", "gap needed of every record against its intensity, with the line of the cloud"});
+      }
+    } else {
+      kinds.push_back({"ida", "peak contact force of every record at growing intensity, with fractiles"});
+    }
     kinds.push_back({"fragility", "probability of pounding against intensity, with bounds"});
     if (some_collapse(results)) {
       kinds.push_back({"collapse", "probability of collapse against intensity, with bounds"});
@@ -67,8 +73,10 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
       figure.title = figure_title(options.language, "figure.sweep." + kind, std::move(figure.title));
       return figure;
     };
-    if (is_ida(results) && kind == "ida") return titled(ida_figure(sweep, options));
+    if (is_ida(results) && !is_cloud(results) && kind == "ida") return titled(ida_figure(sweep, options));
+    if (is_cloud(results) && kind == "cloud") return titled(cloud_figure(sweep, options));
     if (is_ida(results) && kind == "fragility") return titled(fragility_figure(sweep, options));
+    if (is_ida(results) && kind == "event") return titled(fragility_figure(sweep, options));
     if (is_ida(results) && kind == "collapse") {
       FigureOptions of_collapse = options;
       of_collapse.event = collapse_event;

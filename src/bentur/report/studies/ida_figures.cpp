@@ -8,8 +8,7 @@
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/studies/sweep_data.h"
-#include "bentur/study/fragility/ida_fragility.h"
-#include "bentur/study/fragility/ida_results.h"
+#include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {
@@ -19,7 +18,8 @@ constexpr std::size_t most_cases = 6;
 
 /// An incremental dynamic analysis: levels of intensity, records, and what else varies.
 struct Analysis {
-  std::size_t level = 0;                      ///< number of the dimension of intensities
+  std::size_t level = 0;  ///< number of the dimension of intensities; of a cloud, which has none, that of dimensions
+  SweepDimension levels;  ///< the intensities
   std::vector<std::size_t> record, others;    ///< numbers of dimensions that are records, and that are neither
   std::vector<std::vector<std::size_t>> all;  ///< one place for each record, levels and others as chosen
 };
@@ -28,7 +28,8 @@ Tone pale_of(Tone tone) { return tone == Tone::teal ? Tone::pale_blue : Tone::pa
 
 Analysis analysis(const SweepData& sweep) {
   Analysis found;
-  found.level = sweep.index("intensity");
+  found.level = is_cloud(sweep.results()) ? sweep.dimensions().size() : sweep.index("intensity");
+  found.levels = sweep.intensities();
   for (std::size_t d = 0; d < sweep.dimensions().size(); ++d) {
     if (d == found.level) continue;
     (sweep.dimensions()[d].is_of_records ? found.record : found.others).push_back(d);
@@ -91,6 +92,15 @@ std::string event_text(const std::string& event, const std::string& unit) {
   return text + number(rule.threshold) + (unit.empty() || unit == "–" ? "" : " " + unit);
 }
 
+/// "peak_force > 500" as "Peak force".
+std::string quantity_text(const std::string& event) {
+  std::string error;
+  std::string text = parse_event(event, error).value().quantity;
+  std::replace(text.begin(), text.end(), '_', ' ');
+  if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
 /// "0.4 g".
 std::string intensity_text(const SweepDimension& levels, double intensity) {
   return number(intensity) + (levels.unit.empty() || levels.unit == "–" ? "" : " " + levels.unit);
@@ -105,6 +115,10 @@ Axis intensity_axis(const SweepDimension& levels) {
 bool is_ida(const NetcdfReader& results) {
   return results.find("status") != nullptr && results.find("intensity") != nullptr &&
          results.find("record_intensity") != nullptr;
+}
+
+bool is_cloud(const NetcdfReader& results) {
+  return is_ida(results) && results.at("intensity").dimensions == results.at("record_intensity").dimensions;
 }
 
 namespace {
@@ -125,7 +139,7 @@ std::string records_text(const SweepData& sweep, const FigureOptions& options, c
 /// One record a line, and the fractiles of all where there are enough, for one case.
 Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Analysis& ida,
                 const std::vector<std::vector<std::size_t>>& places) {
-  const SweepDimension& levels = sweep.dimensions()[ida.level];
+  const SweepDimension& levels = ida.levels;
   const std::string quantity = "peak_force";
   const std::string unit = sweep.unit(quantity);
   Panel panel{.x = {.label = with_unit(word(options, "Peak contact force F"), unit), .from = 0},
@@ -202,7 +216,7 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
     if (panel.note.empty() && median != panel.curves.end() && !median->x.empty()) {
       figure.finding += (figure.finding.empty() ? "" : "; ") + (panel.title.empty() ? "" : panel.title + ": ") +
                         word(options, "median {} at {}", number(median->x.back()) + " " + sweep.unit("peak_force"),
-                             intensity_text(sweep.dimensions()[ida.level], median->y.back()));
+                             intensity_text(ida.levels, median->y.back()));
     } else if (!panel.note.empty()) {
       figure.finding += (figure.finding.empty() ? "" : "; ") + panel.note;
     }
@@ -222,6 +236,63 @@ Figure ida_figure(const SweepData& sweep, const FigureOptions& options) {
   for (Panel& panel : figure.panels) {  // all by one scale, so that they can be compared
     if (panel.note.empty() && cases.size() > 1 && largest_force > 0) panel.x.to = 1.04 * largest_force;
   }
+  return figure;
+}
+
+Figure cloud_figure(const SweepData& sweep, const FigureOptions& options) {
+  const Analysis cloud = analysis(sweep);
+  const bool is_asked = options.event != pounding_event && options.event != collapse_event;
+  const IdaResults results = event_results(sweep, is_asked ? options.event : gap_needed_event);
+  const OutcomeTable& table = results.table;
+  auto cases = sweep.combinations(sweep.chosen(options.at), cloud.others);
+  thin_out(cases);
+  const std::string unit = unit_text(results.quantity_units);
+  Panel panel{.x = {.label = cloud.levels.label, .logarithmic = true},
+              .y = {.label = with_unit(is_asked ? quantity_text(options.event) : word(options, "Gap needed"), unit),
+                    .logarithmic = true},
+              .height = 5.5};
+  Figure figure{.title = "Cloud: demand of every record against its intensity", .width = options.width};
+  std::vector<std::vector<double>> shown;
+  for (const std::vector<std::size_t>& one : cases) {
+    const std::size_t first = case_number(sweep, cloud, one) * table.records;
+    Curve runs{.label = case_name(sweep, cloud, one), .complete = true};
+    std::vector<RunDemand> demands;
+    for (std::size_t record = 0; record < table.records; ++record) {
+      const std::size_t run = first + record;
+      const bool is_there = table.outcomes[run] != Outcome::failed && table.demands[run] > 0;
+      if (!is_there || table.collapsed[run] != 0) continue;
+      runs.x.push_back(table.own[record]);
+      runs.y.push_back(table.demands[run]);
+      demands.push_back({table.own[record], table.demands[run]});
+    }
+    // What does not depend on what varies, as the gap needed on the gap given, is drawn once.
+    if (runs.x.empty() || std::find(shown.begin(), shown.end(), runs.y) != shown.end()) continue;
+    shown.push_back(runs.y);
+    tell_apart(runs, shown.size() - 1);
+    runs.line = Line::none;
+    runs.mark = Mark::disc;
+    if (const auto fit = fit_cloud(demands)) {
+      const auto [least, most] = std::minmax_element(runs.x.begin(), runs.x.end());
+      for (const double sigmas : {-1.0, 0.0, 1.0}) {
+        Curve line{.label = sigmas == 0  ? word(options, "line of the cloud")
+                            : sigmas > 0 ? "± σ"
+                                         : "",
+                   .x = {*least, *most},
+                   .tone = runs.tone,
+                   .line = sigmas == 0 ? Line::solid : Line::dashed};
+        for (const double x : line.x) line.y.push_back(std::exp(fit->a + fit->b * std::log(x) + sigmas * fit->sigma));
+        if (shown.size() > 1) line.label.clear();
+        panel.curves.push_back(std::move(line));
+      }
+      figure.finding +=
+          (figure.finding.empty() ? "" : "; ") + word(options, "grows with intensity to the {}, dispersion {}, R² {}",
+                                                      number(fit->b), number(fit->sigma), number(fit->determination));
+    }
+    panel.curves.push_back(std::move(runs));
+  }
+  if (shown.empty()) throw NoFigure("no run has a demand above 0");
+  if (shown.size() == 1) panel.curves.back().label = word(options, "each record");
+  figure.panels = {std::move(panel)};
   return figure;
 }
 
@@ -253,8 +324,9 @@ std::string why_unfitted(const SweepDimension& levels, const Fragility& fit, con
 
 Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const Analysis ida = analysis(sweep);
-  const SweepDimension& levels = sweep.dimensions()[ida.level];
+  const SweepDimension& levels = ida.levels;
   const IdaResults results = event_results(sweep, options.event);
+  if (const std::string fault = method_fault(results, options.method); !fault.empty()) throw NoFigure(fault);
   auto cases = sweep.combinations(sweep.chosen(options.at), ida.others);
   if (options.choose) thin_out(cases);
   if (cases.size() > most_cases) {
@@ -281,7 +353,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     Curve observed;
     tell_apart(observed, c);
     observed.line = Line::none;
-    const CaseFragility fragility = fit_case(results.table, case_number(sweep, ida, cases[c]), {});
+    const CaseFragility fragility = fit_case(results.table, case_number(sweep, ida, cases[c]), {}, options.method);
     for (const IntensityCount& count : fragility.counts) {
       if (count.runs == 0) continue;
       observed.x.push_back(count.intensity);

@@ -229,5 +229,58 @@ TEST(IdaFigure, ListsItsKinds) {
   EXPECT_EQ(kinds[2].name, "peak-force");
 }
 
+/// Records that are not scaled, each needing 0.2 m per g to the power 1.5, times or over e^0.1 in turn.
+std::filesystem::path write_cloud(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "cloud.nc";
+  NetcdfWriter file(path.string());
+  const ResultDimension record{"record", 6}, width{"width", widths}, gap{"gap", 1};
+  const std::vector<double> intensities = {0.9, 0.3, 0.1, 0.1, 0.3, 0.9};
+  file.add({"record", {record}, "", "excitation.file", {}, std::vector<std::string>{"a", "b", "c", "d", "e", "f"}});
+  file.add({"width", {width}, "m", "gap[0].width", {}, std::vector{0.1, 0.2}});
+  for (const std::string name : {"intensity", "record_intensity"}) {
+    file.add({name, {record}, "gravity", "peak ground acceleration", {}, intensities});
+  }
+  std::vector<double> needs, impacts;
+  for (std::size_t r = 0; r < intensities.size(); ++r) {
+    for (int w = 0; w < widths; ++w) {
+      needs.push_back(0.2 * std::pow(intensities[r], 1.5) * std::exp(r < 3 ? 0.1 : -0.1));
+      impacts.push_back(needs.back() > 0.1 * (w + 1) ? 1 : 0);
+    }
+  }
+  file.add({"gap_needed", {record, width, gap}, "m", "gap needed", {}, needs});
+  file.add({"impacts", {record, width, gap}, "1", "impacts", {}, impacts});
+  file.add({"status", {record, width}, "", "how the run ended", {}, std::vector<signed char>(needs.size())});
+  file.finish();
+  return path;
+}
+
+TEST(CloudFigure, ShowsEachRecordOnceAndTheLineOfAll) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_cloud(folder.path()));
+  const std::vector<FigureKind> kinds = figure_kinds(results);
+  EXPECT_EQ(kinds[0].name, "cloud");
+  EXPECT_EQ(kinds[1].name, "fragility");
+  EXPECT_TRUE(std::none_of(kinds.begin(), kinds.end(), [](const FigureKind& kind) { return kind.name == "ida"; }));
+  EXPECT_THROW((void)make_figure(results, "ida"), NoFigure);
+  const Figure figure = make_figure(results, "cloud");
+  const Panel& panel = figure.panels.at(0);
+  EXPECT_TRUE(panel.x.logarithmic && panel.y.logarithmic);
+  ASSERT_EQ(panel.curves.size(), 4U);  // a line between two, and the records, alike at both widths
+  const Curve& records = labelled(figure, "each record");
+  EXPECT_EQ(records.line, Line::none);
+  EXPECT_EQ(records.x, (std::vector<double>{0.9, 0.3, 0.1, 0.1, 0.3, 0.9}));
+  const Curve& line = labelled(figure, "line of the cloud");
+  ASSERT_EQ(line.x, (std::vector<double>{0.1, 0.9}));
+  EXPECT_NEAR(line.y[1], 0.2 * std::pow(0.9, 1.5), 1e-12);
+  EXPECT_NEAR(labelled(figure, "± σ").y[0], line.y[0] * std::exp(std::sqrt(6 * 0.01 / 4)), 1e-12);
+  FigureOptions options;
+  options.event = "gap_needed > 0.05";
+  options.method = FragilityMethod::cloud;
+  const Figure fragility = make_figure(results, "fragility", options);
+  EXPECT_NE(fragility.finding.find("median intensity 0.3969 g"), std::string::npos) << fragility.finding;  // 0.25^(2/3)
+  options.method = FragilityMethod::stripes;
+  EXPECT_THROW((void)make_figure(results, "fragility", options), NoFigure);
+}
+
 }  // namespace
 }  // namespace bentur

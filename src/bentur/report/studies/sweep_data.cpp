@@ -102,6 +102,14 @@ SweepDimension SweepData::coordinate(const StoredVariable& variable) const {
   return one;
 }
 
+SweepDimension SweepData::intensities() const {
+  const StoredVariable* const variable = results_.find("intensity");
+  if (variable == nullptr) throw NoFigure(results_.name() + ": has no intensities");
+  SweepDimension one = coordinate(*variable);
+  one.size = one.numbers.size();
+  return one;
+}
+
 SweepData::SweepData(const NetcdfReader& results, FigureWords say) : results_(results), say_(std::move(say)) {
   const StoredVariable& status = results.at("status");
   const StoredVariable* of_records = results.find("record_intensity");

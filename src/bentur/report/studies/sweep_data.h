@@ -65,6 +65,8 @@ class SweepData {
   /// The values chosen with `at`; size() of the dimension where it is left free.
   /// @throws NoFigure when a name or value is not there.
   [[nodiscard]] std::vector<std::size_t> chosen(const std::vector<std::pair<std::string, std::string>>& at) const;
+  /// The levels of intensity; of a cloud the intensities of its records. @throws NoFigure where there are none.
+  [[nodiscard]] SweepDimension intensities() const;
   /// The coordinates of samples.
   [[nodiscard]] std::vector<SweepDimension> sample_coordinates() const;
 
@@ -104,5 +106,9 @@ struct SweepKind {
 /// Probability of pounding against intensity, observed and fitted, with 95 % bounds.
 [[nodiscard]] Figure fragility_figure(const SweepData& sweep, const FigureOptions& options);
 [[nodiscard]] bool is_ida(const NetcdfReader& results);
+/// Whether records are not scaled, each with an intensity of its own.
+[[nodiscard]] bool is_cloud(const NetcdfReader& results);
+/// Of a cloud the gap needed, or the quantity of another event, of every record against its intensity, and the line.
+[[nodiscard]] Figure cloud_figure(const SweepData& sweep, const FigureOptions& options);
 
 }  // namespace bentur

@@ -216,7 +216,7 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
 /// gap width varies.
 Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, const Words& say) {
   constexpr std::size_t most_levels = 6;
-  const std::vector<double>& levels = report.results.table.levels;
+  const std::vector<double> levels = report.results.table.intensities();
   html::HtmlTable table;
   std::vector<std::size_t> cases;
   std::vector<double> intensities;
@@ -260,8 +260,41 @@ Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, con
   return table.markup();
 }
 
+/// Whether the fragility of something else than pounding is asked for, or by something else than likelihood.
+bool asks_more(const ReportOptions& options) {
+  return options.event != pounding_event || options.method != FragilityMethod::likelihood;
+}
+
+/// The event that was asked for, by the method asked for, and of a cloud what its line is.
+Html asked_fragility(const SweepData& sweep, const ReportOptions& options, const Words& say) {
+  std::string error;
+  const auto rule = parse_event(options.event, error);
+  if (!rule) throw std::runtime_error(fmt::format("--event \"{}\" {}", options.event, error));
+  const FragilityRequest request{.event = options.event, .method = options.method};
+  const auto report = fragility_report(read_ida_results(sweep.results(), *rule), request, error);
+  if (!report) throw std::runtime_error(error);
+  Html content = element(
+      "h3", say("ida.of_event", {{"event", options.event}, {"method", say("ida.method." + name_of(options.method))}}));
+  content += fragility_table(*report, sweep, say).markup();
+  std::vector<std::string> lines;  // several cases may have one: what is needed does not depend on the gap given
+  for (const CaseFragility& one : report->fragilities) {
+    if (!one.cloud) continue;
+    std::string line = say("ida.cloud", {{"a", number(one.cloud->a)},
+                                         {"b", number(one.cloud->b)},
+                                         {"sigma", number(one.cloud->sigma)},
+                                         {"determination", number(one.cloud->determination)},
+                                         {"distance", number(one.cloud->distance)},
+                                         {"runs", std::to_string(one.cloud->runs)}});
+    if (one.fit.collapse)
+      line += " " + say("ida.cloud_collapse", {{"collapsed", std::to_string(one.fit.collapse->collapsed)}});
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+  }
+  for (const std::string& line : lines) content += element("p", line);
+  return content;
+}
+
 /// What an incremental dynamic analysis answers: how likely pounding is, and the gap for a probability.
-html::PageSection ida_section(const SweepData& sweep, const Words& say) {
+html::PageSection ida_section(const SweepData& sweep, const ReportOptions& options, const Words& say) {
   std::string error;
   FragilityRequest request;
   const auto rule = parse_event(request.event, error);
@@ -270,13 +303,16 @@ html::PageSection ida_section(const SweepData& sweep, const Words& say) {
   if (!report) return {};
   const std::string unit = unit_text(results.units);
   const std::string records = std::to_string(results.table.records / results.table.together);
-  const std::size_t d = sweep.index("intensity");
-  Html content = element("p", say("ida.asked", {{"records", records},
-                                                {"levels", std::to_string(results.table.levels.size())},
-                                                {"intensity", sweep.dimensions()[d].short_name},
-                                                {"from", html::quantity(results.table.levels.front(), unit)},
-                                                {"to", html::quantity(results.table.levels.back(), unit)}}));
+  const std::vector<double> intensities = results.table.intensities();
+  if (intensities.empty()) return {};
+  Html content = element("p", say(results.table.is_cloud() ? "ida.asked_cloud" : "ida.asked",
+                                  {{"records", records},
+                                   {"levels", std::to_string(intensities.size())},
+                                   {"intensity", sweep.intensities().short_name},
+                                   {"from", html::quantity(intensities.front(), unit)},
+                                   {"to", html::quantity(intensities.back(), unit)}}));
   content += element("h3", say("ida.pounding")) + fragility_table(*report, sweep, say).markup();
+  if (asks_more(options)) content += asked_fragility(sweep, options, say);
   request.event = collapse_event;
   if (sweep.results().find("collapsed") != nullptr) {
     const auto collapse = parse_event(request.event, error);
@@ -291,13 +327,15 @@ html::PageSection ida_section(const SweepData& sweep, const Words& say) {
   if (!gaps.str().empty()) content += element("h3", say("ida.gaps")) + gaps;
   content +=
       element("p", say("ida.note", {{"resamples", std::to_string(request.bootstrap.resamples)}}), "class=\"note\"");
+  if (results.table.is_cloud()) content += element("p", say("ida.note_cloud"), "class=\"note\"");
   return {"probability", say("heading.probability"), content};
 }
 
 /// How often a year, by the hazard of the site.
-html::PageSection risk_section(const SweepData& sweep, const HazardCurve& hazard, const Words& say) {
+html::PageSection risk_section(const SweepData& sweep, const HazardCurve& hazard, const ReportOptions& options,
+                               const Words& say) {
   std::string error;
-  const RiskRequest request;
+  const RiskRequest request{.event = options.event, .method = options.method};
   const auto needed = sweep.results().find("gap_needed") != nullptr
                           ? std::optional(read_ida_results(sweep.results(), *parse_event(gap_needed_event, error)))
                           : std::nullopt;
@@ -305,7 +343,7 @@ html::PageSection risk_section(const SweepData& sweep, const HazardCurve& hazard
   for (const double target : {0.1, 0.02}) {
     RiskRequest asked = request;
     asked.target = target;
-    const auto report = risk_report(read_ida_results(sweep.results(), *parse_event(pounding_event, error)), needed,
+    const auto report = risk_report(read_ida_results(sweep.results(), *parse_event(request.event, error)), needed,
                                     hazard, asked, error);
     if (!report) throw std::runtime_error("--hazard " + error);
     for (const SaidStatement& one : said(risk_story(*report, asked).statements, say)) {
@@ -391,9 +429,17 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
   const SweepData sweep(results, figure_words(options.language));
   const std::string given = results.attribute("title");
   const std::string title = study_title(sweep, say);
+  std::vector<FigureKind> kinds = figure_kinds(results);
+  if (is_ida(results) && asks_more(options)) kinds.push_back({"event", "probability of the event asked for"});
   const std::vector<html::PageFigure> figures = html::page_figures(
-      figure_kinds(results),
-      [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(results, kind, drawn); },
+      kinds,
+      [&](const std::string& kind, FigureOptions drawn) {
+        if (kind == "event") {
+          drawn.event = options.event;
+          drawn.method = options.method;
+        }
+        return make_figure(results, kind, drawn);
+      },
       "figure.sweep.", options.language);
 
   html::PageBody body;
@@ -401,8 +447,8 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
   body.header = html::title_block(project, title, say("sweep.by", {{"version", options.version}}), say) +
                 element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
   body.sections = {verdict(sweep, say)};
-  if (is_ida(results)) body.sections.push_back(ida_section(sweep, say));
-  if (options.hazard && is_ida(results)) body.sections.push_back(risk_section(sweep, *options.hazard, say));
+  if (is_ida(results)) body.sections.push_back(ida_section(sweep, options, say));
+  if (options.hazard && is_ida(results)) body.sections.push_back(risk_section(sweep, *options.hazard, options, say));
   body.sections.insert(body.sections.end(),
                        {html::figures_section(say, figures),
                         varied(sweep, say),

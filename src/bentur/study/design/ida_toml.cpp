@@ -11,12 +11,18 @@
 namespace bentur {
 namespace {
 
+constexpr const char* unscaled = "unscaled";
+
 std::vector<double> read_levels(const TableView& view) {
   const auto form = view.exactly_one("levels");
   if (form == "from") return read_steps(view);
   if (!form) return {};
   view.refuse({"to", "count", "spacing"}, "goes with from");
   const TomlView list = *view.find("levels");
+  if (list.is(TomlValue::Kind::text)) {
+    (void)list.as_word({unscaled});
+    return {};
+  }
   std::vector<double> levels = view.numbers("levels");
   for (std::size_t i = 1; i < levels.size(); ++i) {
     if (!(levels[i] > levels[i - 1])) {
@@ -56,8 +62,21 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   }
   spec.unit = view->word("unit").value_or("");
   spec.levels = read_levels(*view);
+  const auto levels = view->find("levels");
+  spec.is_cloud = levels && levels->is(TomlValue::Kind::text);
   spec.polarity = view->word("polarity").value_or("");
   return spec;
+}
+
+void check_cloud(const TomlView& root, const Study& study) {
+  const TomlView levels = *root.find("ida")->find("levels");
+  if (study.suite) {
+    levels.error_value("takes records as their files have them, and the case has a suite, which scales them");
+  } else if (study.ida->normalised) {
+    levels.error_value("takes records as their files have them, and normalisation scales them");
+  } else if (record_axes(study, false).axes.empty()) {
+    levels.error_value("needs records, each with an intensity of its own: a [[vary]] of excitation.file");
+  }
 }
 
 void draw_with_records(const TomlView& root, Study& study) {

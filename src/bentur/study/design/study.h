@@ -55,18 +55,20 @@ struct Vary {
 /// Of a record with two components: what of their intensities is that of both.
 enum class IntensityOf : unsigned char { geometric_mean, larger, x, y };
 
-/// [ida] of a study: an incremental dynamic analysis, in which every record is scaled to each level of intensity.
+/// [ida] of a study: an incremental dynamic analysis, in which every record is scaled to each level of intensity; or a
+/// cloud, in which every record is applied as its file has it and has an intensity of its own.
 struct IdaSpec {
   bool spectral = false;                 ///< Sa(period, damping), oscillator_peaks(); else the peak ground acceleration
   double period = 0;                     ///< [s], of Sa
   double damping = 0.05;                 ///< ratio [-], of Sa
   std::string unit;                      ///< of the levels, as acceleration_units(); empty: the case's length/s²
-  std::vector<double> levels;            ///< [unit] > 0, ascending
+  bool is_cloud = false;                 ///< records are not scaled
+  std::vector<double> levels;            ///< [unit] > 0, ascending; of a cloud none
   std::optional<IntensityOf> component;  ///< nothing: the ground moves in one direction
   std::string polarity;                  ///< as-recorded reversed both; empty: as the case says
   bool normalised = false;  ///< records keep their proportions: the median intensity of the set is each level
-  std::size_t axis = 0;     ///< along which they are
-  SourcePosition position;  ///< of the table in the study
+  std::optional<std::size_t> axis = {};  ///< along which the levels are; of a cloud none
+  SourcePosition position;               ///< of the table in the study
 };
 
 /// [remedy] of a study: what is to become small by the choice of what has a range.

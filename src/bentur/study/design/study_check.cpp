@@ -188,7 +188,9 @@ class Trial {
     }
     const double intensity = both ? intensity_of_both(*component, intensities[0], intensities[1]) : intensities.front();
     if (!(intensity > 0)) {
-      diagnostics_.error(study_.ida->position, what + ": the record is zero throughout, no factor scales it");
+      diagnostics_.error(study_.ida->position,
+                         what + (study_.ida->is_cloud ? ": the record is zero throughout and has no intensity"
+                                                      : ": the record is zero throughout, no factor scales it"));
     }
     return intensity;
   }
@@ -399,7 +401,7 @@ std::vector<SweepAxis> design_axes(const Study& study, bool places) {
     axis.inner = axis.inner && (touches(vary.path, "gap", "width") || touches(vary.path, "gap", "contact") ||
                                 is_of_contact(vary.path) || (places && is_of_place(vary.path)));
   }
-  if (study.ida) axes[study.ida->axis] = {.levels = study.ida->levels.size(), .inner = false};
+  if (study.ida && study.ida->axis) axes[*study.ida->axis] = {.levels = study.ida->levels.size(), .inner = false};
   return axes;
 }
 

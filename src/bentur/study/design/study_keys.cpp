@@ -258,8 +258,12 @@ const KeyTable& ida_keys() {
          Key::choice("unit", {acceleration_units().begin(), acceleration_units().end()}, {"Unit", "Satuan"},
                      "of the levels")
              .optional("the case's length/s²"),
-         number_of("levels", Range::positive, {"Levels", "Tingkat"}, "ascending; or").list().one_of("levels"), both[0],
-         both[1], count_of_range(), spacing_key(),
+         number_of("levels", Range::positive, {"Levels", "Tingkat"},
+                   "ascending; or `\"unscaled\"`: a [cloud](#a-cloud-of-unscaled-records)")
+             .list()
+             .or_one_of({"unscaled"})
+             .one_of("levels"),
+         both[0], both[1], count_of_range(), spacing_key(),
          Key::choice("polarity", {"as-recorded", "reversed", "both"}, {"Polarity", "Polaritas"},
                      "every record as it is, reversed, or both")
              .optional("as the case says")}};

@@ -288,10 +288,11 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
     }
     if (found.ok()) settle_normalisation(root, study);
     if (records) vary_records_of_suite(std::move(*records), study, found);
+    if (study.ida && study.ida->is_cloud && found.ok()) check_cloud(root, study);
   }
   check_values(root, study_keys());
   if (study.ida && has_case && found.ok()) draw_with_records(root, study);
-  if (study.ida) {
+  if (study.ida && !study.ida->is_cloud) {
     study.ida->axis = study.axes.size();
     study.axes.emplace_back("intensity");
   }

@@ -65,7 +65,8 @@ class DemandReader {
     for (std::size_t i = 0; i < sizes_.size(); ++i) allowed_[i].assign(sizes_[i], true);
     for (const auto& [name, value] : request.only) choose(name, value);
     const StoredVariable* const intensity = file_.find("intensity");
-    if (intensity != nullptr && intensity->dimensions.size() == 1 && places_left(intensity->dimensions[0]) > 1) {
+    const bool has_levels = intensity != nullptr && intensity->dimensions == std::vector<std::string>{"intensity"};
+    if (has_levels && places_left(intensity->dimensions[0]) > 1) {
       file_.fail(fmt::format("has several levels of intensity, which are no sample: give --only intensity=X, one of {}",
                              fmt::join(file_.numbers("intensity"), ", ")));
     }

@@ -76,9 +76,13 @@ std::optional<NrmlResults> nrml_of(const std::vector<std::pair<std::string, IdaR
   model.period = first.period();
   made.damping = number_after(first.intensity, "damping ").value_or(5) / 100;
   const double in_g = acceleration_factor(first.study_unit, {.length = "m"}) / standard_gravity("m");
-  const auto [lowest, highest] = std::minmax_element(first.table.levels.begin(), first.table.levels.end());
-  model.lowest = *lowest * in_g;
-  model.highest = *highest * in_g;
+  const std::vector<double> intensities = first.table.intensities();
+  if (intensities.empty()) {
+    error = "has no record with an intensity";
+    return std::nullopt;
+  }
+  model.lowest = intensities.front() * in_g;
+  model.highest = intensities.back() * in_g;
   for (std::size_t c = 0; c < first.table.cases; ++c) {
     NrmlFunction function{.id = id};
     const std::vector<std::size_t> places = first.places(c);

@@ -1,13 +1,31 @@
 #include "bentur/study/fragility/demand_fits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/study/design/distribution.h"
 
 namespace bentur {
+namespace {
+
+/// The largest distance of the shares of values up to each of them from those of a normal distribution about 0.
+double distance_from_normal(std::vector<double> values, double sigma) {
+  std::sort(values.begin(), values.end());
+  const auto n = static_cast<double>(values.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double expected = normal_probability(values[i] / sigma);
+    const auto below = static_cast<double>(i);
+    largest = std::max({largest, expected - below / n, (below + 1) / n - expected});
+  }
+  return largest;
+}
+
+}  // namespace
 
 std::optional<CloudFit> fit_cloud(const std::vector<RunDemand>& demands) {
   double n = 0, x = 0, y = 0;
@@ -34,13 +52,15 @@ std::optional<CloudFit> fit_cloud(const std::vector<RunDemand>& demands) {
   if (!(xx > round_off * n)) return std::nullopt;
   CloudFit fit{.b = xy / xx, .runs = static_cast<long>(n)};
   fit.a = y - fit.b * x;
+  std::vector<double> residuals;
   double rest = 0;
   for (const RunDemand& one : demands) {
     if (!counts(one)) continue;
-    const double residual = std::log(one.value) - fit.a - fit.b * std::log(one.intensity);
-    rest += residual * residual;
+    residuals.push_back(std::log(one.value) - fit.a - fit.b * std::log(one.intensity));
+    rest += residuals.back() * residuals.back();
   }
   fit.sigma = rest > round_off * n ? std::sqrt(rest / (n - 2)) : 0;
+  if (fit.sigma > 0) fit.distance = distance_from_normal(std::move(residuals), fit.sigma);
   fit.determination = yy > 0 ? 1 - rest / yy : 1;
   return fit;
 }

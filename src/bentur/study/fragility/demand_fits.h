@@ -26,6 +26,7 @@ struct RunDemand {
 struct CloudFit {
   double a = 0, b = 0, sigma = 0;  ///< [-]
   double determination = 0;        ///< R², share of the variance of ln d that (1) explains [-]
+  double distance = 0;             ///< KS: the largest of the shares of ε/σ from the normal distribution [-]
   long runs = 0;                   ///< that stand and have a demand
 };
 /// Nothing from fewer than three runs with a demand > 0, or of one intensity alone.

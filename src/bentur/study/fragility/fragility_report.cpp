@@ -23,10 +23,6 @@ NLOHMANN_JSON_SERIALIZE_ENUM(GapForProbability::Kind, {{GapForProbability::Kind:
                                                        {GapForProbability::Kind::smallest, "smallest"},
                                                        {GapForProbability::Kind::beyond, "beyond"}})
 
-NLOHMANN_JSON_SERIALIZE_ENUM(FragilityMethod, {{FragilityMethod::likelihood, "likelihood"},
-                                               {FragilityMethod::cloud, "cloud"},
-                                               {FragilityMethod::stripes, "stripes"}})
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -72,10 +68,14 @@ std::vector<std::size_t> cases_along(const IdaResults& results, std::size_t axis
 std::optional<GapCoordinate> where_gaps_are(const IdaResults& results, const FragilityRequest& request,
                                             std::string& error) {
   const auto found = gap_coordinate(results, request.along, error);
-  const std::vector<double>& levels = results.table.levels;
+  const std::vector<double> levels = results.table.intensities();
+  if (found && levels.empty()) {
+    error = "has no record with an intensity";
+    return std::nullopt;
+  }
   if (found && !(*request.at >= levels.front() && *request.at <= levels.back())) {
-    error = fmt::format("--at {} must be from {} to {}, the levels of the analysis", *request.at, levels.front(),
-                        levels.back());
+    error = fmt::format("--at {} must be from {} to {}, the {}", *request.at, levels.front(), levels.back(),
+                        results.table.is_cloud() ? "intensities of the records" : "levels of the analysis");
     return std::nullopt;
   }
   return found;
@@ -155,6 +155,7 @@ Json curve_json(const IdaResults& results, std::size_t c, const CaseFragility& f
                      {"b", cloud->b},
                      {"sigma", cloud->sigma},
                      {"determination", cloud->determination},
+                     {"distance", cloud->distance},
                      {"runs", cloud->runs},
                      {"collapse", collapse_json(fragility)},
                      {"of_all", of_all_json(fragility)}};
@@ -211,16 +212,24 @@ bool find_gaps(FragilityReport& report, const FragilityRequest& request, std::st
   return true;
 }
 
+std::string method_fault(const IdaResults& results, FragilityMethod method) {
+  if (method != FragilityMethod::likelihood && !results.table.threshold) {
+    return fmt::format("--method {} needs an event that exceeds a number above 0, as \"drift > 0.01\"",
+                       name_of(method));
+  }
+  if (method == FragilityMethod::stripes && results.table.is_cloud()) {
+    return "--method stripes needs levels that all records are scaled to, and these are not scaled";
+  }
+  return {};
+}
+
 std::optional<FragilityReport> fragility_report(IdaResults results, const FragilityRequest& request,
                                                 std::string& error) {
   FragilityReport report;
   report.results = std::move(results);
   if (request.at && !where_gaps_are(report.results, request, error)) return std::nullopt;  // before the long part
-  if (request.method != FragilityMethod::likelihood && !report.results.table.threshold) {
-    error = fmt::format("--method {} needs an event that exceeds a number above 0, as \"drift > 0.01\"",
-                        request.method == FragilityMethod::cloud ? "cloud" : "stripes");
-    return std::nullopt;
-  }
+  error = method_fault(report.results, request.method);
+  if (!error.empty()) return std::nullopt;
   for (std::size_t c = 0; c < report.results.table.cases; ++c) {
     report.fragilities.push_back(fit_case(report.results.table, c, request.bootstrap, request.method));
   }
@@ -237,10 +246,13 @@ std::string fragility_json(const FragilityReport& report, const FragilityRequest
       {"title", report.results.title},
       {"version", version},
       {"event", request.event},
-      {"method", request.method},
+      {"method", name_of(request.method)},
       {"event_units", report.results.quantity_units},
       {"intensity",
-       {{"name", report.results.intensity}, {"units", report.results.units}, {"levels", report.results.table.levels}}},
+       {{"name", report.results.intensity},
+        {"units", report.results.units},
+        {"scaled", !report.results.table.is_cloud()},
+        {"levels", report.results.table.is_cloud() ? Json::array() : Json(report.results.table.levels)}}},
       {"records", report.results.table.records / report.results.table.together},
       {"bootstrap",
        {{"resamples", request.bootstrap.resamples},

@@ -36,6 +36,9 @@ struct FragilityReport {
   std::vector<GapAt> gaps;
 };
 
+/// Why a method does not go with these results and their event; empty: it does.
+[[nodiscard]] std::string method_fault(const IdaResults& results, FragilityMethod method);
+
 /// @param results for the request's event.
 /// @return nothing where the results do not have what is asked for; `error` then says what.
 [[nodiscard]] std::optional<FragilityReport> fragility_report(IdaResults results, const FragilityRequest& request,

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bentur/core/errors.h"
+
 namespace bentur {
 namespace {
 
@@ -35,6 +37,33 @@ TEST(FragilityJson, CountsCollapseAndTheRunsThatStandApart) {
   EXPECT_EQ(curve.at("collapse").at("runs"), 8);
   EXPECT_EQ(curve.at("standing").at("events"), 2);
   EXPECT_EQ(curve.at("standing").at("runs"), 7);
+}
+
+TEST(FragilityReport, StripesNeedLevels) {
+  IdaResults results;
+  results.table = {.levels = {0.0}, .cases = 1, .records = 3, .outcomes = std::vector<Outcome>(3)};
+  results.table.own = {1, 2, 3};
+  results.table.demands = {1, 2, 3};
+  results.table.collapsed = {0, 0, 0};
+  results.table.threshold = 2.5;
+  std::string error;
+  EXPECT_FALSE(fragility_report(results, {.event = "drift > 2.5", .method = FragilityMethod::stripes}, error));
+  EXPECT_EQ(error, "--method stripes needs levels that all records are scaled to, and these are not scaled");
+  const FragilityRequest request{.event = "drift > 2.5", .method = FragilityMethod::cloud};
+  const auto report = fragility_report(results, request, error);
+  ASSERT_TRUE(report) << error;
+  const auto json = nlohmann::json::parse(fragility_json(*report, request, "0"));
+  EXPECT_EQ(json.at("intensity").at("scaled"), false);
+  EXPECT_TRUE(json.at("intensity").at("levels").empty());
+  EXPECT_EQ(json.at("curves").at(0).at("counts").size(), 3U);
+}
+
+TEST(FragilityMethods, AreNamedInTheirOrder) {
+  for (const std::string& name : fragility_methods()) EXPECT_EQ(name_of(fragility_method(name)), name);
+  EXPECT_EQ(fragility_method("likelihood"), FragilityMethod::likelihood);
+  EXPECT_EQ(fragility_method("cloud"), FragilityMethod::cloud);
+  EXPECT_EQ(fragility_method("stripes"), FragilityMethod::stripes);
+  EXPECT_THROW((void)fragility_method("guess"), InvalidParameter);
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "bentur/study/fragility/ida_fragility.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
+#include "bentur/core/errors.h"
 #include "bentur/core/not_known.h"
 #include "bentur/core/require.h"
 #include "bentur/study/quantiles.h"
@@ -74,13 +78,34 @@ std::optional<Interval> gap_bounds(const std::vector<double>& widths, const std:
   return percentile_interval(std::move(gaps), confidence);
 }
 
-/// Calls back with level, run number and record of every run of a case that makes a case.
+/// Runs and events by intensity.
+class Counts {
+ public:
+  explicit Counts(const OutcomeTable& table) {
+    for (const double x : table.intensities()) counts_[x] = {x, 0, 0};
+  }
+  void add(double intensity, bool has_event) {
+    IntensityCount& one = counts_.at(intensity);
+    ++one.runs;
+    one.events += has_event ? 1 : 0;
+  }
+  [[nodiscard]] std::vector<IntensityCount> take() const {
+    std::vector<IntensityCount> result;
+    for (const auto& [intensity, one] : counts_) result.push_back(one);
+    return result;
+  }
+
+ private:
+  std::map<double, IntensityCount> counts_;
+};
+
+/// Calls back with intensity, run number and record of every run of a case that makes a case.
 template <class Tell>
 void for_each_run(const OutcomeTable& table, std::size_t c, const Tell& tell) {
   for (std::size_t record = 0; record < table.records; ++record) {
     for (std::size_t level = 0; level < table.levels.size(); ++level) {
       const std::size_t run = (c * table.records + record) * table.levels.size() + level;
-      if (table.outcomes[run] != Outcome::failed) tell(level, run, record);
+      if (table.outcomes[run] != Outcome::failed) tell(table.intensity(record, level), run, record);
     }
   }
 }
@@ -89,23 +114,19 @@ void for_each_run(const OutcomeTable& table, std::size_t c, const Tell& tell) {
 std::optional<CaseFragility::Split> split_off(const OutcomeTable& table, std::size_t c) {
   require_size("collapsed", table.collapsed.size(), table.outcomes.size());
   CaseFragility::Split split;
-  for (const double level : table.levels) {
-    split.collapse_counts.push_back({level, 0, 0});
-    split.standing_counts.push_back({level, 0, 0});
-  }
+  Counts all(table), standing(table);
   long collapses = 0, standing_events = 0;
-  for_each_run(table, c, [&](std::size_t level, std::size_t run, std::size_t) {
-    const bool collapsed = table.collapsed[run] != 0;
-    ++split.collapse_counts[level].runs;
-    split.collapse_counts[level].events += collapsed ? 1 : 0;
+  for_each_run(table, c, [&](double intensity, std::size_t run, std::size_t) {
+    const bool collapsed = table.collapsed[run] != 0, has_event = table.outcomes[run] == Outcome::event;
+    all.add(intensity, collapsed);
     collapses += collapsed ? 1 : 0;
     if (collapsed) return;
-    const long events = table.outcomes[run] == Outcome::event ? 1 : 0;
-    ++split.standing_counts[level].runs;
-    split.standing_counts[level].events += events;
-    standing_events += events;
+    standing.add(intensity, has_event);
+    standing_events += has_event ? 1 : 0;
   });
   if (collapses == 0 || standing_events == 0) return std::nullopt;
+  split.collapse_counts = all.take();
+  split.standing_counts = standing.take();
   split.collapse = fit_fragility(split.collapse_counts);
   split.standing = fit_fragility(split.standing_counts);
   return split;
@@ -130,8 +151,8 @@ void fit_demands(const OutcomeTable& table, std::size_t c, const BootstrapOption
   require_size("demands", table.demands.size(), table.outcomes.size());
   require_positive("threshold", table.threshold.value_or(0));
   std::vector<std::vector<RunDemand>> units(table.records / table.together);
-  for_each_run(table, c, [&](std::size_t level, std::size_t run, std::size_t record) {
-    units[record / table.together].push_back({table.levels[level], table.demands[run], table.collapsed.at(run) != 0});
+  for_each_run(table, c, [&](double intensity, std::size_t run, std::size_t record) {
+    units[record / table.together].push_back({intensity, table.demands[run], table.collapsed.at(run) != 0});
   });
   std::vector<RunDemand> all;
   for (const std::vector<RunDemand>& unit : units) all.insert(all.end(), unit.begin(), unit.end());
@@ -157,11 +178,14 @@ std::optional<double> CaseFragility::probability(double intensity) const {
 }
 
 std::optional<double> CaseFragility::distance() const {
+  const bool is_known = fit.kind == FragilityKind::fitted;
+  if (is_unscaled) return cloud && is_known ? std::optional(cloud->distance) : std::nullopt;
   const bool of_standing = cloud && split && !is_of_all();
   return fit_distance(of_standing ? split->standing_counts : counts, of_standing ? without_collapse(fit) : fit);
 }
 
 bool CaseFragility::is_misfit() const {
+  if (is_unscaled) return distance() && *distance() > fit_distance_limit(cloud->runs);
   const bool of_standing = cloud && split && !is_of_all();
   return bentur::is_misfit(of_standing ? split->standing_counts : counts, of_standing ? without_collapse(fit) : fit);
 }
@@ -188,13 +212,40 @@ std::optional<CaseFragility::OfAll> CaseFragility::of_all() const {
   return result;
 }
 
+const std::vector<std::string>& fragility_methods() {
+  static const std::vector<std::string> names = {"likelihood", "cloud", "stripes"};
+  return names;
+}
+
+FragilityMethod fragility_method(const std::string& name) {
+  const std::vector<std::string>& names = fragility_methods();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw InvalidParameter("method", name, "must be likelihood, cloud or stripes");
+  return static_cast<FragilityMethod>(found - names.begin());
+}
+
+const std::string& name_of(FragilityMethod method) { return fragility_methods().at(static_cast<std::size_t>(method)); }
+
+std::vector<double> OutcomeTable::intensities() const {
+  std::set<double> all;
+  for (const double x : is_cloud() ? own : levels) {
+    if (!std::isnan(x)) all.insert(x);
+  }
+  return {all.begin(), all.end()};
+}
+
 CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const BootstrapOptions& options,
                        FragilityMethod method) {
   require_size("outcomes", table.outcomes.size(), table.cases * table.records * table.levels.size());
   require_size("records", table.records, table.records / table.together * table.together);
+  if (table.is_cloud()) {
+    require_size("own", table.own.size(), table.records);
+    require_size("levels", table.levels.size(), 1);
+  }
   CaseFragility result;
   std::vector<std::vector<IntensityCount>> units(table.records / table.together);
-  for (const double level : table.levels) result.counts.push_back({level, 0, 0});
+  result.is_unscaled = table.is_cloud();
+  Counts counts(table);
   for (std::size_t record = 0; record < table.records; ++record) {
     for (std::size_t level = 0; level < table.levels.size(); ++level) {
       const Outcome outcome = table.at(c, record, level);
@@ -203,13 +254,13 @@ CaseFragility fit_case(const OutcomeTable& table, std::size_t c, const Bootstrap
         continue;
       }
       const long events = outcome == Outcome::event ? 1 : 0;
-      units[record / table.together].push_back({table.levels[level], 1, events});
-      ++result.counts[level].runs;
-      result.counts[level].events += events;
+      units[record / table.together].push_back({table.intensity(record, level), 1, events});
+      counts.add(table.intensity(record, level), events > 0);
       ++result.runs;
       result.events += events;
     }
   }
+  result.counts = counts.take();
   result.fit = fit_fragility(result.counts);
   if (!table.collapsed.empty()) result.split = split_off(table, c);
   if (method != FragilityMethod::likelihood) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bentur/study/fragility/demand_fits.h"
@@ -13,9 +14,10 @@ namespace bentur {
 /// A run that collapses, or whose numbers fail, has the event; `failed` is one whose values make no case.
 enum class Outcome : signed char { no_event = 0, event = 1, failed = 2 };
 
-/// Outcomes of all runs. A case is what is neither record nor level: a gap width, say.
+/// Outcomes of all runs. A case is what is neither record nor level: a gap width, say. A cloud, whose records are not
+/// scaled, has one level in place of all, and each record has an intensity of its own.
 struct OutcomeTable {
-  std::vector<double> levels;  ///< of intensity [its unit] > 0
+  std::vector<double> levels;  ///< of intensity [its unit] > 0; of a cloud one, NaN
   std::size_t cases = 0, records = 0;
   std::vector<Outcome> outcomes;  ///< cases × records × levels, the last fastest
   std::size_t together = 1;  ///< so many records in succession are one, applied in both directions: resampled together
@@ -25,7 +27,14 @@ struct OutcomeTable {
   std::vector<char> collapsed = {};
   /// The threshold that a demand has to exceed; nothing where the event is another one.
   std::optional<double> threshold = {};
+  /// Of a cloud, the intensity of each record [its unit] > 0; NaN: it makes no case.
+  std::vector<double> own = {};
 
+  [[nodiscard]] bool is_cloud() const { return !own.empty(); }
+  [[nodiscard]] double intensity(std::size_t record, std::size_t level) const {
+    return is_cloud() ? own[record] : levels[level];
+  }
+  [[nodiscard]] std::vector<double> intensities() const;  ///< of all runs, each once, ascending
   [[nodiscard]] Outcome at(std::size_t c, std::size_t record, std::size_t level) const {
     return outcomes[(c * records + record) * levels.size() + level];
   }
@@ -37,17 +46,22 @@ enum class FragilityMethod {
   cloud,       ///< of demands of runs that stand, (2) of CloudFit, and of collapse apart, (1) of CollapseFit
   stripes      ///< of the levels' lognormal demands and collapses, (3) of Stripe
 };
+/// What users call them, in the order of the enumeration; the first is the default.
+[[nodiscard]] const std::vector<std::string>& fragility_methods();
+/// @throws InvalidParameter where none has the name.
+[[nodiscard]] FragilityMethod fragility_method(const std::string& name);
+[[nodiscard]] const std::string& name_of(FragilityMethod method);
 
 /// The fragility of one case.
 struct CaseFragility {
-  std::vector<IntensityCount> counts;  ///< per level, without those left out
+  std::vector<IntensityCount> counts;  ///< per intensity, ascending, without those left out
   long runs = 0, events = 0;           ///< sums of them
   long failed = 0;                     ///< runs left out, whose values make no case
   Fragility fit;
   std::optional<FragilityBounds> bounds;  ///< where resampling can change the kind of fit: from two records on
   /// Where some run collapses and the event is another: collapse by itself, and the event of the runs that stand.
   struct Split {
-    std::vector<IntensityCount> collapse_counts, standing_counts;  ///< per level
+    std::vector<IntensityCount> collapse_counts, standing_counts;  ///< per intensity
     Fragility collapse, standing;
   };
   std::optional<Split> split = {};
@@ -63,9 +77,12 @@ struct CaseFragility {
     int usable = 0;  ///< resamples that have both
   };
   [[nodiscard]] std::optional<OfAll> of_all() const;
-  /// fit_distance() of what was counted; of the runs that stand where the fit is of them alone.
+  bool is_unscaled = false;  ///< each record has an intensity of its own: no shares at levels
+  /// fit_distance() of what was counted; of the runs that stand where the fit is of them alone. Of unscaled records
+  /// that of the cloud's residuals, CloudFit::distance; by another method nothing, since of one run a share says
+  /// nothing.
   [[nodiscard]] std::optional<double> distance() const;
-  /// is_misfit() of the same.
+  /// Whether it is beyond fit_distance_limit() of the runs that it is of.
   [[nodiscard]] bool is_misfit() const;
 
   /// P(event | intensity), collapses too, at an intensity from the lowest to the highest level. It is 0 where no run

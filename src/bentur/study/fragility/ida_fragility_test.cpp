@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -125,6 +126,75 @@ TEST(IdaFragility, OneRecordHasNoBounds) {
   const CaseFragility one = fit_case(of_levels({0.1, 0.2, 0.3, 0.4}, {no, yes, no, yes}), 0, {});
   EXPECT_EQ(one.fit.kind, Kind::fitted);
   EXPECT_FALSE(one.bounds.has_value());
+}
+
+/// Demands lognormal about a power of intensities that are all different.
+OutcomeTable unscaled(std::size_t records, double threshold) {
+  OutcomeTable table{.levels = {std::nan("")}, .cases = 1, .records = records, .outcomes = {}};
+  table.threshold = threshold;
+  std::mt19937_64 generator(11);
+  const auto normal = [&] {
+    double sum = 0;
+    for (int i = 0; i < 12; ++i) sum += static_cast<double>(generator() >> 11U) * 0x1p-53;
+    return sum - 6;
+  };
+  for (std::size_t record = 0; record < records; ++record) {
+    const double x = std::exp(0.5 * normal());
+    const double demand = 0.3 * std::pow(x, 1.2) * std::exp(0.4 * normal());
+    table.own.push_back(x);
+    table.demands.push_back(demand);
+    table.collapsed.push_back(0);
+    table.outcomes.push_back(demand > threshold ? Outcome::event : Outcome::no_event);
+  }
+  return table;
+}
+
+TEST(IdaFragility, ACloudOfUnscaledRecordsFindsWhatItWasMadeWith) {
+  const OutcomeTable table = unscaled(2000, 0.3);  // θ = 1, β = 0.4/1.2
+  const CaseFragility likely = fit_case(table, 0, {.resamples = 50});
+  const CaseFragility cloud = fit_case(table, 0, {.resamples = 50}, FragilityMethod::cloud);
+  for (const CaseFragility* const one : {&likely, &cloud}) {
+    ASSERT_EQ(one->fit.kind, Kind::fitted);
+    EXPECT_EQ(one->runs, 2000);
+    EXPECT_EQ(one->counts.size(), 2000U);
+    // Four standard errors, of the likelihood some 1.6 times those of the line.
+    EXPECT_NEAR(std::log(one->fit.median), 0, 4 * 1.6 * 0.33 / std::sqrt(2000));
+    EXPECT_NEAR(one->fit.dispersion, 0.4 / 1.2, 4 * 1.6 * 0.33 / std::sqrt(2000));
+    EXPECT_TRUE(one->bounds.has_value());
+  }
+  EXPECT_TRUE(std::is_sorted(likely.counts.begin(), likely.counts.end(),
+                             [](const auto& a, const auto& b) { return a.intensity < b.intensity; }));
+  // One run is no share of runs: no distance of the likelihood, and of the cloud that of its residuals.
+  EXPECT_FALSE(likely.distance().has_value());
+  EXPECT_FALSE(likely.is_misfit());
+  EXPECT_LT(cloud.distance().value(), fit_distance_limit(2000));
+  EXPECT_FALSE(cloud.is_misfit());
+}
+
+TEST(IdaFragility, ACloudWhoseResidualsAreTwoHeapsIsAMisfit) {
+  OutcomeTable table = unscaled(200, 0.3);
+  for (std::size_t i = 0; i < table.demands.size(); ++i) {
+    table.own[i] = table.own[i / 2 * 2];  // two records of each intensity, so that the line lies between the heaps
+    table.demands[i] = 0.3 * table.own[i] * (i % 2 == 0 ? 2 : 0.5);
+  }
+  const CaseFragility cloud = fit_case(table, 0, {.resamples = 2}, FragilityMethod::cloud);
+  // Half of them at +1 σ, the others at −1 σ, but for n in place of n − 2: 0.5 − Φ(−1) from the normal distribution.
+  EXPECT_NEAR(cloud.distance().value(), phi(std::sqrt(198.0 / 200)) - 0.5, 1e-12);
+  EXPECT_TRUE(cloud.is_misfit());
+}
+
+TEST(IdaFragility, BothDirectionsOfAnUnscaledRecordAreOneIntensity) {
+  OutcomeTable table{.levels = {std::nan("")}, .cases = 1, .records = 6, .outcomes = {}, .together = 2};
+  const Outcome yes = Outcome::event, no = Outcome::no_event;
+  table.own = {2, 2, 1, 1, 3, 3};
+  table.outcomes = {yes, no, no, no, yes, yes};
+  const CaseFragility found = fit_case(table, 0, {.resamples = 5});
+  ASSERT_EQ(found.counts.size(), 3U);
+  EXPECT_EQ(found.counts[0].intensity, 1);
+  EXPECT_EQ(found.counts[1].runs, 2);
+  EXPECT_EQ(found.counts[1].events, 1);
+  table.own.pop_back();
+  EXPECT_THROW((void)fit_case(table, 0, {}), InvalidParameter);
 }
 
 TEST(GapEstimate, IsThatOfTheFitsWithBoundsAroundIt) {

@@ -43,11 +43,18 @@ class Reader {
     results_.intensity = intensity->long_name;
     results_.units = intensity->units;
     results_.study_unit = file_.attribute("intensity", "study_unit");
-    results_.table.levels = file_.numbers("intensity");
+    // Of a cloud each record has an intensity, and there are no levels.
+    const bool is_cloud = intensity->dimensions == records->dimensions;
+    if (is_cloud) {
+      results_.table.levels = {not_known};
+      results_.table.own = file_.numbers("intensity");
+    } else {
+      results_.table.levels = file_.numbers("intensity");
+    }
     results_.table.cases = results_.table.records = 1;
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const std::size_t size = sizes_[i];
-      if (intensity->dimensions == std::vector<std::string>{runs_[i]}) {
+      if (!is_cloud && intensity->dimensions == std::vector<std::string>{runs_[i]}) {
         roles_[i] = Role::level;
       } else if (std::count(records->dimensions.begin(), records->dimensions.end(), runs_[i]) > 0) {
         roles_[i] = Role::record;
@@ -63,7 +70,7 @@ class Reader {
         results_.axes.push_back(axis(i));
       }
     }
-    if (std::count(roles_.begin(), roles_.end(), Role::level) != 1) {
+    if (std::count(roles_.begin(), roles_.end(), Role::level) != (is_cloud ? 0 : 1)) {
       file_.fail("does not hold the results of bentur ida: its runs have no levels of intensity");
     }
     read_outcomes();
@@ -190,7 +197,8 @@ class Reader {
         const std::size_t at = place(i * ends.size() + k);
         table.demands[at] = demands[k];
         table.collapsed[at] = gone[k] || ends[k] == numbers_failed ? 1 : 0;
-        table.outcomes[at] = ends[k] == no_case                       ? Outcome::failed
+        const bool is_nowhere = table.is_cloud() && std::isnan(table.own[at % table.records]);
+        table.outcomes[at] = ends[k] == no_case || is_nowhere         ? Outcome::failed
                              : events[k] || ends[k] == numbers_failed ? Outcome::event
                                                                       : Outcome::no_event;
       }

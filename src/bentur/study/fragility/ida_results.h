@@ -56,7 +56,7 @@ struct ResultAxis {
 struct IdaResults {
   std::string title;
   std::string intensity, units;      ///< "peak ground acceleration"; as UDUNITS reads it
-  std::string study_unit;            ///< of the levels as a study names it: g, cm/s2
+  std::string study_unit;            ///< of the intensities as a study names it: g, cm/s2
   std::string quantity_units;        ///< of the event's quantity, as UDUNITS reads them
   std::vector<ResultAxis> axes;      ///< of the cases, the last one fastest; none: a single case
   std::vector<std::string> records;  ///< what users call them, each once, in whichever direction it is applied

@@ -292,7 +292,7 @@ class Work {
 
   [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
     TomlValue root = chosen_case(study_, choices);
-    if (study_.ida) put_intensity(facts_.intensities, choices, *result_.at, root);
+    if (result_.at) put_intensity(facts_.intensities, choices, *result_.at, root);
     return read_chosen(study_, root, memo_, found);
   }
 
@@ -322,6 +322,9 @@ class Work {
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     RecordNeed result = chosen.plan ? need_in_plan(record, chosen) : need_of_row(record, chosen);
     result.motion = record_axes(study_, false).place(choices);
+    if (study_.ida && study_.ida->is_cloud) {
+      result.intensity = facts_.intensities.values[facts_.intensities.place(choices)];
+    }
     for (Eigen::Index gap = 0; gap < std::ssize(result_.gaps); ++gap) {
       result.gaps.push_back(need_of(result.separations, gap));
       if (result.collapsed && !of_gap(result.separations, gap).empty()) take_as_fallen(result.gaps.back());
@@ -351,8 +354,10 @@ class Work {
     const Response& response = free.response();
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
-    return {
-        record, 0, response.status == Status::collapsed, separations(problem, response, read.c.code, read.c.units), {}};
+    return {.record = record,
+            .collapsed = response.status == Status::collapsed,
+            .separations = separations(problem, response, read.c.code, read.c.units),
+            .gaps = {}};
   }
 
   [[nodiscard]] RecordNeed need_in_plan(const std::string& record, const ReadCase& read) const {
@@ -373,11 +378,10 @@ class Work {
     if (run.response.status != Status::done && run.response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + run.response.message);
     const auto row = bentur::row_of(run);
-    return {record,
-            0,
-            run.response.collapse_no_contact.has_value(),
-            separations(row->problem, row->response, row->c.code, row->c.units),
-            {}};
+    return {.record = record,
+            .collapsed = run.response.collapse_no_contact.has_value(),
+            .separations = separations(row->problem, row->response, row->c.code, row->c.units),
+            .gaps = {}};
   }
 
   static void reverse(GroundMotion& motion) {
@@ -437,7 +441,7 @@ std::optional<GapStudy> gap_study_of(const Study& study, std::optional<double> a
   for (const Gap& gap : gaps_of(row)) result.gaps.push_back({gap_name(row, gap.number), gap.left, gap.right});
   result.suite = study.suite;
   if (study.ida) {
-    result.at = at.value_or(study.ida->levels.back());
+    if (!study.ida->is_cloud) result.at = at.value_or(study.ida->levels.back());
     result.intensity = intensity_name(*study.ida);
     result.intensity_unit = study.ida->unit.empty() ? facts->units.length + "/s2" : study.ida->unit;
   }
@@ -467,6 +471,7 @@ std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::option
     return refuse("[sampling] has no records to draw from: bentur gap needs a [[vary]] with files, or a suite");
   }
   if (at && !study->ida) return refuse("--at needs [ida], which says how intensity is measured");
+  if (at && study->ida->is_cloud) return refuse("--at scales records, which are \"unscaled\" by [ida]");
   return gap_study_of(*study, at, progress, diagnostics);
 }
 

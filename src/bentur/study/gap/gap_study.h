@@ -29,6 +29,7 @@ struct GapNeed {
 struct RecordNeed {
   std::string record;                        ///< what the study calls it
   std::size_t motion = 0;                    ///< which record it is, whichever way it is applied
+  std::optional<double> intensity = {};      ///< of a cloud [its unit]
   bool collapsed = false;                    ///< the response without contact ends before its time
   std::vector<LevelSeparation> separations;  ///< per facing level
   std::vector<GapNeed> gaps;                 ///< per gap
@@ -108,8 +109,8 @@ struct GapStudy {
   };
   std::vector<Between> gaps;
   bool in_plan = false;
-  std::optional<double> at;  ///< with [ida]: intensity that every record is scaled to
-  std::string intensity, intensity_unit;
+  std::optional<double> at;               ///< with [ida]: intensity that every record is scaled to
+  std::string intensity, intensity_unit;  ///< with [ida]
   std::vector<RecordNeeds> needs;
   /// All of them together, each record with each choice of whatever else varies as likely as any other: what is not
   /// known of a building adds to what is not known of the earthquake. Nothing where nothing else varies.
@@ -127,8 +128,8 @@ struct GapStudy {
 [[nodiscard]] bool is_study(const std::filesystem::path& file);
 
 /// The gaps that keep the buildings apart under every record of a study, simulated and by the rules. Widths and
-/// contacts that vary do not matter. `at` is for a study with [ida]; by default its highest level. `progress` is called
-/// with the fraction done; where it answers false the rest of the records is left out.
+/// contacts that vary do not matter. `at` is for a study with [ida] and levels; by default the highest. `progress` is
+/// called with the fraction done; where it answers false the rest of the records is left out.
 /// @return nothing when there is an error, all of which are in `diagnostics`.
 /// @throws std::runtime_error with record and reason when the numbers fail.
 [[nodiscard]] std::optional<GapStudy> gap_study(const std::filesystem::path& file, std::optional<double> at,

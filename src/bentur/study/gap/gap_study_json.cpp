@@ -94,6 +94,7 @@ Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) 
   Json records = Json::array();
   for (const RecordNeed& record : needs.records) {
     records.push_back({{"record", record.record}, {"collapsed", record.collapsed}});
+    if (record.intensity) records.back()["intensity"] = *record.intensity;
     records.back().update(need_json(record.gaps[gap], study.code));
     Json points = Json::array(), watched = Json::array();
     for (const LevelSeparation& one : of_gap(record.separations, static_cast<Eigen::Index>(gap))) {
@@ -129,7 +130,11 @@ std::string gap_study_json(const GapStudy& study, std::string_view version, std:
     all.push_back({{"with", object_of(needs.others)}, {"gaps", gaps}});
   }
   Json intensity = nullptr;
-  if (study.at) intensity = {{"name", study.intensity}, {"unit", study.intensity_unit}, {"value", *study.at}};
+  if (!study.intensity.empty()) {
+    intensity = {{"name", study.intensity},
+                 {"unit", study.intensity_unit},
+                 {"value", study.at ? Json(*study.at) : Json(nullptr)}};
+  }
   Json json = {{"title", study.title},
                {"units", {{"length", study.units.length}, {"force", study.units.force}}},
                {"version", version},

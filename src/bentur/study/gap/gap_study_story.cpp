@@ -196,6 +196,12 @@ StoryTable record_table(const Told& told, Eigen::Index gap) {
   }
   StoryTable table{.kind = told.together ? "records_together" : "records", .gap = gap, .values = heading(told, gap)};
   table.columns.push_back(std::move(name));
+  if (!told.together && !told.needs.records.empty() && told.needs.records.front().intensity) {
+    StoryColumn intensity{"column.intensity", told.study.intensity_unit};
+    for (const RecordNeed& record : told.needs.records) intensity.numbers.push_back(*record.intensity);
+    intensity.numbers.resize(rows.size(), not_known);  // of all records together it is none
+    table.columns.push_back(std::move(intensity));
+  }
   const std::string& length = told.study.units.length;
   const auto add = [&](std::string label, auto number_of) {
     StoryColumn column{std::move(label), length};

@@ -124,6 +124,27 @@ TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
   EXPECT_EQ(turned.at(0), turned.at(1));
 }
 
+TEST(GapStudies, ACloudSaysTheIntensityOfEachRecord) {
+  const std::string records = "[[vary]]\nparameter = 'excitation.file'\nfiles = ['" + gap_tests +
+                              "/bad_input/good.AT2', {file = '" + gap_tests +
+                              "/bad_input/good-two-column.txt', unit = 'm/s2'}]\n";
+  const GapStudy plain = needs_of(records).value();
+  const GapStudy cloud = needs_of(records + "[ida]\nintensity = 'pga'\nunit = 'g'\nlevels = 'unscaled'\n").value();
+  EXPECT_EQ(gap_needed(cloud.needs.at(0)), gap_needed(plain.needs.at(0)));
+  EXPECT_FALSE(cloud.at.has_value());
+  EXPECT_FALSE(plain.needs[0].records[0].intensity.has_value());
+  EXPECT_NEAR(cloud.needs[0].records[0].intensity.value(), 0.06, 1e-15);
+  EXPECT_NEAR(cloud.needs[0].records[1].intensity.value(), 0.03 / 9.80665, 1e-15);
+  const auto json = nlohmann::json::parse(gap_study_json(cloud, "0"));
+  EXPECT_TRUE(json.at("intensity").at("value").is_null());
+  EXPECT_EQ(json.at("intensity").at("unit"), "g");
+  EXPECT_EQ(json.at("studied")[0].at("gaps")[0].at("records")[0].at("intensity"), cloud.needs[0].records[0].intensity);
+  const StoryTable table = gap_study_story(cloud).tables.at(0);
+  ASSERT_EQ(table.columns.at(1).label, "column.intensity");
+  EXPECT_EQ(table.columns[1].numbers.at(0), *cloud.needs[0].records[0].intensity);
+  EXPECT_EQ(table.columns[1].numbers.size(), table.columns[0].texts.size());
+}
+
 TEST(GapStudies, SamplesAreRecordsEachWithABuildingOfItsOwn) {
   const std::string records = "[[vary]]\nparameter = 'excitation.file'\nname = 'record'\nfiles = ['" + gap_tests +
                               "/bad_input/good.AT2', {file = '" + gap_tests +

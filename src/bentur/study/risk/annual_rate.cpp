@@ -214,6 +214,31 @@ AnnualRate annual_rate(const HazardCurve& hazard, const std::vector<ObservedShar
   return result;
 }
 
+std::vector<ObservedShare> rising_shares(const std::vector<IntensityCount>& counts) {
+  struct Pool {
+    double events = 0, runs = 0;
+    std::size_t size = 0;  // intensities in it
+    [[nodiscard]] double share() const { return events / runs; }
+  };
+  std::vector<ObservedShare> result;
+  std::vector<Pool> pools;
+  for (const IntensityCount& one : counts) {
+    if (one.runs == 0) continue;
+    result.push_back({one.intensity, 0});
+    Pool next{static_cast<double>(one.events), static_cast<double>(one.runs), 1};
+    while (!pools.empty() && pools.back().share() >= next.share()) {
+      next = {next.events + pools.back().events, next.runs + pools.back().runs, next.size + pools.back().size};
+      pools.pop_back();
+    }
+    pools.push_back(next);
+  }
+  std::size_t place = 0;
+  for (const Pool& pool : pools) {
+    for (std::size_t i = 0; i < pool.size; ++i) result[place++].probability = pool.share();
+  }
+  return result;
+}
+
 double closed_form_rate(const HazardCurve& hazard, double median, double dispersion) {
   const double shift = hazard.slope(hazard.segment_of(median)) * dispersion;
   return hazard.rate_at(median) * std::exp(0.5 * shift * shift);

@@ -52,6 +52,11 @@ struct ObservedShare {
 /// @throws InvalidParameter unless the levels ascend, and there is one.
 [[nodiscard]] AnnualRate annual_rate(const HazardCurve& hazard, const std::vector<ObservedShare>& shares);
 
+/// Of runs that each have an intensity of their own, as those of a cloud: the shares that do not fall with intensity
+/// and have the largest likelihood. Where fewer runs have the event than at the intensities before, they are pooled
+/// with these until none do. Source: [AyerBrunkEwingReidSilverman1955, doi 10.1214/aoms/1177728423].
+[[nodiscard]] std::vector<ObservedShare> rising_shares(const std::vector<IntensityCount>& counts);
+
 /// (4) with the slope of the hazard at θ.
 [[nodiscard]] double closed_form_rate(const HazardCurve& hazard, double median, double dispersion);
 

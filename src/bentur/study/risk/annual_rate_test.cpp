@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <limits>
@@ -186,6 +187,40 @@ TEST(AnnualRate, RefusesWhatIsNoFragility) {
   EXPECT_THROW((void)annual_rate(hazard, 0.3, -1), InvalidParameter);
   EXPECT_THROW((void)annual_rate(hazard, std::vector<ObservedShare>{}), InvalidParameter);
   EXPECT_THROW((void)annual_rate(hazard, {{1, 0.5}, {1, 0.6}}), InvalidParameter);
+}
+
+/// Of pooled shares there is a closed form: the largest over what begins no later of the smallest over what ends no
+/// earlier of the share of the runs between.
+TEST(RisingShares, AreThoseOfLargestLikelihood) {
+  std::mt19937_64 generator(5);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<IntensityCount> counts;
+    for (int i = 0; i < 12; ++i) {
+      const long runs = static_cast<long>(generator() % 4);
+      counts.push_back({0.1 * (i + 1), runs, runs == 0 ? 0 : static_cast<long>(generator() % (runs + 1))});
+    }
+    std::erase_if(counts, [](const IntensityCount& one) { return one.runs == 0; });
+    const std::vector<ObservedShare> shares = rising_shares(counts);
+    ASSERT_EQ(shares.size(), counts.size());
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      double largest = 0;
+      for (std::size_t i = 0; i <= k; ++i) {
+        double smallest = 1;
+        for (std::size_t j = k; j < counts.size(); ++j) {
+          double events = 0, runs = 0;
+          for (std::size_t m = i; m <= j; ++m) {
+            events += static_cast<double>(counts[m].events);
+            runs += static_cast<double>(counts[m].runs);
+          }
+          smallest = std::min(smallest, events / runs);
+        }
+        largest = std::max(largest, smallest);
+      }
+      EXPECT_EQ(shares[k].intensity, counts[k].intensity);
+      EXPECT_NEAR(shares[k].probability, largest, 1e-15);
+    }
+  }
+  EXPECT_TRUE(rising_shares({}).empty());
 }
 
 }  // namespace

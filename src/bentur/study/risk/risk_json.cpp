@@ -32,6 +32,7 @@ Json rate_json(const AnnualRate& rate) {
 Json risk_of_case(const RiskReport& report, const CaseRisk& risk, const RiskRequest& request) {
   const double rate = risk.told().rate;
   const bool fitted = risk.lognormal.has_value();
+  const std::optional<double> distance = risk.fragility.distance();
   Json records = Json::array();
   for (std::size_t i = 0; i < risk.of_records.size(); ++i) {
     records.push_back(
@@ -47,6 +48,7 @@ Json risk_of_case(const RiskReport& report, const CaseRisk& risk, const RiskRequ
           {"dispersion", fitted ? Json(risk.fragility.fit.dispersion) : Json(nullptr)},
           {"collapse", risk.fragility.cloud ? collapse_json(risk.fragility) : Json(nullptr)},
           {"of_all", of_all_json(risk.fragility)},
+          {"distance", distance ? Json(*distance) : Json(nullptr)},
           {"misfit", risk.fragility.is_misfit()},
           {"runs", risk.fragility.runs},
           {"events", risk.fragility.events},

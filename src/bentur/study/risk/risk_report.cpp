@@ -95,6 +95,11 @@ CaseRisk case_risk(const OutcomeTable& table, std::size_t c, const HazardCurve& 
     }
     risk.bounds = percentile_interval(std::move(rates), request.bootstrap.confidence);
   }
+  if (table.is_cloud()) {
+    const std::vector<ObservedShare> shares = rising_shares(risk.fragility.counts);
+    if (!shares.empty()) risk.observed = annual_rate(hazard, shares);
+    return risk;
+  }
   const ShareOfEvents events = shares_of(table, c);
   if (!events.shares.empty()) risk.observed = annual_rate(hazard, events.shares);
   for (const std::vector<ObservedShare>& unit : events.units) {
@@ -195,11 +200,8 @@ std::optional<RiskReport> risk_report(IdaResults results, const std::optional<Id
     error = fmt::format("is of {}, but the runs are by levels of {}", hazard.measure, report.measure);
     return std::nullopt;
   }
-  if (request.method != FragilityMethod::likelihood && !results.table.threshold) {
-    error = fmt::format("--method {} needs an event that exceeds a number above 0, as \"drift > 0.01\"",
-                        request.method == FragilityMethod::cloud ? "cloud" : "stripes");
-    return std::nullopt;
-  }
+  error = method_fault(results, request.method);
+  if (!error.empty()) return std::nullopt;
   if (!hazard.unit.empty() && hazard.unit != results.study_unit) {
     const double factor = in_metres(hazard.unit) / in_metres(results.study_unit);
     for (double& x : hazard.intensity) x *= factor;

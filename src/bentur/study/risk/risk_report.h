@@ -28,8 +28,9 @@ struct CaseRisk {
   std::optional<AnnualRate> lognormal;  ///< where θ and β are known, and which runs collapse, if they do so apart
   std::optional<double> closed_form;    ///< (4) of AnnualRate [1/year], beside it; of a lognormal alone
   std::optional<Interval> bounds;       ///< of the lognormal's rate, by resampled records [1/year]
-  AnnualRate observed;                  ///< of the shares observed at the levels
-  std::vector<double> of_records;       ///< each record's part of `observed`, applied both ways together [1/year]
+  AnnualRate observed;                  ///< of the shares observed at the levels, of a cloud rising_shares()
+  /// Each record's part of `observed`, applied both ways together [1/year]; of a cloud none is known.
+  std::vector<double> of_records;
 
   /// Whether the runs follow the lognormal; else the rate is that of the shares.
   [[nodiscard]] bool is_lognormal() const { return lognormal && !fragility.is_misfit(); }

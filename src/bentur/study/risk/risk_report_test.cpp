@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
+
+#include "bentur/study/design/distribution.h"
 
 namespace bentur {
 namespace {
@@ -208,6 +212,58 @@ TEST(RiskReport, WithoutEventsNothingIsBelowWhatIsBeyondTheLevels) {
   EXPECT_FALSE(report.cases[0].is_lognormal());
   EXPECT_NEAR(report.cases[0].told().rate, 1e-4, 1e-12);  // λ of the highest level, 1 g
   EXPECT_NEAR(report.cases[0].told().beyond, 1e-4, 1e-12);
+}
+
+TEST(RiskReport, SaysHowWellTheCurveDescribesTheRuns) {
+  const RiskRequest asked = request();
+  const RiskReport report = reported(results(10), asked);
+  const CaseRisk& risk = report.cases.at(0);
+  // By hand: the largest distance of the shares at the levels from the lognormal.
+  double largest = 0;
+  for (const IntensityCount& one : risk.fragility.counts) {
+    const double share = static_cast<double>(one.events) / static_cast<double>(one.runs);
+    const Fragility& fit = risk.fragility.fit;
+    const double p = normal_probability(std::log(one.intensity / fit.median) / fit.dispersion);
+    largest = std::max(largest, std::abs(share - p));
+  }
+  const auto json = nlohmann::json::parse(risk_json(report, asked, "0"));
+  EXPECT_NEAR(json.at("cases")[0].at("distance").get<double>(), largest, 1e-12);
+  int told = 0;
+  for (const Statement& one : risk_story(report, asked).statements) {
+    for (const StoryValue& value : one.values) told += value.name == "distance" ? 1 : 0;
+  }
+  EXPECT_EQ(told, 1);
+}
+
+TEST(RiskReport, OfACloudItIsTheFittedCurveAndBesideItTheSharesThatRise) {
+  IdaResults cloud;
+  cloud.intensity = "spectral acceleration, period 0.5 s, damping 5 %";
+  cloud.study_unit = cloud.units = "g";
+  cloud.table = {.levels = {std::nan("")}, .cases = 1, .records = 400, .outcomes = {}};
+  // Records as close as the shares are to follow the curve: at each intensity the event where a quantile is exceeded.
+  for (std::size_t r = 0; r < 400; ++r) {
+    const double x = 0.05 * std::pow(40.0, static_cast<double>(r) / 399);
+    const double u = static_cast<double>((r * 157) % 400 + 1) / 401;  // every 401st part once, in no order
+    cloud.table.own.push_back(x);
+    const double capacity = 0.3 * std::exp(0.5 * normal_quantile(u));
+    cloud.table.demands.push_back(x / capacity);
+    cloud.table.collapsed.push_back(0);
+    cloud.table.outcomes.push_back(x > capacity ? Outcome::event : Outcome::no_event);
+    cloud.records.push_back("record " + std::to_string(r + 1));
+  }
+  cloud.table.threshold = 1;
+  for (const FragilityMethod method : {FragilityMethod::likelihood, FragilityMethod::cloud}) {
+    RiskRequest asked = request();
+    asked.method = method;
+    asked.event = "demand > 1";
+    const CaseRisk risk = reported(cloud, asked).cases.at(0);
+    ASSERT_TRUE(risk.is_lognormal());
+    const Fragility& fit = risk.fragility.fit;
+    EXPECT_EQ(risk.told().rate, annual_rate(hazard("g", 1), fit.median, fit.dispersion).rate);
+    EXPECT_NEAR(fit.median, 0.3, 0.03);
+    EXPECT_NEAR(risk.observed.rate, risk.told().rate, 0.2 * risk.told().rate);
+    EXPECT_TRUE(risk.of_records.empty());  // no record has runs at other intensities
+  }
 }
 
 }  // namespace

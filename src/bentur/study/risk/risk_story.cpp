@@ -31,6 +31,13 @@ std::string risk_case_name(const IdaResults& results, std::size_t c, const std::
   return text;
 }
 
+/// Adds how well the curve describes the runs, where that is known.
+void add_distance(const CaseRisk& risk, std::vector<StoryValue>& values) {
+  const std::optional<double> distance = risk.fragility.distance();
+  values.push_back({"fit", std::string(distance ? "story.risk_distance" : ""), {}, distance.has_value()});
+  if (distance) values.push_back({"distance", *distance});
+}
+
 void tell_fragility(const RiskReport& report, const CaseRisk& risk, std::vector<Statement>& statements,
                     const std::string& subject) {
   const std::string unit = level_unit(report.hazard.unit);
@@ -44,6 +51,7 @@ void tell_fragility(const RiskReport& report, const CaseRisk& risk, std::vector<
                                      {"runs", static_cast<double>(fit.collapse->runs)},
                                      {"observed", risk.observed.rate}},
                           .subject = subject});
+    add_distance(risk, statements.back().values);
   } else if (risk.lognormal) {
     statements.push_back({.kind = risk.is_lognormal() ? "risk_lognormal" : "risk_misfit",
                           .severity = risk.is_lognormal() ? Severity::finding : Severity::warning,
@@ -53,6 +61,7 @@ void tell_fragility(const RiskReport& report, const CaseRisk& risk, std::vector<
                                      {"observed", risk.observed.rate},
                                      {"closed", risk.closed_form.value_or(0)}},
                           .subject = subject});
+    add_distance(risk, statements.back().values);
   } else if (!risk.fragility.is_of_all()) {
     const CollapseFit& collapse = *fit.collapse;
     const bool is_separated = collapse.kind == CollapseFit::Kind::separated;

@@ -31,6 +31,7 @@ struct VaryContext {
 
 /// ida_toml.cpp: with [ida] and [sampling] each draw is a record and a building: what [sampling] draws becomes lists
 /// that move together along one axis, "draw". Without [sampling] nothing changes.
+void check_cloud(const TomlView& root, const Study& study);
 void draw_with_records(const TomlView& root, Study& study);
 
 /// remedy_toml.cpp: [remedy] of a study; nothing where it has none.
