@@ -52,7 +52,8 @@ std::vector<PlanCentre> centres_of(const PlanRun& run) {
     for (Index floor = 0; floor < model.floors(); ++floor) {
       const PlanPoint& corner = model.footprint.corner;
       centres.push_back({b, floor, corner + model.centres[floor], false});
-      centres.push_back({b, floor, corner + centre_of_rigidity(*plan, floor), true});
+      const Index storey = floor - model.first_storey();  // a slab on bearings has none below
+      if (storey >= 0) centres.push_back({b, floor, corner + centre_of_rigidity(*plan, storey), true});
     }
   }
   return centres;

@@ -24,7 +24,7 @@ struct PlanCentre {
   PlanPoint at;              ///< in the common plan, at rest [length]
   bool of_rigidity = false;  ///< of the storey below, before anything yields; else of mass
 };
-/// Of all floors but those of walls.
+/// Of all floors but those of walls, of rigidity of a slab on bearings none.
 [[nodiscard]] std::vector<PlanCentre> centres_of(const PlanRun& run);
 
 /// Where the parts of a plan are drawn: gaps and displacements are magnified alike, so that floors that touch in the

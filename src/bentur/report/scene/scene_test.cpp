@@ -10,7 +10,9 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/run_results.h"
+#include "bentur/report/scene/plan_scene.h"
 #include "tests/support/kinds_case.h"
+#include "tests/support/plan_run.h"
 
 namespace bentur {
 namespace {
@@ -208,6 +210,34 @@ TEST(Scene, AStillIsOfTheHardestImpactElseOfTheClosestApproach) {
   EXPECT_EQ(telling_instant(response).impact, 1);
   EXPECT_EQ(telling_instant(response).time, 1.6);
   EXPECT_EQ(telling_instant(response, 1).impact, 0);
+}
+
+TEST(PlanScene, CentresOfRigidityAreThoseOfTheStoreysAboveBearings) {
+  const PlanRun run = test::plan_run(R"(
+units = { length = "m", force = "kN" }
+excitation = { kind = "harmonic", period = 0.7, displacement_amplitude = 0.04 }
+analysis = { duration = 0.1 }
+plan = { clearance = 0.1, contact = { law = "linear", stiffness = 3e5 } }
+[[building]]
+name = "A"
+damping = 0.05
+plan = { corner = [2.0, 1.0], size = [12.0, 18.0], storey_heights = [3.5, 3.2], masses = [200, 180] }
+rigidity = { centre = [[3.0, 9.0], [9.0, 4.0]], x = 9e4, y = 8e4, torsion = 5e6 }
+isolation = { mass = 100, bearing = [{ at = [[1, 1], [11, 1], [1, 17], [11, 17]], stiffness = 2000 }] }
+[[building]]
+name = "W"
+rigid = true
+elevations = [6.7]
+plan = { corner = [14.05, 1.0], size = [1.0, 18.0] }
+)");
+  std::vector<std::pair<Eigen::Index, PlanPoint>> found;
+  for (const PlanCentre& centre : centres_of(run)) {
+    EXPECT_EQ(centre.building, 0);
+    if (centre.of_rigidity) found.emplace_back(centre.floor, centre.at);
+  }
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0], (std::pair<Eigen::Index, PlanPoint>(1, {5, 10})));
+  EXPECT_EQ(found[1], (std::pair<Eigen::Index, PlanPoint>(2, {11, 5})));
 }
 
 }  // namespace
