@@ -24,7 +24,10 @@ Json watched_json(const Problem& problem, Eigen::Index index, const PlanProblem*
   const WatchedFloor& floor = problem.watched[index];
   Json json = {{"floor_of", problem.buildings[floor.floor_of].name}, {"elevation", floor.elevation}};
   put_place(plan, problem, false, index, json);
-  json["faces"] = floor.facing_floor ? "floor" : plan != nullptr ? "edge" : "column";
+  json["faces"] = floor.facing_floor           ? "floor"
+                  : faces_base(problem, floor) ? "base"
+                  : plan != nullptr            ? "edge"
+                                               : "column";
   json["width"] = floor.width;
   return json;
 }

@@ -143,6 +143,12 @@ GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::
   return outcome;
 }
 
+bool faces_base(const Problem& problem, const WatchedFloor& floor) {
+  constexpr double round_off = 1e-9;
+  const FloorLevels other = levels_of(faced_building(problem, floor).model);
+  return !floor.facing_floor && std::abs(floor.elevation - other.base) <= round_off * (1 + std::abs(other.base));
+}
+
 Remedy remedy_for(const Problem& problem, const WatchedFloor& floor, bool in_plan) {
   if (floor.facing_floor) return {Remedy::Kind::name_elevation, floor.elevation, 0};
   const bool of_left = floor.floor_of == floor.left;
@@ -161,6 +167,7 @@ Remedy remedy_for(const Problem& problem, const WatchedFloor& floor, bool in_pla
       }
     }
   }
+  if (faces_base(problem, floor)) return {Remedy::Kind::give_wall, floor.elevation, 0};
   if (in_plan) return {Remedy::Kind::give_floor, floor.elevation, 0};
   const bool is_frame = faced_building(problem, floor).model.left_joints.size() > 0;
   return {is_frame ? Remedy::Kind::strike_column : Remedy::Kind::give_columns, floor.elevation, 0};
@@ -183,6 +190,9 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
       return fmt::format(
           "floors of buildings in plan strike floors alone: a rough model gives {} a floor at level {} {}", other,
           number(remedy.level), length);
+    case Remedy::Kind::give_wall:
+      return fmt::format("a base cannot be struck: a case with a wall (rigid = true) in place of {} shows what it does",
+                         other);
     case Remedy::Kind::give_columns:
       break;
   }
@@ -197,7 +207,8 @@ std::string floor_text(const Problem& problem, const WatchedFloor& floor) {
 }
 
 std::string faced_text(const Problem& problem, const WatchedFloor& floor) {
-  return fmt::format("the {} of {}", floor.facing_floor ? "floor" : "column", faced_building(problem, floor).name);
+  const char* const part = floor.facing_floor ? "floor" : faces_base(problem, floor) ? "base" : "column";
+  return fmt::format("the {} of {}", part, faced_building(problem, floor).name);
 }
 
 }  // namespace bentur

@@ -85,6 +85,7 @@ struct Remedy {
     strike_column,    ///< it faces a column of a frame: name it in gap.elevations with gap.strikes_columns
     give_columns,     ///< it faces a building whose columns are not known: give that one as a frame
     give_floor,       ///< in plan: nothing is struck between floors
+    give_wall,        ///< it faces a base, which is no floor: put a wall in that building's place
   };
   Kind kind = Kind::give_columns;
   double level = 0;      ///< [length] of the level to name, or of the floor that is near
@@ -100,7 +101,10 @@ struct Remedy {
 /// "the floor of A", whose elevation is known from elsewhere.
 [[nodiscard]] std::string floor_text(const Problem& problem, const WatchedFloor& floor);
 
-/// "the column of B", or "the floor of B".
+/// Whether it faces the base of the other building, which moves with the ground.
+[[nodiscard]] bool faces_base(const Problem& problem, const WatchedFloor& floor);
+
+/// "the column of B", "the floor of B" or "the base of B".
 [[nodiscard]] std::string faced_text(const Problem& problem, const WatchedFloor& floor);
 
 }  // namespace bentur

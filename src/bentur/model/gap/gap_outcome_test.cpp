@@ -279,6 +279,22 @@ TEST(RemedyFor, AColumnCanBeStruckWhereItsBuildingIsAFrame) {
             "gap.elevations, or as building.matrices with a floor at level 6 m");
 }
 
+// The slab of A on bearings, at 0, faces the base of B.
+TEST(RemedyFor, ABaseIsNoFloor) {
+  BuildingSpec a = spec("A", Stick{{3, 3}, {30, 30}, {4e4, 4e4}});
+  a.isolation = IsolationSpec{.mass = 30, .numbers = {{"stiffness", 500}}};
+  const Problem problem = make_problem(pair_of(a, spec("B", Stick{{3, 3}, {20, 20}, {6e4, 6e4}}), 0.01));
+  ASSERT_EQ(problem.watched.size(), 1U);
+  EXPECT_EQ(problem.watched[0].elevation, 0);
+  EXPECT_TRUE(faces_base(problem, problem.watched[0]));
+  EXPECT_EQ(faced_text(problem, problem.watched[0]), "the base of B");
+  for (const bool in_plan : {false, true}) {
+    EXPECT_EQ(remedy_for(problem, problem.watched[0], in_plan).kind, Remedy::Kind::give_wall);
+    EXPECT_EQ(remedy_text(problem, problem.watched[0], "m", in_plan),
+              "a base cannot be struck: a case with a wall (rigid = true) in place of B shows what it does");
+  }
+}
+
 TEST(RemedyFor, SaysWhatACaseCanDo) {
   Case c = pair_of(spec("A", Stick{{3, 3, 3}, {30, 30, 30}, {4e4, 4e4, 4e4}}),
                    spec("B", Stick{{3, 3.5, 3.5, 3}, {20, 20, 20, 20}, {6e4, 6e4, 6e4, 6e4}}), 0.01);

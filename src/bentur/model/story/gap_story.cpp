@@ -126,7 +126,10 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     verdict.texts.emplace_back(judgement_word(value));
     governs.texts.emplace_back(is_governing ? "gap.governs" : "");
     const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];
-    kind.texts.emplace_back(floor == nullptr ? "gap.contact" : floor->facing_floor ? "gap.floor" : between);
+    kind.texts.emplace_back(floor == nullptr                    ? "gap.contact"
+                            : floor->facing_floor               ? "gap.floor"
+                            : faces_base(facts.problem, *floor) ? "gap.base"
+                                                                : between);
     owner.texts.push_back(floor == nullptr ? "" : facts.problem.buildings[floor->floor_of].name);
   }
   const auto known = [](const StoryColumn& column) {
@@ -363,6 +366,9 @@ void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Stateme
       break;
     case Remedy::Kind::give_floor:
       statement.values.push_back(word_of("remedy", "story.remedy.floor"));
+      break;
+    case Remedy::Kind::give_wall:
+      statement.values.push_back(word_of("remedy", "story.remedy.wall"));
       break;
   }
   statements.push_back(std::move(statement));

@@ -92,7 +92,9 @@ const std::string& faced_name(const Problem& problem, const WatchedFloor& floor)
 }
 
 void add_faces(const Problem& problem, const WatchedFloor& floor, bool in_plan, std::vector<StoryValue>& values) {
-  const char* const column = in_plan ? "story.the_edge_of" : "story.the_column_of";
+  const char* const column = faces_base(problem, floor) ? "story.the_base_of"
+                             : in_plan                  ? "story.the_edge_of"
+                                                        : "story.the_column_of";
   values.push_back(text_of("building", problem.buildings[floor.floor_of].name));
   values.push_back(text_of("faced_building", faced_name(problem, floor)));
   values.push_back(word_of("faced", floor.facing_floor ? "story.the_floor_of" : column));
