@@ -101,18 +101,20 @@ def beside_each_other(run):
 
 def threads(count, turns, folder):
     """What two threads are worth."""
-    print("| two threads | wall: times one | best | two processes | threads to processes | processor time to one |\n"
-          "| :-- | --: | --: | --: | --: | --: |")
+    print("| two threads | wall: times one | best | two processes | threads to processes | processor time to one | "
+          "of it by one thread alone |\n| :-- | --: | --: | --: | --: | --: | --: |")
     for name, run in ways(count, folder).items():
-        wall, processes, processor = [], [], []
+        wall, processes, processor, alone = [], [], [], []
         for _ in range(turns):
-            one, two = spent(lambda run=run: run(1)), spent(lambda run=run: run(2))
+            one, begun = spent(lambda run=run: run(1)), time.thread_time()
+            two = spent(lambda run=run: run(2))
+            alone.append((time.thread_time() - begun) / two[0])  # this thread runs nothing itself
             wall.append(one[1] / two[1])
             processes.append(2 * one[1] / beside_each_other(run))
             processor.append(two[0] / one[0])
         ratio = statistics.median(a / b for a, b in zip(wall, processes, strict=True))
         print(f"| {name} | {statistics.median(wall):.2f} | {max(wall):.2f} | {statistics.median(processes):.2f} | "
-              f"{ratio:.2f} | {statistics.median(processor):.2f} |", flush=True)
+              f"{ratio:.2f} | {statistics.median(processor):.2f} | {100 * statistics.median(alone):.0f} % |", flush=True)
 
 
 def run_alone(turns):

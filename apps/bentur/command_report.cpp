@@ -50,6 +50,13 @@ ReportOptions of_results(ReportOptions options, const NetcdfReader& results) {
   return options;
 }
 
+/// Of a row. Its record is looked for where it was from the results, from beside them, and from here.
+std::string report_of(const RunResults& results, const std::filesystem::path& folder, const ReportOptions& options) {
+  ReportOptions all = options;
+  all.sensitivity = sensitivity_of_results(results.c, {folder, folder / "..", "."});
+  return report_html(results, all);
+}
+
 /// The report of a folder of results.
 std::string from_results(const std::filesystem::path& folder, const ReportOptions& options) {
   try {
@@ -57,9 +64,9 @@ std::string from_results(const std::filesystem::path& folder, const ReportOption
       const NetcdfReader histories(folder / "histories.nc");
       const ReportOptions told = of_results(options, histories);
       return is_plan_run(histories) ? plan_report_html(read_plan_results(histories), told)
-                                    : report_html(read_results(folder), told);
+                                    : report_of(read_results(folder), folder, told);
     }
-    return report_html(read_results(folder), options);
+    return report_of(read_results(folder), folder, options);
   } catch (const Failure&) {
     throw;
   } catch (const std::exception& error) {

@@ -94,3 +94,105 @@ def test_a_curved_force_has_none():
     case = bentur.example().replace({"gap[0].contact": {"law": "hertz", "stiffness": 1e5}})
     with pytest.raises(bentur.CaseError, match="curved"):
         bentur.run(case).sensitivity  # noqa: B018
+
+
+SUITE = """
+title = "Three records"
+[units]
+length = "m"
+force = "kN"
+[[building]]
+name = "A"
+damping = 0.05
+stick = { storey_heights = [3.0, 3.0], masses = [30.0, 25.0], stiffnesses = [9000.0, 8000.0] }
+[[building]]
+name = "B"
+damping = 0.05
+stick = { storey_heights = [3.0, 3.0], masses = [30.0, 25.0], stiffnesses = [26000.0, 21000.0] }
+[[gap]]
+between = ["A", "B"]
+width = 0.02
+contact = { law = "linear", stiffness = 1e5 }
+[excitation]
+kind = "suite"
+files = [FILES]
+scale = "en-1998-1"
+target = { shape = "en-1998-1", ground_acceleration = "0.3 g", ground_type = "C", spectrum_type = 1 }
+"""
+
+
+@pytest.mark.parametrize("count, takes", [(4, "largest"), (7, "mean")])
+def test_of_a_suite_each_record_and_what_its_code_takes(tmp_path, count, takes):
+    random = np.random.default_rng(3)
+    for r in range(count):
+        t = np.arange(300) * 0.02
+        values = np.convolve(random.normal(size=300), np.ones(4) / 4, "same") * np.exp(-(((t - 3) / 2) ** 2))
+        np.savetxt(tmp_path / f"r{r}.txt", np.column_stack([t, 4 * values]))
+    files = ", ".join(f'{{ file = "r{r}.txt", unit = "m/s2" }}' for r in range(count))
+    suite = SUITE.replace("FILES", files)
+    file = tmp_path / "suite.toml"
+    file.write_text(suite)
+    printed = subprocess.run([os.environ["BENTUR_PROGRAM"], "sensitivity", str(file), "--json"], capture_output=True, text=True)
+    assert printed.returncode == 0, printed.stderr
+    told = json.loads(printed.stdout)
+    found = bentur.sensitivity(file)
+    assert found["peaks"] == told["peaks"] and found["records"] == told["records"]
+    assert found["takes"] == takes and len(found["records"]) == count
+    paths = [one["path"] for one in found["numbers"]]
+    scale, width = paths.index("excitation.scale"), paths.index("gap[0].width")
+    assert found["numbers"][scale]["value"] == 1
+    assert any("how the suite is chosen" in one["why"] for one in found["left_out"])
+
+    def needs(peaks):
+        return [one for one in peaks if one["quantity"] == "gap_needed"]
+
+    of_records = [needs(one["peaks"]) for one in found["records"]]
+    for i, peak in enumerate(needs(found["peaks"])):
+        values = np.array([one[i]["value"] for one in of_records])
+        gradients = np.array([one[i]["gradient"] for one in of_records])
+        if takes == "mean":
+            assert peak["value"] == pytest.approx(values.mean(), rel=1e-12) and peak["time"] is None
+            np.testing.assert_allclose(peak["gradient"], gradients.mean(axis=0), rtol=1e-9, atol=1e-15)
+        else:
+            assert peak["value"] == values.max() and peak["record"] == found["records"][values.argmax()]["record"]
+            np.testing.assert_array_equal(peak["gradient"], gradients[values.argmax()])
+        # The response without contact grows as its records do.
+        assert peak["elasticity"][scale] == pytest.approx(1, rel=1e-9)
+    # What a record gives is what the run of that record changes by, scaled as it is: the band of periods that a code
+    # scales by follows the buildings, which the derivative leaves out.
+    path, h = "building[0].stick.stiffnesses[0]", 9e-3
+    for number in (1, count):
+        motion = bentur.run(bentur.Case.from_file(file), record=number, histories=False).summary["excitation"]
+        alone = {"kind": "record", "file": str(tmp_path / f"r{number - 1}.txt"), "unit": "m/s2", "scale": motion["pga"] / motion["pga_read"]}
+        case = bentur.Case.from_file(file).replace({"excitation": alone})
+
+        def runs(value, case=case):
+            gap = bentur.run(case.replace({path: value}), histories=False).summary["gaps"][0]
+            return np.array([point["gap_needed"] for point in gap["points"]])
+
+        different = (runs(9000 + h) - runs(9000 - h)) / (2 * h)
+        ours = [one["gradient"][paths.index(path)] for one in needs(found["records"][number - 1]["peaks"])]
+        assert np.max(np.abs(different - ours)) < 1e-5 * np.max(np.abs(different))
+    words = subprocess.run([os.environ["BENTUR_PROGRAM"], "sensitivity", str(file), "--lang", "id"], capture_output=True, text=True)
+    assert ("rata-rata" if takes == "mean" else "terbesar") in words.stdout and words.returncode == 0
+
+
+def test_the_report_of_results_finds_its_record(tmp_path):
+    """Beside the results, by its hash; another record of that name is none."""
+    program = os.environ["BENTUR_PROGRAM"]
+    subprocess.run([program, "example", "m12-el-centro", "-o", str(tmp_path)], check=True, capture_output=True)
+    case = next(tmp_path.rglob("m12-el-centro.toml"))
+
+    def section(what, name):
+        page = tmp_path / name
+        subprocess.run([program, "report", str(what), "-o", str(page)], check=True, capture_output=True, cwd=tmp_path)
+        text = page.read_text()
+        start = text.find('<section id="sensitivity">')
+        return text[start : text.find("</section>", start)] if start >= 0 else ""
+
+    subprocess.run([program, "run", str(case), "-o", str(case.parent / "out"), "-q"], check=True, capture_output=True)
+    of_case = section(case, "case.html")
+    assert of_case and section(case.parent / "out", "results.html") == of_case
+    record = next(tmp_path.rglob("el-centro*.csv"))
+    record.write_text(record.read_text().replace("0.", "1.", 1))
+    assert section(case.parent / "out", "other.html") == ""

@@ -28,6 +28,7 @@ from ._functions import (
     response_spectrum,
     run,
     run_suite,
+    sensitivity,
 )
 from ._model import *
 from ._result import Result
@@ -61,6 +62,7 @@ __all__ = [
     "run_many",
     "run_suite",
     "sample",
+    "sensitivity",
     "sweep",
     "vary",
 ]

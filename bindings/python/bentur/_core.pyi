@@ -1,7 +1,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, overload
+from typing import Any, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,11 +87,13 @@ class Run:
         elevation: float | None,
     ) -> str: ...
 
+_ForEach: TypeAlias = Callable[[int, Callable[[int, int], None]], None]
+
 class Study:
     @overload
-    def __init__(self, file: str | PathLike[str], ida: bool) -> None: ...
+    def __init__(self, file: str | PathLike[str], ida: bool, for_each: _ForEach) -> None: ...
     @overload
-    def __init__(self, case: Case, tables: Mapping[str, Any], text: str, case_text: str) -> None: ...
+    def __init__(self, case: Case, tables: Mapping[str, Any], text: str, case_text: str, for_each: _ForEach) -> None: ...
     @staticmethod
     def of_cases(cases: Sequence[Case], labels: Sequence[str]) -> Study: ...
     @property

@@ -102,6 +102,23 @@ def run_suite(case: Case | str | PathLike[str], *, progress: Progress = None) ->
         return found
 
 
+def sensitivity(
+    case: Case | str | PathLike[str], *, numbers: Sequence[str] = (), progress: Progress = None
+) -> dict[str, Any]:
+    """The derivatives of gap needed, peak force and displacements by the numbers of a case, through the events, as
+    ``bentur sensitivity CASE --json`` prints them (docs/sensitivity.md); of a suite those of the mean or the largest of
+    all records, and of each. :attr:`Result.sensitivity` has those of a run.
+
+    :param numbers: those wanted, as ``gap[0].width``; default: all of the case.
+    :raises CaseError: for buildings in plan, that yield, or a contact law with a curved force.
+    """
+    asked = as_case(case)
+    wanted = [_arguments.text(f"numbers[{i}]", one) for i, one in enumerate([numbers] if isinstance(numbers, str) else numbers)]
+    with shown(progress, asked.title or "sensitivity") as told:
+        found: dict[str, Any] = json.loads(_core.sensitivity_json(asked._made, wanted, told))
+        return found
+
+
 def modes(case: Case | str | PathLike[str], *, method: str = "library") -> dict[str, Any]:
     """Periods, participation, effective masses and shapes of each building, as ``bentur modes CASE --json`` has them.
 

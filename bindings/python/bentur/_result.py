@@ -269,7 +269,8 @@ class Result:
     @cached_property
     def sensitivity(self) -> dict[str, Any]:
         """The derivatives of gap needed, peak force and displacements by every number of the case, through the events,
-        as ``bentur sensitivity CASE --json`` prints them (docs/sensitivity.md). Found when first asked for.
+        as ``bentur sensitivity CASE --json`` prints them (docs/sensitivity.md). Found when first asked for. Of a record of
+        a suite they are those of the suite, with each record's own, as of :func:`bentur.sensitivity`.
 
         :raises CaseError: for buildings in plan, that yield, or a contact law with a curved force.
         """

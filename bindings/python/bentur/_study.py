@@ -6,7 +6,7 @@ import json
 import os
 import re
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import astuple, replace
 from os import PathLike
@@ -82,7 +82,7 @@ def _run(
     if output is None and (resume or force):
         raise ValueError(f"{'resume' if resume else 'force'} goes with output, the file of results")
     threads = _threads(threads)
-    core = _core.Study(_arguments.path("study", study), is_ida)
+    core = _core.Study(_arguments.path("study", study), is_ida, _for_each(threads))
     if output is None:
         return _solved(core, threads, progress)
     file = _arguments.path("output", output)
@@ -99,6 +99,22 @@ def _run(
             core.close()
     found: xarray.Dataset = imported("xarray", "a study").load_dataset(file)
     return found
+
+
+def _for_each(workers: int) -> Callable[[int, Callable[[int, int], None]], None]:
+    """By which values of a study are tried, part by part."""
+
+    def by_threads(count: int, part: Callable[[int, int], None]) -> None:
+        at_once = max(1, -(-count // (4 * workers)))
+        starts = range(0, count, at_once)
+        if workers == 1 or len(starts) < 2:
+            part(0, count)
+            return
+        with ThreadPoolExecutor(workers) as pool:
+            for one in [pool.submit(part, start, min(start + at_once, count)) for start in starts]:
+                one.result()
+
+    return by_threads
 
 
 def _threads(threads: int | None) -> int:
@@ -201,7 +217,8 @@ def vary(
     texts = _core.toml_file({"case": "case.toml", "vary": tables}), case.to_toml()
     imported("xarray", "a study")
     try:
-        return _solved(_core.Study(case._made, {"vary": tables}, *texts), _threads(threads), progress)
+        workers = _threads(threads)
+        return _solved(_core.Study(case._made, {"vary": tables}, *texts, _for_each(workers)), workers, progress)
     except CaseError as error:
         raise CaseError(_as_given(one, list(given_values)) for one in error.errors) from None
 

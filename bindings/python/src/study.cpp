@@ -162,15 +162,31 @@ std::shared_ptr<PyStudy> checked(std::unique_ptr<StudyRuns> runs, const Diagnost
   return std::make_shared<PyStudy>(std::move(runs));
 }
 
-std::shared_ptr<PyStudy> read(const fs::path& file, bool ida) {
+/// By threads of Python's, each with a part of the numbers. @param for_each for_each(count, part), which calls
+/// part(from, to) so that each number below the count is in one part
+ForEachNumber by_threads_of(const py::object& for_each) {
+  return [&for_each](std::size_t count, const std::function<void(std::size_t)>& work) {
+    const py::gil_scoped_acquire locked;
+    for_each(count, py::cpp_function([&work](std::size_t from, std::size_t to) {
+               const py::gil_scoped_release unlocked;
+               for (std::size_t i = from; i < to; ++i) work(i);
+             }));
+  };
+}
+
+std::shared_ptr<PyStudy> read(const fs::path& file, bool ida, const py::object& for_each) {
   Diagnostics found;
-  auto runs = checked_runs(file, ida ? StudyKind::ida : StudyKind::sweep, "bentur.", found);
+  std::unique_ptr<StudyRuns> runs;
+  {
+    const py::gil_scoped_release unlocked;
+    runs = checked_runs(file, ida ? StudyKind::ida : StudyKind::sweep, "bentur.", found, by_threads_of(for_each));
+  }
   return checked(std::move(runs), found);
 }
 
 /// A study of a case that is there. @param text,case_text what the results keep of both
 std::shared_ptr<PyStudy> of_values(const PyCase& of, const py::dict& tables, const std::string& text,
-                                   const std::string& case_text) {
+                                   const std::string& case_text, const py::object& for_each) {
   Diagnostics found;
   Study start;
   start.file = of.folder / "";
@@ -178,8 +194,18 @@ std::shared_ptr<PyStudy> of_values(const PyCase& of, const py::dict& tables, con
   start.text = text;
   start.case_text = case_text;
   start.case_root = *of.root;
-  std::optional<Study> study = read_study(toml_of(tables), std::move(start), found);
-  auto runs = study ? checked_runs(std::move(*study), found) : nullptr;
+  const TomlValue given = toml_of(tables);
+  std::unique_ptr<StudyRuns> runs;
+  {
+    // A law of Python's own must be taken and let go of with the lock, which a single thread can hold.
+    const bool has_own = has_own_law(given) || has_own_law(start.case_root);
+    std::optional<py::gil_scoped_release> unlocked;
+    if (!has_own) unlocked.emplace();
+    std::optional<Study> study = read_study(given, std::move(start), found);
+    if (study)
+      runs = checked_runs(std::move(*study), found,
+                          has_own ? ForEachNumber(one_after_the_other) : by_threads_of(for_each));
+  }
   return checked(std::move(runs), found);
 }
 
@@ -308,8 +334,9 @@ SuiteResults suite_results(const PyCase& given, const py::object& progress) {
 
 void bind_study(py::module_& module) {
   py::class_<PyStudy, std::shared_ptr<PyStudy>>(module, "Study")
-      .def(py::init(&read), py::arg("file"), py::arg("ida"))
-      .def(py::init(&of_values), py::arg("case"), py::arg("tables"), py::arg("text"), py::arg("case_text"))
+      .def(py::init(&read), py::arg("file"), py::arg("ida"), py::arg("for_each"))
+      .def(py::init(&of_values), py::arg("case"), py::arg("tables"), py::arg("text"), py::arg("case_text"),
+           py::arg("for_each"))
       .def_static("of_cases", &of_cases, py::arg("cases"), py::arg("labels"))
       .def_property_readonly("title", [](const PyStudy& study) { return study.runs().facts().title; })
       .def_property_readonly("runs", [](const PyStudy& study) { return study.runs().design().runs(); })

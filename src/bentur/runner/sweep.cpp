@@ -8,6 +8,7 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/files/netcdf_kind.h"
+#include "bentur/runner/for_each_in_threads.h"
 #include "bentur/runner/internal/distribute.h"
 #include "bentur/runner/internal/sweep_netcdf.h"
 
@@ -24,7 +25,8 @@ int default_threads(const Ranks& ranks) { return ranks.size() > 1 ? 1 : tbb::inf
 }  // namespace
 
 std::optional<SweepOutline> outline_sweep(const fs::path& study, StudyKind kind, Diagnostics& diagnostics) {
-  const std::unique_ptr<StudyRuns> runs = checked_runs(study, kind, "bentur ", diagnostics);
+  const std::unique_ptr<StudyRuns> runs =
+      checked_runs(study, kind, "bentur ", diagnostics, for_each_in_threads(tbb::info::default_concurrency()));
   if (!runs) return std::nullopt;
   SweepOutline outline;
   for (std::size_t axis = 0; axis < runs->study().axes.size(); ++axis) {
@@ -38,10 +40,11 @@ std::optional<SweepOutline> outline_sweep(const fs::path& study, StudyKind kind,
 
 std::optional<SweepReport> sweep(const fs::path& study, const SweepOptions& options, Ranks& ranks,
                                  Diagnostics& diagnostics) {
-  const std::unique_ptr<StudyRuns> runs = checked_runs(study, options.kind, "bentur ", diagnostics);
-  if (!runs) return std::nullopt;
   WorkOptions work_options;
   work_options.threads = options.threads > 0 ? options.threads : default_threads(ranks);
+  const std::unique_ptr<StudyRuns> runs =
+      checked_runs(study, options.kind, "bentur ", diagnostics, for_each_in_threads(work_options.threads));
+  if (!runs) return std::nullopt;
   work_options.stop = options.stop;
   SweepReport report;
   if (ranks.rank() != 0) {

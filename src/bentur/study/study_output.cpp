@@ -41,16 +41,16 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
-std::unique_ptr<StudyRuns> checked_runs(Study study, Diagnostics& diagnostics) {
+std::unique_ptr<StudyRuns> checked_runs(Study study, Diagnostics& diagnostics, const ForEachNumber& for_each) {
   check_names(study, diagnostics);
   const auto memo = std::make_shared<CaseMemo>();
-  std::optional<StudyFacts> facts = check_study(study, *memo, diagnostics);
+  std::optional<StudyFacts> facts = check_study(study, *memo, diagnostics, for_each);
   if (!facts || !diagnostics.ok()) return nullptr;
   return std::make_unique<StudyRuns>(std::move(study), std::move(*facts), memo);
 }
 
 std::unique_ptr<StudyRuns> checked_runs(const fs::path& file, StudyKind kind, const std::string& door,
-                                        Diagnostics& diagnostics) {
+                                        Diagnostics& diagnostics, const ForEachNumber& for_each) {
   std::optional<Study> study = read_study(file, diagnostics);
   if (!study) return nullptr;
   if (study->remedy) {
@@ -66,7 +66,7 @@ std::unique_ptr<StudyRuns> checked_runs(const fs::path& file, StudyKind kind, co
                       "[ida] is missing, with intensity and levels; without it use " + door + "sweep");
     return nullptr;
   }
-  return checked_runs(std::move(*study), diagnostics);
+  return checked_runs(std::move(*study), diagnostics, for_each);
 }
 
 StudyOutput::StudyOutput(const StudyRuns& runs, StudyOutputOptions options)

@@ -15,11 +15,14 @@ namespace bentur {
 /// What a study is run as. One with [ida] is an incremental dynamic analysis, one without is a sweep.
 enum class StudyKind { sweep, ida };
 
-/// The runs of a study that has been read and checked. @return null when it has an error; all are in `diagnostics`.
-[[nodiscard]] std::unique_ptr<StudyRuns> checked_runs(Study study, Diagnostics& diagnostics);
+/// The runs of a study that has been read and checked, `for_each` value of many. @return null when it has an
+/// error; all are in `diagnostics`.
+[[nodiscard]] std::unique_ptr<StudyRuns> checked_runs(Study study, Diagnostics& diagnostics,
+                                                      const ForEachNumber& for_each = one_after_the_other);
 /// The same of a file; a study of the other kind is an error. @param door before the other one's name: "bentur "
 [[nodiscard]] std::unique_ptr<StudyRuns> checked_runs(const std::filesystem::path& file, StudyKind kind,
-                                                      const std::string& door, Diagnostics& diagnostics);
+                                                      const std::string& door, Diagnostics& diagnostics,
+                                                      const ForEachNumber& for_each = one_after_the_other);
 
 /// A file of results that is asked for, and what a user says to ask for it.
 struct StudyOutputOptions {

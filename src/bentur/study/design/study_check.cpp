@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <mutex>
 #include <set>
+#include <utility>
 #include <variant>
 
 #include "bentur/core/errors.h"
@@ -26,10 +29,18 @@ std::string place_text(const SourcePosition& position) {
                            : fmt::format(" ({})", file);
 }
 
+/// What comes of some choices.
+struct Attempt {
+  Diagnostics found;                         // of the case that they make
+  std::vector<std::filesystem::path> files;  // that it is read from
+  std::string unlike;                        // what of it must be alike in all runs and is not
+  std::string invalid;                       // why no problem can be made of it
+};
+
 class Trial {
  public:
-  Trial(const Study& study, CaseMemo& memo, Diagnostics& diagnostics)
-      : study_(study), memo_(memo), diagnostics_(diagnostics) {}
+  Trial(const Study& study, CaseMemo& memo, const ForEachNumber& for_each, Diagnostics& diagnostics)
+      : study_(study), memo_(memo), for_each_(for_each), diagnostics_(diagnostics) {}
 
   /// The first choices: errors here are those of the case, or of a value wherever it is put.
   bool first() {
@@ -72,14 +83,25 @@ class Trial {
     if (vary.distribution) {
       for (const bool high : {false, true}) {
         choices[axis].low_or_high = high;
-        one(choices, axis);
+        take(attempt(choices), choices, axis);
       }
       return;
     }
-    for (const std::size_t level : further_levels(axis)) {
-      if (errors_ >= most_errors) break;
-      choices[axis].level = level;
-      one(choices, axis);
+    // Read by many threads, and taken one after the other.
+    constexpr std::size_t at_once = 256;
+    const std::vector<std::size_t> levels = further_levels(axis);
+    for (std::size_t begin = 0; begin < levels.size(); begin += at_once) {
+      std::vector<Attempt> attempts(std::min(at_once, levels.size() - begin));
+      for_each_(attempts.size(), [&](std::size_t i) {
+        std::vector<Choice> own = choices;
+        own[axis].level = levels[begin + i];
+        attempts[i] = attempt(own);
+      });
+      for (std::size_t i = 0; i < attempts.size(); ++i) {
+        if (errors_ >= most_errors) return;
+        choices[axis].level = levels[begin + i];
+        take(attempts[i], choices, axis);
+      }
     }
   }
 
@@ -141,18 +163,27 @@ class Trial {
     hashes += (hashes.empty() ? "" : " ") + identify(file).sha256;
   }
 
-  ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
+  /// Reads the case that choices make; `files` are what it is read from.
+  ReadCase made(const std::vector<Choice>& choices, Diagnostics& found,
+                std::vector<std::filesystem::path>& files) const {
     ReadCase read = read_chosen(study_, chosen_case(study_, choices), memo_, found);
-    for (const ExcitationSpec* const one : read.c.excitations()) note(*one, found);
+    if (!found.ok()) return read;
+    for (const ExcitationSpec* const one : read.c.excitations()) {
+      if (one->record && !one->record->path.empty()) {
+        files.push_back(study_.case_file.parent_path() / one->record->file);
+      }
+    }
     for (const BuildingSpec& building : read.c.buildings) {
-      if (found.ok() && !building.shapes_path.empty()) note(building.shapes_path);
+      if (!building.shapes_path.empty()) files.emplace_back(building.shapes_path);
     }
     return read;
   }
 
-  void note(const ExcitationSpec& excitation, const Diagnostics& found) {
-    if (found.ok() && excitation.record && !excitation.record->path.empty())
-      note(study_.case_file.parent_path() / excitation.record->file);
+  ReadCase tried(const std::vector<Choice>& choices, Diagnostics& found) {
+    std::vector<std::filesystem::path> files;
+    ReadCase read = made(choices, found, files);
+    for (const std::filesystem::path& file : files) note(file);
+    return read;
   }
 
   double measured(const std::vector<Choice>& choices) {
@@ -195,10 +226,32 @@ class Trial {
     return intensity;
   }
 
-  void one(const std::vector<Choice>& choices, std::size_t axis) {
-    Diagnostics found;
-    const ReadCase read = tried(choices, found);
-    for (const Diagnostic& error : found.errors()) {
+  /// What choices make, held against the first ones. Many threads may ask.
+  Attempt attempt(const std::vector<Choice>& choices) {
+    Attempt tried_out;
+    const ReadCase read = made(choices, tried_out.found, tried_out.files);
+    if (!tried_out.found.ok()) return tried_out;
+    try {
+      const std::optional<Problem> row = read.plan ? std::nullopt : std::optional(read.problem());
+      const std::lock_guard lock(facts_mutex_);
+      if (read.plan && !take_places(*read.plan, facts_)) {
+        tried_out.unlike =
+            "which buildings meet, the numbers of floors, planes, bearings and contact points, and which of them can "
+            "yield or rub, must be the same in all runs";
+      } else if (row && !take_places(*row, facts_)) {
+        tried_out.unlike =
+            "the numbers of floors, contact points and links, and which buildings can yield, must be the same in all "
+            "runs";
+      }
+    } catch (const InvalidParameter& error) {
+      tried_out.invalid = error.what();
+    }
+    return tried_out;
+  }
+
+  void take(const Attempt& tried_out, const std::vector<Choice>& choices, std::size_t axis) {
+    for (const std::filesystem::path& file : tried_out.files) note(file);
+    for (const Diagnostic& error : tried_out.found.errors()) {
       if (error.position.origin > 0) {
         report(error, choices);
       } else {
@@ -206,15 +259,9 @@ class Trial {
       }
       ++errors_;
     }
-    if (!found.ok()) return;
-    try {
-      if (read.plan) {
-        compare(*read.plan, axis, choices);
-      } else {
-        compare(read.problem(), axis, choices);
-      }
-    } catch (const InvalidParameter& error) {
-      because_of(axis, choices, error.what());
+    for (const std::string& why : {tried_out.unlike, tried_out.invalid}) {
+      if (why.empty()) continue;
+      because_of(axis, choices, why);
       ++errors_;
     }
   }
@@ -250,25 +297,11 @@ class Trial {
                        fmt::format("with {} = {}: {}", vary.parameter, chosen_text(vary, choices[axis]), what));
   }
 
-  void compare(const PlanProblem& problem, std::size_t axis, const std::vector<Choice>& choices) {
-    if (take_places(problem, facts_)) return;
-    because_of(axis, choices,
-               "which buildings meet, the numbers of floors, planes, bearings and contact points, and which of them "
-               "can yield or rub, must be the same in all runs");
-    ++errors_;
-  }
-
-  void compare(const Problem& problem, std::size_t axis, const std::vector<Choice>& choices) {
-    if (take_places(problem, facts_)) return;
-    because_of(axis, choices,
-               "the numbers of floors, contact points and links, and which buildings can yield, must be the same in "
-               "all runs");
-    ++errors_;
-  }
-
   const Study& study_;
   CaseMemo& memo_;
+  const ForEachNumber& for_each_;
   Diagnostics& diagnostics_;
+  std::mutex facts_mutex_;
   StudyFacts facts_;
   int errors_ = 0;
 };
@@ -364,9 +397,14 @@ std::vector<std::string> building_names(const StudyFacts& facts) {
   return names;
 }
 
-std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics) {
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work) {
+  for (std::size_t i = 0; i < count; ++i) work(i);
+}
+
+std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics,
+                                      const ForEachNumber& for_each) {
   Diagnostics found;
-  Trial trial(study, memo, found);
+  Trial trial(study, memo, for_each, found);
   try {
     (void)SweepDesign(design_axes(study), study.sampling);
     const bool makes_case = trial.first();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -33,15 +35,21 @@ struct StudyFacts {
   RecordIntensities intensities;               ///< with [ida]
 };
 
+/// Calls with each number below a count, in any order, be it by many threads at once.
+using ForEachNumber = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& work);
+
 /// Reads a case that a study has made; what is wrong goes to `found`.
 [[nodiscard]] ReadCase read_chosen(const Study& study, const TomlValue& root, CaseMemo& memo, Diagnostics& found);
 
 /// Tries the values of a study in its case, one axis after the other with the others at their first choice: values
 /// given one by one, the ends of a range, the ends of a distribution's support (extremes()). So a key that the case
 /// does not know, a value out of its range and a distribution that can give one are found before anything is run.
+/// @param for_each tries values where there are many; what is found does not depend on its order
 /// @return nothing where there was an error; all of them are in `diagnostics`, with their place in study, case or
 /// record. With [ida] the intensity of every record is found too; of a combination that makes no case it is NaN.
-[[nodiscard]] std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics);
+[[nodiscard]] std::optional<StudyFacts> check_study(const Study& study, CaseMemo& memo, Diagnostics& diagnostics,
+                                                    const ForEachNumber& for_each = one_after_the_other);
 
 /// What is kept of each of its runs, as a row or in plan.
 [[nodiscard]] std::vector<RowPart> quantities_of(const StudyFacts& facts);

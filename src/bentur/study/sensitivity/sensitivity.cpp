@@ -14,11 +14,13 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/io/file_identity.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/tangent/problem_tangents.h"
+#include "bentur/study/sensitivity/internal/suite_sensitivity.h"
 
 namespace bentur {
 namespace {
@@ -66,14 +68,6 @@ void gather(const TomlValue& value, const ParameterPath& path, std::vector<Param
   for (const TomlMember& member : value.members) {
     if (std::find(samples.begin(), samples.end(), member.key) == samples.end()) into(member.value, member.key);
   }
-}
-
-std::vector<ParameterPath> numbers_in(const TomlValue& root) {
-  std::vector<ParameterPath> paths;
-  for (const char* table : tables_of_numbers) {
-    if (const TomlValue* const value = root.find(table)) gather(*value, {std::string(table)}, paths);
-  }
-  return paths;
 }
 
 /// Those that were asked for; what is none is an error.
@@ -130,18 +124,6 @@ class Maker {
   CaseMemo memo_;
 };
 
-/// Marks the largest of each kind in its gap or building.
-void mark_largest(std::vector<SensitivePeak>& peaks) {
-  for (SensitivePeak& peak : peaks) {
-    peak.is_largest =
-        peak.derivative.by.size() > 0 && std::none_of(peaks.begin(), peaks.end(), [&](const SensitivePeak& other) {
-          return &other != &peak && other.kind == peak.kind && other.item == peak.item &&
-                 (other.derivative.value > peak.derivative.value ||
-                  (other.derivative.value == peak.derivative.value && &other < &peak));
-        });
-  }
-}
-
 std::vector<SensitivePeak> peaks_of(const Problem& problem, const Tangents& found) {
   std::vector<SensitivePeak> peaks;
   for (Index gap = 0; gap < gap_count(problem); ++gap) {
@@ -177,6 +159,25 @@ std::vector<SensitivePeak> peaks_of(const Problem& problem, const Tangents& foun
 
 }  // namespace
 
+std::vector<ParameterPath> numbers_in(const TomlValue& root) {
+  std::vector<ParameterPath> paths;
+  for (const char* table : tables_of_numbers) {
+    if (const TomlValue* const value = root.find(table)) gather(*value, {std::string(table)}, paths);
+  }
+  return paths;
+}
+
+void mark_largest(std::vector<SensitivePeak>& peaks) {
+  for (SensitivePeak& peak : peaks) {
+    peak.is_largest =
+        peak.derivative.by.size() > 0 && std::none_of(peaks.begin(), peaks.end(), [&](const SensitivePeak& other) {
+          return &other != &peak && other.kind == peak.kind && other.item == peak.item &&
+                 (other.derivative.value > peak.derivative.value ||
+                  (other.derivative.value == peak.derivative.value && &other < &peak));
+        });
+  }
+}
+
 std::string_view key_of(SensitivePeak::Kind kind) {
   switch (kind) {
     case SensitivePeak::Kind::gap_needed:
@@ -207,8 +208,9 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
     diagnostics.error({file.string(), 0, 0}, why);
     return std::nullopt;
   };
-  if (refuse_plan(c, file, diagnostics) || refuse_without_motion(c, diagnostics)) return std::nullopt;
-  if (c.excitation.suite) return refuse("sensitivities are those of one ground motion, not of a suite");
+  if (refuse_plan(c, file, diagnostics)) return std::nullopt;
+  if (c.excitation.suite) return sensitivity_of_suite(root, file, c.excitation.suite, options, diagnostics);
+  if (refuse_without_motion(c, diagnostics)) return std::nullopt;
   if (!std::holds_alternative<ExactSolver>(c.analysis.solver)) {
     return refuse("sensitivities are found by the solver \"exact\" alone");
   }
@@ -216,7 +218,7 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
   if (!options.numbers.empty()) paths = asked_numbers(root, file, options.numbers, diagnostics);
   if (!diagnostics.ok()) return std::nullopt;
 
-  Sensitivity result{c.title, c.units, {}, {}, {}};
+  Sensitivity result{.title = c.title, .units = c.units, .numbers = {}, .left_out = {}, .peaks = {}};
   const Problem problem = read.problem();
   std::vector<ProblemVariation> variations;
   std::vector<CaseNumber> numbers;
@@ -253,15 +255,45 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
   return result;
 }
 
-std::optional<Sensitivity> sensitivity_of_report(const Case& c, const std::filesystem::path& file) {
-  if (c.given == nullptr || c.buildings.size() > most_buildings || c.is_in_plan()) return std::nullopt;
+namespace {
+
+/// For a report: what cannot be found is left out of it.
+std::optional<Sensitivity> found_or_nothing(const TomlValue& root, const std::filesystem::path& file) {
   Diagnostics found;
   try {
-    auto sensitivity = sensitivity_of(*c.given, file, {}, found);
+    auto sensitivity = sensitivity_of(root, file, {}, found);
     return found.ok() ? std::move(sensitivity) : std::nullopt;
   } catch (const InvalidParameter&) {
     return std::nullopt;
   }
+}
+
+/// Whether a file is the record that was run.
+bool is_record(const std::filesystem::path& file, const RecordEcho& record) {
+  std::error_code failed;
+  return std::filesystem::is_regular_file(file, failed) && std::filesystem::file_size(file, failed) == record.size &&
+         identify(file).sha256 == record.sha256;
+}
+
+}  // namespace
+
+std::optional<Sensitivity> sensitivity_of_report(const Case& c, const std::filesystem::path& file) {
+  if (c.given == nullptr || c.buildings.size() > most_buildings || c.is_in_plan()) return std::nullopt;
+  return found_or_nothing(*c.given, file);
+}
+
+std::optional<Sensitivity> sensitivity_of_results(const Case& c, const std::vector<std::filesystem::path>& folders) {
+  if (!c.source || c.buildings.size() > most_buildings || c.is_in_plan()) return std::nullopt;
+  Diagnostics ignored;
+  const auto root = parse_toml(c.source->text, c.source->file, ignored);
+  if (!root) return std::nullopt;
+  const TomlValue* const named = find_value(*root, {"excitation", "file"});
+  for (const std::filesystem::path& folder : folders) {
+    const bool is_here =
+        named == nullptr || (c.excitation.record && is_record(folder / named->text, *c.excitation.record));
+    if (is_here) return found_or_nothing(*root, folder / c.source->file);
+  }
+  return std::nullopt;
 }
 
 }  // namespace bentur

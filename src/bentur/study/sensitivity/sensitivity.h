@@ -33,6 +33,7 @@ struct SensitivePeak {
   double level = 0;         ///< [length]
   bool is_largest = false;  ///< of its kind in its gap or building
   Derivative derivative = {};
+  std::string record = {};  ///< of a suite of which the largest is taken: under which record it is
 };
 /// "gap_needed", "peak_force", …: the quantity's key.
 [[nodiscard]] std::string_view key_of(SensitivePeak::Kind kind);
@@ -44,6 +45,14 @@ struct Sensitivity {
   std::vector<CaseNumber> numbers;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< numbers, and why
   std::vector<SensitivePeak> peaks;                           ///< gaps left to right, then buildings
+  /// Of a suite: the same under each record. `peaks` are then those that the code takes of them, each the mean of all,
+  /// or the one under the record that makes it largest. `excitation.scale` is a factor, 1, of all records together.
+  struct OfRecord {
+    std::string record;
+    std::vector<SensitivePeak> peaks;
+  };
+  std::vector<OfRecord> records = {};
+  bool takes_mean = false;
 
   /// By what part of itself a peak changes with a number, for each part of that: p/y ∂y/∂p [-]. NaN: it is not known.
   [[nodiscard]] double elasticity(const SensitivePeak& peak, std::size_t number) const;
@@ -63,6 +72,10 @@ struct SensitivityOptions {
 /// The same of a case as read, for the report of its run: nothing where there is none, or where there are so many
 /// buildings that it would take longer than the rest of a report.
 [[nodiscard]] std::optional<Sensitivity> sensitivity_of_report(const Case& c, const std::filesystem::path& file);
+/// The same of a case whose results were read, with its text and the hash of its record. The record is looked for from
+/// each of the folders; nothing where that record stands at none.
+[[nodiscard]] std::optional<Sensitivity> sensitivity_of_results(const Case& c,
+                                                                const std::vector<std::filesystem::path>& folders);
 
 /// What each peak changes with most, what keeps its derivatives from being known; a table of the numbers that matter.
 [[nodiscard]] Story sensitivity_story(const Sensitivity& found);

@@ -5,12 +5,13 @@
 
 namespace bentur {
 
-std::string sensitivity_json(const Sensitivity& found, std::string_view version) {
-  using Json = nlohmann::ordered_json;
-  Json numbers = Json::array(), left_out = Json::array(), peaks = Json::array();
-  for (const CaseNumber& number : found.numbers) numbers.push_back({{"path", number.path}, {"value", number.value}});
-  for (const auto& [path, why] : found.left_out) left_out.push_back({{"path", path}, {"why", why}});
-  for (const SensitivePeak& peak : found.peaks) {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json peaks_json(const Sensitivity& found, const std::vector<SensitivePeak>& of_all) {
+  Json peaks = Json::array();
+  for (const SensitivePeak& peak : of_all) {
     const Derivative& of = peak.derivative;
     if (of.by.size() == 0) continue;
     Json gradient = Json::array(), elasticity = Json::array();
@@ -23,20 +24,37 @@ std::string sensitivity_json(const Sensitivity& found, std::string_view version)
                      {of_gap ? "gap" : "building", peak.name},
                      {"level", peak.level},
                      {"value", of.value},
-                     {"time", of.time},
+                     {"time", std::isnan(of.time) ? Json(nullptr) : Json(of.time)},
                      {"largest", peak.is_largest},
                      {"grazing", of.grazing},
                      {"equalled", of.is_equalled},
                      {"simultaneous", of.is_simultaneous},
                      {"gradient", gradient},
                      {"elasticity", elasticity}});
+    if (!peak.record.empty()) peaks.back()["record"] = peak.record;
   }
-  const Json json = {{"title", found.title},
-                     {"version", version},
-                     {"units", {{"length", found.units.length}, {"force", found.units.force}}},
-                     {"numbers", numbers},
-                     {"left_out", left_out},
-                     {"peaks", peaks}};
+  return peaks;
+}
+
+}  // namespace
+
+std::string sensitivity_json(const Sensitivity& found, std::string_view version) {
+  Json numbers = Json::array(), left_out = Json::array();
+  for (const CaseNumber& number : found.numbers) numbers.push_back({{"path", number.path}, {"value", number.value}});
+  for (const auto& [path, why] : found.left_out) left_out.push_back({{"path", path}, {"why", why}});
+  Json json = {{"title", found.title},
+               {"version", version},
+               {"units", {{"length", found.units.length}, {"force", found.units.force}}},
+               {"numbers", numbers},
+               {"left_out", left_out},
+               {"peaks", peaks_json(found, found.peaks)}};
+  if (!found.records.empty()) {
+    json["takes"] = found.takes_mean ? "mean" : "largest";
+    json["records"] = Json::array();
+    for (const Sensitivity::OfRecord& one : found.records) {
+      json["records"].push_back({{"record", one.record}, {"peaks", peaks_json(found, one.peaks)}});
+    }
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -28,8 +28,10 @@ double to_shown(double x) {
 
 void say_peak(const Sensitivity& found, const SensitivePeak& peak, std::vector<Statement>& statements) {
   const Derivative& of = peak.derivative;
-  const std::string kind = "sensitivity_" + std::string(key_of(peak.kind));
   const bool of_force = peak.kind == SensitivePeak::Kind::peak_force;
+  const bool is_mean = found.takes_mean && !found.records.empty();
+  const std::string kind =
+      "sensitivity_" + std::string(key_of(peak.kind)) + (of_force && is_mean ? "_mean" : "");  // at no one time
   const std::size_t most = most_of(found, peak);
   const double elasticity = found.elasticity(peak, most);
   const std::vector<StoryValue> values = {
@@ -41,12 +43,16 @@ void say_peak(const Sensitivity& found, const SensitivePeak& peak, std::vector<S
       {"part", std::abs(to_shown(elasticity)), "%"},
       {"way", std::string(elasticity < 0 ? "story.sensitivity_less" : "story.sensitivity_more"), {}, true}};
   statements.push_back({.kind = kind, .values = values});
+  if (!peak.record.empty()) {
+    statements.push_back(
+        {.kind = "sensitivity_under", .values = {{"name", peak.name}, values[1], values[2], {"record", peak.record}}});
+  }
   const auto warn = [&](const char* why) {
     statements.push_back({.kind = why, .severity = Severity::warning, .values = values});
   };
   if (of.grazing < grazes) warn("sensitivity_grazing");
   if (of.is_simultaneous) warn("sensitivity_simultaneous");
-  if (of.is_equalled) warn("sensitivity_equalled");
+  if (of.is_equalled) warn(is_mean ? "sensitivity_equalled_mean" : "sensitivity_equalled");
 }
 
 /// The numbers that matter, with what the largest peaks change by.
@@ -87,6 +93,10 @@ Story sensitivity_story(const Sensitivity& found) {
   std::vector<const SensitivePeak*> largest;
   for (const SensitivePeak& peak : found.peaks) {
     if (peak.is_largest && !found.numbers.empty()) largest.push_back(&peak);
+  }
+  if (!found.records.empty()) {
+    story.statements.push_back({.kind = found.takes_mean ? "sensitivity_takes_mean" : "sensitivity_takes_largest",
+                                .values = {{"records", static_cast<long>(found.records.size())}}});
   }
   for (const SensitivePeak* peak : largest) say_peak(found, *peak, story.statements);
   // One table for each gap or building.
