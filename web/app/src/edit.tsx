@@ -310,8 +310,8 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
       </div>
       <div class="track"><Travel /><div>
         <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber), "gap")} />
-        <div class="needed">{marks.map(({ at, name }) => <b key={name} style={{ "--at": at / span }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
-        {marks.length > 0 && <p class="marks">{marks.map(({ at, name }) => `${name} ${number(at)}`).join(" · ")} {overview.units.length}</p>}
+        <div class="needed">{marks.map(({ at, name }, i) => <b key={name} data-mark={i + 1} style={{ "--at": at / span }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} </span>)} {overview.units.length}</p>}
       </div></div>
     </div>
   );

@@ -91,7 +91,8 @@ function App() {
           <div class="said">
             <Errors goTo={(line, column) => goTo(area.current, line, column)} />
             <Verdict />
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{remarks.length > 0 && <>{" "}· {say("verdict.remark")}:</>}{" "}<span data-remarks>{remarks.map((one) => one.text).join(" ")}</span></p>}
+            {remarks.length > 0 && <details open><summary>{say("verdict.remark")}</summary><ul data-remarks>{remarks.map((one, i) => <li key={one.text}>{i > 0 ? " " : ""}{one.text}</li>)}</ul></details>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}</p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>

@@ -25,6 +25,8 @@ const grave = ["danger", "warning"];
 const gravity = (one: Said) => 2 * (grave.includes(one.severity) ? grave.indexOf(one.severity) : grave.length) + (one.shown === "sentence" ? 0 : 1);
 const isGrave = (one: Said) => grave.includes(one.severity);
 
+const namesBoth = (gap: string, text: string) => gap.split(" | ").every((building) => text.includes(building));
+
 /** Statements one below the other; a badge stands once above those that have it, `under` one already. In a row each that is
  *  of one gap begins with its name, where `gaps` are given. */
 function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOverview[]; under?: string }) {
@@ -33,7 +35,7 @@ function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOver
     const shown = one.badge && one.badge !== badge ? (badge = one.badge) : "";
     return <div key={i} data-kind={one.kind} data-shown={one.shown}>
       {shown && <p class={`badge${isGrave(one) ? "" : " fine"}`}>{shown}</p>}
-      <p class={one.badge || one.severity === "danger" ? "lead" : ""}>{gaps.length > 1 && one.gap !== null ? `${gaps[one.gap].name}: ` : ""}{one.text}</p>
+      <p class={one.badge || one.severity === "danger" ? "lead" : ""}>{gaps.length > 1 && one.gap !== null && !namesBoth(gaps[one.gap].name, one.text) ? `${gaps[one.gap].name}: ` : ""}{one.text}</p>
     </div>;
   })}</>;
 }

@@ -214,7 +214,11 @@ TEST(HandIn, ImpactsOfARecordWhoseContactIsNotModelledAreNotKnown) {
   replace("event = \"Imperial Valley 1940\" }",
           "event = \"A\" }, { file = \"../../data/four-lobes.csv\", unit = \"m/s2\", time_step = 0.4, event = \"B\" }");
   replace("scale = \"en-1998-1\"", "scale = { factors = [3.0, 0.1] }");
-  const SuiteRun run = run_suite(case_of(text, "/examples/two-real-buildings/"), [](double) { return true; });
+  const Case c = case_of(text, "/examples/two-real-buildings/");
+  const SuiteRun run = run_suite(c, [](double) { return true; });
+  Diagnostics diagnostics;
+  const GapStudy gaps = *gap_study(
+      c, BENTUR_SOURCE_DIR "/examples/two-real-buildings/record.toml", [](double) { return true; }, diagnostics);
   ASSERT_TRUE(has_kind(run.records[0].statements, "unmodelled") && has_kind(run.records[0].statements, "pounding"));
   ASSERT_FALSE(has_kind(run.records[1].statements, "unmodelled"));
   int counted = 0;
@@ -225,12 +229,36 @@ TEST(HandIn, ImpactsOfARecordWhoseContactIsNotModelledAreNotKnown) {
     EXPECT_EQ(run.records[1].values[q], 0);
   }
   EXPECT_EQ(counted, 2);
-  const Story told = suite_story(run, {});
+  const Story told = suite_story(run, gaps);
+  EXPECT_TRUE(has_kind(told.statements, "unmodelled"));
+  const StoryTable checks = suite_hand_in(run, gaps).checks;
+  EXPECT_EQ(checks.columns.at(5).texts.at(static_cast<std::size_t>(row_of(checks, "check.unmodelled_records"))),
+            "check.not_met");
   const auto table = std::find_if(told.tables.begin(), told.tables.end(),
                                   [](const StoryTable& one) { return one.kind == "suite_runs"; });
   for (const std::size_t column : {1, 2}) {
     EXPECT_EQ(table->columns[column].texts, (std::vector<std::string>{"story.not_modelled", "0", "–", "–"}));
   }
+  // Both tables have one gap needed, of both ways of the motion; drifts are in per cent, as checks have them.
+  const auto numbers = [&](const StoryTable& of, const std::string& label) {
+    return std::find_if(of.columns.begin(), of.columns.end(),
+                        [&](const StoryColumn& one) { return one.label == label; });
+  };
+  const StoryColumn needed = *numbers(*table, "column.suite.gap_needed");
+  const auto by_record =
+      std::find_if(told.tables.begin(), told.tables.end(), [](const StoryTable& one) { return one.kind == "records"; });
+  ASSERT_NE(by_record, told.tables.end());
+  const std::vector<double>& simulated = by_record->columns.at(1).numbers;
+  EXPECT_NEAR(simulated.at(0), needed.numbers.at(0), 1e-9);
+  EXPECT_NEAR(simulated.at(1), needed.numbers.at(1), 1e-9);
+  EXPECT_NEAR(needed.numbers.at(2), (simulated[0] + simulated[1]) / 2, 1e-9);
+  const StoryColumn drift = *numbers(*table, "column.suite.peak_drift_ratio");
+  EXPECT_EQ(drift.unit, "%");
+  const auto of_drift =
+      std::find_if(run.quantities.begin(), run.quantities.end(),
+                   [](const SuiteQuantity& one) { return one.name.starts_with("peak_drift_ratio"); }) -
+      run.quantities.begin();
+  EXPECT_GE(drift.numbers.at(0), 100 * run.records[0].values.at(of_drift));
   // What a sentence has said already is no reason once more.
   for (const Statement& one : told.statements) {
     if (one.kind != "records_too_small") continue;
@@ -243,7 +271,7 @@ TEST(HandIn, ImpactsOfARecordWhoseContactIsNotModelledAreNotKnown) {
     }
   }
   // The buildings are drawn under the record of the gravest sentence; how records were scaled stands with them.
-  const std::string page = suite_report_html(run, {}, {.version = "0"});
+  const std::string page = suite_report_html(run, gaps, {.version = "0"});
   const std::size_t verdict = page.find("<section id=\"verdict\""), records = page.find("<section id=\"records\"");
   const std::size_t drawn = page.find("class=\"overview\""), scaled = page.find("2 records of 2 files are taken");
   EXPECT_TRUE(verdict < drawn && drawn < page.find("<section", drawn));

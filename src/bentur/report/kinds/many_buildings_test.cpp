@@ -147,6 +147,11 @@ TEST(ManyBuildings, AGapThatIsNotShortSaysWhyItIsTooSmall) {
     if (impacts.texts[i] == "0") continue;
     ++closed;
     EXPECT_EQ(lacks.texts[i], "row.collides");
+    EXPECT_EQ(column("gap.given_is").texts[i], "gap.too_close");
+    EXPECT_EQ(std::count(table->marked.begin(), table->marked.end(), i), 1);
+    for (const Statement& one : story.statements) {
+      EXPECT_TRUE(one.gap != static_cast<Eigen::Index>(i) || one.kind.find("enough") == std::string::npos) << one.kind;
+    }
   }
   EXPECT_GT(closed, 0);
 }
@@ -223,6 +228,20 @@ TEST(ManyBuildings, TheHeightOfAFigureIsThatOfWhatItShows) {
   const Panel panel = make_figure(row(), "amplification", options).panels.front();
   constexpr double name = 0.5;  // [cm], above the roof
   EXPECT_NEAR(*panel.y.to, 6 * panel.height / (panel.height - name), 1e-9);
+}
+
+/// The bars of all gaps are drawn at one scale: of equal lengths for what is given alike.
+TEST(ManyBuildings, BarsOfAllGapsHaveOneScale) {
+  const std::string page = report_html(row(), {.version = "0"});
+  std::vector<std::pair<double, double>> bars;  // as drawn [%], as said
+  for (std::size_t at = page.find("class=\"bar "); at != std::string::npos; at = page.find("class=\"bar ", at + 1)) {
+    const std::string width = "width=\"";
+    const std::size_t from = page.find(width, at) + width.size(), value = page.find("<td>", at) + 4;
+    bars.emplace_back(std::stod(page.substr(from)), std::stod(page.substr(value)));
+  }
+  const double largest = std::max_element(bars.begin(), bars.end())->second;
+  for (const auto& [drawn, value] : bars) EXPECT_NEAR(drawn, 100 * value / largest, 0.1) << value;
+  EXPECT_GT(bars.size(), 20U);
 }
 
 TEST(ManyBuildings, OfAReportAreFoldedAway) {

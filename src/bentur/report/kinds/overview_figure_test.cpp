@@ -68,6 +68,21 @@ TEST(Overview, SaysItsGapsWithTheirUnits) {
   }
 }
 
+/// A name may be cut, a number with its exponent and its unit never.
+TEST(Overview, CutsNoNumberHoweverSmall) {
+  RunResults run = example_run("linked-pair");
+  for (ContactPoint& point : run.problem.points) point.width = 1.324e-8;
+  for (PointSummary& point : run.response.points) point.gap_needed = point.gap_needed_reversed.emplace(2.9521e-10);
+  for (const double width : {column_width, page_width}) {
+    const Figure figure = overview(run, "en", width);
+    const Layout placing = layout(figure);
+    for (const auto& [at, text] : placing.panels.back().y.labels) {
+      EXPECT_TRUE(text.ends_with("10⁻⁸ m") || text.ends_with("10⁻¹⁰ m")) << text;
+      EXPECT_GT(placing.panels.back().left, text_width(text)) << text;
+    }
+  }
+}
+
 TEST(Overview, MarksTheHardestImpactWhereTheGapOpens) {
   const RunResults run = example_run("row-of-three");  // whose forces are largest where they are deepest
   const Impact& hardest = *std::max_element(run.response.impacts.begin(), run.response.impacts.end(),

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/kinds.h"
@@ -190,6 +191,45 @@ TEST(Pictures, TheLoopOfAnImpactIsClosed) {
   EXPECT_NE(parting.label.find("% of the work lost"), std::string::npos);
   EXPECT_EQ(parting.label.find("e = "), std::string::npos) << "speeds are those of buildings that go on pushing";
   EXPECT_NE(figure.finding.find("e = "), std::string::npos);
+}
+
+/// One choice of the hardest place for all figures of a run, also where impacts have no force and the fastest counts.
+TEST(Pictures, OfInstantImpactsAllFiguresShowTheFastest) {
+  std::string text = test::sticks_in_mm(5, 3500);
+  const std::string law = "law = \"linear\", stiffness = 4e5";
+  text.replace(text.find(law), law.size(), "law = \"restitution\", restitution = 0.65");
+  const RunResults run = test::drawn_run(text);
+  const auto fastest =
+      std::max_element(run.response.impacts.begin(), run.response.impacts.end(),
+                       [](const Impact& a, const Impact& b) { return a.closing_speed < b.closing_speed; });
+  ASSERT_NE(fastest, run.response.impacts.end());
+  const std::string level = "level " + number(run.problem.points[fastest->point].elevation) + " mm";
+  for (const char* const kind : {"overview", "scene", "displacement", "opening"}) {
+    std::string titles;
+    for (const Panel& panel : make_figure(run, kind).panels) titles += panel.title + "; ";
+    EXPECT_NE(titles.find(level), std::string::npos) << kind << ": " << titles;
+  }
+}
+
+/// Where hinges have taken most of the energy it is said, to those who do not see the picture too.
+TEST(Pictures, TheFindingOnEnergyNamesYielding) {
+  Diagnostics diagnostics;
+  const Case c = *read_case_text(test::hinged, BENTUR_SOURCE_DIR "/examples/case.toml", diagnostics);
+  Problem problem = make_problem(c);
+  SolveOptions options = solve_options(c);
+  options.output_step = 0.01;
+  options.energy_audit = true;
+  Response response = solve(problem, c.analysis.solver, options);
+  const Figure figure = make_figure(run_results(c, std::move(problem), std::move(response)), "energy");
+  const std::string word = "yielding ";
+  const std::size_t at = figure.finding.find(word);
+  ASSERT_NE(at, std::string::npos) << figure.finding;
+  double drawn = NAN;
+  for (const Curve& curve : figure.panels.front().curves) {
+    if (curve.label == "yielding") drawn = curve.y.back();
+  }
+  EXPECT_NEAR(std::stod(figure.finding.substr(at + word.size())), drawn, 1e-3 * drawn) << figure.finding;
+  EXPECT_GT(drawn, 0);
 }
 
 TEST(Pictures, AJumpOfTheForceIsUpright) {
