@@ -304,7 +304,11 @@ levels = [0.1, 0.3, 0.6]
                         'plan = { clearance = 0.1, contact = { law = "linear", stiffness = 4e5 } }\n'
                         'excitation = { kind = "harmonic", period = 0.9, displacement_amplitude = 0.04, angle = 30.0 }\n'
                         + "".join(houses))
-        self.opened(self.report(case))
+        page = self.report(case)
+        self.opened(page, PHONE)
+        beyond = "[...document.querySelectorAll('.gaps, #sensitivity table')].map((one) => one.scrollWidth - one.parentElement.clientWidth)"
+        self.assertLessEqual(max(self.js(beyond)), 1, "a table of gaps runs off a phone")
+        self.opened(page)
         printed = self.folder / "block.pdf"
         self.browser.pdf(printed)
         pages = len(re.findall(rb"/MediaBox \[", printed.read_bytes()))
