@@ -57,6 +57,16 @@ void judge_need(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
   if (at_once.level) reasons.push_back(at_once);
 }
 
+/// Whether free vibration after the end could still need more than some level has.
+bool more_may_come(const GapFacts& facts) {
+  return std::any_of(facts.levels.begin(), facts.levels.end(), [&](const LevelFacts& level) {
+    return std::any_of(std::begin(ways_of_motion), std::end(ways_of_motion), [&](Way way) {
+      const std::optional<double>& left = level.in(way).to_come;
+      return left && falls_short(level.at.width, *left, facts.scale);
+    });
+  });
+}
+
 void judge_rules(const GapFacts& facts, std::vector<Reason>& reasons) {
   for (const RuleFinding& found : facts.rules) {
     if (!found.is_short || !found.at || find_code_rule(found.rule) == nullptr) continue;
@@ -157,7 +167,8 @@ Judgement judge(const GapFacts& facts) {
   }
   std::stable_sort(reasons.begin(), reasons.end(), [](const Reason& a, const Reason& b) { return a.kind < b.kind; });
   const bool is_known =
-      std::all_of(reasons.begin(), reasons.end(), [](const Reason& one) { return says_too_small(one.kind); });
+      std::all_of(reasons.begin(), reasons.end(), [](const Reason& one) { return says_too_small(one.kind); }) &&
+      !more_may_come(facts);  // which is no reason beside a need that falls short now, but holds at other levels
   made.levels.assign(facts.levels.size(), is_known ? Sufficiency::enough : Sufficiency::unknown);
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     for (const Way way : ways_of_motion) {

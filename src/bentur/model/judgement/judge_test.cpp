@@ -190,6 +190,20 @@ TEST(Judge, OfSeveralLevelsTheWorst) {
   EXPECT_EQ(judge(facts).reasons[0].level, 0U);
 }
 
+/// A lower level is not enough by what a higher one lacks already: with more given there it would not be known.
+TEST(Judge, NoLevelIsEnoughWhileMoreMayCome) {
+  GapFacts facts = nothing_wrong();
+  facts.levels.push_back(facts.levels[0]);
+  facts.levels[1].given.need = facts.levels[1].at.width + 0.01;
+  EXPECT_EQ(judge(facts).levels, (std::vector{Sufficiency::enough, Sufficiency::too_small}));
+  for (const Way way : ways_of_motion) {
+    GapFacts one = facts;
+    one.levels[0].in(way).to_come = one.levels[0].at.width + 0.01;
+    EXPECT_EQ(judge(one).levels, (std::vector{Sufficiency::unknown, Sufficiency::too_small}));
+    EXPECT_EQ(judge(one).value, Sufficiency::too_small);
+  }
+}
+
 TEST(Judge, RulesOfThumbDoNotDecide) {
   GapFacts facts = nothing_wrong();
   facts.rules = {{.rule = "abs", .title = "ABS", .at = 0, .gap = 0.09, .is_short = true}};

@@ -109,7 +109,9 @@ class Reader {
     }
     std::vector<std::string> all;
     for (const std::string& before : results_.records.empty() ? std::vector<std::string>{""} : results_.records) {
-      for (const std::string& name : names) all.push_back(before.empty() ? name : before + ", " + name);
+      for (const std::string& name : names) {
+        all.push_back(before.empty() ? name : fmt::format("{}, {}", before, name));
+      }
     }
     results_.records = std::move(all);
   }

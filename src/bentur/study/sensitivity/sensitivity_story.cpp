@@ -55,9 +55,9 @@ void say_peak(const Sensitivity& found, const SensitivePeak& peak, std::vector<S
   if (of.is_equalled) warn(is_mean ? "sensitivity_equalled_mean" : "sensitivity_equalled");
 }
 
-/// The numbers that matter, with what the largest peaks change by.
+/// The numbers that matter, with what the largest peaks change by. @param shown marks them
 StoryTable sensitivity_table(const Sensitivity& found, const std::vector<const SensitivePeak*>& peaks,
-                             std::size_t& shown) {
+                             std::vector<bool>& shown) {
   std::vector<double> largest(found.numbers.size(), 0.0);
   for (const SensitivePeak* peak : peaks) {
     for (std::size_t i = 0; i < largest.size(); ++i) {
@@ -67,9 +67,9 @@ StoryTable sensitivity_table(const Sensitivity& found, const std::vector<const S
   std::vector<std::size_t> order(largest.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return largest[a] > largest[b]; });
-  shown = std::min(order.size(), most_shown);
-  while (shown > 0 && largest[order[shown - 1]] < small_part * largest[order.front()]) --shown;
-  order.resize(shown);
+  order.resize(std::min(order.size(), most_shown));
+  while (!order.empty() && largest[order.back()] < small_part * largest[order.front()]) order.pop_back();
+  for (const std::size_t i : order) shown[i] = true;
   StoryTable table{.kind = "sensitivity"};
   StoryColumn names{.label = "column.number"}, values{.label = "column.value"};
   for (const std::size_t i : order) {
@@ -100,20 +100,27 @@ Story sensitivity_story(const Sensitivity& found) {
   }
   for (const SensitivePeak* peak : largest) say_peak(found, *peak, story.statements);
   // One table for each gap or building.
-  std::size_t rest = 0;
+  std::vector<bool> shown(found.numbers.size(), false);
   for (auto at = largest.begin(); at != largest.end();) {
     const auto end =
         std::find_if(at, largest.end(), [&](const SensitivePeak* one) { return one->name != (*at)->name; });
-    std::size_t shown = 0;
     StoryTable table = sensitivity_table(found, {at, end}, shown);
     table.values = {{"name", (*at)->name}};
-    rest = std::max(rest, found.numbers.size() - shown);
-    if (shown > 0) story.tables.push_back(std::move(table));
+    story.tables.push_back(std::move(table));
     at = end;
   }
   if (largest.empty()) story.statements.push_back({.kind = "sensitivity_none", .severity = Severity::warning});
-  if (rest > 0) {
-    story.statements.push_back({.kind = "sensitivity_rest", .values = {{"count", static_cast<long>(rest)}}});
+  if (const auto rest = std::count(shown.begin(), shown.end(), false); rest > 0 && !largest.empty()) {
+    double most = 0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      for (const SensitivePeak* const peak : largest) {
+        if (!shown[i]) most = std::max(most, std::abs(found.elasticity(*peak, i)));
+      }
+    }
+    const long rows = static_cast<long>(most_shown);
+    story.statements.push_back(
+        {.kind = "sensitivity_rest",
+         .values = {{"rows", rows}, {"count", static_cast<long>(rest)}, {"part", to_shown(most), "%"}}});
   }
   if (!found.left_out.empty()) {
     std::string list;
