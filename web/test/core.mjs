@@ -63,9 +63,9 @@ export const tolerance = (name) => tolerances[name] ?? 1e-12;
 /** With ordinary spaces. */
 export const spaced = (text) => text.replaceAll("\u00a0", " ");
 
-/** A statement as a terminal has it: "Gap: BADGE: text", behind the gap's name in a row of several. */
+/** A statement as a terminal has it: "Gap: BADGE: text", behind the gap's name in a row of several unless it names both buildings. */
 export const lineOf = ({ gap, badge, text, severity, kind }, row) =>
-  `${row && gap !== null && severity !== "remark" ? `${gap}: ` : ""}${badge ? `${badge.toUpperCase()}: ` : ""}${kind.startsWith("remark.") && !badge ? "remark: " : ""}${spaced(text)}`;
+  `${row && gap !== null && severity !== "remark" && !gap.split(" | ").every((name) => text.includes(name)) ? `${gap}: ` : ""}${badge ? `${badge.toUpperCase()}: ` : ""}${kind.startsWith("remark.") && !badge ? "remark: " : ""}${spaced(text)}`;
 
 /** What `bentur run` says in a language: the lines of its verdict and of its remarks, wrapped ones joined. */
 export function terminal(file, language) {

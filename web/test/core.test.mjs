@@ -68,7 +68,8 @@ for (const file of files) {
       assert.ok(values.size < tolerance(name), `${values.path} ${values.size}`);
       statements.forEach((told, i) => {
         const { left, right } = theirs[i]?.values ?? {};
-        if (left !== undefined) assert.equal(told.gap, `${left} | ${right}`);
+        if (left !== undefined && told.kind.startsWith("row_")) assert.equal(told.gap, null); // of all gaps, with the hardest impact
+        else if (left !== undefined) assert.equal(told.gap, `${left} | ${right}`);
       });
       const lines = (grade) => statements.filter(({ severity, shown }) => shown === "sentence" && (severity === "remark") === grade).map((told) => lineOf(told, gaps.length > 1));
       const said = terminal(file, language);
