@@ -238,7 +238,8 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
   }
   result.statements = run_story(run).statements;
   result.judged = told_judgements(run);
-  for (std::size_t i = 0; is_not_modelled(result) && i < parts.size(); ++i) {
+  if (!is_not_modelled(result)) return;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string_view key = parts[i].quantity->key;
     if (key == "impacts" || key == "peak_force") result.values[i] = NAN;
   }

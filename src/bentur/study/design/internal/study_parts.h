@@ -29,9 +29,11 @@ struct VaryContext {
 /// ida_toml.cpp: [ida] of a study; nothing where it has none. Its axis is for read_study() to set.
 [[nodiscard]] std::optional<IdaSpec> read_ida(const TomlView& root);
 
+/// ida_toml.cpp: what keeps records from being taken as their files have them, at the levels of [ida].
+void check_cloud(const TomlView& root, const Study& study);
+
 /// ida_toml.cpp: with [ida] and [sampling] each draw is a record and a building: what [sampling] draws becomes lists
 /// that move together along one axis, "draw". Without [sampling] nothing changes.
-void check_cloud(const TomlView& root, const Study& study);
 void draw_with_records(const TomlView& root, Study& study);
 
 /// remedy_toml.cpp: [remedy] of a study; nothing where it has none.
