@@ -587,6 +587,9 @@ class Run(CommandLine):
                                          "statements", "remarks", "buildings", "gaps", "judged_by", "collapsed",
                                          "remark_counts"])
         self.assertEqual(summary["units"], {"length": "cm", "force": "kgf"})
+        counts = summary["remark_counts"]
+        self.assertEqual(counts["all"], len(summary["remarks"]))
+        self.assertEqual(set(counts["kinds"]), {one["key"] for one in summary["remarks"]})
         self.assertEqual(set(summary["solver"]), {
             "end_time",
             "name", "steps", "events", "wall_time", "energy_residual", "peak_input_energy"})

@@ -240,8 +240,8 @@ std::deque<Quantity>& list() {
       {"end_time", run, "s", "t_e", "when the run ended", {}, of_any(end_time), "/solver/end_time", {}, 1, {}, false, false, true},
       {"collapsed", run, "1", "", "whether a storey collapsed, which ends the run", {}, count(of_any(collapsed))},
       {"energy_residual", run, "1", "ε", "largest energy not accounted for over the largest input", {}, of_any(energy_residual), "/solver/energy_residual", {}, 1, {}, true},
-      {"remarks", run, "1", "", "remarks on the case and what came out", {}, of_any(remarks_of_run), "/remark_counts/all"},
-      {"doubts", run, "1", "", "those by which an input may not be meant", {}, of_any(doubts_of_run), "/remark_counts/doubts"},
+      {"remarks", run, "1", "", "remarks on the case and what came out", {}, count(of_any(remarks_of_run)), "/remark_counts/all"},
+      {"doubts", run, "1", "", "those by which an input may not be meant", {}, count(of_any(doubts_of_run)), "/remark_counts/doubts"},
       {"remark_kinds", run, "1", "", "what the remarks are about, a bit for each of flag_meanings from the lowest", {}, of_any(kinds_of_remarks), "/remark_counts/kinds"},
       // Impacts, in the order of impacts.csv.
       {"start", impact, "s", "t₀", "start", {"Start", "Mulai"}, of_impacts(&Impact::start), {}, {}, 1, 4},

@@ -218,10 +218,20 @@ std::vector<RuleFinding> findings_of(const GapView& facts, const std::vector<Lev
   return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed, facts.plan != nullptr);
 }
 
-const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation) {
+bool is_cut(const GapView& facts) {
+  if (facts.response == nullptr) return false;
+  const auto goes_on = [](const auto& summary) { return summary.to_come && std::isinf(*summary.to_come); };
+  return std::any_of(facts.response->points.begin(), facts.response->points.end(), goes_on) ||
+         std::any_of(facts.response->watched.begin(), facts.response->watched.end(), goes_on);
+}
+
+const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation, bool cut) {
   // Of results read back the record's numbers are not known.
-  if (std::holds_alternative<SampledMotion>(motion) || excitation.record) return "story.this_motion";
-  return std::holds_alternative<HarmonicMotion>(motion) ? "story.this_harmonic" : "story.this_vibration";
+  if (std::holds_alternative<SampledMotion>(motion) || excitation.record) {
+    return cut ? "story.this_motion_cut" : "story.this_motion";
+  }
+  if (!std::holds_alternative<HarmonicMotion>(motion)) return "story.this_vibration";
+  return cut ? "story.this_harmonic_cut" : "story.this_harmonic";
 }
 
 const char* silence_word(RuleFinding::Silence silence) {
@@ -309,7 +319,9 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
                                     [](const LevelFacts& one) { return one.given.need.has_value(); });
   if (is_known) {
     statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap))));
-    statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation)));
+    const bool cut = is_cut(facts);
+    if (cut) statements.back().values.push_back(value_in("end", facts.problem.duration, "s"));
+    statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation, cut)));
   } else {
     statements.push_back({.kind = "need_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
     statements.back().values = {text_of("left", known.left), text_of("right", known.right)};

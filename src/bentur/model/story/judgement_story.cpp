@@ -262,6 +262,12 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
                       count_of("may_be", unknown),
                       word_of("fall_short", small == 1 ? "story.is_small" : "story.are_small")};
   const bool more = small > 0 && unknown > 0;
+  if (unknown > 0 && is_cut(view)) {
+    statement.values.push_back(value_in("end", view.problem.duration, "s"));
+    statement.values.push_back(word_of("since", "story.since_cut"));
+  } else {
+    statement.values.push_back(text_of("since", ""));
+  }
   statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));
   return static_cast<Index>(order.front());

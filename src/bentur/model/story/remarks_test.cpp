@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/run_results.h"
+#include "bentur/model/story/story.h"
 #include "bentur/model/suite/suite.h"
 
 namespace bentur {
@@ -351,6 +353,28 @@ TEST(Remarks, SayOfWhichRunTheyAre) {
   thrown.drift_ratio_no_contact = quieter.drift_ratio_no_contact = quieter.drift_ratio * (1 + 1e-12);
   thrown.storey_shear_no_contact = quieter.storey_shear_no_contact = quieter.storey_shear * (1 + 1e-12);
   EXPECT_EQ(list(remarks(c, problem, &response)), (Names{"base_shear A", "base_shear B", "drift A", "drift B"}));
+}
+
+// Alike: one number. A few: one for each that is named. Many: the least and the largest of all.
+TEST(Remarks, HaveTheNumbersOfAllThatTheyName) {
+  const auto value_of = [](const std::vector<double>& values) {
+    std::vector<Remark> all;
+    for (const double value : values) {
+      all.emplace_back();
+      all.back().key = "drift";
+      all.back().value = value;
+      all.back().unit = "%";
+    }
+    const std::vector<Statement> told = remark_statements(all);
+    EXPECT_EQ(told.size(), 1U);
+    const StoryValue& value = told.front().values.at(values.size() > 4 ? 1 : 0);
+    EXPECT_EQ(value.name, "value");
+    return std::holds_alternative<double>(value.value) ? number(std::get<double>(value.value))
+                                                       : std::get<std::string>(value.value);
+  };
+  EXPECT_EQ(value_of({1.5, 1.5, 1.5}), "1.5");
+  EXPECT_EQ(value_of({1.5, 2, 1.5, 2}), "1.5, 2, 1.5, 2\u00A0%");
+  EXPECT_EQ(value_of({1.5, 2, 1.25, 2, 3, 1.5}), "1.25–3\u00A0%");
 }
 
 // By hand: floors 30 + beams 0.375 · 10 + three columns 0.4 over half the storeys that meet there.

@@ -249,6 +249,16 @@ void tell_motion(const AnyRun& run, std::vector<Statement>& statements) {
   }
 }
 
+/// Where floors meet that no contact is modelled between, an impact is the hardest of those that are modelled.
+void tell_what_is_modelled(std::vector<Statement>& statements) {
+  const bool lacks =
+      std::any_of(statements.begin(), statements.end(), [](const Statement& one) { return one.kind == "unmodelled"; });
+  for (Statement& one : statements) {
+    if (one.kind != "pounding") continue;
+    one.values.push_back(lacks ? word_of("modelled", "story.of_modelled") : text_of("modelled", ""));
+  }
+}
+
 /// Of several gaps that close what is said of all of them says how often, and of the hardest impact where and when.
 void tell_hardest(std::vector<Statement>& statements) {
   const auto all = std::find_if(statements.begin(), statements.end(),
@@ -347,6 +357,7 @@ Story story_of(const AnyRun& run) {
   story::tell_hinges(run, told);
   tell_links(run.problem, run.response.links, shown_units(run), run.c.units.length, told.statements);
   tell_motion(run, told.statements);
+  tell_what_is_modelled(told.statements);
   tell_hardest(told.statements);
   leave_to_tables(worst, told.statements);
   rank_gaps(view, told.statements);
@@ -373,6 +384,7 @@ Story story_of_gaps(const AnyRun& run) {
   for (StoryTable& one : tables_of(view)) told.tables.push_back(std::move(one));
   if constexpr (is_in_plan<AnyRun>) tell_pairs_without_contact(run, told.statements);
   tell_motion(run, told.statements);
+  tell_what_is_modelled(told.statements);
   tell_hardest(told.statements);
   leave_to_tables(worst, told.statements);
   rank_gaps(view, told.statements);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "bentur/core/number_text.h"
@@ -13,6 +14,16 @@ namespace bentur {
 namespace {
 
 constexpr std::size_t most_named = 4;  // buildings or gaps in one sentence
+
+/// One number where all are alike, else one for each that is named, or of many the least and the largest.
+std::string numbers_of(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(number(value));
+  if (std::adjacent_find(texts.begin(), texts.end(), std::not_equal_to<>()) == texts.end()) return texts.front();
+  if (texts.size() <= most_named) return fmt::format("{}", fmt::join(texts, ", "));
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  return number(*least) + "–" + number(*largest);
+}
 
 StoryValue usual_range(const Remark& remark) {
   if (remark.usual_from && remark.usual_to) return story::word_of("usual", "remark.between");
@@ -38,7 +49,7 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
     const Remark& first = remarks[i];
     Statement statement{.kind = "remark." + first.key,
                         .severity = first.is_doubt ? Severity::danger : Severity::remark};
-    std::vector<std::string> values;
+    std::vector<double> values;
     long count = 0;
     for (std::size_t k = i; k < remarks.size(); ++k) {
       const Remark& other = remarks[k];
@@ -47,21 +58,20 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
         continue;
       }
       told[k] = 1;
+      values.push_back(other.value);
       if (++count > static_cast<long>(most_named)) continue;
       statement.subject += (statement.subject.empty() ? "" : ", ") + other.subject;
-      const std::string value = number(other.value);
-      if (values.empty() || value != values.back()) values.push_back(value);
     }
     if (count == 0) continue;
     if (count > static_cast<long>(most_named)) {
       statement.values.push_back(story::count_of("more", count - static_cast<long>(most_named)));
-      values.emplace_back("…");
     }
-    if (values.size() == 1) {
+    const std::string numbers = numbers_of(values);
+    if (numbers == number(first.value)) {
       statement.values.push_back(story::value_in("value", first.value, first.unit));
     } else {
-      statement.values.push_back(story::text_of(
-          "value", fmt::format("{}{}{}", fmt::join(values, ", "), first.unit.empty() ? "" : "\u00A0", first.unit)));
+      statement.values.push_back(
+          story::text_of("value", fmt::format("{}{}{}", numbers, first.unit.empty() ? "" : "\u00A0", first.unit)));
     }
     statement.values.push_back(usual_range(first));
     if (first.usual_from) statement.values.push_back(story::text_of("from", number(*first.usual_from)));

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/quantities.h"
 #include "bentur/model/story/judgement_story.h"
@@ -185,6 +186,50 @@ TEST(ManyBuildings, TheVerdictBeginsWithTheHardestImpact) {
   // What names both buildings needs no name of their gap before it.
   EXPECT_EQ(of_gap("House 1 and House 2 collide", "House 1 | House 2"), "House 1 and House 2 collide");
   EXPECT_EQ(of_gap("They need 1 m", "House 1 | House 2", "1 | 2"), "1 | 2: They need 1 m");
+}
+
+/// A run that ends before its motion does says so where it says what is not known, and of which part a need is.
+TEST(ManyBuildings, ARunThatIsCutSaysSoFirst) {
+  RunResults run = row();
+  const auto sentences = [&] {
+    std::string all;
+    for (const SaidStatement& one : said(run_story(run).statements, Words("en"))) all += one.text + "\n";
+    return all;
+  };
+  const Eigen::Index quiet = run.problem.points.back().gap;  // a gap that does not close
+  for (std::size_t p = 0; p < run.problem.points.size(); ++p) {
+    PointSummary& point = run.response.points[p];
+    point.to_come = point.to_come_reversed = point.to_come_struck = 0;
+    if (run.problem.points[p].gap != quiet) continue;
+    point.impacts = 0;
+    point.gap_needed = 0;
+    point.gap_needed_reversed = 0;
+  }
+  run.response.reversed.reset();
+  EXPECT_EQ(sentences().find("the first"), std::string::npos);
+  EXPECT_EQ(sentences().find("goes on"), std::string::npos) << sentences();
+  for (PointSummary& point : run.response.points) point.to_come = point.to_come_reversed = INFINITY;
+  const std::string end = number(run.problem.duration) + "\u00A0s";
+  EXPECT_NE(sentences().find("in the first " + end + " of this harmonic motion"), std::string::npos);
+  EXPECT_NE(sentences().find("not known, since the run ends at " + end + " and the motion goes on"), std::string::npos)
+      << sentences();
+}
+
+/// Where floors meet and no contact is modelled, the hardest impact is that of those that are modelled.
+TEST(ManyBuildings, TheHardestImpactIsOfThoseThatAreModelled) {
+  std::string text = row_of(2);  // the first with a floor halfway up the other's upper storey
+  text.replace(text.find("storeys = 1, storey_height = 3.0"), 32, "storeys = 4, storey_height = 1.5");
+  RunResults run = test::drawn_run(text);
+  const auto first = [&] {
+    std::string all;
+    for (const SaidStatement& one : said(run_story(run).statements, Words("en"))) all += one.text + "\n";
+    return all;
+  };
+  ASSERT_FALSE(run.problem.watched.empty());
+  for (WatchedSummary& floor : run.response.watched) floor.closes = false;
+  ASSERT_EQ(first().find("that is modelled"), std::string::npos);
+  run.response.watched.front().closes = true;
+  EXPECT_NE(first().find("The hardest impact that is modelled reaches"), std::string::npos) << first();
 }
 
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {

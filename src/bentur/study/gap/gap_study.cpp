@@ -332,6 +332,7 @@ class Work {
     if (result_.title.empty() && result_.needs.empty()) {
       result_.title = chosen.c.title;
       result_.code = chosen.c.code;
+      result_.of_either_way = takes_both_ways_ && chosen.c.analysis.both_ways;
     }
     return result;
   }

@@ -115,9 +115,10 @@ struct GapStudy {
   /// All of them together, each record with each choice of whatever else varies as likely as any other: what is not
   /// known of a building adds to what is not known of the earthquake. Nothing where nothing else varies.
   std::optional<RecordNeeds> together = {};
-  /// Of a case with a suite of records. Each number of a record is then the larger one of both directions, unless
-  /// analysis.both_ways is off or the study varies the polarity.
-  std::shared_ptr<const SuiteSpec> suite = {};
+  std::shared_ptr<const SuiteSpec> suite = {};  ///< of a case with a suite of records
+  /// Whether each number of a record is the larger one of both directions: of a suite, unless analysis.both_ways is off
+  /// or the study varies the polarity.
+  bool of_either_way = false;
   long asked = 0;  ///< records, with every choice of what else varies; fewer are done where it was stopped
   long done = 0;
 

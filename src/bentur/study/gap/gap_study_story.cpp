@@ -208,7 +208,8 @@ StoryTable record_table(const Told& told, Eigen::Index gap) {
     for (const GapNeed* row : rows) column.numbers.push_back(number_of(*row));
     table.columns.push_back(std::move(column));
   };
-  add("column.simulated", [](const GapNeed& need) { return need.gap_needed; });
+  add(told.study.of_either_way ? "column.simulated_either" : "column.simulated",
+      [](const GapNeed& need) { return need.gap_needed; });
   add("ABS", [](const GapNeed& need) { return need.abs; });
   add("SRSS", [](const GapNeed& need) { return need.srss; });
   add("DDC", [](const GapNeed& need) { return need.ddc; });

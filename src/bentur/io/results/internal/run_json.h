@@ -119,6 +119,11 @@ template <class Run, class Seen>
     json["collapse_no_contact"] = collapse_json(run.problem, *collapse);
   }
   put_quantities(json, Owner::run, seen, {QuantityPlace{}});
+  Json kinds = Json::array();  // of studies a bit each
+  for (const Remark& one : run.remarks) {
+    if (std::find(kinds.begin(), kinds.end(), one.key) == kinds.end()) kinds.push_back(one.key);
+  }
+  json["remark_counts"]["kinds"] = std::move(kinds);
   return json;
 }
 

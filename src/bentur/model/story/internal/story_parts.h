@@ -51,8 +51,10 @@ template <class... Values>
   return statement;
 }
 
-/// The word for what moves the buildings.
-[[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation);
+/// Whether the ground motion goes on after the end of the run.
+[[nodiscard]] bool is_cut(const GapView& facts);
+/// The word for what moves the buildings; of a run that ends before it does {end} fills it.
+[[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation, bool cut);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
 void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// What is said first of a gap: that its buildings collide, that it is too small, that this is not known and why, or
