@@ -187,6 +187,29 @@ class PlanMotion(report_test.Reports):
             self.assertEqual({name.split(",")[0] for name in self.openings()}, {"1 | 2", "3 | 1"})
             self.clean(page)
 
+    def test_corner_to_corner_has_one_opening_and_below_zero_only_in_contact(self):
+        self.opened(self.report(self.block(12)))
+        data = self.data()
+        places = {(point["gap"], point["along"]) for point in data["points"] if point["level"] == 0}
+        self.assertLess(len(places), sum(point["level"] == 0 for point in data["points"]), "a corner has two normals")
+        shown = ("[...document.getElementById('live').rows].map(row => [row.cells[0].textContent,"
+                 " row.cells[1].textContent, row.cells[1].className])")
+        for impact in sorted(data["impacts"], key=lambda one: -one[3])[:40]:
+            level = data["points"][impact[0]]["level"]
+            self.choose(level)
+            for moment in impact[4], impact[2] + 0.02, impact[1] - 0.02:
+                self.scrub(moment)
+                rows = self.js(shown)
+                self.assertEqual(len({name for name, _, _ in rows}), len(rows))
+                under_way = {data["points"][one[0]]["gap"] for one in data["impacts"] if one[1] <= moment <= one[2]
+                             and data["points"][one[0]]["level"] == level}
+                for name, value, tone in rows:
+                    if tone != "marked":
+                        self.assertGreater(float(value.replace("\N{MINUS SIGN}", "-")), -1e-4, (name, moment))
+                self.assertEqual({name.split(",")[0] for name, _, tone in rows if tone == "marked"},
+                                 {f"{point['left'] + 1} | {point['right'] + 1}" for point in data["points"]
+                                  if point["gap"] in under_way})
+
     def test_speaks_indonesian(self):
         page = self.report(PLAN, "--lang", "id")
         self.opened(page)

@@ -94,6 +94,23 @@ class Reports(unittest.TestCase):
     def example(self, name, *options):
         return self.report(SOURCE / "examples" / f"{name}.toml", *options)
 
+    def block(self, count):
+        """A case of this many houses, six in a street."""
+        houses = []
+        for n in range(count):
+            storeys, stiffness = 1 + 5 * n % 4, 15000.0 + 4000 * (7 * n % 9)
+            held = "".join(f"{key} = {by * stiffness * storeys}\n" for key, by in (("x", 1), ("y", 1), ("torsion", 40)))
+            houses.append(f'[[building]]\nname = "H{n + 1}"\ndamping = 0.05\n[building.plan]\n'
+                          f"corner = [{10.03 * (n % 6):.2f}, {12.03 * (n // 6):.2f}]\nsize = [10.0, 12.0]\n"
+                          f"storey_heights = {[3.0] * storeys}\nmasses = {[120.0] * storeys}\n"
+                          f"[building.rigidity]\ncentre = [4.0, 6.0]\n{held}")
+        case = self.folder / "block.toml"
+        case.write_text('units = { length = "m", force = "kN" }\nanalysis = { duration = 8.0 }\n'
+                        'plan = { clearance = 0.1, contact = { law = "linear", stiffness = 4e5 } }\n'
+                        'excitation = { kind = "harmonic", period = 0.9, displacement_amplitude = 0.04, angle = 30.0 }\n'
+                        + "".join(houses))
+        return case
+
     def opened(self, page, width=1000):
         self.browser.resize(width, 900)
         self.browser.open(page)
@@ -290,21 +307,8 @@ levels = [0.1, 0.3, 0.6]
         self.assertEqual({(round(float(w)), round(float(h))) for w, h in boxes}, {(595, 842)})
 
     def test_a_block_of_thirty_houses_prints_on_twelve_pages(self):
-        """What is of one gap or house stays folded in the file that is printed."""
-        houses = []
-        for n in range(30):
-            storeys, stiffness = 1 + 5 * n % 4, 15000.0 + 4000 * (7 * n % 9)
-            held = "".join(f"{key} = {by * stiffness * storeys}\n" for key, by in (("x", 1), ("y", 1), ("torsion", 40)))
-            houses.append(f'[[building]]\nname = "H{n + 1}"\ndamping = 0.05\n[building.plan]\n'
-                          f"corner = [{10.03 * (n % 6):.2f}, {12.03 * (n // 6):.2f}]\nsize = [10.0, 12.0]\n"
-                          f"storey_heights = {[3.0] * storeys}\nmasses = {[120.0] * storeys}\n"
-                          f"[building.rigidity]\ncentre = [4.0, 6.0]\n{held}")
-        case = self.folder / "block.toml"
-        case.write_text('units = { length = "m", force = "kN" }\nanalysis = { duration = 8.0 }\n'
-                        'plan = { clearance = 0.1, contact = { law = "linear", stiffness = 4e5 } }\n'
-                        'excitation = { kind = "harmonic", period = 0.9, displacement_amplitude = 0.04, angle = 30.0 }\n'
-                        + "".join(houses))
-        page = self.report(case)
+        """With the needs of all gaps, all floors and entries of the case, and the hardest hundred impacts."""
+        page = self.report(self.block(30))
         self.opened(page, PHONE)
         beyond = "[...document.querySelectorAll('.gaps, #sensitivity table')].map((one) => one.scrollWidth - one.parentElement.clientWidth)"
         self.assertLessEqual(max(self.js(beyond)), 1, "a table of gaps runs off a phone")

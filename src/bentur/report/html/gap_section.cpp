@@ -1,18 +1,37 @@
 #include "bentur/report/html/internal/sections.h"
 
 namespace bentur::html {
+namespace {
+
+/// Of levels those that govern, as the last column says.
+HtmlTable governing_of(const SaidTable& levels) {
+  HtmlTable table;
+  for (std::size_t i = 0; i + 1 < levels.columns.size(); ++i) {
+    const TableColumn& column = levels.columns[i];
+    std::vector<std::string> cells;
+    for (std::size_t row = 0; row < column.cells.size(); ++row) {
+      if (!levels.columns.back().cells[row].empty()) cells.push_back(column.cells[row]);
+    }
+    table.add(column.label, column.unit, std::move(cells), levels.are_numbers[i]);
+  }
+  return table;
+}
+
+}  // namespace
 
 Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables, const Words& say) {
   EachOf each;
   for (auto table = tables.begin(); table != tables.end();) {
     const Eigen::Index gap = table->gap.value();
     Html content;
+    HtmlTable governing;
     for (; table != tables.end() && table->gap == gap; ++table) {
       const SaidTable shown = said(*table, say);
       if (shown.heading != gaps.at(static_cast<std::size_t>(gap))) content += element("h4", shown.heading);
       content += table_of(shown);
+      if (table->kind == "levels") governing = governing_of(shown);
     }
-    each.add(gaps.at(static_cast<std::size_t>(gap)), content);
+    each.add(gaps.at(static_cast<std::size_t>(gap)), content, {governing});
   }
   return each.markup(say, "appendix.gaps");
 }

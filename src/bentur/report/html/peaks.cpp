@@ -61,30 +61,28 @@ void add_quantities(HtmlTable& table, const Report& report, Owner owner, const s
 
 namespace {
 
-Html contact_table(const Report& report, Eigen::Index gap) {
-  const std::vector<Eigen::Index> points = points_of(report.problem, gap);
+HtmlTable contact_table(const Report& report, const std::vector<Eigen::Index>& points) {
   std::vector<double> elevations;
   for (const Eigen::Index i : points) elevations.push_back(report.problem.points[i].elevation);
   HtmlTable table;
   table.add(report.say("column.elevation"), report.c.units.length, elevations);
   add_quantities(table, report, Owner::point, places_of(points));
-  return table.markup();
+  return table;
 }
 
 /// Some quantities of a building's floors, from the top down; empty where there are none.
-Html floors_table(const Report& report, Eigen::Index b, std::vector<TableColumn> columns) {
+HtmlTable floors_table(const Report& report, Eigen::Index b, std::vector<TableColumn> columns) {
   if (columns.empty()) return {};
   const std::vector<double>& levels = report.problem.buildings[b].model.elevations;
   HtmlTable table;
   table.add(report.say("column.elevation"), report.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
   add_columns(table, std::move(columns));
-  return table.markup();
+  return table;
 }
 
-/// The same under a line that says what they are.
-Html floors_table(const Report& report, Eigen::Index b, const char* lead, std::vector<TableColumn> columns) {
-  const Html table = floors_table(report, b, std::move(columns));
-  return table.str().empty() ? table : element("p", Html::text(report.say(lead))) + table;
+/// A table under a line that says what it is of.
+Html under(const Report& report, const char* lead, const HtmlTable& table) {
+  return table.rows() == 0 ? Html() : element("p", Html::text(report.say(lead))) + table.markup();
 }
 
 /// What the foundation does; empty without soil.
@@ -156,8 +154,12 @@ PageSection peaks_section(const Report& report) {
   const Words& say = report.say;
   EachOf contacts, buildings;
   for (Eigen::Index gap = 0; gap < gap_count(report.problem); ++gap) {
-    if (points_of(report.problem, gap).empty()) continue;
-    contacts.add(say("heading.contact_of", {{"gap", gap_name(report.problem, gap)}}), contact_table(report, gap));
+    std::vector<Eigen::Index> points = points_of(report.problem, gap);
+    if (points.empty()) continue;
+    const Html all = contact_table(report, points).markup();
+    std::erase_if(points, [&](Eigen::Index point) { return report.response.points[point].impacts == 0; });
+    const std::string name = gap_name(report.problem, gap);
+    contacts.add(say("heading.contact_of", {{"gap", name}}), all, {contact_table(report, points)}, name);
   }
   Html content = contacts.markup(say, "appendix.contacts");
   const std::size_t language = say.number();
@@ -171,13 +173,15 @@ PageSection peaks_section(const Report& report) {
   for (Eigen::Index b = 0; b < std::ssize(report.problem.buildings); ++b) {
     const std::string name = report.problem.buildings[b].name;
     const std::vector<QuantityPlace> floors = floors_from_top(report.problem, b);
+    const auto table = [&](QuantityTable of) {
+      return floors_table(report, b, table_columns(Owner::floor, report.run, floors, language, of));
+    };
+    const HtmlTable main = table(QuantityTable::main), forces = table(QuantityTable::forces);
+    const HtmlTable yielding = table(QuantityTable::yielding);
     buildings.add(say("heading.peaks_of", {{"building", name}}),
-                  floors_table(report, b, table_columns(Owner::floor, report.run, floors, language)) +
-                      floors_table(report, b, "peaks.forces",
-                                   table_columns(Owner::floor, report.run, floors, language, QuantityTable::forces)) +
-                      proportions_text(report, b) + foundation_text(report, b) +
-                      floors_table(report, b, "peaks.yielding",
-                                   table_columns(Owner::floor, report.run, floors, language, QuantityTable::yielding)));
+                  main.markup() + under(report, "peaks.forces", forces) + proportions_text(report, b) +
+                      foundation_text(report, b) + under(report, "peaks.yielding", yielding),
+                  {main, forces, yielding}, name);
   }
   content += buildings.markup(say, "appendix.buildings");
   for (const StoryTable& table : report.story.tables) {

@@ -306,6 +306,37 @@ TEST(ManyBuildings, OfAReportAreFoldedAway) {
   EXPECT_EQ(count(few, "<h3>House 3</h3>"), 2U);
 }
 
+/// What is folded away stands on paper in tables of all: the needs of every gap, all that is struck, every floor.
+TEST(ManyBuildings, ArePrintedInTablesOfAll) {
+  const RunResults results = row();
+  const std::string page = report_html(results, {.version = "0"});
+  const auto table_after = [&](const std::string& heading) {
+    const std::size_t from = page.find("<h3>" + heading + "</h3>");
+    EXPECT_NE(from, std::string::npos) << heading;
+    return from == std::string::npos ? "" : page.substr(from, page.find("</table>", from) - from);
+  };
+  const auto count = [](const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  const std::size_t gaps = results.c.gaps.size();
+  const std::string needs = table_after("The level that governs each of " + std::to_string(gaps) + " gaps");
+  for (std::size_t gap = 1; gap <= gaps; ++gap) {
+    const std::string name = "House " + std::to_string(gap) + " | House " + std::to_string(gap + 1);
+    EXPECT_EQ(count(needs, ">" + name + "<"), 1U) << name;
+  }
+  const auto& points = results.response.points;
+  const auto struck = std::count_if(points.begin(), points.end(), [](const auto& one) { return one.impacts > 0; });
+  ASSERT_GT(struck, 0);
+  const std::string contact = table_after("Contact where there is any, of " + std::to_string(gaps) + " pairs");
+  EXPECT_EQ(count(contact, " | House "), static_cast<std::size_t>(struck));
+  const std::string peaks = table_after("Peaks of " + std::to_string(gaps + 1) + " buildings");
+  for (const Building& building : results.problem.buildings) {
+    EXPECT_EQ(count(peaks, ">" + building.name + "<"), static_cast<std::size_t>(building.model.floors()));
+  }
+}
+
 TEST(ManyBuildings, InPlanHaveTheirNamesWithinThemselves) {
   const PlanRun run = test::plan_run(test::twisting_pair());
   const Figure figure = make_figure(run, "scene");

@@ -1,12 +1,20 @@
 #include "bentur/report/html/internal/each_of.h"
 
+#include <algorithm>
+
 namespace bentur::html {
+
+void EachOf::add(const std::string& name, Html content, const std::vector<HtmlTable>& printed, const std::string& of) {
+  printed_.resize(std::max(printed_.size(), printed.size()));
+  for (std::size_t i = 0; i < printed.size(); ++i) printed_[i].join(of.empty() ? name : of, printed[i]);
+  all_.emplace_back(name, std::move(content));
+}
 
 Html EachOf::markup(const Words& say, std::string_view what) const {
   if (all_.size() > most_open) return folded(say, what);
   Html content;
   for (const auto& [name, told] : all_) content += element("h3", name) + told;
-  return content;
+  return printed_.empty() ? content : element("div", content, "class=\"each\"");
 }
 
 Html EachOf::folded(const Words& say, std::string_view what) const {
@@ -15,9 +23,23 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
     content += element("details", element("summary", name) + told) + Html::markup("\n");
   }
   if (all_.size() <= most_open) return content;
-  const Html count = Html::text(say(what, {{"count", std::to_string(all_.size())}}));
-  const Html closed = element("span", " " + say("appendix.closed"), "class=\"closed\"");
-  return element("details", element("summary", count + closed) + content, "class=\"appendix\"") + Html::markup("\n");
+  const std::vector<std::pair<std::string, std::string>> count = {{"count", std::to_string(all_.size())}};
+  Html printed;
+  for (const HtmlTable& table : printed_) {
+    constexpr std::size_t most = 160;  // rows, of some two pages
+    const std::size_t rows = table.rows();
+    if (rows == 0) continue;
+    if (rows > most) {
+      printed += element("p", say("appendix.cut", {{"shown", std::to_string(most)}, {"all", std::to_string(rows)}}));
+    }
+    printed += table.markup("", most);
+  }
+  if (!printed.str().empty()) {
+    const std::string heading = say(std::string(what) + ".printed", count);
+    printed = element("div", element("h3", heading) + printed, "class=\"print joined\"");
+  }
+  return printed + element("details", element("summary", say(what, count)) + content, "class=\"appendix\"") +
+         Html::markup("\n");
 }
 
 }  // namespace bentur::html

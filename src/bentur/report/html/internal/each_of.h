@@ -9,20 +9,24 @@
 
 namespace bentur::html {
 
-/// What a page shows of each of several things, under its name. Of many it is an appendix: folded away, each by itself,
-/// and on paper only where it is open.
+/// What a page shows of each of several things, under its name. Of many it is an appendix: folded away, each by itself;
+/// on paper, unless it is open, tables of all of them stand for it.
 class EachOf {
  public:
   static constexpr std::size_t most_open = 6;
 
-  void add(std::string name, Html content) { all_.emplace_back(std::move(name), std::move(content)); }
-  /// @param what key of the text that counts them: "89 gaps, each by itself"
+  /// @param printed what stands for it on paper; of each thing as many tables
+  /// @param of its name there; empty: the same
+  void add(const std::string& name, Html content, const std::vector<HtmlTable>& printed = {},
+           const std::string& of = {});
+  /// @param what key of the text that counts them, "89 gaps, each by itself"; its ".printed" heads what is on paper
   [[nodiscard]] Html markup(const Words& say, std::string_view what) const;
   /// The same of what others say in short: of few each is folded away, too, but for paper.
   [[nodiscard]] Html folded(const Words& say, std::string_view what) const;
 
  private:
   std::vector<std::pair<std::string, Html>> all_;
+  std::vector<HtmlTable> printed_;  ///< of all
 };
 
 }  // namespace bentur::html

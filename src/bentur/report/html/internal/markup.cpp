@@ -51,7 +51,27 @@ void HtmlTable::add(const std::string& name, const std::string& unit, std::vecto
   columns_.push_back({name, unit, std::move(cells), numeric});
 }
 
-Html HtmlTable::markup(std::string_view attributes) const {
+void HtmlTable::join(const std::string& name, const HtmlTable& other) {
+  if (other.rows() == 0) return;
+  if (columns_.empty()) add("", "", std::vector<std::string>(), false);
+  const std::size_t all = rows() + other.rows();
+  columns_.front().cells.resize(all, name);
+  std::vector<char> taken(columns_.size() + other.columns_.size());  // names repeat, as that of what is without contact
+  for (const Column& column : other.columns_) {
+    std::size_t i = 1;
+    const auto fits = [&] { return columns_[i].name == column.name && columns_[i].unit == column.unit; };
+    while (i < columns_.size() && (taken[i] != 0 || !fits())) ++i;
+    if (i == columns_.size()) add(column.name, column.unit, {}, column.numeric);
+    taken[i] = 1;
+    std::vector<std::string>& cells = columns_[i].cells;
+    cells.resize(all - other.rows());
+    cells.insert(cells.end(), column.cells.begin(), column.cells.end());
+  }
+  for (Column& column : columns_) column.cells.resize(all);
+}
+
+Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
+  if (columns_.empty()) return {};
   const auto alignment = [](const Column& column) { return column.numeric ? "" : "class=\"t\""; };
   const bool units =
       std::any_of(columns_.begin(), columns_.end(), [](const Column& column) { return !column.unit.empty(); });
@@ -65,8 +85,7 @@ Html HtmlTable::markup(std::string_view attributes) const {
                     std::string(is_heading ? "scope=\"col\"" : "") + (column.numeric ? "" : " class=\"t\""));
   }
   Html body;
-  const std::size_t rows = columns_.empty() ? 0 : columns_.front().cells.size();
-  for (std::size_t row = 0; row < rows; ++row) {
+  for (std::size_t row = 0; row < std::min(rows(), most); ++row) {
     Html line;
     for (const Column& column : columns_) line += element("td", column.cells.at(row), alignment(column));
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();

@@ -46,8 +46,12 @@ class HtmlTable {
   void add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric = true);
   /// Makes a row stand out, e.g. the level that governs.
   void mark(std::size_t row) { marked_.push_back(row); }
-  /// In a box of its own, which scrolls where the page is narrow.
-  [[nodiscard]] Html markup(std::string_view attributes = "") const;
+  /// Adds the rows of another one, each with the name of what it is of in the first column; cells without a column
+  /// there stay empty.
+  void join(const std::string& name, const HtmlTable& other);
+  [[nodiscard]] std::size_t rows() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
+  /// In a box of its own, which scrolls where the page is narrow; nothing of none. @param most rows
+  [[nodiscard]] Html markup(std::string_view attributes = "", std::size_t most = -1) const;
 
  private:
   struct Column {

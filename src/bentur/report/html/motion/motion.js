@@ -234,11 +234,15 @@ function benturMotion(parts, data) {
       mark.setAttribute("data-contact", hit ? 1 : 0);
       if (hit) drawn.arrows[i].setAttribute("d", arrows(at, current, i));
       drawn.arrows[i].setAttribute("opacity", glow[i].toFixed(3));
-      if (!drawn.cells[i]) return; // the table is of another level
-      drawn.cells[i].textContent = signed(picture.opening(i, motion).toFixed(decimals));
-      drawn.cells[i].className = hit ? "marked" : "";
     });
-    orderLive(new Set(current.map((impact) => impact.point)));
+    const touching = new Set(current.map((impact) => impact.point)), touches = (point) => touching.has(point);
+    drawn.cells.forEach(({ cell, points }) => {
+      const open = picture.opening(points[0], motion);
+      cell.textContent = signed(open.toFixed(decimals));
+      const touched = points.some(touches) || (open < 0 && picture.together[points[0]].some(touches));
+      cell.className = touched ? "marked" : "";
+    });
+    orderLive(touching);
     drawn.head.setAttribute("transform", `translate(${(WIDTH * now / duration).toFixed(2)} 0)`);
     scrub.value = now;
     clock.textContent = `t = ${now.toFixed(4)} s`;
@@ -294,11 +298,11 @@ function benturMotion(parts, data) {
     for (const { name, points } of rows) {
       const row = html("tr", undefined, live);
       html("th", name, row).scope = "row";
-      for (const point of points) {
+      for (const those of points) {
         const cell = html("td", "", row);
-        if (point >= 0) drawn.cells[point] = cell;
+        if (those.length > 0) drawn.cells.push({ cell, points: those });
       }
-      if (many) drawn.lines.push({ row, points });
+      if (many) drawn.lines.push({ row, points: points.flat() });
     }
   }
 

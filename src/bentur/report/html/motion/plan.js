@@ -123,8 +123,8 @@ function benturPlan(data, buildings, svg, number) {
     return { x: (x + otherX) / 2, y: (y + otherY) / 2, normal: points[point].normal };
   }
 
-  function opening(point, motion) {
-    const { left, right, leftFloor, rightFloor, faces, normal, width } = points[point];
+  /** How far two places are apart along their normal. */
+  function apart({ left, right, leftFloor, rightFloor, faces, normal, width }, motion) {
     const moved = (b, floor, [x, y]) => {
       const [moveX, moveY] = benturPlanMovement(scene, motion, b, floor, x, y);
       return normal[0] * moveX + normal[1] * moveY;
@@ -132,22 +132,43 @@ function benturPlan(data, buildings, svg, number) {
     return width + moved(right, rightFloor, faces[1]) - moved(left, leftFloor, faces[0]);
   }
 
+  // Of each point those that must be closed, too, before anything touches there: lists of places, of which one is enough.
+  const meetings = new Map(), met = ({ meeting }) => meetings.get(meeting.join());
+  [...points, ...scene.seams].filter(({ meeting }) => meeting).forEach((place) => {
+    if (!met(place)) meetings.set(place.meeting.join(), new Map());
+    met(place).set(place.family, [...(met(place).get(place.family) ?? []), place]);
+  });
+  const others = points.map((point) => !point.meeting ? [] :
+    [...met(point)].filter(([family]) => family !== point.family).map(([, places]) => places));
+
+  /** Where buildings touch only while others of their places are closed, the largest of what is open. */
+  const opening = (point, motion) => Math.max(apart(points[point], motion),
+    ...others[point].map((places) => Math.min(...places.map((place) => apart(place, motion)))));
+
+  /** Contact points that touch where this one is closed: itself, or those of all its meeting. */
+  const together = points.map((point, i) =>
+    others[i].length === 0 ? [i] : points.flatMap((one, k) => (one.meeting && met(one) === met(point) ? [k] : [])));
+
   const metres = (elevation) => `${number(elevation)} ${data.units.length}`;
   const many = new Set(points.map(({ gap }) => gap)).size > 1;
   const pair = ({ left, right }) => `${buildings[left].name} | ${buildings[right].name}`;
   const where = (point) => (many ? `${pair(points[point])}, ` : "") +
     `${data.words.level} ${metres(points[point].elevation)}, ${points[point].along}`;
 
-  /** What the table of openings holds: the contact points of the chosen level. */
+  /** What the table of openings holds: the places of the chosen level, of those that are one its contact points. */
   function live(numbered) {
     const gap = (point) => (numbered ? `${point.left + 1} | ${point.right + 1}` : pair(point));
-    const rows = points.flatMap((point, i) =>
-      (point.level === level ? [{ name: (many ? `${gap(point)}, ` : "") + point.along, points: [i] }] : []));
-    return { head: [], rows, many };
+    const rows = new Map();
+    points.forEach((point, i) => {
+      if (point.level !== level) return;
+      const name = (many ? `${gap(point)}, ` : "") + point.along;
+      rows.set(name, [...(rows.get(name) ?? []), i]);
+    });
+    return { head: [], rows: [...rows].map(([name, all]) => ({ name, points: [all] })), many };
   }
 
   return {
-    unit, grain: 20, below: 0, key: scene.key, build, frame, name, show, contact, opening, where, live,
+    unit, grain: 20, below: 0, key: scene.key, build, frame, name, show, contact, opening, together, where, live,
     levels: scene.levels.map(({ elevation }) => metres(elevation)),
     get level() { return level; },
     choose(other) { level = other; },

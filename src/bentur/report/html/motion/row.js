@@ -27,7 +27,8 @@ function benturPlaces(scene, magnification, motion) {
  *   {tone, mark, text} that say what marks mean, levels: names of those that can be chosen, none where all are
  *   seen at once (else level, choose(level)), build(stage),
  *   frame(magnification): {left, right, top, bottom} of all that moves, name(pixel), show(motion, time, pixel),
- *   contact(point): {x, y, normal}, opening(point, motion), where(point), live(numbered): {head, rows}}
+ *   contact(point): {x, y, normal}, opening(point, motion), together: of a point those that touch where it is closed,
+ *   where(point), live(numbered): {head, rows: of a name and for each column a list of points}}
  */
 function benturRow(data, buildings, svg, number) {
   "use strict";
@@ -117,6 +118,8 @@ function benturRow(data, buildings, svg, number) {
     return width + motion[left + 1][rightFloor] - motion[left][leftFloor];
   }
 
+  const together = data.points.map((_, i) => [i]);
+
   const level = (elevation) => `${number(elevation)} ${data.units.length}`;
   const pair = (gap) => `${buildings[gap].name} | ${buildings[gap + 1].name}`;
   const where = (point) => (scene.gaps.length > 1 ? `${pair(data.points[point].left)}, ` : "") +
@@ -128,7 +131,7 @@ function benturRow(data, buildings, svg, number) {
     const most = 6;
     if (scene.gaps.length > most) {
       const of = ({ left, elevation }) => `${numbered ? `${left + 1} | ${left + 2}` : pair(left)}, ${level(elevation)}`;
-      return { head: [], rows: data.points.map((point, i) => ({ name: of(point), points: [i] })), many: true };
+      return { head: [], rows: data.points.map((point, i) => ({ name: of(point), points: [[i]] })), many: true };
     }
     const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);
     const names = scene.gaps.map((_, gap) =>
@@ -137,10 +140,11 @@ function benturRow(data, buildings, svg, number) {
       head: names.length > 1 ? [data.words.level, ...names] : [],
       rows: levels.map((elevation) => ({
         name: level(elevation),
-        points: scene.gaps.map((_, gap) => data.points.findIndex((p) => p.left === gap && p.elevation === elevation)),
+        points: scene.gaps.map((_, gap) =>
+          data.points.flatMap((p, i) => (p.left === gap && p.elevation === elevation ? [i] : []))),
       })),
     };
   }
 
-  return { unit, grain: unit * scene.storey, below: 22, key, levels: [], build, frame, name, show, contact, opening, where, live };
+  return { unit, grain: unit * scene.storey, below: 22, key, levels: [], build, frame, name, show, contact, opening, together, where, live };
 }

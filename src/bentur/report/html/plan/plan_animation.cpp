@@ -44,6 +44,37 @@ double arm_of(const PlanProblem& problem) {
   return longest / 2;
 }
 
+/// Of contacts and seams: which of them touch only while others of their meeting are closed.
+void add_meeting(Json& place, Index gap, double elevation, Index pair, Index family) {
+  place["meeting"] = {gap, elevation, pair};
+  place["family"] = family;
+}
+
+/// Two floors and where they face each other.
+Json facing_json(const PlanGap& gap, Index left_floor, Index right_floor, const StretchCorner& at,
+                 const PlanScene& scene) {
+  return {{"left", gap.left},
+          {"right", gap.right},
+          {"leftFloor", left_floor},
+          {"rightFloor", right_floor},
+          {"normal", {at.normal.x(), at.normal.y()}},
+          {"width", gap.stretch.width + at.beyond},
+          {"faces", {point_json(scene, at.left), point_json(scene, at.right)}}};
+}
+
+/// Where nothing acts, but contacts of the same meeting hang on whether it is closed.
+Json seams_json(const PlanRun& run, const PlanScene& scene) {
+  Json seams = Json::array();
+  for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
+    const PlanGap& gap = run.problem.gaps[g];
+    for (const PlanSeam& seam : gap.seams) {
+      Json& one = seams.emplace_back(facing_json(gap, seam.left_floor, seam.right_floor, seam.at, scene));
+      add_meeting(one, static_cast<Index>(g), seam.elevation, seam.pair, seam.family);
+    }
+  }
+  return seams;
+}
+
 Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<double>& levels, Index shown) {
   Json outlines = Json::array(), further = Json::array(), centres = Json::array(), marks = Json::array(),
        told = Json::array();
@@ -106,6 +137,7 @@ Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<do
           {"levels", told},
           {"level", shown},
           {"gaps", gaps},
+          {"seams", seams_json(run, scene)},
           {"largest", scene.largest()},
           {"magnification", scene.magnification()}};
 }
@@ -148,19 +180,14 @@ Json points_json(const PlanRun& run, const PlanScene& scene, const std::vector<d
   for (Index i = 0; i < std::ssize(run.response.points); ++i) {
     const PlanContactPlace place = contact_at(run.problem, i);
     const PlanGap& gap = run.problem.gaps[place.gap];
-    const StretchCorner at = gap.at(*place.contact);
-    points.push_back({{"gap", place.gap},
-                      {"left", gap.left},
-                      {"right", gap.right},
-                      {"leftFloor", place.contact->left_floor},
-                      {"rightFloor", place.contact->right_floor},
-                      {"elevation", place.contact->elevation},
-                      {"level", number_of(levels, place.contact->elevation)},
-                      {"normal", {at.normal.x(), at.normal.y()}},
-                      {"width", gap.width_at(*place.contact)},
-                      {"along", along_text(run, i)},
-                      {"faces", {point_json(scene, at.left), point_json(scene, at.right)}},
-                      {"struck", run.response.points[i].impacts > 0}});
+    const PlanContact& contact = *place.contact;
+    Json& one = points.emplace_back(facing_json(gap, contact.left_floor, contact.right_floor, gap.at(contact), scene));
+    one.update({{"gap", place.gap},
+                {"elevation", contact.elevation},
+                {"level", number_of(levels, contact.elevation)},
+                {"along", along_text(run, i)},
+                {"struck", run.response.points[i].impacts > 0}});
+    if (contact.family >= 0) add_meeting(one, place.gap, contact.elevation, contact.pair, contact.family);
   }
   return points;
 }

@@ -68,7 +68,8 @@ class PlanPage {
   [[nodiscard]] html::PageSection peaks() const {
     html::EachOf all_contacts, buildings;
     for (std::size_t g = 0; g < gaps_.size(); ++g) {
-      all_contacts.add(say_("heading.contact_of", {{"gap", gaps_[g]}}), contacts(g));
+      all_contacts.add(say_("heading.contact_of", {{"gap", gaps_[g]}}), contacts(g, false).markup(),
+                       {contacts(g, true)}, gaps_[g]);
     }
     Html content = all_contacts.markup(say_, "appendix.contacts");
     for (const std::vector<Index>& links : links_by_spec(run_.c.links)) {
@@ -77,8 +78,10 @@ class PlanPage {
       content += element("h3", say_("heading.links_of", {{"link", name}})) + links_table(links);
     }
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
-      buildings.add(say_("heading.peaks_of", {{"building", run_.problem.buildings[b].name}}),
-                    floors(b, false) + floors(b, true) + foundation(b) + bearings(b) + planes(b));
+      const HtmlTable main = floors(b, false), forces = floors(b, true);
+      const std::string& name = run_.problem.buildings[b].name;
+      buildings.add(say_("heading.peaks_of", {{"building", name}}),
+                    main.markup() + forces.markup() + foundation(b) + bearings(b) + planes(b), {main, forces}, name);
     }
     content += buildings.markup(say_, "appendix.buildings");
     for (const StoryTable& table : story_.tables) {
@@ -139,10 +142,11 @@ class PlanPage {
     table.add("y", length_, y);
   }
 
-  [[nodiscard]] Html contacts(std::size_t g) const {
+  [[nodiscard]] HtmlTable contacts(std::size_t g, bool are_struck) const {
     std::vector<Index> points;
     for (Index i = 0; i < std::ssize(run_.problem.gaps[g].contacts); ++i) {
-      points.push_back(first_contact(run_.problem, g) + i);
+      const Index point = first_contact(run_.problem, g) + i;
+      if (!are_struck || run_.response.points[point].impacts > 0) points.push_back(point);
     }
     std::stable_sort(points.begin(), points.end(), [&](Index a, Index b) {
       return contact_at(run_.problem, a).contact->elevation > contact_at(run_.problem, b).contact->elevation;
@@ -152,7 +156,7 @@ class PlanPage {
     HtmlTable table;
     add_places(table, points);
     html::add_columns(table, table_columns(Owner::point, run_, places, say_.number()));
-    return table.markup();
+    return table;
   }
 
   /// Of one [[link]] table, from the top down, with where in plan they are and along what they act.
@@ -178,7 +182,7 @@ class PlanPage {
     return table.markup();
   }
 
-  [[nodiscard]] Html floors(Index b, bool of_forces) const {
+  [[nodiscard]] HtmlTable floors(Index b, bool of_forces) const {
     std::vector<QuantityPlace> places = floors_of(run_.problem, b);
     std::reverse(places.begin(), places.end());
     const std::vector<double>& levels = run_.problem.buildings[b].model.elevations;
@@ -188,7 +192,7 @@ class PlanPage {
     HtmlTable table;
     table.add(say_("column.elevation"), length_, std::vector<double>(levels.rbegin(), levels.rend()));
     html::add_columns(table, std::move(columns));
-    return table.markup();
+    return table;
   }
 
   /// What the foundation does; empty without soil.
