@@ -1,6 +1,7 @@
 """What is said of a run is the same at every door: terminal, report, Python; web/test has the studio.
 
-Every other example (tests/part.py), in English and Indonesian. The statements of summary.json, numbers and names without words, are held against
+Every eighth example (tests/part.py), in English and Indonesian. The statements of summary.json, numbers and names without
+words, are held against
 the sentences kind by kind and value by value, by the texts that translators have; the sentences of one door against those of
 another letter by letter, with ordinary spaces and wrapped lines joined. Environment as tests/python.
 """
@@ -26,7 +27,7 @@ PROGRAM = os.environ.get("BENTUR_PROGRAM", "")
 TEXTS = tomllib.loads((doors.ROOT / "src/bentur/report/html/texts.toml").read_text(encoding="utf-8"))
 LANGUAGES = TEXTS["languages"]
 GRAVE = ["danger", "warning", "finding", "remark"]
-CASES = part([*doors.EXAMPLES, *doors.CASES, *doors.PLANS], 4)
+CASES = part([*doors.EXAMPLES, *doors.CASES, *doors.PLANS], 8)
 
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="BENTUR_PROGRAM does not name the command line to compare with")
 
