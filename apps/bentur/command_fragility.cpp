@@ -24,6 +24,7 @@ struct FragilityArguments {
   FragilityRequest request;
   std::optional<double> at;
   std::string method = fragility_methods().front();
+  std::string language = "en";
   bool json = false;
 };
 
@@ -66,139 +67,141 @@ std::string case_name(const IdaResults& results, std::size_t c) {
   return text;
 }
 
+std::string with_unit_of(double x, const std::string& unit) {
+  return unit.empty() ? number(x) : number(x) + " " + unit;
+}
+
 /// Where a single level has runs with the event and without: "no event below 0.2 g, in 3 of 10 runs at it, in all
 /// above".
-std::string one_level(const CaseFragility& fragility, const std::string& level) {
-  std::string at;
+std::string one_level(const CaseFragility& fragility, const std::string& level, const Words& say) {
+  long events = 0, runs = 0;
   bool below = false, above = false;
   for (const IntensityCount& count : fragility.counts) {
     below = below || (count.runs > 0 && count.intensity < fragility.fit.lower);
     above = above || (count.runs > 0 && count.intensity > fragility.fit.lower);
-    if (count.intensity == fragility.fit.lower) at = fmt::format("in {} of {} runs at", count.events, count.runs);
+    if (count.intensity != fragility.fit.lower) continue;
+    events = count.events;
+    runs = count.runs;
   }
-  return fmt::format("{}{} {}, {}", below ? "no event below " + level + ", " : "", at, below ? "it" : level,
-                     above ? "in all above" : "the largest level");
+  if (runs == 0) return say("fragility.no_scatter", {{"level", level}});  // of a cloud, which no level lies on
+  return say(std::string(below ? "fragility.none_below" : "fragility.some_at") + (above ? "" : "_largest"),
+             {{"level", level}, {"events", fmt::format("{}", events)}, {"runs", fmt::format("{}", runs)}});
 }
 
 /// Why a case has no θ and β. @param is_cloud of the demands of runs that stand
-std::string reason(const CaseFragility& fragility, const std::string& unit, bool is_cloud = false) {
-  const auto with_unit = [&](double x) { return unit.empty() ? number(x) : number(x) + " " + unit; };
+std::string reason(const CaseFragility& fragility, const std::string& unit, const Words& say, bool is_cloud = false) {
   const Fragility& fit = fragility.fit;
   switch (fit.kind) {
     case Fragility::Kind::fitted:
       return {};
     case Fragility::Kind::separated:
       return fit.lower < fit.upper
-                 ? fmt::format("no event up to {} and nothing else from {} on: θ is between, β cannot be found",
-                               with_unit(fit.lower), with_unit(fit.upper))
-                 : one_level(fragility, with_unit(fit.lower)) + ": β cannot be found";
+                 ? say("fragility.separated",
+                       {{"lower", with_unit_of(fit.lower, unit)}, {"upper", with_unit_of(fit.upper, unit)}})
+                 : say("fragility.no_beta", {{"where", one_level(fragility, with_unit_of(fit.lower, unit), say)}});
     case Fragility::Kind::no_event:
-      return fmt::format("no run has the event: θ cannot be found, it is above {}", with_unit(fit.lower));
+      return say("fragility.no_event", {{"level", with_unit_of(fit.lower, unit)}});
     case Fragility::Kind::all_events:
-      return fmt::format("every run has the event: θ cannot be found, it is below {}", with_unit(fit.upper));
+      return say("fragility.all_events", {{"level", with_unit_of(fit.upper, unit)}});
     case Fragility::Kind::one_intensity:
-      return "one level alone: θ and β cannot be found";
+      return say("fragility.one_intensity");
     case Fragility::Kind::falling:
-      return "the event does not become likelier with intensity: no θ and β describe that";
+      return say("fragility.falling");
     case Fragility::Kind::no_data:
       break;
   }
-  if (is_cloud && fragility.runs > 0) {
-    return "fewer than three runs stand with a demand above 0, or all at one level: θ and β cannot be found";
-  }
-  return "no run has succeeded: θ and β cannot be found";
-}
-
-std::string with_unit_of(double x, const std::string& unit) {
-  return unit.empty() ? number(x) : number(x) + " " + unit;
+  return say(is_cloud && fragility.runs > 0 ? "fragility.few_stand" : "fragility.no_data");
 }
 
 /// That θ is beyond what was analysed.
-std::string beyond(const CaseFragility& one, const std::string& unit) {
+std::string beyond(const CaseFragility& one, const std::string& unit, const Words& say) {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const IntensityCount& count : one.counts) {
     if (count.runs == 0) continue;
     lowest = std::min(lowest, count.intensity);
     highest = std::max(highest, count.intensity);
   }
-  return fmt::format("θ is extrapolated, {} were analysed from {} to {}", one.is_unscaled ? "intensities" : "levels",
-                     with_unit_of(lowest, unit), with_unit_of(highest, unit));
+  return say(one.is_unscaled ? "fragility.beyond_unscaled" : "fragility.beyond",
+             {{"from", with_unit_of(lowest, unit)}, {"to", with_unit_of(highest, unit)}});
 }
 
-/// That θ and β do not describe what they were found from.
-constexpr const char* misfit =
-    "a lognormal does not describe these runs, KS is beyond what 19 of 20 samples of one have";
-
 /// θ and β of a part of the runs, or why there are none.
-std::string part_text(const Fragility& fit, const std::vector<IntensityCount>& counts, const std::string& unit) {
+std::string part_text(const Fragility& fit, const std::vector<IntensityCount>& counts, const std::string& unit,
+                      const Words& say) {
   CaseFragility part;
   part.counts = counts;
   part.fit = fit;
-  if (fit.kind != Fragility::Kind::fitted) return reason(part, unit);
+  if (fit.kind != Fragility::Kind::fitted) return reason(part, unit, say);
   return fmt::format("θ {}, β {}, KS {}{}", with_unit_of(fit.median, unit), number(fit.dispersion),
                      number(fit_distance(counts, fit).value_or(not_known)),
-                     (is_misfit(counts, fit) ? fmt::format("; {}", misfit) : "") +
-                         (is_extrapolated(counts, fit) ? "; " + beyond(part, unit) : ""));
+                     (is_misfit(counts, fit) ? "; " + say("fragility.misfit") : "") +
+                         (is_extrapolated(counts, fit) ? "; " + beyond(part, unit, say) : ""));
 }
 
 /// "from 0.2 to 0.4", or nothing.
-std::string from_to(const std::optional<Interval>& bounds) {
+std::string from_to(const std::optional<Interval>& bounds, const Words& say) {
   return !bounds || std::isnan(bounds->lower)
              ? ""
-             : fmt::format(" (from {} to {})", number(bounds->lower), number(bounds->upper));
+             : say("fragility.from_to", {{"from", number(bounds->lower)}, {"to", number(bounds->upper)}});
 }
 
 /// Which runs of a cloud collapse, and P(event) of all.
-std::string collapse_text(const CaseFragility& one, const std::string& unit) {
-  if (!one.fit.collapse) return "no run collapses";
+std::string collapse_text(const CaseFragility& one, const std::string& unit, const Words& say) {
+  if (!one.fit.collapse) return say("fragility.no_collapse");
   const CollapseFit& fit = *one.fit.collapse;
-  const std::string counted = fmt::format("{} of {} runs collapse", fit.collapsed, fit.runs);
+  const std::string counted = say(
+      "fragility.collapsed", {{"collapsed", fmt::format("{}", fit.collapsed)}, {"runs", fmt::format("{}", fit.runs)}});
   switch (fit.kind) {
     case CollapseFit::Kind::fitted:
       break;
     case CollapseFit::Kind::separated:
-      return fmt::format("{}, {}: P_C cannot be found, θ and β are of the runs that stand alone", counted,
-                         fit.upper >= fit.lower
-                             ? fmt::format("from {} on and all that stand up to {}", with_unit_of(fit.upper, unit),
-                                           with_unit_of(fit.lower, unit))
-                             : "all below those that stand");
+      if (fit.upper < fit.lower) return say("fragility.collapse_below", {{"counted", counted}});
+      return say(
+          "fragility.collapse_apart",
+          {{"counted", counted}, {"upper", with_unit_of(fit.upper, unit)}, {"lower", with_unit_of(fit.lower, unit)}});
     default:
-      return counted +
-             ", not more of them with intensity: P_C cannot be found, θ and β are of the runs that stand alone";
+      return say("fragility.collapse_falling", {{"counted", counted}});
   }
-  std::string text = fmt::format("{}, P_C = 1/(1 + exp(−({} + {} ln x))), ½ at {}", counted, number(fit.intercept),
-                                 number(fit.slope), with_unit_of(fit.intensity_of(0.5), unit));
+  std::string text = say("fragility.collapse_fitted", {{"counted", counted},
+                                                       {"intercept", number(fit.intercept)},
+                                                       {"slope", number(fit.slope)},
+                                                       {"half", with_unit_of(fit.intensity_of(0.5), unit)}});
   if (const auto all = one.of_all()) {
-    text += fmt::format("; P(event) with them is ½ at {}{}, dispersion {}{}", with_unit_of(all->median, unit),
-                        from_to(all->median_bounds), number(all->dispersion), from_to(all->dispersion_bounds));
+    text +=
+        say("fragility.collapse_all", {{"median", with_unit_of(all->median, unit) + from_to(all->median_bounds, say)},
+                                       {"dispersion", number(all->dispersion) + from_to(all->dispersion_bounds, say)}});
   }
   return text;
 }
 
 /// Collapse by itself, and what a cloud or stripes are made of.
-std::string more(const CaseFragility& one, const std::string& of, const std::string& unit) {
+std::string more(const CaseFragility& one, const std::string& of, const std::string& unit, const Words& say) {
   std::string text;
+  const auto add = [&](const std::string& what) { text += fmt::format("  {}{}.\n", of, what); };
   if (one.split) {
-    text +=
-        fmt::format("  {}collapse alone: {}.\n", of, part_text(one.split->collapse, one.split->collapse_counts, unit));
-    text += fmt::format("  {}the event where nothing collapses: {}.\n", of,
-                        part_text(one.split->standing, one.split->standing_counts, unit));
+    add(say("fragility.collapse_alone",
+            {{"what", part_text(one.split->collapse, one.split->collapse_counts, unit, say)}}));
+    add(say("fragility.standing", {{"what", part_text(one.split->standing, one.split->standing_counts, unit, say)}}));
   }
   if (one.cloud) {
-    text +=
-        fmt::format("  {}ln d = {} + {} ln x, σ {}, R² {}, {} runs that stand.\n", of, number(one.cloud->a),
-                    number(one.cloud->b), number(one.cloud->sigma), number(one.cloud->determination), one.cloud->runs);
-    text += fmt::format("  {}{}.\n", of, collapse_text(one, unit));
+    add(say("fragility.line", {{"a", number(one.cloud->a)},
+                               {"b", number(one.cloud->b)},
+                               {"sigma", number(one.cloud->sigma)},
+                               {"determination", number(one.cloud->determination)},
+                               {"runs", fmt::format("{}", one.cloud->runs)}}));
+    add(collapse_text(one, unit, say));
   }
   for (const Stripe& stripe : one.stripes) {
-    text += fmt::format("  {}at {}: median demand {}, dispersion {}, {} of {} runs collapse.\n", of,
-                        with_unit_of(stripe.intensity, unit), number(stripe.median), number(stripe.dispersion),
-                        stripe.collapsed, stripe.runs);
+    add(say("fragility.stripe", {{"level", with_unit_of(stripe.intensity, unit)},
+                                 {"median", number(stripe.median)},
+                                 {"dispersion", number(stripe.dispersion)},
+                                 {"collapsed", fmt::format("{}", stripe.collapsed)},
+                                 {"runs", fmt::format("{}", stripe.runs)}}));
   }
   return text;
 }
 
-std::string curves_text(const FragilityReport& report, const std::string& unit, bool is_cloud) {
+std::string curves_text(const FragilityReport& report, const std::string& unit, bool is_cloud, const Words& say) {
   std::vector<std::size_t> cases;
   std::vector<double> median, median_low, median_high, dispersion, dispersion_low, dispersion_high, distance;
   std::vector<std::string> runs, events;
@@ -218,26 +221,27 @@ std::string curves_text(const FragilityReport& report, const std::string& unit, 
     const std::string name = case_name(report.results, c);
     const std::string of = name.empty() ? "" : name + ": ";
     distance.push_back(one.distance().value_or(not_known));
-    if (!known) notes += fmt::format("  {}{}.\n", of, reason(one, unit, is_cloud));
-    if (one.is_misfit()) notes += fmt::format("  {}{}.\n", of, misfit);
-    if (is_extrapolated(one.counts, one.fit)) notes += fmt::format("  {}{}.\n", of, beyond(one, unit));
-    notes += more(one, of, unit);
+    if (!known) notes += fmt::format("  {}{}.\n", of, reason(one, unit, say, is_cloud));
+    if (one.is_misfit()) notes += fmt::format("  {}{}.\n", of, say("fragility.misfit"));
+    if (is_extrapolated(one.counts, one.fit)) notes += fmt::format("  {}{}.\n", of, beyond(one, unit, say));
+    notes += more(one, of, unit, say);
   }
   Table table;
   add_case_columns(report.results, cases, report.results.axes.size(), table);
   table.add("θ", unit, median);
-  table.add("From", unit, median_low);
-  table.add("To", unit, median_high);
+  table.add(say("fragility.from"), unit, median_low);
+  table.add(say("fragility.to"), unit, median_high);
   table.add("β", "", dispersion);
-  table.add("From", "", dispersion_low);
-  table.add("To", "", dispersion_high);
+  table.add(say("fragility.from"), "", dispersion_low);
+  table.add(say("fragility.to"), "", dispersion_high);
   table.add("KS", "", distance);
-  table.add("Events", "", events);
-  table.add("Runs", "", runs);
+  table.add(say("fragility.events"), "", events);
+  table.add(say("fragility.runs"), "", runs);
   return table.text() + (notes.empty() ? "" : "\n" + notes);
 }
 
-std::string gaps_text(const FragilityReport& report, const FragilityRequest& request, const std::string& unit) {
+std::string gaps_text(const FragilityReport& report, const FragilityRequest& request, const std::string& unit,
+                      const Words& say) {
   std::vector<std::size_t> cases;
   std::vector<std::string> probabilities, gaps, lower, upper;
   const auto bound = [](const std::optional<Interval>& bounds, double Interval::*end) {
@@ -265,43 +269,39 @@ std::string gaps_text(const FragilityReport& report, const FragilityRequest& req
   add_case_columns(report.results, cases, report.gap_axis, table);
   table.add("p", "", probabilities);
   table.add(report.gap_name, shown(report.gap_units), gaps);
-  table.add("From", shown(report.gap_units), lower);
-  table.add("To", shown(report.gap_units), upper);
-  return fmt::format("\nThe gap for which P(event | {}{}) ≤ p\n\n", number(*request.at),
-                     unit.empty() ? "" : " " + unit) +
-         table.text() + (unknown ? "\n  –: the probability at some width cannot be found, see above.\n" : "");
+  table.add(say("fragility.from"), shown(report.gap_units), lower);
+  table.add(say("fragility.to"), shown(report.gap_units), upper);
+  return "\n" + say("fragility.gaps", {{"at", with_unit_of(*request.at, unit)}}) + "\n\n" + table.text() +
+         (unknown ? "\n  " + say("fragility.gap_unknown") + "\n" : "");
 }
 
-std::string text(const FragilityReport& report, const FragilityRequest& request) {
+std::string text(const FragilityReport& report, const FragilityRequest& request, const Words& say) {
   const IdaResults& results = report.results;
   const std::string& unit = results.study_unit;
   const std::string quantity = shown(results.quantity_units);
-  const std::size_t records = results.table.records / results.table.together;
-  std::string title = results.title.empty() ? "" : results.title + "\n";
-  const std::string both = results.table.together > 1 ? " as given and reversed" : "";
-  title += fmt::format("Event: {}{}. {} record{}{}, ", request.event, quantity.empty() ? "" : " " + quantity, records,
-                       records == 1 ? "" : "s", both);
-  title +=
-      results.table.is_cloud() ? "not scaled, by their " : fmt::format("{} levels of ", results.table.levels.size());
-  title += results.intensity + (unit.empty() ? "" : " [" + unit + "]") + "\n";
-  std::string result = title + "\n" + curves_text(report, unit, request.method == FragilityMethod::cloud);
-  if (!report.gaps.empty()) result += gaps_text(report, request, unit);
+  const bool is_cloud = request.method == FragilityMethod::cloud;
+  std::string result = results.title.empty() ? "" : results.title + "\n";
+  result +=
+      say("fragility.event",
+          {{"event", request.event + (quantity.empty() ? "" : " " + quantity)},
+           {"records",
+            say.count("fragility.count.records", static_cast<long>(results.table.records / results.table.together)) +
+                (results.table.together > 1 ? say("fragility.both_ways") : "")},
+           {"scaled", results.table.is_cloud()
+                          ? say("fragility.unscaled")
+                          : say("fragility.levels", {{"levels", fmt::format("{}", results.table.levels.size())}})},
+           {"intensity", results.intensity + (unit.empty() ? "" : " [" + unit + "]")}});
+  result += "\n\n" + curves_text(report, unit, is_cloud, say);
+  if (!report.gaps.empty()) result += gaps_text(report, request, unit, say);
+  std::string by = say("fragility.by." + std::string(name_of(request.method)));
+  if (is_cloud && !results.table.is_cloud()) by += say("fragility.ks_of_that");
+  result += "\n" + say("fragility.formula", {{"by", by}}) + " ";
+  result += say(!results.table.is_cloud() ? "fragility.ks" : is_cloud ? "fragility.ks_cloud" : "fragility.ks_none");
   const bool bounds = std::any_of(report.fragilities.begin(), report.fragilities.end(),
                                   [](const CaseFragility& one) { return one.bounds.has_value(); });
-  const bool is_cloud = request.method == FragilityMethod::cloud;
-  result += fmt::format("\nP(event | x) = Φ(ln(x/θ)/β), {}. ",
-                        request.method == FragilityMethod::likelihood ? "by maximum likelihood"
-                        : is_cloud ? "by a cloud of the runs that stand; where some collapse, P = P_C + (1 − P_C) Φ" +
-                                         std::string(results.table.is_cloud() ? "" : ", KS of that")
-                                   : "by the stripes' lognormal demands and collapses");
-  result += !results.table.is_cloud()
-                ? "KS: the largest distance of the curve from the part of the runs with the event "
-                  "at a level."
-            : is_cloud ? "KS: the largest distance of what is left of ln d from a normal distribution."
-                       : "No KS: each record has an intensity of its own, at which one run is no share.";
   if (bounds) {
-    result += fmt::format(" From, to: {} % bounds from {} resamples of whole records.",
-                          number(100 * request.bootstrap.confidence), request.bootstrap.resamples);
+    result += say("fragility.bounds", {{"confidence", number(100 * request.bootstrap.confidence)},
+                                       {"resamples", fmt::format("{}", request.bootstrap.resamples)}});
   }
   return result + "\n";
 }
@@ -322,11 +322,12 @@ void run(const FragilityArguments& arguments) {
   std::string error;
   const auto report = results ? fragility_report(std::move(*results), request, error) : std::nullopt;
   if (!error.empty()) diagnostics.error({arguments.file, 0, 0}, error);
-  if (!report) throw Failure(diagnostics);
+  if (!report) throw Failure(diagnostics, arguments.language);
   long failed = 0;
   for (const CaseFragility& one : report->fragilities) failed += one.failed;
   if (failed > 0) message(fmt::format("warning: {} runs whose values make no case are left out", failed));
-  print(arguments.json ? fragility_json(*report, request, version()) : fitted(text(*report, request)));
+  print(arguments.json ? fragility_json(*report, request, version())
+                       : fitted(text(*report, request, Words(arguments.language))));
 }
 
 }  // namespace
@@ -358,6 +359,7 @@ void add_fragility_command(CLI::App& app) {
   command->add_option("--confidence", request.bootstrap.confidence, "of the bounds; default 0.95")->check(finite());
   command->add_option("--seed", request.bootstrap.seed, "of the bootstrap; default 1")->check(whole_number());
   command->add_flag("--json", arguments->json, "JSON instead of tables");
+  add_language(*command, arguments->language);
   command->footer(
       "Example: bentur fragility ida.nc --event \"peak_force > 500\"\n"
       "The gap for 1 % and 10 % pounding probability: bentur fragility ida.nc --at 0.5 --probability 0.01,0.1");

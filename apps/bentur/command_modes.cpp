@@ -19,10 +19,10 @@ namespace {
 constexpr Eigen::Index most_modes = 8;  // in a table; --json has all
 
 /// Shapes of the sways with the largest of each mode one, roof at the top.
-Table shape_table(const Building& building, const std::string& length) {
+Table shape_table(const Building& building, const std::string& length, const Words& say) {
   Table table;
   std::vector<double> elevations(building.model.elevations.rbegin(), building.model.elevations.rend());
-  table.add("Level", length, elevations);
+  table.add(say("cli.level"), length, elevations);
   for (Eigen::Index mode = 0; mode < std::min(building.modes.shapes.cols(), most_modes); ++mode) {
     const Eigen::VectorXd sway = building.modes.shapes.col(mode).head(building.model.floors());
     const double largest = sway.cwiseAbs().maxCoeff();
@@ -30,14 +30,14 @@ Table shape_table(const Building& building, const std::string& length) {
     for (Eigen::Index floor = sway.size() - 1; floor >= 0; --floor) {
       cells.push_back(fmt::format("{:.3f}", largest > 0 ? sway(floor) / largest : 0.0));
     }
-    table.add(fmt::format("Mode {}", mode + 1), "", cells);
+    table.add(say("modes.number", {{"n", std::to_string(mode + 1)}}), "", cells);
   }
   return table;
 }
 
-std::string modes_text(const Building& building, const Units& units) {
-  if (building.given) return building.name + ": known by its displacements, it has no modes\n";
-  if (building.is_rigid()) return building.name + ": moves with the ground, it has no modes\n";
+std::string modes_text(const Building& building, const Units& units, const Words& say) {
+  if (building.given) return say("modes.given", {{"building", building.name}}) + "\n";
+  if (building.is_rigid()) return say("modes.rigid", {{"building", building.name}}) + "\n";
   const ModalProperties properties = modal_properties(building);
   const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
   std::vector<std::string> number_cells, periods, fraction, cumulative;
@@ -55,31 +55,33 @@ std::string modes_text(const Building& building, const Units& units) {
     cumulative.push_back(fmt::format("{:.2f}", 100 * sum));
   }
   Table table;
-  table.add("Mode", "", number_cells);
-  table.add("Period", "s", periods);
-  table.add("Participation", "(" + units.force + "·s²/" + units.length + ")^½", participation);
-  table.add("Mass", "%", fraction);
-  table.add("Mass so far", "%", cumulative);
+  table.add(say("column.mode"), "", number_cells);
+  table.add(say("column.period"), "s", periods);
+  table.add(say("column.participation"), "(" + units.force + "·s²/" + units.length + ")^½", participation);
+  table.add(say("modes.mass"), "%", fraction);
+  table.add(say("modes.mass_so_far"), "%", cumulative);
   const Proportions found = proportions(building, units, nullptr);
   std::string text =
       fmt::format("{}: {}\n\n{}", building.name,
-                  proportions_text(building, found, shown_units(units, found.weight), Words("en")), table.text());
+                  proportions_text(building, found, shown_units(units, found.weight), say), table.text());
   if (shown < properties.periods.size()) {
-    text += fmt::format("  and {} modes more; --json has all\n", properties.periods.size() - shown);
+    text += "  " + say("modes.more", {{"n", std::to_string(properties.periods.size() - shown)}}) + "\n";
   }
-  return text + "\n  Shapes, largest sway 1\n\n" + shape_table(building, units.length).text();
+  return text + "\n  " + say("modes.shapes") + "\n\n" + shape_table(building, units.length, say).text();
 }
 
 struct ModesArguments {
   std::string file;
   std::string method = "library";
+  std::string language = "en";
   bool json = false;
 };
 
 void run(const ModesArguments& arguments) {
-  Loaded loaded = load(arguments.file, Purpose::no_run, "en", Takes::rows_and_plans);
+  Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   if (loaded.c.is_in_plan()) {
-    return print_plan_modes(std::move(loaded.plan), arguments.method == "jacobi", arguments.json);
+    return print_plan_modes(std::move(loaded.plan), arguments.method == "jacobi", arguments.json,
+                            Words(arguments.language));
   }
   if (arguments.method == "jacobi") {
     for (Building& building : loaded.problem.buildings) {
@@ -93,7 +95,7 @@ void run(const ModesArguments& arguments) {
   }
   std::string text;
   for (const Building& building : loaded.problem.buildings) {
-    text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units);
+    text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units, Words(arguments.language));
   }
   print(fitted(text));
 }
@@ -109,6 +111,7 @@ void add_modes_command(CLI::App& app) {
       ->add_option("--method", arguments->method,
                    "library (default), or jacobi: the monograph's Cholesky factors and Jacobi rotations")
       ->check(CLI::IsMember({"library", "jacobi"}));
+  add_language(*command, arguments->language);
   command->footer("Example: bentur modes case.toml");
   command->callback([arguments] { run(*arguments); });
 }

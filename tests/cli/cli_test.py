@@ -926,6 +926,15 @@ class Modes(CommandLine):
             self.assertEqual(building["periods"], sorted(building["periods"], reverse=True))
             self.assertTrue(all(shape[0] > 0 for shape in building["shapes"]))
 
+    def test_has_two_languages_with_the_same_numbers(self):
+        for case in "two-frames-si", "gaps/known-by-modes", "plan/twisting-pair":
+            english, indonesian = (self.done("modes", SOURCE / "examples" / f"{case}.toml", "--lang", language).stdout
+                                   for language in ("en", "id"))
+            numbers = [re.findall(r"[0-9.]+", text) for text in (english, indonesian)]
+            self.assertGreater(len(numbers[0]), 10)
+            self.assertEqual(*numbers)
+            for word in "Mode ", "Mass ", "first period", "it has no modes", "Rotation":
+                self.assertNotIn(word, indonesian)
 
     def test_both_methods_agree(self):
         case = self.written("m12-el-centro")

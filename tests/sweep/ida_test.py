@@ -324,6 +324,13 @@ class Fragility(Ida):
         text = self.bentur("fragility", output, "--event", "drift > 0.5").stdout
         self.assertEqual(text.count("no run has the event: θ cannot be found, it is above 1 g"), 10)
         self.assertIn("every run has the event", self.bentur("fragility", output, "--event", "drift > 0").stdout)
+        for method in ("likelihood", "cloud", "stripes"):
+            english, indonesian = (self.bentur("fragility", output, "--event", "drift > 0.005", "--method", method, "--at", 0.4,
+                                               "--probability", 0.1, "--along", "width", "--lang", language).stdout
+                                   for language in ("en", "id"))
+            self.assertEqual(*(re.findall(r"[0-9.]+", text) for text in (english, indonesian)))
+            for word in "Event", "cannot be found", "KS:  the", "runs", "resamples":
+                self.assertNotIn(word, indonesian)
         for method in ("cloud", "stripes"):
             demands = self.json_of("fragility", output, "--event", "drift > 0.005", "--method", method)
             self.assertTrue(any(method in curve for curve in demands["curves"]), method)

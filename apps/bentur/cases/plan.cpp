@@ -40,8 +40,8 @@ std::string gap_line(const Loaded& loaded, std::size_t g, const Words& say) {
 }
 
 /// How much of each mode is along x, along y, and rotation: parts of φᵀMφ = 1 [%].
-std::string modes_text(const PlanBuilding& building) {
-  if (building.is_rigid()) return building.name + ": moves with the ground, it has no modes\n";
+std::string modes_text(const PlanBuilding& building, const Words& say) {
+  if (building.is_rigid()) return say("modes.rigid", {{"building", building.name}}) + "\n";
   const Modes& modes = building.modes;
   const ModalProperties x = modal_properties(modes, building.model.load.col(0));
   const ModalProperties y = modal_properties(modes, building.model.load.col(1));
@@ -58,11 +58,11 @@ std::string modes_text(const PlanBuilding& building) {
     rotation.push_back(fmt::format("{:.2f}", 100 * turning));
   }
   Table table;
-  table.add("Mode", "", numbers);
-  table.add("Period", "s", periods);
-  table.add("Mass along x", "%", mass_x);
-  table.add("Mass along y", "%", mass_y);
-  table.add("Rotation in it", "%", rotation);
+  table.add(say("column.mode"), "", numbers);
+  table.add(say("column.period"), "s", periods);
+  table.add(say("modes.mass_along", {{"axis", "x"}}), "%", mass_x);
+  table.add(say("modes.mass_along", {{"axis", "y"}}), "%", mass_y);
+  table.add(say("modes.rotation"), "%", rotation);
   return building.name + "\n\n" + table.text();
 }
 
@@ -75,7 +75,7 @@ std::string plan_lines(const Loaded& loaded, const Words& say) {
   return text;
 }
 
-void print_plan_modes(PlanProblem problem, bool by_jacobi, bool json) {
+void print_plan_modes(PlanProblem problem, bool by_jacobi, bool json, const Words& say) {
   for (PlanBuilding& building : problem.buildings) {
     if (by_jacobi && !building.is_rigid()) {
       building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
@@ -83,7 +83,7 @@ void print_plan_modes(PlanProblem problem, bool by_jacobi, bool json) {
   }
   if (json) return print(modes_json(problem));
   std::string text;
-  for (const PlanBuilding& building : problem.buildings) text += (text.empty() ? "" : "\n") + modes_text(building);
+  for (const PlanBuilding& building : problem.buildings) text += (text.empty() ? "" : "\n") + modes_text(building, say);
   print(fitted(text));
 }
 
