@@ -68,13 +68,13 @@ std::string settle_unit(const SpectrumArguments& arguments, const StrongMotionRe
 SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units, RecordEcho& echo) {
   Diagnostics diagnostics;
   std::optional<StrongMotionRecord> record = read_record(arguments.file, arguments.options, diagnostics);
-  if (!record) throw Failure(diagnostics);
+  if (!record) throw Failure(diagnostics, arguments.language);
   for (const RecordContradiction& one : contradictions(*record, arguments.options)) {
     diagnostics.error(
         {.file = arguments.file, .line = one.line, .column = one.line > 0 ? 1 : 0},
         fmt::format("{} is {}, but the file says {}", arguments.options.name(one.key), one.given, one.said));
   }
-  if (!diagnostics.ok()) throw Failure(diagnostics);
+  if (!diagnostics.ok()) throw Failure(diagnostics, arguments.language);
   const std::string unit = settle_unit(arguments, *record);
   echo = echo_of(*record, arguments.file, unit);
   SampledMotion motion{record->time_step, std::move(record->values)};
@@ -85,12 +85,12 @@ SampledMotion read_motion(const SpectrumArguments& arguments, const Units& units
 }
 
 /// What is unusual of the record, each in a line of its own; empty without any.
-std::string remarks_text(const RecordSpectrum& spectrum) {
-  return story_text(std::vector<std::string>(), {remark_statements(remarks(spectrum.record, spectrum.units))},
-                    Words("en"), Told::all);
+std::string remarks_text(const RecordSpectrum& spectrum, const Words& say) {
+  return story_text(std::vector<std::string>(), {remark_statements(remarks(spectrum.record, spectrum.units))}, say,
+                    Told::all);
 }
 
-std::string spectrum_text(const RecordSpectrum& spectrum) {
+std::string spectrum_text(const RecordSpectrum& spectrum, const Words& say) {
   const std::string& length = spectrum.units.length;
   std::vector<std::string> displacement;  // each with its own digits: it grows a thousandfold over the periods
   std::vector<double> velocity, acceleration, absolute;
@@ -101,16 +101,16 @@ std::string spectrum_text(const RecordSpectrum& spectrum) {
     absolute.push_back(p.absolute_acceleration / spectrum.units.gravity);
   }
   Table table;
-  table.add("Period", "s", spectrum.periods);
-  table.add("Displacement", length, displacement);
-  table.add("Pseudo-velocity", length + "/s", velocity);
-  table.add("Pseudo-acceleration", "g", acceleration);
-  table.add("Absolute acceleration", "g", absolute);
-  return fmt::format("{}\nResponse spectrum, damping {} %, peak ground acceleration {} {} = {} g\n\n",
-                     record_line(spectrum.record, Words("en")), number(100 * spectrum.damping_ratio),
-                     number(spectrum.record.pga_read), unit_of(spectrum.record),
-                     number(spectrum.record.pga / spectrum.units.gravity)) +
-         table.text();
+  table.add(say("column.period"), "s", spectrum.periods);
+  table.add(say("spectrum.displacement"), length, displacement);
+  table.add(say("spectrum.velocity"), length + "/s", velocity);
+  table.add(say("spectrum.acceleration"), "g", acceleration);
+  table.add(say("spectrum.absolute"), "g", absolute);
+  return record_line(spectrum.record, say) + "\n" +
+         say("spectrum.heading", {{"damping", number(100 * spectrum.damping_ratio)},
+                                  {"peak", number(spectrum.record.pga_read) + " " + unit_of(spectrum.record)},
+                                  {"in_g", number(spectrum.record.pga / spectrum.units.gravity)}}) +
+         "\n\n" + table.text();
 }
 
 Figure spectrum_picture(const RecordSpectrum& spectrum, const std::string& language) {
@@ -159,11 +159,11 @@ void run(const SpectrumArguments& arguments) {
   }
   if (is_picture(output)) write_picture(output, spectrum_picture(spectrum, arguments.language), rules);
   if (csv) csv->write(spectrum_csv(spectrum));
-  const std::string unusual = remarks_text(spectrum);
+  const std::string unusual = remarks_text(spectrum, Words(arguments.language));
   if (arguments.json) {
     print(spectrum_json(spectrum, version()));
   } else if (arguments.output.empty()) {
-    print(fitted(spectrum_text(spectrum) + (unusual.empty() ? "" : "\n" + unusual)));
+    print(fitted(spectrum_text(spectrum, Words(arguments.language)) + (unusual.empty() ? "" : "\n" + unusual)));
   } else {
     if (!unusual.empty()) message(unusual.substr(0, unusual.size() - 1));
     if (csv && !csv->is_streamed()) print(fmt::format("{}: {} periods\n", arguments.output, periods.size()));
@@ -203,7 +203,7 @@ void add_spectrum_command(CLI::App& app) {
       ->add_option("-o,--output", arguments->output,
                    "write a CSV file (- for standard output), or draw a picture: .svg, .pdf or .png")
       ->check(not_empty());
-  command->add_option("--lang", arguments->language, "of a picture: en (default) or id: English or Indonesian")
+  command->add_option("--lang", arguments->language, "en (default) or id: English or Indonesian")
       ->check(CLI::IsMember(report_languages()));
   add_force(*command, arguments->force);
   command->add_flag("--json", arguments->json, "JSON instead of a table");

@@ -1806,6 +1806,9 @@ class Spectrum(CommandLine):
             rows = list(csv.DictReader(file))
         self.assertEqual([float(row["period [s]"]) for row in rows], document["period"])
         self.assertEqual([float(row["displacement [cm]"]) for row in rows], document["displacement"])
+        english, indonesian = (self.done("spectrum", self.RECORD, "--unit", "g", "--lang", language).stdout for language in ("en", "id"))
+        self.assertEqual(*(re.findall(r"[0-9.]+", text) for text in (english, indonesian)))
+        self.assertIn("Percepatan semu", indonesian)
         self.assertEqual([float(row["pseudo_acceleration [cm/s2]"]) for row in rows], document["pseudo_acceleration"])
         for row, g in zip(rows, document["pseudo_acceleration"], strict=True):
             self.assertAlmostEqual(float(row["pseudo_acceleration [g]"]), g / 980.665, delta=1e-12)
