@@ -21,6 +21,11 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       const std::string caption = say(family + kind.name + (figure.lacks.empty() ? "" : ".without_" + figure.lacks));
       figures.push_back(
           {.caption = caption, .svg = figure_element(figure, caption), .wide = figure.width > column_width});
+      if (!figures.back().wide) continue;
+      FigureOptions narrow = options;
+      narrow.narrow = true;
+      const Figure slim = make(kind.name, narrow);
+      if (slim.width < figure.width) figures.back().slim = figure_element(slim, caption);
     } catch (const NoFigure&) {  // this one has nothing to show
       continue;
     }
