@@ -138,6 +138,7 @@ struct Panel {
 struct Figure {
   std::string title = {};    ///< what is shown, for the comment of the data file; not drawn
   std::string finding = {};  ///< what it tells, "peak 5,300 kN at 3.57 s", for readers who do not see it
+  std::string part = {};     ///< what of many things it shows, "8 of 12 buildings"; a page says it below the caption
   std::string lacks = {};    ///< what of its kind is not there, "bounds": a page then has a caption of its own
   std::vector<Panel> panels = {};
   int columns = 1;                  ///< panels side by side

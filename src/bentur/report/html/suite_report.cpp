@@ -41,16 +41,21 @@ PageSection suite_section(const html::Report& report) {
   return {"records", report.say("suite.records"), sentences + suite_tables(report, "suite", "suite_buildings")};
 }
 
-/// The record that the gravest statement is of.
-std::size_t worst_record(const SuiteRun& run, const Story& story) {
-  const auto& records = run.c.excitation.suite->records;
+/// The statement on the hardest impact, whose instant an overview shows; without any the gravest of one record.
+const Statement* pictured(const Story& story) {
+  const Statement* found = nullptr;
+  double most = 0;
   for (const Statement& one : story.statements) {
-    if (!one.many) continue;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      if (records[i].name() == one.many->worst) return i;
-    }
+    if (found == nullptr && one.many) found = &one;
+    if (!one.kind.starts_with("pounding")) continue;
+    const auto at = std::find_if(one.values.begin(), one.values.end(), [&](const StoryValue& value) {
+      return value.name == (one.kind == "pounding" ? "force" : "speed");
+    });
+    const double size = std::get<double>(at->value);
+    if (size > most) found = &one;
+    most = std::max(most, size);
   }
-  return 0;
+  return found;
 }
 
 /// The buildings and their gap under one record, which is run again.
@@ -66,10 +71,16 @@ Html picture_of(const Case& c, const AnyProblem& problem, const std::string& cap
 }
 
 Html worst_picture(const SuiteRun& run, const html::Report& report, const std::string& language) {
-  const std::size_t worst = worst_record(run, report.story);
-  const Case c = case_of_record(run.c, worst);
-  const std::string caption =
-      report.say("figure.overview_of_record", {{"record", run.c.excitation.suite->records[worst].name()}});
+  const auto& records = run.c.excitation.suite->records;
+  const Statement* const shown = pictured(report.story);
+  const auto worst = std::find_if(records.begin(), records.end(), [&](const auto& one) {
+    return shown != nullptr && shown->many && one.name() == shown->many->worst;
+  });
+  const std::size_t record = worst == records.end() ? 0 : static_cast<std::size_t>(worst - records.begin());
+  const Case c = case_of_record(run.c, record);
+  const bool is_hit = shown != nullptr && shown->kind.starts_with("pounding");
+  const std::string caption = report.say(is_hit ? "figure.overview_of_hardest" : "figure.overview_of_record",
+                                         {{"record", records[record].name()}});
   return run.plan ? picture_of(c, make_plan_problem(c, run.plan->buildings), caption, language)
                   : picture_of(c, make_problem(c, run.problem.buildings), caption, language);
 }

@@ -10,6 +10,7 @@
 #include "bentur/report/kinds/internal/free_place.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/scene.h"
 
 namespace bentur {
 namespace {
@@ -98,13 +99,11 @@ class Diagram {
   double scale_;
 };
 
-/// What a round number is drawn as, about half of the largest, below the frame. @param scale [length per unit shown]
-void add_scale(Panel& panel, double scale, double largest, const std::string& unit, double level) {
+/// What a round number is drawn as, about a centimetre, below the frame. @param scale [length per unit shown]
+void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level) {
   if (!(scale > 0)) return;
-  const double power = std::pow(10.0, std::floor(std::log10(largest / 2)));
-  const double digits = largest / 2 / power;
-  const double value = (digits >= 5 ? 5 : digits >= 2 ? 2 : 1) * power;
-  const double end = scale * value, cap = 0.15 * end;
+  const double value = round_125(one_cm / scale);
+  const double end = scale * value, cap = 0.1 * one_cm;
   panel.curves.push_back({.x = {0, 0, not_known, 0, end, not_known, end, end},
                           .y = {level - cap, level + cap, not_known, level, level, not_known, level - cap, level + cap},
                           .width = 0.9,
@@ -143,41 +142,42 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
         "that are frames");
   }
-  Figure figure{.title = carried.title, .columns = 2, .width = broad(options.width)};
+  Figure figure{.title = carried.title,
+                .columns = options.narrow ? 1 : 2,
+                .width = options.narrow ? options.width : broad(options.width)};
   const bool has_impacts = !run.response.impacts.empty();
-  double most = 0, storey = INFINITY;  // of all frames, so that they have one scale
-  Eigen::Index storeys = 0;            // of the highest
+  Eigen::Index storeys = 0;  // of the highest
   for (const FrameForces* frame : frames) {
-    LargestForce largest;
-    for (const FrameForces::Forces* one :
-         {&frame->most, &frame->least, &frame->most_without_contact, &frame->least_without_contact}) {
-      largest.take(carried, *frame, *one);
-    }
-    most = std::max(most, std::abs(largest.value));
-    for (const FrameMember& member : frame->members) {
-      if (member.of_beam) storey = std::min(storey, member.length());
-    }
-    const StructuralModel& model = run.problem.buildings[frame->building].model;
-    storeys = std::max(storeys, model.floors());
-    for (Eigen::Index f = model.first_storey(); f < model.floors(); ++f) {
-      storey = std::min(storey, model.storey_heights[f]);
-    }
+    storeys = std::max(storeys, run.problem.buildings[frame->building].model.floors());
   }
-  const double reach = 0.42 * storey;
-  const double height =
-      figure.width * column_width / page_width * std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
+  const double height = figure.width * (options.narrow ? 1 : column_width / page_width) *
+                        std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
   constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
-  const double width = figure.width / 2 - between;
+  const double width = figure.width / figure.columns - between;
   const double factor = shown_factor(run, carried.form);
   const std::string unit = shown_unit(run, carried.form);
   for (const FrameForces* frame : frames) {
     const Building& building = run.problem.buildings[frame->building];
-    double right = 0, top = 0;
+    double right = 0, top = 0, shortest = INFINITY;  // bay or storey
     for (const FrameMember& member : frame->members) {
       right = std::max(right, member.of_beam ? member.to : member.place);
       top = std::max(top, member.of_beam ? member.place : member.to);
+      if (member.of_beam) shortest = std::min(shortest, member.length());
     }
-    const Diagram diagram(carried, *frame, most > 0 ? reach / most : 0);
+    for (Eigen::Index f = building.model.first_storey(); f < building.model.floors(); ++f) {
+      shortest = std::min(shortest, building.model.storey_heights[f]);
+    }
+    const double reach = shortest / 3;
+    LargestForce then, largest, alone;
+    then.take(carried, *frame, frame->instant);
+    for (const FrameForces::Forces* one : {&frame->most, &frame->least}) largest.take(carried, *frame, *one);
+    for (const FrameForces::Forces* one : {&frame->most_without_contact, &frame->least_without_contact}) {
+      if (has_impacts) alone.take(carried, *frame, *one);
+    }
+    const auto scaled = [&](double most) { return Diagram(carried, *frame, most > 0 ? reach / most : 0); };
+    const Diagram of_instant = scaled(std::abs(then.value));
+    const double all = std::max(std::abs(largest.value), std::abs(alone.value));
+    const Diagram of_all = scaled(all);
     const double low = -0.22 * top, high = top + 1.15 * reach;
     const double one_cm = std::max((high - low) / height, (right + 2.3 * reach) / width);
     const double beside = (one_cm * width - right) / 2;  // for numbers too
@@ -188,7 +188,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
     for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
       for (const double station : {0.0, 1.0}) {
-        const auto [x, y] = diagram.at(n, station, 0);
+        const auto [x, y] = of_all.at(n, station, 0);
         members.x.push_back(x);
         members.y.push_back(y);
       }
@@ -196,46 +196,43 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       members.y.push_back(not_known);
     }
     panel.curves.push_back(std::move(members));
-    const auto named = [&](Panel& of, const LargestForce& largest) {
-      if (largest.member < 0) return;
-      const auto [x, y] = diagram.at(largest.member, carried.stations()[largest.station], largest.value);
+    const auto named = [&](Panel& of, const Diagram& diagram, const LargestForce& one) {
+      if (one.member < 0) return;
+      const auto [x, y] = diagram.at(one.member, carried.stations()[one.station], one.value);
       of.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
-      add_beside(of, x, y, number(factor * std::abs(largest.value)) + " " + unit, one_cm);
+      add_beside(of, x, y, number(factor * std::abs(one.value)) + " " + unit, one_cm);
+    };
+    const auto add_bar = [&](Panel& of, double most) {
+      if (most > 0) add_scale(of, reach / (factor * most), one_cm, unit, -0.17 * top);
     };
     Panel instant = panel;
-    add_scale(instant, most > 0 ? reach / (factor * most) : 0, factor * most, unit, -0.17 * top);
+    add_bar(instant, std::abs(then.value));
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
                     word(options, "at {}", seconds_text(frame->time));
     instant.curves.push_back(
-        diagram.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
-    instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
-    LargestForce then;
-    then.take(carried, *frame, frame->instant);
-    named(instant, then);
+        of_instant.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
+    instant.curves.push_back(of_instant.outline(frame->instant, {.width = 0.9, .complete = true}));
+    named(instant, of_instant, then);
     figure.panels.push_back(std::move(instant));
 
     panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
+    add_bar(panel, all);
     if (has_impacts) {
       for (const FrameForces::Forces* one : {&frame->most_without_contact, &frame->least_without_contact}) {
         panel.curves.push_back(
-            diagram.outline(*one, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
+            of_all.outline(*one, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
       }
     }
-    LargestForce largest;
     for (const FrameForces::Forces* one : {&frame->most, &frame->least}) {
-      panel.curves.push_back(diagram.outline(*one, {.width = 0.9, .complete = true}));
-      largest.take(carried, *frame, *one);
+      panel.curves.push_back(of_all.outline(*one, {.width = 0.9, .complete = true}));
     }
-    named(panel, largest);
+    named(panel, of_all, largest);
     figure.panels.push_back(std::move(panel));
     if (largest.member < 0) continue;
     figure.finding += (figure.finding.empty() ? "" : "; ") + building.name + ": " +
                       word(options, carried.largest, number(factor * std::abs(largest.value)) + " " + unit,
                            member_text(options, carried, *frame, largest));
     if (!has_impacts) continue;
-    LargestForce alone;
-    alone.take(carried, *frame, frame->most_without_contact);
-    alone.take(carried, *frame, frame->least_without_contact);
     figure.finding += ", " + word(options, "without contact {}", number(factor * std::abs(alone.value)) + " " + unit);
   }
   return figure;

@@ -139,13 +139,15 @@ void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Ind
   bentur::tell_apart(curve, static_cast<std::size_t>(place), building_tone(static_cast<std::size_t>(building)));
 }
 
-/// More curves than can be followed in one frame have one each, side by side at one scale, whose titles name them.
+/// More curves than can be followed in one frame have one each, side by side at one scale, whose titles name them; of
+/// more than six half of them below the others, if that leaves none over.
 void set_apart(Figure& figure) {
   constexpr std::size_t most_together = 3;
   const std::size_t count = figure.panels.front().curves.size();
   const bool are_alike = std::all_of(figure.panels.begin(), figure.panels.end(),
                                      [&](const Panel& one) { return one.curves.size() == count; });
   if (count <= most_together || !are_alike) return;
+  const std::size_t rows = count > 6 && count % 2 == 0 ? 2 : 1, columns = count / rows;
   std::vector<Panel> panels;
   for (const Panel& all : figure.panels) {
     double from = all.rules.front().at, to = from;
@@ -163,15 +165,15 @@ void set_apart(Figure& figure) {
       one.curves.front().line = Line::solid;
       one.x.from = from == 0 ? 0 : from - margin;
       one.x.to = to + margin;
-      if (i != count / 2) one.x.label = "";
-      if (figure.panels.size() > 1) one.height = std::min(one.height, 5.0);
+      if (i != count - columns + columns / 2) one.x.label = "";
+      if (figure.panels.size() * rows > 1) one.height = std::min(one.height, 5.0);
       one.y = figure.panels.front().y;
-      if (i > 0) leave_to_neighbour(one.y);
+      if (i % columns != 0) leave_to_neighbour(one.y);
       panels.push_back(std::move(one));
     }
   }
   figure.panels = std::move(panels);
-  figure.columns = static_cast<int>(count);
+  figure.columns = static_cast<int>(columns);
   figure.width = broad(figure.width);
 }
 

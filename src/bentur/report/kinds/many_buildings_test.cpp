@@ -241,6 +241,16 @@ TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
       EXPECT_NE(std::find(shown.begin(), shown.end(), b), shown.end()) << one.kind << ": " << b;
     }
   }
+  // Then those beside the gaps that lack most, as long as there is room.
+  const std::vector<JudgedGap> judged = judged_gaps(row());
+  const auto worst = static_cast<Eigen::Index>(worst_first(judged).front());
+  EXPECT_TRUE(std::count(shown.begin(), shown.end(), worst) == 1 &&
+              std::count(shown.begin(), shown.end(), worst + 1) == 1);
+  EXPECT_GT(shown.size(), 6U);
+  const std::string part = std::to_string(shown.size()) + " of " + std::to_string(row().problem.buildings.size());
+  EXPECT_TRUE(make_figure(row(), "envelope").part.starts_with(part));
+  EXPECT_TRUE(make_figure(row(), "amplification").finding.starts_with(part));
+  EXPECT_EQ(make_figure(row(), "force").part, "");
   // So what a figure finds largest is the largest of all.
   const auto [key, kind] = std::pair("amplification", "amplification");
   double largest = 0;

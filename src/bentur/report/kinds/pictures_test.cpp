@@ -232,6 +232,17 @@ TEST(Pictures, TheFindingOnEnergyNamesYielding) {
   EXPECT_GT(drawn, 0);
 }
 
+/// The second panel of forces spans the course of the hardest impact, and little more.
+TEST(Pictures, AroundTheHardestImpactIsItsCourse) {
+  const RunResults& run = linked_run();
+  const Figure figure = make_figure(run, "force");
+  ASSERT_EQ(figure.panels.size(), 2U);
+  const Impact& hardest = *hardest_impact(run.response.impacts);
+  const double length = hardest.end - hardest.start, from = *figure.panels[1].x.from, to = *figure.panels[1].x.to;
+  EXPECT_TRUE(from < hardest.start && to > hardest.end);
+  EXPECT_LT(to - from, 5 * length);
+}
+
 TEST(Pictures, AJumpOfTheForceIsUpright) {
   const Figure figure = make_figure(linked_run(), "impact");
   const Curve& force = figure.panels.at(1).curves.front();

@@ -134,6 +134,14 @@ const RunKind run_kinds[] = {
     {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure},
 };
 
+/// Whether a kind shows buildings beside one another, of many a part.
+bool is_of_buildings(const std::string& kind) {
+  constexpr std::string_view all[] = {"forces",       "envelope",    "amplification", "drift",    "modes",
+                                      "hinges",       "hinge-loop",  "storey-loop",   "spectrum", "bearing-loop",
+                                      "frame-moment", "frame-shear", "frame-axial"};
+  return std::find(std::begin(all), std::end(all), kind) != std::end(all);
+}
+
 }  // namespace
 
 std::vector<FigureKind> figure_kinds(const RunResults& run) { return kinds_of(run_kinds, run); }
@@ -161,6 +169,15 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
     if (kind != one.name) continue;
     Figure figure = one.make(run, options);
     figure.title = figure_title(options.language, caption_key(kind, false), std::move(figure.title));
+    if (is_of_buildings(kind) && !options.gap && !options.elevation) {
+      const std::size_t shown = shown_buildings(run, options).size(), all = run.problem.buildings.size();
+      if (shown < all) {
+        figure.part =
+            word(options, "{} of {} buildings: at the hardest impact, named by the verdict, beside too small a gap",
+                 std::to_string(shown), std::to_string(all));
+        figure.finding = figure.part + (figure.finding.empty() ? "" : "; " + figure.finding);
+      }
+    }
     return figure;
   }
   refuse_figure(kind, "this run", figure_kinds(run));

@@ -86,7 +86,7 @@ struct Scene {
   HingeBounds bounds;
 };
 
-/// A magnification that people can say: 1, 2 or 5 times a power of ten.
+/// A number that people can say, such as a magnification: 1, 2 or 5 times a power of ten, the nearest.
 [[nodiscard]] double round_125(double value);
 
 /// The response must have histories.

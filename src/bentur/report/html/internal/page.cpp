@@ -98,8 +98,12 @@ PageSection figures_section(const Words& say, const std::vector<PageFigure>& fig
     const std::string caption = say("figure.number", {{"n", std::to_string(i + 1)}, {"caption", figures[i].caption}});
     // On a phone a wide one keeps its letters and is moved, by keys too.
     const Html drawing = Html::markup(figures[i].svg);
-    const Html shown = figures[i].wide ? element("div", drawing, "class=\"wide\" tabindex=\"0\"") : drawing;
-    content += element("figure", shown + element("figcaption", caption), figures[i].wide ? "class=\"broad\"" : "") +
+    Html shown = figures[i].wide ? element("div", drawing, "class=\"wide\" tabindex=\"0\"") : drawing;
+    if (!figures[i].slim.empty()) shown += element("div", Html::markup(figures[i].slim), "class=\"slim\"");
+    content += element("figure", shown + element("figcaption", caption),
+                       !figures[i].wide  ? ""
+                       : figures[i].tall ? "class=\"broad tall\""
+                                         : "class=\"broad\"") +
                Html::markup("\n");
   }
   return {"figures", say("heading.figures"), element("div", content, "class=\"figures\"")};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/words.h"
 
 namespace bentur::html {
@@ -18,9 +19,18 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
     if (!kind.tells) continue;
     try {
       const Figure figure = make(kind.name, options);
-      const std::string caption = say(family + kind.name + (figure.lacks.empty() ? "" : ".without_" + figure.lacks));
-      figures.push_back(
-          {.caption = caption, .svg = figure_element(figure, caption), .wide = figure.width > column_width});
+      std::string caption = say(family + kind.name + (figure.lacks.empty() ? "" : ".without_" + figure.lacks));
+      if (!figure.part.empty()) caption += ". " + figure.part;
+      constexpr double tall = 0.6;  // of the width
+      figures.push_back({.caption = caption,
+                         .svg = figure_element(figure, caption),
+                         .wide = figure.width > column_width,
+                         .tall = layout(figure).height > tall * figure.width});
+      if (!figures.back().wide) continue;
+      FigureOptions narrow = options;
+      narrow.narrow = true;
+      const Figure slim = make(kind.name, narrow);
+      if (slim.width < figure.width) figures.back().slim = figure_element(slim, caption);
     } catch (const NoFigure&) {  // this one has nothing to show
       continue;
     }

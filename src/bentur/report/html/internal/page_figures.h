@@ -11,8 +11,10 @@ namespace bentur::html {
 /// A figure that stands in a page as inline SVG.
 struct PageFigure {
   std::string caption;
-  std::string svg;    ///< by figure_element()
-  bool wide = false;  ///< wider than a journal's column
+  std::string svg;        ///< by figure_element()
+  bool wide = false;      ///< wider than a journal's column
+  bool tall = false;      ///< of several lines of panels
+  std::string slim = {};  ///< the same for a telephone, where it can be drawn so
 };
 
 using MakeFigure = std::function<Figure(const std::string& kind, const FigureOptions& options)>;

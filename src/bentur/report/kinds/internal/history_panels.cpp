@@ -63,14 +63,15 @@ TimeWindow asked_window(const HistoryPlace& place, const FigureOptions& options)
 
 TimeWindow around_the_hardest(const HistoryPlace& place) {
   const double unit = std::max(place.period, 1e-6 * place.samples.to);
-  double centre = place.closest;
+  double centre = place.closest, length = 8 * unit;
   if (const Impact* impact = hardest_impact(place)) {
-    centre = impact->peak_force > 0 ? impact->peak_force_time : impact->start;
+    centre = (impact->start + impact->end) / 2;
+    const double course = 4 * (impact->end - impact->start);
+    length = place.of_force && course > 0 ? course : std::max(2.5 * unit, course);
   }
   // Ends on tenths of its length, so that the axis has round numbers.
-  const double length = 8 * unit;
   const double grid = std::pow(10.0, std::floor(std::log10(length)) - 1);
-  TimeWindow near{grid * std::round((centre - 3 * unit) / grid), 0};
+  TimeWindow near{grid * std::round((centre - 0.45 * length) / grid), 0};
   near.from = std::max(near.from, place.samples.from);
   near.to = std::min(near.from + grid * std::ceil(length / grid), place.samples.to);
   return near;
@@ -210,7 +211,9 @@ Figure history_figure(const HistoryPlace& place, const FigureOptions& options, c
 
 Figure force_history_figure(const HistoryPlace& place, const FigureOptions& options, const std::vector<double>& time,
                             const std::vector<double>& force, const std::string& label, double factor) {
-  Figure figure = history_figure(place, options, {Curve{}}, {.label = label});
+  HistoryPlace of_force = place;
+  of_force.of_force = true;
+  Figure figure = history_figure(of_force, options, {Curve{}}, {.label = label});
   for (Panel& panel : figure.panels) {
     const TimeWindow shown{*panel.x.from, *panel.x.to};
     const std::optional<Curve> peaks = force_peaks(place, shown, !time.empty());

@@ -24,6 +24,7 @@ struct HistoryPlace {
   TimeWindow samples = {}, whole = {};           ///< first and last sample; and what is known beyond
   double period = 0;                             ///< the longer first one of both buildings [s]
   double closest = 0;                            ///< when they come closest [s]
+  bool of_force = false;                         ///< what matters is the course of an impact
 };
 
 /// The hardest impact there; nullptr without one.
@@ -32,7 +33,8 @@ struct HistoryPlace {
 [[nodiscard]] std::vector<double> row_of(const Eigen::MatrixXd& table, Eigen::Index row);
 /// What the user asks for, within the histories. @throws NoFigure where that is nothing
 [[nodiscard]] TimeWindow asked_window(const HistoryPlace& place, const FigureOptions& options);
-/// Some vibrations around the hardest impact, or the moment that is nearest to one.
+/// The course of the hardest impact, of what moves with a vibration before and after it; or some vibrations around the
+/// moment that is nearest to one.
 [[nodiscard]] TimeWindow around_the_hardest(const HistoryPlace& place);
 /// Whether the latter has a panel of its own beside the whole.
 [[nodiscard]] bool has_two_windows(const HistoryPlace& place, const FigureOptions& options);

@@ -10,6 +10,8 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/text.h"
 
@@ -99,14 +101,23 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   std::set<Eigen::Index> shown = {left, left + 1};
   if (options.gap || options.elevation) return {shown.begin(), shown.end()};
   constexpr std::size_t most_named = 8;
+  const auto add = [&](std::set<Eigen::Index> more) {
+    more.insert(shown.begin(), shown.end());
+    if (more.size() <= most_named) shown = std::move(more);
+  };
   for (const Shown how : {Shown::sentence, Shown::row}) {
     for (const Statement& one : run_story(run).statements) {
       if (one.shown != how || one.severity == Severity::remark) continue;
       std::set<Eigen::Index> named(one.buildings.begin(), one.buildings.end());
       if (one.gap) named.insert({*one.gap, *one.gap + 1});
-      named.insert(shown.begin(), shown.end());
-      if (named.size() <= most_named) shown = std::move(named);
+      add(std::move(named));
     }
+  }
+  const std::vector<JudgedGap> judged = judged_gaps(run);
+  for (const std::size_t gap : worst_first(judged)) {
+    const std::optional<GoverningNeed> need = governing_need(judged[gap].facts);
+    const auto left_of = static_cast<Eigen::Index>(gap);
+    if (need && (need->given.is_short || need->reversed.is_short)) add({left_of, left_of + 1});
   }
   return {shown.begin(), shown.end()};
 }

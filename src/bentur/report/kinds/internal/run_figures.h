@@ -21,7 +21,7 @@ namespace bentur {
 /// The point at which they ask for a struck column: that with the largest shear. @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options);
 /// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point and, unless
-/// a point is asked for, those that the verdict names, up to eight.
+/// a point is asked for, those that the verdict names, then those whose gap lacks most, up to eight.
 [[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options);
 /// The hardest impact of a point; nullptr without one.
 [[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);

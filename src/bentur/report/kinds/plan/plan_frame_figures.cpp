@@ -69,8 +69,9 @@ Figure of_frames(const PlanRun& run, FigureOptions options, Figure (*draw)(const
   }
   Figure figure = draw(frames, options);
   if (shown.size() < run.closer.frames.size()) {
-    figure.finding += "; " + word(options, "{} of {} frames are shown, those with the largest moments",
-                                  std::to_string(shown.size()), std::to_string(run.closer.frames.size()));
+    figure.part = word(options, "{} of {} frames are shown, those with the largest moments",
+                       std::to_string(shown.size()), std::to_string(run.closer.frames.size()));
+    figure.finding += "; " + figure.part;
   }
   return figure;
 }
