@@ -36,6 +36,29 @@ bool ends_at_edge(const Panel& panel, const Curve& curve) {
   return end->first >= *panel.x.to - near * (*panel.x.to - panel.x.from.value_or(0));
 }
 
+/// Whether it ends where another named one does, so that a name there would not tell them apart.
+bool meets_another(const Panel& panel, const Curve& curve) {
+  const auto level = [&](double y) { return panel.y.logarithmic ? std::log(y) : y; };
+  double low = INFINITY, high_ = -INFINITY;
+  for (const Curve& one : panel.curves) {
+    for (const double y : one.y) {
+      if (!std::isfinite(level(y))) continue;
+      low = std::min(low, level(y));
+      high_ = std::max(high_, level(y));
+    }
+  }
+  constexpr double near = 0.01;  // of what the curves span
+  return std::any_of(panel.curves.begin(), panel.curves.end(), [&](const Curve& other) {
+    return &other != &curve && has_name(other) && ends_at_edge(panel, other) &&
+           std::abs(level(end_of(other)->second) - level(end_of(curve)->second)) < near * (high_ - low);
+  });
+}
+
+/// Whether its name stands beside the frame, if there is room.
+bool is_named_beside(const Panel& panel, const Curve& curve) {
+  return has_name(curve) && ends_at_edge(panel, curve) && !meets_another(panel, curve);
+}
+
 /// Of names beside a frame: from the highest down, no two on one another and none beyond the frame.
 void spread(std::vector<CurveName*>& names, const Ticks& y, double height) {
   std::sort(names.begin(), names.end(), [](const CurveName* a, const CurveName* b) { return a->y > b->y; });
@@ -58,12 +81,39 @@ class Frame {
   Frame(const Panel& panel, const Ticks& x, const Ticks& y, double width, double height)
       : panel_(panel), x_(x), y_(y), width_(width), height_(height) {}
 
-  /// The name of a curve within the frame; nothing where it has no room.
+  /// The name of a curve within the frame, at its end or, where that is at the edge, where it is furthest from others;
+  /// nothing where it has no room.
   std::optional<CurveName> name(std::size_t c) {
     const Curve& curve = panel_.curves[c];
     const auto end = end_of(curve);
     if (!end) return std::nullopt;
-    CurveName name{.curve = c, .label = plain_text(curve.label), .x = end->first, .y = end->second};
+    if (!ends_at_edge(panel_, curve)) return name_at(c, *end);
+    constexpr std::size_t most = 60;
+    std::vector<std::pair<double, std::size_t>> places;  // by how far it is from others [cm]
+    for (std::size_t i = 0; i < curve.x.size(); i += 1 + curve.x.size() / most) places.emplace_back(-apart(c, i), i);
+    std::sort(places.begin(), places.end());
+    for (const auto& [unused, i] : places) {
+      if (auto found = name_at(c, {curve.x[i], curve.y[i]})) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// From a point of a curve to the nearest of any other [cm].
+  [[nodiscard]] double apart(std::size_t c, std::size_t i) const {
+    const double x = across(panel_.curves[c].x[i]), y = upwards(panel_.curves[c].y[i]);
+    double nearest = width_ + height_;
+    for (std::size_t other = 0; other < panel_.curves.size(); ++other) {
+      const Curve& curve = panel_.curves[other];
+      for (std::size_t k = 0; other != c && k < curve.x.size(); ++k) {
+        nearest = std::min(nearest, std::hypot(across(curve.x[k]) - x, upwards(curve.y[k]) - y));
+      }
+    }
+    return std::isfinite(x) && std::isfinite(y) ? nearest : 0;
+  }
+
+  std::optional<CurveName> name_at(std::size_t c, const std::pair<double, double>& point) {
+    CurveName name{.curve = c, .label = plain_text(panel_.curves[c].label), .x = point.first, .y = point.second};
     const double half = text_width(name.label) / 2;
     const double at = across(name.x), up = upwards(name.y);
     using Side = PlaceText::Side;
@@ -83,7 +133,6 @@ class Frame {
     return std::nullopt;
   }
 
- private:
   [[nodiscard]] double across(double value) const { return along(x_, value) * width_; }
   [[nodiscard]] double upwards(double value) const { return along(y_, value) * height_; }
 
@@ -124,7 +173,7 @@ class Frame {
 bool has_room_beside(const Panel& panel, double height) {
   double needed = 0;
   for (const Curve& curve : panel.curves) {
-    if (!has_name(curve) || !ends_at_edge(panel, curve)) continue;
+    if (!is_named_beside(panel, curve)) continue;
     needed += high;
     if (text_width(plain_text(curve.label)) > widest) return false;
   }
@@ -137,7 +186,7 @@ double room_of_names(const Panel& panel) {
   double room = 0;
   if (!panel.names_at_ends || !has_room_beside(panel, panel.height)) return room;
   for (const Curve& curve : panel.curves) {
-    if (!has_name(curve) || !ends_at_edge(panel, curve)) continue;
+    if (!is_named_beside(panel, curve)) continue;
     room = std::max(room, clear + text_width(plain_text(curve.label)) + clear);
   }
   return room;
@@ -157,7 +206,7 @@ std::vector<CurveName> names_at_ends(const Panel& panel, const Ticks& x, const T
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     const Curve& curve = panel.curves[c];
     if (!has_name(curve)) continue;
-    if (!ends_at_edge(panel, curve)) {
+    if (!is_named_beside(panel, curve)) {
       if (auto name = frame.name(c)) names.push_back(*std::move(name));
     } else if (beside) {
       const auto end = *end_of(curve);
@@ -166,7 +215,7 @@ std::vector<CurveName> names_at_ends(const Panel& panel, const Ticks& x, const T
   }
   std::vector<CurveName*> at_edge;
   for (CurveName& name : names) {
-    if (ends_at_edge(panel, panel.curves[name.curve])) at_edge.push_back(&name);
+    if (is_named_beside(panel, panel.curves[name.curve])) at_edge.push_back(&name);
   }
   spread(at_edge, y, height);
   return names;

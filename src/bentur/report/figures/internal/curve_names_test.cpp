@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
 
@@ -49,9 +50,11 @@ TEST(CurveNames, StandBesideTheFrameWhereCurvesEndThereAndNotInTheLegend) {
   EXPECT_EQ(in_legend(layout(figure)), (std::vector<std::string>{"upper", "lower"}));
 }
 
-TEST(CurveNames, OfCurvesThatEndTogetherAreSpreadWithinTheFrame) {
+TEST(CurveNames, OfCurvesThatEndNearOneAnotherAreSpreadWithinTheFrame) {
   Panel panel = panel_of({});
-  for (const char* name : {"a", "b", "c", "d"}) panel.curves.push_back({.label = name, .x = {0, 10}, .y = {5, 0.01}});
+  for (const double end : {0.01, 0.09, 0.17, 0.25}) {
+    panel.curves.push_back({.label = number(end), .x = {0, 10}, .y = {5, end}});
+  }
   Figure figure{.panels = {panel}};
   const Layout layout_ = layout(figure);
   const PlacedPanel& placed = layout_.panels.front();
@@ -64,6 +67,21 @@ TEST(CurveNames, OfCurvesThatEndTogetherAreSpreadWithinTheFrame) {
   EXPECT_GT(heights.front(), 0);
   EXPECT_LT(heights.back(), 5);
   for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_GE(heights[i] - heights[i - 1], 0.3);
+}
+
+/// Of curves that end as one a name there tells nothing: they have theirs where they are furthest apart.
+TEST(CurveNames, OfCurvesThatMeetStandWhereTheyPart) {
+  const Panel panel = panel_of({{.label = "upper", .x = {0, 2, 4, 6, 8, 10}, .y = {0, 4, 8, 4, 0, 0}},
+                                {.label = "lower", .x = {0, 2, 4, 6, 8, 10}, .y = {0, 1, 2, 1, 0, 0}},
+                                {.label = "apart", .x = {0, 10}, .y = {9, 9}}});
+  const Layout placed = layout({.panels = {panel}});
+  EXPECT_TRUE(in_legend(placed).empty());
+  const std::vector<CurveName>& names = placed.panels.front().names;
+  ASSERT_EQ(names.size(), 3U);
+  for (const CurveName& name : names) {
+    EXPECT_EQ(name.x, name.label == "apart" ? 10 : name.label == "upper" ? 4 : name.x);
+    EXPECT_LT(name.x, name.label == "lower" ? 8 : 11);
+  }
 }
 
 TEST(CurveNames, TooManyForTheFrameStandInTheLegend) {

@@ -204,7 +204,11 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
     std::vector<Panel*> panels;
     for (std::size_t i = before; i < figure.panels.size(); ++i) panels.push_back(&figure.panels[i]);
     name_peaks(panels, curves, [&](double value) { return number(value) + " " + quantity.unit; });
-    for (Panel* panel : panels) panel->y.least = panels.back()->y.least;  // one scale side by side
+    auto least = *panels.front()->y.least;  // one scale side by side, with room for the values of both
+    for (const Panel* panel : panels) {
+      least = {std::min(least.first, panel->y.least->first), std::max(least.second, panel->y.least->second)};
+    }
+    for (Panel* panel : panels) panel->y.least = least;
   }
   return figure;
 }
