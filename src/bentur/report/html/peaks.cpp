@@ -28,8 +28,12 @@ std::string short_gap_name(const Report& report, Eigen::Index gap) {
 
 std::string numbered(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t b = 0; b < names.size(); ++b)
-    text += fmt::format("{}{}\u00A0{}", b > 0 ? ", " : "", b + 1, names[b]);
+  for (std::size_t b = 0; b < names.size(); ++b) {
+    const std::string& name = names[b];
+    const std::size_t word = name.find_last_not_of("0123456789") + 1;
+    if (name.substr(word) == std::to_string(b + 1)) continue;  // which House 7 is need not be said
+    text += fmt::format("{}{}\u00A0{}", text.empty() ? "" : ", ", b + 1, name);
+  }
   return text;
 }
 

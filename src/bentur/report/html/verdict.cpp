@@ -131,7 +131,7 @@ PageSection verdict_section(const Report& report) {
                             .in_short = short_gap_name(report, number),
                             .facts = gap < report.judged.size() ? &report.judged[gap].facts : nullptr});
   }
-  if (verdict.gaps.size() > 1 && numbers_buildings(report)) {
+  if (verdict.gaps.size() > 1 && numbers_buildings(report) && !building_key(report).empty()) {
     verdict.key = element("p", building_key(report), "class=\"note\"");
   }
   return verdict_section(verdict, report.say);

@@ -17,6 +17,7 @@
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/html/internal/sections.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/story_text.h"
@@ -230,6 +231,14 @@ TEST(ManyBuildings, TheHardestImpactIsOfThoseThatAreModelled) {
   ASSERT_EQ(first().find("that is modelled"), std::string::npos);
   run.response.watched.front().closes = true;
   EXPECT_NE(first().find("The hardest impact that is modelled reaches"), std::string::npos) << first();
+}
+
+/// A key of numbers says what the names do not.
+TEST(ManyBuildings, HaveAKeyOfNumbersUnlessTheirNamesEndWithThem) {
+  EXPECT_EQ(html::numbered({"House 1", "House 2", "7"}), "3\u00A07");
+  EXPECT_EQ(html::numbered({"House 2", "House 1"}), "1\u00A0House 2, 2\u00A0House 1");
+  EXPECT_EQ(html::numbered({"Bank", "12"}), "1\u00A0Bank, 2\u00A012");
+  EXPECT_EQ(html::numbered({"House 1", "House 2"}), "");
 }
 
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {

@@ -150,7 +150,7 @@ struct Verdict {
 [[nodiscard]] bool numbers_buildings(const Report& report);
 /// "Model 1 | Model 2", or of a row "1 | 2".
 [[nodiscard]] std::string short_gap_name(const Report& report, Eigen::Index gap);
-/// "1 Bank, 2 Hotel, 3 Office".
+/// "1 Bank, 2 Hotel, 3 Office", without names that end with their number.
 [[nodiscard]] std::string numbered(const std::vector<std::string>& names);
 /// The same of the buildings of a report.
 [[nodiscard]] std::string building_key(const Report& report);
