@@ -13,7 +13,7 @@ namespace bentur::story {
 namespace {
 
 using Eigen::Index;
-std::string reason_key(const Reason& reason) {
+std::string reason_key(const Reason& reason, bool is_cut) {
   std::string key = "reason.";
   switch (reason.kind) {
     case Reason::Kind::contact:
@@ -40,7 +40,7 @@ std::string reason_key(const Reason& reason) {
     case Reason::Kind::doubt:
       return key + "doubt";
     case Reason::Kind::motion_left:
-      if (std::isinf(reason.value)) return key + "record_left";  // or touch at the end
+      if (std::isinf(reason.value)) return key + (is_cut ? "record_left" : "touch_left");
       key += "motion_left";
       break;
     case Reason::Kind::not_looked_at:
@@ -100,7 +100,7 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
     item.push_back(text_of("building", reason.subject));
     item.push_back(count_of("storey", static_cast<long>(reason.storey)));
   }
-  item.push_back(word_of("why", reason_key(reason)));  // after the words that fill it
+  item.push_back(word_of("why", reason_key(reason, is_cut(view))));  // after the words that fill it
   return item;
 }
 

@@ -209,6 +209,9 @@ TEST(ManyBuildings, ARunThatIsCutSaysSoFirst) {
   run.response.reversed.reset();
   EXPECT_EQ(sentences().find("the first"), std::string::npos);
   EXPECT_EQ(sentences().find("goes on"), std::string::npos) << sentences();
+  run.response.points.back().to_come_struck = INFINITY;  // some touch at the end
+  EXPECT_NE(sentences().find("floors still touch at the end of the run"), std::string::npos);
+  EXPECT_EQ(sentences().find("goes on"), std::string::npos);
   for (PointSummary& point : run.response.points) point.to_come = point.to_come_reversed = INFINITY;
   const std::string end = number(run.problem.duration) + "\u00A0s";
   EXPECT_NE(sentences().find("in the first " + end + " of this harmonic motion"), std::string::npos);
