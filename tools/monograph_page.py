@@ -66,8 +66,8 @@ def by_case(found, columns, cells, pairs=PAIRS):
     for motion in MOTIONS:
         for pair in pairs:
             for reading in READINGS:
-                rows.append([f"{NAMES[pair]}, {motion}", reading, *cells(found[pair, motion, reading])])
-    return table(["", "reading", *columns], rows)
+                rows.append([f"{NAMES[pair]}, {motion}, {reading}", *cells(found[pair, motion, reading])])
+    return table(["", *columns], rows)
 
 
 def tables(g):
@@ -210,7 +210,7 @@ It is right that the force does not simply fall: in {rising[0]} of {rising[1]} c
 
 ### Amplification above one
 
-Share of floors and gaps with amplification above one; least and largest of both buildings:
+Share of floors and gaps with amplification above one, least and largest one:
 
 {by_case(found, ["Model 1", "neighbour", "least", "largest"], lambda c: [*(percent(sum(v > ABOVE_ONE for v in c.ratios(b)), len(c.ratios(b))) for b in (0, 1)), f"{min(c.ratios(0) + c.ratios(1)):.2f}", f"{max(c.ratios(0) + c.ratios(1)):.2f}"])}
 
@@ -275,7 +275,7 @@ def sensitivity(pairs):
     rows = []
     for (pair, motion, reading, width), summaries in pairs.items():
         points = [summary["gaps"][0]["points"] for summary in summaries]
-        rows.append([f"{NAMES[pair]}, {motion}, {READING[reading]}, gap {width} cm",
+        rows.append([f"{NAMES[pair]}, {motion}, {reading}, {width} cm",
                      *(f"{max(point['peak_force'] for point in part):.1f}" for part in points),
                      *(f"{sum(point['contact_duration'] for point in part):.4f}" for part in points)])
     return table(["", "largest force [kgf], `exact`", "`adaptive`", "in contact [s], `exact`", "`adaptive`"], rows)
@@ -406,7 +406,7 @@ R. Suryanita, *Perilaku Struktur Bangunan Bertingkat yang Berbenturan akibat Pem
 [Conclusions](#conclusions) · [Tables 1-3](#tables-1-3) · [Gaps needed](#gaps-needed) · [The conclusions in numbers](#the-conclusions-in-numbers) ·
 [Time steps](#time-steps) · [Sensitivity](#sensitivity) · [Misprints](#misprints) · [Choice of digitisation](#choice-of-digitisation) · [Figures](#figures)
 
-The monograph's data contradict each other; hence three readings:
+The monograph's data contradict each other:
 
 | reading | means |
 |---|---|
@@ -418,7 +418,7 @@ Tables shorten them to printed, sections, periods. Delay 0.1 s, 10 s, damping 5 
 
 ## Conclusions
 
-Over all gaps below the one needed: three damped pairs, two motions, three readings make 18 cases, the undamped pair (3-2 storeys) another 6. With contact that pair is [one sample of a chaotic motion](#sensitivity): a rough guide only.
+Over all gaps below the one needed: 18 cases of damped pairs, 6 of the undamped pair (3-2 storeys), which with contact is [one sample of a chaotic motion](#sensitivity): a rough guide only.
 
 {summary}
 
@@ -464,11 +464,11 @@ Their median difference from the published gaps is {rest}; at the second floor {
 
 ## Sensitivity
 
-Two independent solvers, `exact` and `adaptive` (relative tolerance 1e-12):
+`adaptive` (relative tolerance 1e-12) is independent:
 
 {sensitivity(g["sensitivity"])}
 
-With damping both agree, even after hundreds of impacts, but for single narrow gaps where a building rattles on its neighbour, as the light Model 4 from its sections does. The undamped pair 3-2 storeys forgets nothing: each impact enlarges the smallest difference, even round-off, until other impacts follow. Its forces, amplifications and times in contact are samples, different for each program, machine or step, as the published ones must be, and its curves are ragged. Its gap needed is free motion, without this effect.
+With damping both agree, even after hundreds of impacts, but for single narrow gaps where a building rattles on its neighbour, as the light Model 4 from its sections. Each impact of the undamped pair 3-2 storeys enlarges even round-off: its forces, amplifications and times in contact differ for each program, machine or step, as the published ones must, and its curves are ragged. Its gap needed, of free motion, does not.
 
 ## Misprints
 
@@ -482,7 +482,7 @@ With damping both agree, even after hundreds of impacts, but for single narrow g
 
 ## Figures
 
-Our runs, at the printed periods unless said otherwise; the published pictures give no further numbers. Between B.7 and B.8 d_max = 0.386 is printed without saying of what. Largest values:
+Our runs, at the printed periods unless said otherwise; the published pictures give no further numbers, but d_max = 0.386, of something, between B.7 and B.8. Largest values:
 
 {peaks(g["touching"])}
 
