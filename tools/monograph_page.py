@@ -66,8 +66,8 @@ def by_case(found, columns, cells, pairs=PAIRS):
     for motion in MOTIONS:
         for pair in pairs:
             for reading in READINGS:
-                rows.append([f"{NAMES[pair]}, {motion}", READING[reading], *cells(found[pair, motion, reading])])
-    return table(["", "reading", *columns], rows)
+                rows.append([f"{NAMES[pair]}, {motion}, {reading}", *cells(found[pair, motion, reading])])
+    return table(["", *columns], rows)
 
 
 def tables(g):
@@ -180,46 +180,41 @@ def conclusions(g):
     shares = {reading: (sum(v > ABOVE_ONE for k in keys([reading]) for v in ratios[k]), sum(len(ratios[k]) for k in keys([reading])))
               for reading in READINGS}
     average = said["free floor amplified on average"]
-    summary = table(["the monograph says", "section: in its words", "our runs"], [
-        ["the contact force is largest near 60 % of the gap needed", "4.1.4: “terdapat pada zona 60 % dari gap awal minimum yang diperlukan”", f"**{verdict(*said['near 60 %'])}** (50-70 %); some cases have a lower peak there"],
-        ["the force does not always fall as the gap grows", "4.1.4: “tidak selamanya berkurang dengan meningkatnya gap awal”", f"**{verdict(*rising)}**"],
-        ["amplification is always above one", "4.1.4: “faktor amplifikasi perpindahan relatif selalu lebih besar dari satu”", f"**{verdict(*said['amplified'])}** for all floors and gaps; nearly so **only if** a much heavier building strikes"],
-        ["the time in contact tends to fall as the gap grows", "4.1.4: “durasi kontak […] cenderung berkurang dengan semakin bertambahnya gap awal”",
-         f"**{verdict(*said['duration falls'])}** from quarter to quarter of the gap needed; without any rise in between in {falling[0]}"],
-        ["floors that do not collide are amplified too (3-2 storeys)", "4.1.4: “lantai yang tidak mengalami benturan juga mendapatkan faktor amplifikasi”",
+    summary = table(["the monograph says", "in its words (4.1.4)", "our runs"], [
+        ["the force is largest near 60 % of the gap needed", "“terdapat pada zona 60 % dari gap awal minimum yang diperlukan”", f"**{verdict(*said['near 60 %'])}** (50-70 %); some have a lower peak there"],
+        ["it does not always fall as the gap grows", "“tidak selamanya berkurang dengan meningkatnya gap awal”", f"**{verdict(*rising)}**"],
+        ["amplification is always above one", "“faktor amplifikasi perpindahan relatif selalu lebih besar dari satu”", f"**{verdict(*said['amplified'])}** everywhere; nearly **only if** a much heavier building strikes"],
+        ["time in contact tends to fall as the gap grows", "“durasi kontak […] cenderung berkurang dengan semakin bertambahnya gap awal”",
+         f"**{verdict(*said['duration falls'])}** by quarters of the gap needed; without any rise in {falling[0]}"],
+        ["floors that do not collide are amplified too (3-2 storeys)", "“lantai yang tidak mengalami benturan juga mendapatkan faktor amplifikasi”",
          f"**{verdict(*said['free floor amplified'])}** at every gap, in {average[0]} on average"],
-        ["… and move more than those that collide", "4.1.4: “cenderung lebih besar dari pada […] lantai yang berbenturan”", f"**{verdict(*said['free floor moves more'])}**, as they do without contact"],
-        ["equal periods need no gap", "4.1.4: “gap minimum yang dibutuhkan untuk menghindari benturan adalah sama dengan nol”", "**holds only if** the ground motion arrives at the same time and the buildings are twins"],
-        ["the second floor moves more than the third", "4.1.4: “Perpindahan lantai kedua […] cenderung lebih besar daripada lantai teratas”", f"**{verdict(*said['second floor moves more'])}**"],
-        ["the largest force is at the second floor", "4.1.4: “gaya benturan terbesar terjadi pada lantai dua”", f"**{verdict(*said['second floor hit hardest'])}** at any gap"],
-        ["the gap needed can be less than the sum of the largest displacements", "2.2 Tujuan: “dapat bernilai kurang dari jumlah nilai mutlak simpangan relatif maksimum”", f"**{verdict(*said['less than the sum'])}**"],
-        ["the motion stays periodic though the models collide (M1-2, harmonic, touching)", "4.1.4: “masih bersifat periodik walau terjadi tumbukan”",
+        ["… and move more than those that collide", "“cenderung lebih besar dari pada […] lantai yang berbenturan”", f"**{verdict(*said['free floor moves more'])}**, as they do without contact"],
+        ["equal periods need no gap", "“gap minimum yang dibutuhkan untuk menghindari benturan adalah sama dengan nol”", "**holds only** for twins without delay"],
+        ["the second floor moves more than the third", "“Perpindahan lantai kedua […] cenderung lebih besar daripada lantai teratas”", f"**{verdict(*said['second floor moves more'])}**"],
+        ["the largest force is at the second floor", "“gaya benturan terbesar terjadi pada lantai dua”", f"**{verdict(*said['second floor hit hardest'])}** at any gap"],
+        ["the gap needed can be below the sum of peaks", "2.2 Tujuan: “dapat bernilai kurang dari jumlah nilai mutlak simpangan relatif maksimum”", f"**{verdict(*said['less than the sum'])}**"],
+        ["motion stays periodic in spite of impacts (M1-2, harmonic, touching)", "“masih bersifat periodik walau terjadi tumbukan”",
          f"**{'holds only if' if len(periodic) == 1 else verdict(len(periodic), 2)}** {'the models have their ' + periodic[0] if len(periodic) == 1 else ''}".strip()],
-        ["loading and unloading take different times", "4.1.4: “waktu yang diperlukan untuk fase loading dan unloading berbeda”", f"**hardly**: by more than 5 % in {len(uneven)} of {len(phase)} impacts of that run"],
+        ["loading and unloading take different times", "“waktu yang diperlukan untuk fase loading dan unloading berbeda”", f"**hardly**: by more than 5 % in {len(uneven)} of {len(phase)} impacts of that run"],
     ], "left")
     numbers = f"""### The force near 60 % of the gap needed
 
-Where the largest force of all gaps stands, as gap over gap needed, and the force at 60 % over that largest one:
+Gap over gap needed where the force is largest; the force at 60 %; the highest local peak between 50 and 70 % and its gap. Forces are over the largest.
 
-{by_case(found, ["at gap / needed", "force at 60 %"], lambda c: [f"{c.largest_force()[0]:.2f}", f"{c.force_near(0.6) / c.largest_force()[1]:.2f}"])}
+{by_case(found, ["largest at", "force at 60 %", "peak at", "its force"], lambda c: [f"{c.largest_force()[0]:.2f}", f"{c.force_near(0.6) / c.largest_force()[1]:.2f}", *bump(c)])}
 
-The monograph says so of figure 4.8, harmonic, the smaller period ratios. The force has several peaks over the gap ([figure 4.8](#figure-48-peak-force)); the highest is
-elsewhere, though some cases have a lower one there. Where the highest local peak between 50 and 70 % stands, and its force over the largest:
+The monograph says so of [figure 4.8](#figure-48-peak-force), harmonic, the smaller period ratios. The force has several peaks over the gap; the highest is elsewhere.
 
-{by_case(found, ["at gap / needed", "over the largest"], bump)}
 
-That the force does not simply fall is right: in {rising[0]} of {rising[1]} cases some gap gives a larger force than none at all. Our gaps are a hundredth of a
-centimetre apart (M1-3: two hundredths); with a handful of gaps, or with too long a time step, a lower peak can pass for the highest.
+It is right that the force does not simply fall: in {rising[0]} of {rising[1]} cases some gap gives a larger force than none. Our gaps are 0.01 cm apart (M1-3: 0.02); with a handful of gaps, or too long a time step, a lower peak can pass for the highest.
 
 ### Amplification above one
 
-Share of all floors and gaps with amplification above one, in Model 1 and in its neighbour, and the least and the largest of both:
+Share of floors and gaps with amplification above one, least and largest one:
 
 {by_case(found, ["Model 1", "neighbour", "least", "largest"], lambda c: [*(percent(sum(v > ABOVE_ONE for v in c.ratios(b)), len(c.ratios(b))) for b in (0, 1)), f"{min(c.ratios(0) + c.ratios(1)):.2f}", f"{max(c.ratios(0) + c.ratios(1)):.2f}"])}
 
-Over the damped pairs, all motions and gaps, it is above one for {percent(*shares["periods"])} of the floors at the printed periods and {percent(*shares["sections"])} from the sections.
-It comes near to holding only for a building that one of some three times its mass strikes: Model 1 beside Model 3, and the two-storey frame beside Model 1. The heavier
-or more flexible of the two is mostly held back, as its free motion is cut short; both can be reduced at once.
+Over the damped pairs it is above one for {percent(*shares["periods"])} of the floors at the printed periods and {percent(*shares["sections"])} from the sections. The claim nearly holds only for a building struck by one of some three times its mass: Model 1 beside Model 3, the two-storey frame beside Model 1. The heavier or more flexible one is mostly held back; both can be reduced at once.
 
 ### Time in contact
 
@@ -227,42 +222,39 @@ Median time in contact [s] in each quarter of the gap needed, from narrow to wid
 
 {by_case(found, ["first", "second", "third", "fourth"], lambda c: [f"{value:.3f}" for value in c.quarters()])}
 
-It falls steeply, most of it within the first quarter. Not from each gap to the next: {falling[1] - falling[0]} of {falling[1]} curves have rises between neighbouring gaps.
+It falls steeply, mostly within the first quarter, but not from each gap to the next: {falling[1] - falling[0]} of {falling[1]} curves have rises between neighbouring gaps.
 
 ### Floors that do not collide
 
-The third floor of Model 1 beside two storeys: least, mean and largest amplification over all gaps, and the share of gaps where it is above one:
+Amplification of the third floor of Model 1 beside two storeys over all gaps, and the share of gaps above one:
 
 {by_case(found, ["least", "mean", "largest", "above one"], lambda c: [*(f"{of(c.ratios(0, 2)):.2f}" for of in (min, statistics.mean, max)), percent(sum(v > ABOVE_ONE for v in c.ratios(0, 2)), len(c.ratios(0, 2)))], pairs=["m32"])}
 
-Its mean hardly differs from that of the second floor, which does collide:
+The second floor, which does collide, has nearly the same mean:
 
 {by_reading(found, lambda c: f"{statistics.mean(c.ratios(0, 1)):.2f}", pairs=["m32"])}
 
-That the free floor moves more than the others is no effect of contact: it does without contact as well.
+The free floor moves more than the others without contact too.
 
 ### Equal periods
 
-Gap needed by models 1 and 2 [cm], both with a first period of 0.164 s, and the least over all periods of Model 2 tried (0.124-0.204 s) with T₂/T₁ where that is:
+Gap needed by models 1 and 2 [cm], first period 0.164 s, and the least over periods of Model 2 of 0.124-0.204 s:
 
 {table(["", "equal periods", "least", "at T₂/T₁"], [[motion, number(at_one[motion][1]), number(least[motion][1]), f"{least[motion][0]:.2f}"] for motion in lines])}
 
 ![Gap needed against the period of Model 2](equal-periods.svg)
 
-Without delay the gap needed falls towards equal periods, as the monograph says, to {number(at_one["harmonic, no delay"][1])} cm and {number(at_one["El Centro, no delay"][1])} cm: not zero, as higher
-modes and participation still differ. With the monograph's own delay of 0.1 s the rule is gone: equal periods need {number(at_one["harmonic"][1])} cm and {number(at_one["El Centro"][1])} cm, and the least gap is elsewhere. Even twins,
-Model 1 beside Model 1 under El Centro, need {number(twins[0.0])} cm without delay, {number(twins[0.1])} cm with 0.1 s and at worst {number(twins[twin_peak])} cm at {twin_peak:.3f} s:
+Without delay it falls towards equal periods, as the monograph says, to {number(at_one["harmonic, no delay"][1])} cm and {number(at_one["El Centro, no delay"][1])} cm: not zero, as higher modes and participation differ. With the monograph's delay of 0.1 s the rule fails: equal periods need {number(at_one["harmonic"][1])} cm and {number(at_one["El Centro"][1])} cm, and the least is elsewhere. Twins (Model 1 beside Model 1, El Centro) need {number(twins[0.0])} cm without delay, {number(twins[0.1])} cm with 0.1 s and at worst {number(twins[twin_peak])} cm at {twin_peak:.3f} s:
 
 ![Gap needed by twins against the delay](twins.svg)
 
 ### Smaller observations
 
-- **Second floor.** The monograph's reason is that more mass sits there. It does, by half the columns above; yet by (2-48) and (2-50) the third floor moves most in every free motion and is hit
-  hardest at every gap.
-- **Sum of displacements.** Gap needed over the sum of both free peaks: {min(sums):.2f} to {max(sums):.2f}. It can never be above one.
-- **Periodic.** Over the last three seconds of figure 4.7 the motion differs from that of 0.3 s before by {percent(steady["printed periods"])} of its peak at the printed periods, by {percent(steady["own sections"])} from the sections.
-- **Forced impacts.** Unloading takes {hardest:.3f} times as long as loading in the hardest impact (figure 4.9); of all impacts of that run the quartiles are {quartiles[0]:.3f}, {quartiles[1]:.3f} and {quartiles[2]:.3f}.
-  An impact of some milliseconds leaves the ground motion little time; those that differ by more than 5 % have at most {percent(max(uneven), largest)} of the largest force."""
+- **Second floor.** The monograph's reason is its greater mass, by half the columns above; yet by (2-48) and (2-50) the third floor moves most in every free motion and is hit hardest at every gap.
+- **Sum of displacements.** Gap needed over the sum of both free peaks: {min(sums):.2f} to {max(sums):.2f}. It is never above one.
+- **Periodic.** Over the last 3 s of figure 4.7 the motion differs from that 0.3 s before by {percent(steady["printed periods"])} of its peak at the printed periods, by {percent(steady["own sections"])} from the sections.
+- **Forced impacts.** Unloading takes {hardest:.3f} times as long as loading in the hardest impact (figure 4.9); the run's quartiles are {quartiles[0]:.3f}, {quartiles[1]:.3f} and {quartiles[2]:.3f}.
+  Impacts that differ by more than 5 % have at most {percent(max(uneven), largest)} of the largest force."""
     return summary, numbers
 
 
@@ -283,7 +275,7 @@ def sensitivity(pairs):
     rows = []
     for (pair, motion, reading, width), summaries in pairs.items():
         points = [summary["gaps"][0]["points"] for summary in summaries]
-        rows.append([f"{NAMES[pair]}, {motion}, {READING[reading]}, gap {width} cm",
+        rows.append([f"{NAMES[pair]}, {motion}, {reading}, {width} cm",
                      *(f"{max(point['peak_force'] for point in part):.1f}" for part in points),
                      *(f"{sum(point['contact_duration'] for point in part):.4f}" for part in points)])
     return table(["", "largest force [kgf], `exact`", "`adaptive`", "in contact [s], `exact`", "`adaptive`"], rows)
@@ -293,37 +285,37 @@ def figures(seen):
     blocks = [("Figure 4.5: harmonic ground motion", ["figure-4-05"], "Published: 0.3 s and 1 cm. The ground starts with a jump in velocity, as A sin ωt does."),
               ("Figure 4.6: El Centro", ["figure-4-06"], "Published: peak 341.7 cm/s², 10 s. Ours is the record of `data/`, scaled to that peak."),
               ("Figure 4.7: second floor of Model 1, M1-2, harmonic, touching", ["figure-4-07"],
-               "Claim: periodic in spite of the impacts. At the printed periods it is not, from the sections it is: [observations](#smaller-observations)."),
+               "Claim: periodic. It [is so](#smaller-observations) from the sections, not at the printed periods."),
               ("Figure 4.8: peak force", ["figure-4-08"],
-               "Claim: largest near 60 % of the gap needed. It is not: [conclusions](#the-force-near-60--of-the-gap-needed). Each curve is over its own largest force."),
+               "Claim: largest near 60 % of the gap needed. [It is not](#the-force-near-60--of-the-gap-needed). Each curve is over its own largest force."),
               ("Figure 4.9: shortening of the contact zone and force, M1-2, harmonic", ["figure-4-09"],
                "Claim: loading and unloading differ, the deeper the harder. Ours is the hardest impact of the run.")]
     for motion, first in (("harmonic", 1), ("El Centro", 8)):
         roofs = [[building[key][-1] for building in seen[motion]["buildings"]] for key in ("peak_displacement_no_contact", "peak_displacement")]
         blocks += [(f"B.{first} and B.{first + 1}: models 1 and 2 without contact, {motion}", [f"figure-b{first:02}", f"figure-b{first + 1:02}"],
-                    f"No value is published. Ours at the roofs: {number(roofs[0][0])} and {number(roofs[0][1])} cm."),
+                    ""),
                    (f"B.{first + 2} and B.{first + 3}: models 1 and 2, touching, {motion}", [f"figure-b{first + 2:02}", f"figure-b{first + 3:02}"],
-                    f"Claim: contact amplifies both. Ours at the roofs: {number(roofs[1][0])} and {number(roofs[1][1])} cm, {change(roofs[1][0], roofs[0][0])} and {change(roofs[1][1], roofs[0][1])}.")]
+                    f"Claim: contact amplifies both. Ours at the roofs: {change(roofs[1][0], roofs[0][0])} and {change(roofs[1][1], roofs[0][1])}.")]
         for k in range(3):
             n = first + 4 + k
             point = seen[motion]["gaps"][0]["points"][k]
             claim = "Claim: the largest force is at this floor. " if k == 1 else ""
             blocks.append((f"B.{n}: opening and contact force of floor {k + 1}, touching, {motion}",
                            [f"figure-b{n:02}-opening", f"figure-b{n:02}-force"],
-                           f"{claim}Ours: {point['peak_force']:.0f} kgf, shortening {number(point['peak_penetration'])} cm, {point['impacts']} impacts."))
-    blocks += [("B.15: amplification of the first floor", ["figure-b15"], "Claim: always above one. It is not: [conclusions](#amplification-above-one)."),
+                           f"{claim}Shortening {number(point['peak_penetration'])} cm."))
+    blocks += [("B.15: amplification of the first floor", ["figure-b15"], "Claim: always above one. [It is not](#amplification-above-one)."),
                ("B.16: amplification of the second floor", ["figure-b16"], "Claim and answer: the same."),
                ("Amplification of the third floor", ["amplification-third-floor"], ""),
-               ("Time in contact, sum of all floors", ["contact-duration"], "Claim: falls as the gap grows. It does on the whole: [conclusions](#time-in-contact).")]
+               ("Time in contact, sum of all floors", ["contact-duration"], "Claim: falls as the gap grows. On the whole [it does](#time-in-contact).")]
     parts = []
     for title, pictures, text in blocks:
         parts.append(f"### {title}")
         if text:
             parts.append(text)
         if len(pictures) == 2 and "opening" in pictures[0]:
-            parts.append("| | |\n|---|---|\n| " + " | ".join(f"![{title}]({name}.svg)" for name in pictures) + " |")
+            parts.append("| | |\n|---|---|\n| " + " | ".join(f"![{title.partition(':')[0]}]({name}.svg)" for name in pictures) + " |")
         else:
-            parts += [f"![{title}]({name}.svg)" for name in pictures]
+            parts += [f"![{title.partition(':')[0]}]({name}.svg)" for name in pictures]
     return "\n\n".join(parts)
 
 
@@ -409,38 +401,34 @@ def page(g, digitised):
     close = [abs(found[p, "El Centro", "periods"].points[1] / PUBLISHED[p, "El Centro"] - 1) for p in ("m12", "m13", "m14")]
     return f"""# The monograph, redrawn
 
-R. Suryanita, *Perilaku Struktur Bangunan Bertingkat yang Berbenturan akibat Pembebanan Dinamik* (UR Press, 2019), computed anew: every number and every curve here
-comes from a run of [examples/monograph](../../examples/monograph/README.md). `./dev monograph` runs them all and writes this page.
+R. Suryanita, *Perilaku Struktur Bangunan Bertingkat yang Berbenturan akibat Pembebanan Dinamik* (UR Press, 2019), computed anew by `./dev monograph`: it runs [examples/monograph](../../examples/monograph/README.md) and writes this page.
 
 [Conclusions](#conclusions) · [Tables 1-3](#tables-1-3) · [Gaps needed](#gaps-needed) · [The conclusions in numbers](#the-conclusions-in-numbers) ·
 [Time steps](#time-steps) · [Sensitivity](#sensitivity) · [Misprints](#misprints) · [Choice of digitisation](#choice-of-digitisation) · [Figures](#figures)
 
-The monograph's data contradict each other, so three readings stand side by side:
+The monograph's data contradict each other:
 
 | reading | means |
 |---|---|
-| as printed | sections and masses of tables 1 and 3, K_b of table 2 as printed, (2-1) without the mass coupling to the ground (`base_coupling = false`) |
-| own sections | the same sections and masses, K_b by its (3-4) (`stiffness = "axial"`), the whole consistent mass |
-| printed periods | own sections with the stiffness scaled to the printed periods (`calibrate_period`); the captions of B.3-B.14 mean this one: T₁/T₂ = 0.91 |
+| as printed | sections, masses and K_b of tables 1 to 3, (2-1) without mass coupling to the ground (`base_coupling = false`) |
+| own sections | the same sections and masses, K_b by (3-4) (`stiffness = "axial"`), the whole consistent mass |
+| printed periods | own sections, stiffness scaled to the printed periods (`calibrate_period`): T₁/T₂ = 0.91 of the captions of B.3-B.14 |
 
-Nothing is tuned. Delay 0.1 s, 10 s, damping 5 % (3-2 storeys: none); the `exact` solver.
+Tables shorten them to printed, sections, periods. Delay 0.1 s, 10 s, damping 5 % (3-2 storeys: none); the `exact` solver; nothing is tuned.
 
 ## Conclusions
 
-Tested over all gaps below the one needed: the three damped pairs under two motions in three readings are 18 cases, the undamped pair (3-2 storeys) another 6. What that pair
-does with contact is [one sample of a chaotic motion](#sensitivity); its rows below say roughly what to expect, no more.
+Over all gaps below the one needed: 18 cases of damped pairs, 6 of the undamped pair (3-2 storeys), which with contact is [one sample of a chaotic motion](#sensitivity): a rough guide only.
 
 {summary}
 
 ## Tables 1-3
 
-Sections, masses and damping are taken as they stand. What the tables derive from these:
+Sections, masses and damping are as printed; what the tables derive from them:
 
 {periods}
 
-The printed periods do not follow from the printed sections and masses by (2-48) and (2-50), whether the joint rotations are reduced statically, as in our runs, or dynamically
-by (2-51) to (2-59). Models 2 to 4 differ in beam mass alone, 0.2 : 0.8 : 0.08, so that
-their periods must differ nearly by the square root of that; printed they are within 13 %.
+The printed periods do not follow from the sections and masses by (2-48) and (2-50), joint rotations reduced statically (our runs) or dynamically by (2-51) to (2-59). Models 2 to 4 differ in beam mass alone, 0.2 : 0.8 : 0.08, so their periods must differ nearly by its square root; printed they are within 13 %.
 
 {stiffnesses}
 
@@ -448,20 +436,19 @@ Floor 1 of the three-storey pairs is 9×12 against 9×12; the neighbours have 9�
 
 ## Gaps needed
 
-The gap without contact, the largest of all floors, and that of the second floor alone, which the monograph says is hit hardest:
+Without contact, the largest of all floors, and the second floor's, by the monograph the one hit hardest:
 
 {gap_table(found)}
 
-The median difference of our gaps from the published ones is {rest}; at the second floor by {second}. No reading gives all eight:
+Their median difference from the published gaps is {rest}; at the second floor {second}. No reading gives all eight:
 
-- **Own sections against printed.** K_b plays no part in this gap, and the dropped mass coupling changes it by {100 * base:.1f} % at most.
-- **Periods.** They decide. Model 3 by its sections has {g["own"]["m13"]["buildings"][1]["periods"][0]:.3f} s, in resonance with a ground motion of 0.3 s: {number(found["m13", "harmonic", "sections"].needed)} cm instead of 0.73. At the printed periods the resonance is
-  gone, and M1-3 stays near M1-2, as published: 0.73 cannot have come from the printed sections and masses.
-- **Which floor.** M1-2 under the harmonic motion needs {number(found["m12", "harmonic", "sections"].points[1])} cm at the second floor by its sections, the published 0.65. Under El Centro at the printed periods the three-storey pairs' second
-  floors are within {100 * max(close):.0f} % of the published gaps. The monograph has its second floor move more than the third, so that what it publishes may be the second floor; by its own matrices the third needs more.
-- **3-2 storeys.** Undamped, so that every error of the periods and of the record stays in the motion to the end.
-- **Time step.** Not the reason, if it was 0.006 s: without contact that changes the peaks of M1-2 under the harmonic motion by {100 * steps:.2f} % at most. With contact it matters: [below](#time-steps).
-- **Record.** [Another digitisation](#choice-of-digitisation) of El Centro moves these gaps too.
+- **Own sections against printed.** K_b plays no part; the dropped mass coupling changes the gap by {100 * base:.1f} % at most.
+- **Periods** decide. Model 3 by its sections has {g["own"]["m13"]["buildings"][1]["periods"][0]:.3f} s, in resonance with the ground's 0.3 s: {number(found["m13", "harmonic", "sections"].needed)} cm instead of 0.73. At the printed periods M1-3 stays near M1-2, as published: 0.73 cannot come from the printed sections and masses.
+- **Which floor.** M1-2 under the harmonic motion needs {number(found["m12", "harmonic", "sections"].points[1])} cm at the second floor by its sections: the published 0.65. Under El Centro at the printed periods the three-storey pairs' second
+  floors are within {100 * max(close):.0f} % of the published gaps. What is published may be the second floor, which in the monograph moves more than the third; by its own matrices the third needs more.
+- **3-2 storeys.** Undamped: every error of periods and record stays in the motion.
+- **Time step.** Not the reason: without contact 0.006 s changes the peaks of M1-2, harmonic, by {100 * steps:.2f} % at most. With contact [it matters](#time-steps).
+- **Record.** [Another digitisation](#choice-of-digitisation) moves these gaps too.
 
 ## The conclusions in numbers
 
@@ -473,22 +460,20 @@ The median difference of our gaps from the published ones is {rest}; at the seco
 
 {scheme(g["scheme"], g["touching"]["harmonic"])}
 
-0.06 s cannot be meant. 0.006 s runs, but is longer than an impact: the force is far too low and the contact far too long. At 0.0006 s the largest force is still not right.
+0.06 s cannot be meant. 0.006 s is longer than an impact. At 0.0006 s the largest force is still wrong.
 
 ## Sensitivity
 
-The same by two independent solvers, `exact` and `adaptive` with a relative tolerance of 1e-12:
+`adaptive` (relative tolerance 1e-12) is independent:
 
 {sensitivity(g["sensitivity"])}
 
-With damping both agree, also after hundreds of impacts, but for single narrow gaps where a building rattles on its neighbour, as the light Model 4 from its sections does. Without
-any damping, the pair 3-2 storeys forgets nothing: each impact enlarges the smallest difference, be it round-off, until other impacts follow. Its forces, amplifications and times in contact are samples,
-different for each program, machine or step; so must the published ones have been. Its gap needed is free motion and not touched by this. Where the curves of this pair are ragged, that is why.
+With damping both agree, even after hundreds of impacts, but for single narrow gaps where a building rattles on its neighbour, as the light Model 4 from its sections. Each impact of the undamped pair 3-2 storeys enlarges even round-off: its forces, amplifications and times in contact differ for each program, machine or step, as the published ones must, and its curves are ragged. Its gap needed, of free motion, does not.
 
 ## Misprints
 
-- (3.12) and (3.15) need √(1−ξ²) in the exponent's denominator: [contact laws](../theory/contact.md). They do not enter here, as the study's contact is a linear spring.
-- The displacement formula of §3.4 has t for Δt, and [K_b]{{U₀}} in the second building's equation has two signs in two places; (3-6) follows from (3-2) and (3-3) and is what we solve.
+- (3.12) and (3.15) need √(1−ξ²) in the exponent's denominator: [contact laws](../theory/contact.md). They do not enter here: contact is a linear spring.
+- The displacement formula of §3.4 has t for Δt, and [K_b]{{U₀}} in the second building's equation has two signs; (3-6), which follows from (3-2) and (3-3), is what we solve.
 - The caption of B.7 is missing, and "T₁/T₂ = 0.91" is the ratio of the printed periods of models 1 and 2 (from the sections: {g["own"]["m12"]["buildings"][0]["periods"][0] / g["own"]["m12"]["buildings"][1]["periods"][0]:.2f}).
 
 ## Choice of digitisation
@@ -497,8 +482,7 @@ different for each program, machine or step; so must the published ones have bee
 
 ## Figures
 
-At the printed periods unless said otherwise, from our own runs; the published pictures give no further numbers. Between B.7 and B.8 the monograph prints d_max = 0.386 without saying of
-what. Largest values of the histories:
+Our runs, at the printed periods unless said otherwise; the published pictures give no further numbers, but d_max = 0.386, of something, between B.7 and B.8. Largest values:
 
 {peaks(g["touching"])}
 
