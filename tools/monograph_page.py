@@ -205,7 +205,6 @@ Gap over gap needed where the force is largest; the force at 60 %; the highest l
 
 The monograph says so of [figure 4.8](#figure-48-peak-force), harmonic, the smaller period ratios. The force has several peaks over the gap; the highest is elsewhere.
 
-
 It is right that the force does not simply fall: in {rising[0]} of {rising[1]} cases some gap gives a larger force than none. Our gaps are 0.01 cm apart (M1-3: 0.02); with a handful of gaps, or too long a time step, a lower peak can pass for the highest.
 
 ### Amplification above one
