@@ -107,6 +107,8 @@ struct PointSummary {
   /// How far the vibration after the end of the run with contact could go at most, were nothing struck [length];
   /// infinite where bodies touch at the end.
   std::optional<double> to_come_struck = {};
+  /// In plan the choice of mass_choices() that needs so much, counted from 1; 0: masses are where they are expected.
+  int masses = 0, masses_reversed = 0;
   /// max |x| of both faces in the free response, relative to the own base [length]; NaN where not asked for.
   double peak_left = not_known, peak_right = not_known;
   int impacts = 0;                             ///< but for those that settle
@@ -136,6 +138,7 @@ struct LinkSummary {
 struct WatchedSummary {
   double gap_needed = 0;                           ///< as PointSummary::gap_needed [length]
   std::optional<double> gap_needed_reversed = {};  ///< likewise [length]
+  int masses = 0, masses_reversed = 0;             ///< likewise
   std::optional<double> to_come = {}, to_come_reversed = {}, to_come_struck = {};  ///< likewise [length]
   double peak_left = not_known, peak_right = not_known;                            ///< likewise [length]
   double least_opening =

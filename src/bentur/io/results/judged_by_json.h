@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,14 @@
 
 // What gaps are judged by and a summary has nowhere else, of rows and plans alike (docs/result-files.md).
 namespace bentur {
+
+/// Whether something needs the most with masses elsewhere than they are expected.
+template <class AnyResponse>
+bool has_masses_elsewhere(const AnyResponse& response) {
+  const auto is_moved = [](const auto& one) { return one.masses > 0 || one.masses_reversed > 0; };
+  return std::any_of(response.points.begin(), response.points.end(), is_moved) ||
+         std::any_of(response.watched.begin(), response.watched.end(), is_moved);
+}
 
 /// @param response of a row or in plan @param drifts largest one of each building without contact
 template <class AnyResponse>
@@ -40,6 +49,15 @@ nlohmann::ordered_json judged_by_json(const AnyResponse& response, const std::ve
                       {"points_to_come", to_come(response.points)},
                       {"watched_to_come", to_come(response.watched)},
                       {"reversed", nullptr}};
+  const auto masses = [](const auto& all) {
+    OrderedJson list = OrderedJson::array();
+    for (const auto& one : all) list.push_back({one.masses, one.masses_reversed});
+    return list;
+  };
+  if (has_masses_elsewhere(response)) {
+    json["points_masses"] = masses(response.points);
+    json["watched_masses"] = masses(response.watched);
+  }
   if (!response.reversed) return json;
   const ReversedRun& other = *response.reversed;
   OrderedJson points = OrderedJson::array(), watched = OrderedJson::array();
@@ -88,6 +106,16 @@ std::vector<LargestDrift> take_judged_by(const AnyJson& json, AnyResponse& respo
   };
   to_come(json.at("points_to_come"), response.points);
   to_come(json.at("watched_to_come"), response.watched);
+  const auto masses = [](const AnyJson& list, auto& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].masses = list.at(i).at(0);
+      all[i].masses_reversed = list.at(i).at(1);
+    }
+  };
+  if (json.contains("points_masses")) {
+    masses(json.at("points_masses"), response.points);
+    masses(json.at("watched_masses"), response.watched);
+  }
   const AnyJson& told = json.at("reversed");
   if (!told.is_null()) {
     ReversedRun other;

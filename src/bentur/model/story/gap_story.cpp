@@ -8,70 +8,12 @@
 
 namespace bentur {
 namespace story {
-namespace {
-
-/// What is needed at a level under the reversed motion; −1 where that is not known.
-double reversed_at(const LevelSeparation& one) { return one.gap_needed_reversed.value_or(-1); }
-
-/// The level that falls short the most of the reversed motion's need, as a governing level of that need.
-std::optional<GoverningLevel> governing_reversed(std::vector<LevelSeparation> levels, double scale) {
-  if (levels.empty() || std::any_of(levels.begin(), levels.end(), [](const auto& one) { return reversed_at(one) < 0; }))
-    return std::nullopt;
-  for (LevelSeparation& one : levels) one.gap_needed = *one.gap_needed_reversed;
-  return governing_level(levels, scale);
-}
-
-Statement need_statement(const GapView& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
-  const std::string& length = facts.c.units.length;
-  Statement statement{.kind = std::move(kind),
-                      .severity = level.is_short() ? Severity::warning : Severity::finding,
-                      .level = level.elevation,
-                      .values = {value_in("needed", level.gap_needed, length)}};
-  add_level(facts, !level.watched, level.watched.value_or(level.point), level.elevation, statement.values);
-  statement.values.push_back(value_in("width", level.width, length));
-  statement.values.push_back(value_in("difference", std::abs(level.gap_needed - level.width), length));
-  statement.gap = gap;
-  statement.buildings = buildings_of(facts.problem, gap);
-  if (level.watched) {
-    add_faces(facts.problem, facts.problem.watched[*level.watched], facts.plan != nullptr, statement.values);
-    statement.values.push_back(word_of("faces", "story.faces"));
-  } else {
-    statement.values.push_back(text_of("faces", ""));
-  }
-  return statement;
-}
 
 const Judgement& judged_of(const GapView& facts, Eigen::Index gap) {
   return facts.gaps.at(static_cast<std::size_t>(gap)).judgement;
 }
 
-/// "to spare" is said of what is judged enough alone.
-const char* need_kind(const GoverningLevel& level, const Judgement& judged) {
-  if (judged.alone) return level.is_short() ? "gap_short_alone" : "gap_need_alone";
-  if (level.is_short()) return "gap_short";
-  if (!judged.is_enough()) return "gap_need";
-  return level.width == 0 && level.gap_needed == 0 ? "gap_touch" : "gap_enough";
-}
-
-void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
-                   std::vector<Statement>& statements) {
-  const auto level = governing_reversed(levels, facts.scale(gap));
-  const GapFacts& known = facts.gaps.at(static_cast<std::size_t>(gap)).facts;
-  const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
-                                    [](const LevelFacts& one) { return one.reversed.need.has_value(); });
-  if (level && is_known) {
-    const char* const kind = judged_of(facts, gap).alone ? "reversed_alone"
-                             : level->is_short()         ? "reversed_short"
-                                                         : "reversed_enough";
-    statements.push_back(need_statement(facts, gap, *level, kind));
-    // The larger of both is a sentence.
-    const auto given = governing_level(levels, facts.scale(gap));
-    const bool has_more = !given || level->gap_needed - level->width > given->gap_needed - given->width;
-    if (level->is_short() && !has_more) statements.back().shown = Shown::row;
-  } else if (known.has_other_way) {
-    statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
-  }
-}
+namespace {
 
 /// Where levels are in plan; in a row these columns are left out.
 struct PlaceColumns {
@@ -290,43 +232,6 @@ void tell_quotations(const CodeSpec& code, std::vector<Statement>& statements) {
 
 double GapView::scale(Eigen::Index gap) const {
   return response != nullptr ? displacement_scale(problem, *response, gap) : 0;
-}
-
-void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
-  const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
-  const auto found = governing_level(levels, facts.scale(gap));
-  if (!found) {
-    statements.push_back({.kind = "no_level", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
-    return;
-  }
-  const GoverningLevel& level = *found;
-  if (is_known_by_peaks(facts.problem, gap)) {
-    const bool is_enough = judged_of(facts, gap).is_enough();
-    statements.push_back(need_statement(facts, gap, level, is_enough ? "given_enough" : "given_peaks"));
-    statements.back().severity = Severity::finding;
-    return;
-  }
-  if (facts.response == nullptr) {
-    const bool is_enough = judged_of(facts, gap).is_enough();
-    statements.push_back(need_statement(facts, gap, level,
-                                        level.is_short() ? "spectral_short"
-                                        : is_enough      ? "spectral_enough"
-                                                         : "spectral_need"));
-    return;
-  }
-  const GapFacts& known = facts.gaps.at(static_cast<std::size_t>(gap)).facts;
-  const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
-                                    [](const LevelFacts& one) { return one.given.need.has_value(); });
-  if (is_known) {
-    statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap))));
-    const bool cut = is_cut(facts);
-    if (cut) statements.back().values.push_back(value_in("end", facts.problem.duration, "s"));
-    statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation, cut)));
-  } else {
-    statements.push_back({.kind = "need_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
-    statements.back().values = {text_of("left", known.left), text_of("right", known.right)};
-  }
-  tell_reversed(facts, gap, levels, statements);
 }
 
 void add_level(const GapView& facts, bool is_point, Eigen::Index index, double elevation,

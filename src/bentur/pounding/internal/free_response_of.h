@@ -92,8 +92,10 @@ void take_masses_elsewhere(const AnyProblem& problem, const Solver& solver, cons
                            AnyResponse& response) {
   if constexpr (requires { problem.elsewhere; }) {
     const auto goes_on = [&](double) { return !options.progress || options.progress(1.0); };
+    int choice = 0;
     for (const auto& places : mass_choices(problem)) {
       if (!is_over(response.status)) return;
+      ++choice;
       const AnyProblem moved = with_masses_at(problem, places);
       const Parts parts = parts_of<Parts, AnyResponse>(moved, solver, goes_on, options.limits, options.levels);
       AnyResponse free = parts.response;
@@ -106,7 +108,7 @@ void take_masses_elsewhere(const AnyProblem& problem, const Solver& solver, cons
       const System& system = parts.free.system();
       free.reversed = reversed_free(options, system, other, free);
       take_meetings(moved, system, parts.free, other.free(), options.limits, free.points);
-      raise_needs(free, response);
+      raise_needs(free, choice, response);
     }
   }
 }

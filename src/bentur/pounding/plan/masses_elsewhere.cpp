@@ -82,12 +82,16 @@ void raise(std::optional<double>& value, const std::optional<double>& other) {
 }
 
 template <class Summary>
-void raise_all(const std::vector<Summary>& others, std::vector<Summary>& all) {
+void raise_all(const std::vector<Summary>& others, int choice, std::vector<Summary>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Summary& other = others[i];
     Summary& one = all[i];
-    one.gap_needed = std::max(one.gap_needed, other.gap_needed);
+    if (other.gap_needed > one.gap_needed) {
+      one.gap_needed = other.gap_needed;
+      one.masses = choice;
+    }
     if (one.gap_needed_reversed && other.gap_needed_reversed) {
+      if (*other.gap_needed_reversed > *one.gap_needed_reversed) one.masses_reversed = choice;
       raise(one.gap_needed_reversed, other.gap_needed_reversed);
     } else {
       one.gap_needed_reversed.reset();  // not known of some masses, so of none
@@ -148,9 +152,9 @@ PlanProblem with_masses_at(const PlanProblem& problem, const MassPlaces& at) {
   return moved;
 }
 
-void raise_needs(const PlanResponse& other, PlanResponse& response) {
-  raise_all(other.points, response.points);
-  raise_all(other.watched, response.watched);
+void raise_needs(const PlanResponse& other, int choice, PlanResponse& response) {
+  raise_all(other.points, choice, response.points);
+  raise_all(other.watched, choice, response.watched);
   raise_collapse(other.collapse_no_contact, response.collapse_no_contact);
   raise_drifts(drifts_no_contact(other), response.drifts_elsewhere);
   if (!response.reversed || !other.reversed) return;

@@ -23,6 +23,7 @@ using MassPlaces = std::vector<int>;
 
 /// Raises what the response needs without contact to what it needs with masses elsewhere, given as `other`: of points
 /// and watched floors, each way of the motion that both know; largest drifts, and the first collapse.
-void raise_needs(const PlanResponse& other, PlanResponse& response);
+/// @param choice of mass_choices(), counted from 1
+void raise_needs(const PlanResponse& other, int choice, PlanResponse& response);
 
 }  // namespace bentur

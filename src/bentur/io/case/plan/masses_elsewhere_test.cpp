@@ -142,6 +142,40 @@ TEST(MassesElsewhere, NeedWhatTheWorstOfAllPlacesNeeds) { expect_most_of_all("")
 
 TEST(MassesElsewhere, DoSoWhereBuildingsYieldAndEitherWayOfTheMotionIsItsOwn) { expect_most_of_all(yields); }
 
+/// The choice that a point keeps needs what it needs, by a run with its masses there; of the worst the story says
+/// where.
+TEST(MassesElsewhere, SayWhichPlacesNeedTheMost) {
+  const std::string away = "accidental_eccentricity = 0.05";
+  const PlanRun run = test::told_plan_run(three(away, away, "", 0.2));
+  const std::vector<MassPlaces> choices = mass_choices(run.problem);
+  std::set<int> kept;
+  for (std::size_t i = 0; i < run.response.points.size(); ++i) {
+    const PointSummary& point = run.response.points[i];
+    for (const bool reversed : {false, true}) {
+      const int choice = reversed ? point.masses_reversed : point.masses;
+      kept.insert(choice);
+      const MassPlaces places =
+          choice == 0 ? MassPlaces(run.problem.buildings.size(), -1) : choices.at(static_cast<std::size_t>(choice) - 1);
+      const PlanResponse there =
+          PlanFreeResponse(with_masses_at(run.problem, places), run.c.analysis.solver, {}, {}, true).response();
+      EXPECT_EQ(reversed ? there.points[i].gap_needed_reversed : there.points[i].gap_needed,
+                reversed ? point.gap_needed_reversed : point.gap_needed);
+    }
+  }
+  EXPECT_GT(kept.size(), 1U);
+  const std::vector<Statement> told = run_story(run).statements;
+  const auto worst =
+      std::find_if(told.begin(), told.end(), [](const Statement& one) { return one.kind == "masses_worst"; });
+  ASSERT_NE(worst, told.end());
+  const auto text = [&](const char* name) {
+    for (const StoryValue& one : worst->values) {
+      if (one.name == name) return std::get<std::string>(one.value);
+    }
+    return std::string();
+  };
+  EXPECT_NE(text("left_masses").find("5\u00A0%\u00A0"), std::string::npos) << text("left_masses");
+}
+
 TEST(MassesElsewhere, AreInTheFreeResponseOfManyRuns) {
   const std::string away = "accidental_eccentricity = 0.05";
   const PlanRun run = test::told_plan_run(three(away, away, "", 0.2));

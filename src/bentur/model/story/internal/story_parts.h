@@ -28,6 +28,7 @@ struct GapView {
   bool collapsed = false;                                    ///< the free response
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
   const PlanProblem* plan = nullptr;                         ///< of row_of() buildings in plan: where its levels are
+  std::vector<double> mass_parts = {};                       ///< in plan Plan::eccentricity_both_ways of each building
   std::vector<JudgedGap> gaps = {};                          ///< empty: nothing is judged
   std::shared_ptr<const RunResults> row = {};                ///< row_of() a run in plan, which `problem` is of
   [[nodiscard]] double scale(Eigen::Index gap) const;        ///< displacement_scale() [length]; 0 by a spectrum
@@ -51,6 +52,7 @@ template <class... Values>
   return statement;
 }
 
+[[nodiscard]] const Judgement& judged_of(const GapView& facts, Eigen::Index gap);
 /// Whether the ground motion goes on after the end of the run.
 [[nodiscard]] bool is_cut(const GapView& facts);
 /// The word for what moves the buildings; of a run that ends before it does {end} fills it.

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/plan/plan_row.h"
+#include "bentur/model/story/internal/story_parts.h"
+#include "bentur/pounding/plan/masses_elsewhere.h"
+
+// What is said of the gap that buildings need.
+namespace bentur::story {
+namespace {
+
+/// What is needed at a level under the reversed motion; −1 where that is not known.
+double reversed_at(const LevelSeparation& one) { return one.gap_needed_reversed.value_or(-1); }
+
+/// The level that falls short the most of the reversed motion's need, as a governing level of that need.
+std::optional<GoverningLevel> governing_reversed(std::vector<LevelSeparation> levels, double scale) {
+  if (levels.empty() || std::any_of(levels.begin(), levels.end(), [](const auto& one) { return reversed_at(one) < 0; }))
+    return std::nullopt;
+  for (LevelSeparation& one : levels) one.gap_needed = *one.gap_needed_reversed;
+  return governing_level(levels, scale);
+}
+
+Statement need_statement(const GapView& facts, Eigen::Index gap, const GoverningLevel& level, std::string kind) {
+  const std::string& length = facts.c.units.length;
+  Statement statement{.kind = std::move(kind),
+                      .severity = level.is_short() ? Severity::warning : Severity::finding,
+                      .level = level.elevation,
+                      .values = {value_in("needed", level.gap_needed, length)}};
+  add_level(facts, !level.watched, level.watched.value_or(level.point), level.elevation, statement.values);
+  statement.values.push_back(value_in("width", level.width, length));
+  statement.values.push_back(value_in("difference", std::abs(level.gap_needed - level.width), length));
+  statement.gap = gap;
+  statement.buildings = buildings_of(facts.problem, gap);
+  if (level.watched) {
+    add_faces(facts.problem, facts.problem.watched[*level.watched], facts.plan != nullptr, statement.values);
+    statement.values.push_back(word_of("faces", "story.faces"));
+  } else {
+    statement.values.push_back(text_of("faces", ""));
+  }
+  return statement;
+}
+
+/// "to spare" is said of what is judged enough alone.
+const char* need_kind(const GoverningLevel& level, const Judgement& judged) {
+  if (judged.alone) return level.is_short() ? "gap_short_alone" : "gap_need_alone";
+  if (level.is_short()) return "gap_short";
+  if (!judged.is_enough()) return "gap_need";
+  return level.width == 0 && level.gap_needed == 0 ? "gap_touch" : "gap_enough";
+}
+
+void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
+                   std::vector<Statement>& statements) {
+  const auto level = governing_reversed(levels, facts.scale(gap));
+  const GapFacts& known = facts.gaps.at(static_cast<std::size_t>(gap)).facts;
+  const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
+                                    [](const LevelFacts& one) { return one.reversed.need.has_value(); });
+  if (level && is_known) {
+    const char* const kind = judged_of(facts, gap).alone ? "reversed_alone"
+                             : level->is_short()         ? "reversed_short"
+                                                         : "reversed_enough";
+    statements.push_back(need_statement(facts, gap, *level, kind));
+    // The larger of both is a sentence.
+    const auto given = governing_level(levels, facts.scale(gap));
+    const bool has_more = !given || level->gap_needed - level->width > given->gap_needed - given->width;
+    if (level->is_short() && !has_more) statements.back().shown = Shown::row;
+  } else if (known.has_other_way) {
+    statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
+  }
+}
+
+/// Of masses that may stand elsewhere than expected where they stand when the gap needs the most.
+void tell_worst_masses(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
+                       std::vector<Statement>& statements) {
+  if (facts.plan == nullptr || facts.response == nullptr) return;
+  const std::vector<MassPlaces> choices = mass_choices(*facts.plan);
+  if (choices.empty()) return;
+  std::optional<GoverningLevel> worst = governing_level(levels, facts.scale(gap));
+  const auto reversed = governing_reversed(levels, facts.scale(gap));
+  const auto lacks = [](const GoverningLevel& level) { return level.gap_needed - level.width; };
+  const bool is_reversed = worst && reversed && lacks(*reversed) > lacks(*worst);
+  if (is_reversed) worst = reversed;
+  if (!worst) return;
+  const auto choice_of = [&](const auto& summary) { return is_reversed ? summary.masses_reversed : summary.masses; };
+  const int choice = worst->watched ? choice_of(facts.response->watched.at(*worst->watched))
+                                    : choice_of(facts.response->points.at(worst->point));
+  Statement statement = need_statement(facts, gap, *worst, "masses_worst");
+  statement.severity = Severity::finding;
+  statement.shown = Shown::row;
+  const std::vector<Eigen::Index> buildings = buildings_of(facts.problem, gap);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto b = static_cast<std::size_t>(buildings.at(side));
+    const int at = choice == 0 ? -1 : choices.at(static_cast<std::size_t>(choice) - 1).at(b);
+    constexpr const char* ways[] = {"+{}\u00A0%\u00A0x", "−{}\u00A0%\u00A0x", "+{}\u00A0%\u00A0y", "−{}\u00A0%\u00A0y"};
+    const std::string moved = at < 0 ? "0"
+                                     : fmt::format(fmt::runtime(ways[static_cast<std::size_t>(at)]),
+                                                   number(percent * facts.mass_parts.at(b)));
+    statement.values.push_back(text_of(side == 0 ? "left" : "right", facts.problem.buildings[b].name));
+    statement.values.push_back(text_of(side == 0 ? "left_masses" : "right_masses", moved));
+  }
+  statements.push_back(std::move(statement));
+}
+
+}  // namespace
+
+void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
+  const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
+  const auto found = governing_level(levels, facts.scale(gap));
+  if (!found) {
+    statements.push_back({.kind = "no_level", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
+    return;
+  }
+  const GoverningLevel& level = *found;
+  if (is_known_by_peaks(facts.problem, gap)) {
+    const bool is_enough = judged_of(facts, gap).is_enough();
+    statements.push_back(need_statement(facts, gap, level, is_enough ? "given_enough" : "given_peaks"));
+    statements.back().severity = Severity::finding;
+    return;
+  }
+  if (facts.response == nullptr) {
+    const bool is_enough = judged_of(facts, gap).is_enough();
+    statements.push_back(need_statement(facts, gap, level,
+                                        level.is_short() ? "spectral_short"
+                                        : is_enough      ? "spectral_enough"
+                                                         : "spectral_need"));
+    return;
+  }
+  const GapFacts& known = facts.gaps.at(static_cast<std::size_t>(gap)).facts;
+  const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
+                                    [](const LevelFacts& one) { return one.given.need.has_value(); });
+  if (is_known) {
+    statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap))));
+    const bool cut = is_cut(facts);
+    if (cut) statements.back().values.push_back(value_in("end", facts.problem.duration, "s"));
+    statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation, cut)));
+  } else {
+    statements.push_back({.kind = "need_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
+    statements.back().values = {text_of("left", known.left), text_of("right", known.right)};
+  }
+  tell_reversed(facts, gap, levels, statements);
+  tell_worst_masses(facts, gap, levels, statements);
+}
+
+}  // namespace bentur::story
