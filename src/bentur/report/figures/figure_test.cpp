@@ -248,8 +248,11 @@ TEST(FigureSvg, LinesAreSeenOnPaperAndOnADarkScreen) {
 /// Every letter of a page has 4.5 to every ground on which letters stand, every edge of what can be pressed 3 to the
 /// page.
 TEST(PageStyle, LettersAndEdgesAreSeenOnEveryGround) {
-  std::map<std::string, Colour> named = {
-      {"ink", colour(Tone::black)}, {"grey", colour(Tone::grey)}, {"red", colour(Tone::red)}, {"paper", paper}};
+  std::map<std::string, Colour> named = {{"ink", colour(Tone::black)},
+                                         {"grey", colour(Tone::grey)},
+                                         {"red", colour(Tone::red)},
+                                         {"amber", colour(Tone::amber)},
+                                         {"paper", paper}};
   for (const Colour& one : page_colours) {
     named[one.name] = one;
     EXPECT_NE(page_style().find(std::string("--") + one.name + ":" + one.paper), std::string::npos);
@@ -260,7 +263,7 @@ TEST(PageStyle, LettersAndEdgesAreSeenOnEveryGround) {
     EXPECT_GE(contrast(named.at(one).paper, named.at(ground).paper), least) << one << " on " << ground;
     EXPECT_GE(contrast(named.at(one).dark, named.at(ground).dark), least) << one << " on " << ground << ", dark";
   };
-  for (const char* const letters : {"ink", "grey", "red", "link", "clear"}) {
+  for (const char* const letters : {"ink", "grey", "red", "amber", "link", "clear"}) {
     for (const char* const ground : {"paper", "band", "stage", "mark"}) expect(letters, ground, 4.5);
   }
   for (const char* const ground : {"paper", "band", "stage"}) expect("edge", ground, 3);

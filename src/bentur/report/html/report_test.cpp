@@ -82,6 +82,15 @@ std::string plain(const std::string& page) { return replaced(page, "\u00A0", " "
 
 bool has(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
 
+/// What is not known has a colour of its own beside what pounds.
+TEST(Report, WhatIsNotKnownIsNotRed) {
+  const std::string page = run(replaced(example("two-frames-si"), "width = 0.05\n", "width = 0.39\n")).page();
+  EXPECT_TRUE(has(page, "class=\"verdict open\""));
+  EXPECT_TRUE(has(page, "<p class=\"badge\" data-open>Not known</p>"));
+  const std::string pounds = run(example("two-frames-si")).page();
+  EXPECT_TRUE(has(pounds, "class=\"verdict pounds\"") && !has(pounds, " data-open>"));
+}
+
 TEST(Report, Base64IsThatOfTheStandard) {
   EXPECT_EQ(html::base64(""), "");
   EXPECT_EQ(html::base64("f"), "Zg==");

@@ -1,21 +1,68 @@
-#include "bentur/report/html/internal/sections.h"
+#include <map>
+#include <variant>
+
+#include "bentur/io/schema/case_keys.h"
+#include "bentur/io/toml/parameter_path.h"
+#include "bentur/report/html/internal/echo.h"
 #include "bentur/report/kinds/sensitivity_figure.h"
 
 namespace bentur::html {
+namespace {
 
-PageSection sensitivity_section(const Sensitivity& found, const Words& say, const std::string& language) {
-  const Story story = sensitivity_story(found);
+/// A number of a case in the words of its keys: "Annex, Frame: Storey heights 6" is
+/// building[1].frame.storey_heights[5].
+std::string number_in_words(const std::string& path, const Case& c, const Words& say) {
+  std::string error, text;
+  const std::optional<ParameterPath> steps = parse_path(path, error);
+  const KeyTable* keys = &case_keys();
+  for (std::size_t i = 0; steps && i < steps->size(); ++i) {
+    if (const auto* const place = std::get_if<std::size_t>(&(*steps)[i])) {
+      text += " " + std::to_string(*place + 1);
+      continue;
+    }
+    const auto& name = std::get<std::string>((*steps)[i]);
+    const auto* const place = i + 1 < steps->size() ? std::get_if<std::size_t>(&(*steps)[i + 1]) : nullptr;
+    const Key* const key = keys != nullptr ? keys->find(name) : nullptr;
+    if (key == nullptr) return path;
+    if (i == 0 && name == "building" && place != nullptr && *place < c.buildings.size()) {
+      text = c.buildings[*place].name;
+      ++i;
+    } else {
+      text += (text.empty() ? "" : i == 2 ? ", " : ": ") + label_text(key->label, say);
+    }
+    keys = key->table;
+  }
+  return text.empty() ? path : text;
+}
+
+}  // namespace
+
+PageSection sensitivity_section(const Sensitivity& found, const Case& c, const Words& say,
+                                const std::string& language) {
+  Sensitivity told = found;
+  std::map<std::string, std::string> paths;  // by their words
+  for (CaseNumber& number : told.numbers) {
+    const std::string words = number_in_words(number.path, c, say);
+    if (paths.try_emplace(words, number.path).second) number.path = words;  // two numbers have not the same
+  }
+  for (auto& [path, why] : told.left_out) path = number_in_words(path, c, say);
+  const Story story = sensitivity_story(told);
   Html sentences;
   for (const SaidStatement& one : said(story.statements, say)) sentences += element("li", one.text);
   Html content = element("p", say("sensitivity.lead"), "class=\"lead\"") + element("ul", sentences);
   try {
-    content += opening_figure([&](const FigureOptions& drawn) { return sensitivity_figure(found, drawn); },
+    content += opening_figure([&](const FigureOptions& drawn) { return sensitivity_figure(told, drawn); },
                               say("figure.sensitivity"), language);
   } catch (const NoFigure&) {  // of buildings alone there is a table
   }
   for (const StoryTable& table : story.tables) {
     const SaidTable shown = said(table, say);
-    content += element("h3", shown.heading) + table_of(shown);
+    std::vector<std::string> titles;
+    for (const std::string& words : shown.columns.front().cells) {
+      const auto path = paths.find(words);
+      titles.push_back(path == paths.end() ? words : path->second);
+    }
+    content += element("h3", shown.heading) + table_of(shown, "", std::move(titles));
   }
   content += element("p", say("sensitivity.note"), "class=\"note\"");
   return {"sensitivity", say("heading.sensitivity"), content};

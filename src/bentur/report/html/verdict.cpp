@@ -45,20 +45,24 @@ Html drawn_bars(const std::vector<GapBar>& bars, double largest, const std::stri
   return element("table", element("tbody", rows), "class=\"gapbars\"");
 }
 
+/// Whether it says that something is not known, which is no danger yet.
+bool is_open(const SaidStatement& statement) { return statement.kind.ends_with("not_known"); }
+
 }  // namespace
 
 Html paragraphs(const SaidStatement& statement, std::string& badge) {
   Html block;
   if (!statement.badge.empty() && statement.badge != badge) {
-    block += element("p", statement.badge, "class=\"badge\"");
+    block += element("p", statement.badge, is_open(statement) ? "class=\"badge\" data-open" : "class=\"badge\"");
     badge = statement.badge;
   }
   const bool leads = statement.severity == Severity::danger || !statement.badge.empty();
   return block + element("p", statement.text, leads ? "class=\"lead\"" : "");
 }
 
-Html table_of(const SaidTable& table, std::string_view attributes) {
+Html table_of(const SaidTable& table, std::string_view attributes, std::vector<std::string> titles) {
   HtmlTable shown;
+  shown.explain(std::move(titles));
   for (const std::size_t row : table.marked) shown.mark(row);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const TableColumn& column = table.columns[i];
@@ -117,7 +121,10 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   }
   block += each.folded(say, "appendix.gaps");
   if (known) block += table_of(*known, "class=\"said\"");
-  return {"verdict", say("heading.verdict"), element("div", block, verdict_class(grave))};
+  const bool is_worse =
+      std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity) && !is_open(one); });
+  return {"verdict", say("heading.verdict"),
+          element("div", block, grave && !is_worse ? "class=\"verdict open\"" : verdict_class(grave))};
 }
 
 PageSection verdict_section(const Report& report) {

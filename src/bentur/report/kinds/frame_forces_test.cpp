@@ -198,6 +198,7 @@ TEST(FrameForces, AreDrawnNarrowToo) {
   const Figure figure = make_figure(test::drawn_run(test::hinged), "frame-moment", options);
   EXPECT_EQ(figure.columns, 1);
   EXPECT_EQ(figure.width, column_width);
+  EXPECT_EQ(make_figure(test::drawn_run(supported), "floor-spectrum", options).width, column_width);
 }
 
 TEST(FrameForces, SpectraOfFloorsAreDrawnInG) {

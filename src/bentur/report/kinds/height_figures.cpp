@@ -81,7 +81,7 @@ Figure beside(const RunResults& run, const FigureOptions& options, const std::ve
   const auto fitting = [&] {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, figure.width - of_axis) / room));
   };
-  if (shown.size() > 2 && fitting() < shown.size()) figure.width = broad(figure.width);
+  if (!options.narrow && shown.size() > 2 && fitting() < shown.size()) figure.width = broad(figure.width);
   const std::size_t rows = (shown.size() + fitting() - 1) / fitting();
   const std::size_t columns = (shown.size() + rows - 1) / rows;
   figure.columns = static_cast<int>(columns);
@@ -141,13 +141,14 @@ void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Ind
 
 /// More curves than can be followed in one frame have one each, side by side at one scale, whose titles name them; of
 /// more than six half of them below the others, if that leaves none over.
-void set_apart(Figure& figure) {
+void set_apart(Figure& figure, bool narrow) {
   constexpr std::size_t most_together = 3;
   const std::size_t count = figure.panels.front().curves.size();
   const bool are_alike = std::all_of(figure.panels.begin(), figure.panels.end(),
                                      [&](const Panel& one) { return one.curves.size() == count; });
   if (count <= most_together || !are_alike) return;
-  const std::size_t rows = count > 6 && count % 2 == 0 ? 2 : 1, columns = count / rows;
+  const std::size_t columns = narrow ? 2 : count > 6 && count % 2 == 0 ? count / 2 : count;
+  const std::size_t rows = (count + columns - 1) / columns;
   std::vector<Panel> panels;
   for (const Panel& all : figure.panels) {
     double from = all.rules.front().at, to = from;
@@ -174,7 +175,7 @@ void set_apart(Figure& figure) {
   }
   figure.panels = std::move(panels);
   figure.columns = static_cast<int>(columns);
-  figure.width = broad(figure.width);
+  if (!narrow) figure.width = broad(figure.width);
 }
 
 /// A quantity of the floors of a building, the lowest first.
@@ -260,7 +261,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
                 .finding = word(options, "largest {}: {}", number(most.value), most.place(run, options)),
                 .panels = {panel},
                 .width = options.width};
-  set_apart(figure);
+  set_apart(figure, options.narrow);
   return figure;
 }
 
@@ -297,7 +298,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
     figure.panels.push_back(std::move(panel));
   }
   if (figure.panels.empty()) throw NoFigure("nothing moves without contact, so that there are no ratios");
-  set_apart(figure);
+  set_apart(figure, options.narrow);
   return figure;
 }
 
@@ -341,8 +342,12 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
     figure.panels.push_back(std::move(panel));
   }
   if (figure.panels.empty()) throw NoFigure("no building shown has storeys");
-  if (figure.panels.size() == 1) figure.columns = 1;
-  set_apart(figure);
+  if (figure.panels.size() == 1) {
+    figure.columns = 1;
+    figure.title = "Largest storey drift";
+    figure.lacks = "residual";
+  }
+  set_apart(figure, options.narrow);
   return figure;
 }
 

@@ -109,7 +109,7 @@ Figure hinges_figure(const RunResults& run, const FigureOptions& options) {
   std::vector<Eigen::Index> shown = shown_buildings(run, options);
   std::erase_if(shown, [&](Eigen::Index b) { return run.response.buildings[b].hinges.empty(); });
   if (shown.empty()) throw NoFigure("no building shown can form hinges: moment_capacity of sections lets it");
-  const bool is_broad = shown.size() > 1;
+  const bool is_broad = shown.size() > 1 && !options.narrow;
   Figure figure{.title = "Hinges by how far they turned, numbered in the order in which they formed",
                 .columns = is_broad ? 2 : 1,
                 .width = is_broad ? broad(options.width) : options.width,
@@ -142,6 +142,7 @@ Figure hinges_figure(const RunResults& run, const FigureOptions& options) {
     panel.x.from = left - beside;
     panel.x.to = left + scene.breadths[b] + beside;
     constexpr double least = 0.85;  // storey in which there is room for numbers [cm]
+    if (scale * narrowest >= least) panel.title += ", " + word(options, "numbered as they form");
     add_hinge_marks(panel, run, scene, places,
                     {.time = std::numeric_limits<double>::max(),
                      .storey = scale * narrowest,

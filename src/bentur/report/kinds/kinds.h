@@ -25,7 +25,7 @@ struct FigureOptions {
   std::string event = pounding_event;                    ///< of a fragility: EventRule
   FragilityMethod method = FragilityMethod::likelihood;  ///< of a fragility: what finds it
   double width = column_width;                           ///< [cm]
-  bool narrow = false;  ///< for a telephone: of frames no wider than that, one panel below another
+  bool narrow = false;  ///< for a telephone: no wider than that where panels can stand one below another
   FigureWords say = {};
   std::string language = "en";  ///< of sentences, as report_languages() has them
   /// Of frames in plan, which stand as buildings do: the number of the building that each is of, whose colour it has.

@@ -108,7 +108,7 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
     throw NoFigure("the file has no spectra of floors: \"bentur run --figures\" adds them");
   }
   const bool has_impacts = !run.response.impacts.empty();  // else the motions with and without contact are one
-  const bool is_broad = spectra.floors.size() > 1;
+  const bool is_broad = spectra.floors.size() > 1 && !options.narrow;
   const std::size_t columns = !is_broad ? 1 : spectra.floors.size() % 3 == 0 ? 3 : 2;  // so that rows are full
   Figure figure{.title = fmt::format("Response spectra of the motion of floors, damping ratio {}, S_a in g",
                                      number(spectra.damping)),

@@ -87,7 +87,13 @@ Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
   Html body;
   for (std::size_t row = 0; row < std::min(rows(), most); ++row) {
     Html line;
-    for (const Column& column : columns_) line += element("td", column.cells.at(row), alignment(column));
+    for (const Column& column : columns_) {
+      std::string attributes_of_cell = alignment(column);
+      if (&column == &columns_.front() && row < titles_.size()) {
+        attributes_of_cell += " title=\"" + Html::text(titles_[row]).str() + "\"";
+      }
+      line += element("td", column.cells.at(row), attributes_of_cell);
+    }
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
     body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");
   }

@@ -44,6 +44,8 @@ class HtmlTable {
   /// `unit` empty: none. All columns of one length.
   void add(const std::string& name, const std::string& unit, const std::vector<double>& values);
   void add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric = true);
+  /// What a pointer over the cells of the first column shows.
+  void explain(std::vector<std::string> titles) { titles_ = std::move(titles); }
   /// Makes a row stand out, e.g. the level that governs.
   void mark(std::size_t row) { marked_.push_back(row); }
   /// Adds the rows of another one, each with the name of what it is of in the first column; cells without a column
@@ -61,6 +63,7 @@ class HtmlTable {
   };
   std::vector<Column> columns_;
   std::vector<std::size_t> marked_;
+  std::vector<std::string> titles_;
 };
 
 /// A part of a page, with its place in the list of contents; without content it is not there.

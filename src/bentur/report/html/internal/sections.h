@@ -52,8 +52,9 @@ constexpr std::size_t rows_in_print = 100;
 /// Contact totals per level and peaks per floor.
 [[nodiscard]] PageSection peaks_section(const Report& report);
 
-/// How the peaks change with the numbers of the case: sentences, a picture, tables.
-[[nodiscard]] PageSection sensitivity_section(const Sensitivity& found, const Words& say, const std::string& language);
+/// How the peaks change with the numbers of the case, which have the words of its keys: sentences, a picture, tables.
+[[nodiscard]] PageSection sensitivity_section(const Sensitivity& found, const Case& c, const Words& say,
+                                              const std::string& language);
 
 /// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.
 [[nodiscard]] PageSection damage_section(const Report& report);
@@ -132,8 +133,9 @@ struct Verdict {
 /// impacts.csv for the script that saves it.
 [[nodiscard]] Html csv_script(const std::string& csv);
 
-/// A table in words.
-[[nodiscard]] Html table_of(const SaidTable& table, std::string_view attributes = "");
+/// A table in words. @param titles of the cells of its first column, for a pointer
+[[nodiscard]] Html table_of(const SaidTable& table, std::string_view attributes = "",
+                            std::vector<std::string> titles = {});
 /// Tables of gaps, each gap under its name and each table under its heading. @param gaps names of all
 [[nodiscard]] Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables,
                               const Words& say);
