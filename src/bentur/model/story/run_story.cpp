@@ -300,7 +300,8 @@ void leave_to_tables(std::optional<Index> worst, std::vector<Statement>& stateme
   for (Statement& one : statements) {
     if (one.severity == Severity::danger) continue;
     if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
-    if (one.kind == "rules_understate") one.shown = Shown::table;  // a note of the rules' rows
+    if (one.kind == "rules_understate") one.shown = Shown::table;              // a note of the rules' rows
+    if (worst && one.kind.starts_with("reversed_")) one.shown = Shown::table;  // which has it of every gap
     if (worst && one.gap && (*one.gap != *worst || one.kind.starts_with("pounding"))) one.shown = Shown::table;
   }
 }

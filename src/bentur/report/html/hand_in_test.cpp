@@ -238,7 +238,7 @@ TEST(HandIn, ImpactsOfARecordWhoseContactIsNotModelledAreNotKnown) {
   const auto table = std::find_if(told.tables.begin(), told.tables.end(),
                                   [](const StoryTable& one) { return one.kind == "suite_runs"; });
   for (const std::size_t column : {1, 2}) {
-    EXPECT_EQ(table->columns[column].texts, (std::vector<std::string>{"story.not_modelled", "0", "–", "–"}));
+    EXPECT_EQ(table->columns[column].texts, (std::vector<std::string>{"story.partly_modelled", "0", "–", "–"}));
   }
   // Both tables have one gap needed, of both ways of the motion; drifts are in per cent, as checks have them.
   const auto numbers = [&](const StoryTable& of, const std::string& label) {

@@ -37,7 +37,7 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
   panel.events = {};
   panel.curves.resize(1);
   panel.curves.front().label = "";
-  if (instant.point) panel.rules.front().label = word(options, "closed");
+  if (instant.point) panel.rules.front().label = word(options, "closed at 0");
   panel.rules.push_back({.at = instant.histories->time[instant.column],
                          .vertical = true,
                          .label = word(options, !instant.point   ? "deepest inside"

@@ -93,7 +93,7 @@ TEST(Overview, MarksTheHardestImpactWhereTheGapOpens) {
   EXPECT_NEAR(mark.x[0], hardest.peak_force_time, 1e-9);
   EXPECT_NEAR(mark.y[0], -hardest.peak_penetration, 1e-6 * hardest.peak_penetration);
   EXPECT_EQ(panel.rules.front().at, 0);
-  EXPECT_EQ(panel.rules.front().label, "closed");
+  EXPECT_EQ(panel.rules.front().label, "closed at 0");
 }
 
 TEST(Overview, BarsAreGivenAndNeeded) {

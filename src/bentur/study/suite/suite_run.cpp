@@ -99,7 +99,10 @@ void tell_in_words(const SuiteRun& run, bool are_counts, StoryColumn& column) {
   for (std::size_t i = 0; i < column.numbers.size(); ++i) {
     const double value = column.numbers[i];
     if (std::isnan(value) && i < count && is_not_modelled(run.records[i])) {
-      column.texts.emplace_back("story.not_modelled");
+      const std::vector<Statement>& said = run.records[i].statements;
+      const bool some =
+          std::any_of(said.begin(), said.end(), [](const Statement& one) { return one.kind.starts_with("pounding"); });
+      column.texts.emplace_back(some ? "story.partly_modelled" : "story.not_modelled");
     } else if (std::isnan(value) || (i == count && lacks) || (i > count && lacks && value == 0)) {
       column.texts.emplace_back("–");
     } else {

@@ -85,6 +85,7 @@ Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
                     std::string(is_heading ? "scope=\"col\"" : "") + (column.numeric ? "" : " class=\"t\""));
   }
   Html body;
+  const bool as_cards = attributes.find("cards") != std::string_view::npos;  // on a phone, each cell with its heading
   for (std::size_t row = 0; row < std::min(rows(), most); ++row) {
     Html line;
     for (const Column& column : columns_) {
@@ -92,6 +93,7 @@ Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
       if (&column == &columns_.front() && row < titles_.size()) {
         attributes_of_cell += " title=\"" + Html::text(titles_[row]).str() + "\"";
       }
+      if (as_cards) attributes_of_cell += " data-head=\"" + Html::text(column.name).str() + "\"";
       line += element("td", column.cells.at(row), attributes_of_cell);
     }
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
