@@ -195,6 +195,8 @@ class Plot(Figures):
             results = self.run_of(name, "--figures", "svg")
             page = self.bentur(0, "report", SOURCE / f"examples/{name}.toml", "-o", "-").stdout
             page = re.sub('<section id="sensitivity">.*?</section>', "", page, flags=re.DOTALL)  # which no results have
+            above, figures = page.split('<section id="figures">')
+            page = above + re.sub('<div class="slim">.*?</div>', "", figures, flags=re.DOTALL)  # for telephones
             shown = 0
             for drawn in (self.folder / name / "figures").glob("*.svg"):
                 self.bentur(0, "plot", results, drawn.stem, "--force")

@@ -300,6 +300,10 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
   const key = `${gap.value}|${loads.value}|${one.name}|${overview.units.length}`;
   const marks = one.marks ?? [], furthest = Math.max(width.value, one.needed, ...marks.map(({ at }) => at));
   if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2)) };
+  const isNear = (one: number, other: number) => one - other < 0.06 * most.current.value; // as wide as a number on a telephone
+  // Numbers of marks that stand together stand above the first of them.
+  const numbers = marks.map(({ at }, i) => i > 0 && isNear(at, marks[i - 1].at) ? "" : marks.map((_, k) => k + 1)
+    .filter((k) => k > i && marks.slice(i + 1, k).every((one, n) => isNear(one.at, marks[i + n].at))).join(" "));
   const span = most.current.value, several = overview.gaps.length > 1;
   return (
     <div class="gap-slider" style={{ "--at": one.needed / span, "--now": Math.min(1, width.value / span) }}>
@@ -310,7 +314,7 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
       </div>
       <div class="track"><Travel /><div>
         <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber), "gap")} />
-        <div class="needed">{marks.map(({ at, name }, i) => <b key={name} data-mark={i + 1} style={{ "--at": at / span }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        <div class="needed">{marks.map(({ at, name }, i) => <b key={name} data-mark={numbers[i]} style={{ "--at": at / span }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
         {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} </span>)} {overview.units.length}</p>}
       </div></div>
     </div>

@@ -24,6 +24,8 @@ const grave = ["danger", "warning"];
 /** Where a statement stands among others, the gravest first: by severity, and of those alike what the verdict says in a sentence. */
 const gravity = (one: Said) => 2 * (grave.includes(one.severity) ? grave.indexOf(one.severity) : grave.length) + (one.shown === "sentence" ? 0 : 1);
 const isGrave = (one: Said) => grave.includes(one.severity);
+/** What is not known is no danger yet. */
+const toneOf = (one: Said) => one.kind.endsWith("not_known") ? " open" : isGrave(one) ? " grave" : " fine";
 
 const namesBoth = (gap: string, text: string) => gap.split(" | ").every((building) => text.includes(building));
 
@@ -34,7 +36,7 @@ function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOver
   return <>{all.map((one, i) => {
     const shown = one.badge && one.badge !== badge ? (badge = one.badge) : "";
     return <div key={i} data-kind={one.kind} data-shown={one.shown}>
-      {shown && <p class={`badge${isGrave(one) ? "" : " fine"}`}>{shown}</p>}
+      {shown && <p class={`badge${toneOf(one)}`}>{shown}</p>}
       <p class={one.badge || one.severity === "danger" ? "lead" : ""}>{gaps.length > 1 && one.gap !== null && !namesBoth(gaps[one.gap].name, one.text) ? `${gaps[one.gap].name}: ` : ""}{one.text}</p>
     </div>;
   })}</>;
@@ -51,7 +53,7 @@ function Statements({ overview }: { overview: Overview }) {
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
   const isFolded = (one: Said) => one.shown !== "sentence" || (one.severity === "finding" && !one.badge);
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
-  const pounds = told.some(isGrave);
+  const pounds = told.some(isGrave), isOpen = pounds && !told.some((one) => toneOf(one) === " grave");
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   const ranked = overview.gaps.map((_, i) => i).filter((i) => told.some((one) => ofGap(one) && one.gap === i)).sort((a, b) => rank(a) - rank(b));
   const isInSight = (i: number) => ranked.indexOf(i) < mostInSight || (!overview.plan && i === gap.value);
@@ -60,12 +62,12 @@ function Statements({ overview }: { overview: Overview }) {
     const each = overview.gaps[i], mine = told.filter((said) => ofGap(said) && said.gap === i);
     const badge = mine.find((said) => said.badge);
     return <details key={i} data-gap={each.name} open={overview.plan ? i === ranked[0] : i === gap.value}>
-      <summary>{each.name}{badge && <>: <span class={`badge${isGrave(badge) ? "" : " fine"}`}>{badge.badge}</span></>}</summary>
+      <summary>{each.name}{badge && <>: <span class={`badge${toneOf(badge)}`}>{badge.badge}</span></>}</summary>
       <Sentences all={mine} under={badge?.badge} />
     </details>;
   };
   return (
-    <div class={`verdict${pounds ? " pounds" : ""}`}>
+    <div class={`verdict${isOpen ? " open" : pounds ? " pounds" : ""}`}>
       <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
       {inSight.map(one)}
       {others.length > 0 && <details data-others={others.length}>
@@ -81,8 +83,8 @@ function Statements({ overview }: { overview: Overview }) {
 export function Brief() {
   const badged = (result.value?.overview.statements ?? []).filter((one) => one.badge).sort((a, b) => gravity(a) - gravity(b));
   const all = badged.filter((one, i) => i === 0 || one.gap === null || one.gap === gap.value || one.severity === "danger");
-  const badges = new Map(all.map((one) => [one.badge, isGrave(one)]));
-  return <p class="brief" aria-hidden="true">{[...badges].map(([badge, is]) => <span key={badge} class={`badge${is ? " grave" : ""}`}>{badge}</span>)}</p>;
+  const badges = new Map(all.map((one) => [one.badge, toneOf(one)]));
+  return <p class="brief" aria-hidden="true">{[...badges].map(([badge, tone]) => <span key={badge} class={`badge${tone}`}>{badge}</span>)}</p>;
 }
 
 export function Verdict() {

@@ -72,7 +72,7 @@ Ticks linear(const TickRequest& request) {
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step / unit) - 1e-9)));
   const auto last = std::lround(std::floor(ticks.to / step + 1e-6));
   for (auto i = std::lround(std::ceil(ticks.from / step - 1e-6)); i <= last; ++i) {
-    const double at = static_cast<double>(i) * step;
+    const double at = std::clamp(static_cast<double>(i) * step, ticks.from, ticks.to);  // but for round-off within
     ticks.labels.emplace_back(at, i == 0 ? "0" : signed_text(fmt::format("{:.{}f}", at / unit, decimals)));
   }
   return ticks;

@@ -247,12 +247,12 @@ function benturMotion(parts, data) {
     scrub.value = now;
     clock.textContent = `t = ${now.toFixed(4)} s`;
     stage.setAttribute("data-time", now);
-    current.sort((a, b) => b.force - a.force);
-    const more = current.length > 3 ? `; + ${current.length - 3}` : "";
-    event_.textContent = current.slice(0, 3).map(describe).join("; ") + more;
+    const named = underWay(now, now).sort((a, b) => b.force - a.force); // what has ended flashes, and is not named
+    const more = named.length > 3 ? `; + ${named.length - 3}` : "";
+    event_.textContent = named.slice(0, 3).map(describe).join("; ") + more;
     const level = picture.levels.length > 0 ? `, ${words.level} ${picture.levels[picture.level]}` : "";
     told(drawn.caption[0], `${clock.textContent}, ${words.magnified.replace("{}", factor())}${level}`);
-    told(drawn.caption[1], current.length > 0 ? describe(current[0]) + (current.length > 1 ? `; + ${current.length - 1}` : "") : "");
+    told(drawn.caption[1], named.length > 0 ? describe(named[0]) + (named.length > 1 ? `; + ${named.length - 1}` : "") : "");
     if (parts.shown) parts.shown(now, since, fading);
   }
 
@@ -293,6 +293,7 @@ function benturMotion(parts, data) {
     const { head, rows, many } = picture.live(Boolean(parts.buildingKey));
     drawn.lines = [];
     stage.parentNode.classList.toggle("stacked", head.length > 0);
+    stage.parentNode.classList.toggle("many", many);
     const line = head.length > 0 ? html("tr", undefined, live) : undefined;
     for (const text of head) html("th", text, line).scope = "col";
     for (const { name, points } of rows) {
@@ -363,6 +364,7 @@ function benturMotion(parts, data) {
     show(Math.min(now + passed * pace(), nextSlow(), until), before, Math.exp(-passed / 0.15));
     if (now >= duration || now >= until) {
       pause();
+      show(now);
       return;
     }
     requestAnimationFrame(step);
@@ -445,7 +447,11 @@ function benturMotion(parts, data) {
       choose(Number(parts.level.value));
       show(now);
     });
-    play.addEventListener("click", () => (playing ? pause() : start()));
+    play.addEventListener("click", () => {
+      if (!playing) return start();
+      pause();
+      show(now); // without flashes of what has ended
+    });
     previous.addEventListener("click", () => jump(-1));
     next.addEventListener("click", () => jump(1));
     hardest.addEventListener("click", () => showImpact(strongest));

@@ -71,9 +71,11 @@ TimeWindow around_the_hardest(const HistoryPlace& place) {
   }
   // Ends on tenths of its length, so that the axis has round numbers.
   const double grid = std::pow(10.0, std::floor(std::log10(length)) - 1);
-  TimeWindow near{grid * std::round((centre - 0.45 * length) / grid), 0};
+  const auto on_grid = [&](double count) { return grid < 1 ? count / std::round(1 / grid) : count * grid; };
+  const double first = std::round((centre - 0.45 * length) / grid);
+  TimeWindow near{on_grid(first), 0};
   near.from = std::max(near.from, place.samples.from);
-  near.to = std::min(near.from + grid * std::ceil(length / grid), place.samples.to);
+  near.to = std::min(on_grid(first + std::ceil(length / grid)), place.samples.to);
   return near;
 }
 
