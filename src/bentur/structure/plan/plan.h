@@ -34,6 +34,7 @@ struct PlanPlane {
   std::vector<InfillPanel> infills = {};  ///< of a frame, which its stiffness has too
   std::vector<double> bays = {};          ///< of a frame its widths [length], left to right, of pictures alone
   std::shared_ptr<const PlaneFrame> frame = nullptr;  ///< that it was made of; null: springs, or not known
+  [[nodiscard]] bool is_frame() const { return sway_stiffness.size() > 0; }
 };
 
 /// A frame as a plane has it: members without mass, statically condensed; floors weigh 1, which its stiffness does not
@@ -112,16 +113,6 @@ struct Plan {
   /// What calibrate_period() has multiplied all that holds the floors by [-]; nothing: it has not.
   std::optional<double> stiffness_factor = {};
 };
-
-/// Of a plan whose lists have the right lengths, of one floor: its centre of mass, from the footprint's corner
-/// [length], and its inertia about that [mass·length²].
-[[nodiscard]] PlanPoint centre_of_mass(const Plan& plan, Eigen::Index floor);
-[[nodiscard]] double inertia_of(const Plan& plan, Eigen::Index floor);
-
-/// The same with all centres of mass moved by parts of the size along x and y; what holds the floors stays.
-[[nodiscard]] Plan with_masses_moved(Plan plan, const PlanPoint& parts);
-/// The four that plan.eccentricity_both_ways asks for: to the right and to the left along x, up and down along y.
-[[nodiscard]] std::vector<Plan> with_masses_elsewhere(const Plan& plan);
 
 /// A direction in which nothing holds a storey, counted from 0.
 struct UnheldStorey {

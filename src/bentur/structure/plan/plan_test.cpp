@@ -11,6 +11,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/structure/modes.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 namespace {

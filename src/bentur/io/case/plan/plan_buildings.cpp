@@ -11,6 +11,7 @@
 #include "bentur/io/schema/footprint_keys.h"
 #include "bentur/io/schema/table_view.h"
 #include "bentur/structure/plan/footprint_parts.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 namespace {
