@@ -21,7 +21,7 @@ BEYOND = {
             damping-modal-length delays-length gap-count gap-widths-length gap-widths-without-points
             generic-lists-length gravity-loads-length initial-length isolation-initial-length
             infill-count length-of-list link-length plan-polygon-pairs plan-suite-pairs matrices-not-square modal-damping-length modal-lengths
-            modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
+            modal-too-many plan-matrices-size sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
             plan-footprints-overlap plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
             plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
@@ -77,7 +77,7 @@ BEYOND = {
             hinge-backbone-hardens hinge-backbone-steep infill-no-room infill-ultimate
             initial-overlap-restitution link-level-tolerance matrices-damping-not-semidefinite
             matrices-mass-diagonal matrices-not-definite matrices-not-symmetric modal-not-orthogonal
-            plan-frame-loads plan-isolation-outside
+            plan-frame-loads plan-isolation-outside plan-matrices-indefinite plan-matrices-values
             modal-shape-of-zeros output-step-tiny p-delta-critical rayleigh-negative-ratio
             section-overflow spectrum-table-short suite-factor-bounds suite-misfit suite-no-factor
             suite-table-ends suite-too-few weight-beyond-all""",

@@ -92,7 +92,8 @@ const KeyTable& building_keys() {
             Key::sub_table(
                 "matrices", matrices_keys(), {"Matrices", "Matriks"},
                 "[from another program](case-buildings.md#buildingmatrices-from-another-program), also beside `plan`")
-                .one_of("structure"),
+                .one_of("structure")
+                .may_join("plan"),
             Key::sub_table("modal", modal_keys(), {"Modes", "Ragam"},
                            "[known by its modes](case-buildings.md#buildingmodal-known-by-its-modes)")
                 .one_of("structure"),
