@@ -26,7 +26,7 @@ std::vector<std::vector<double>> read_shapes_file(const TableView& view, const C
   const TomlView file = *view.find("shapes_file");
   const auto name = file.as_text();
   if (!name) return {};
-  ShapesAsked asked{.elevations = modal.elevations, .modes = modal.periods.size(), .metre = metre};
+  ShapesAsked asked{.elevations = modal.elevations, .modes = modal.modes.periods.size(), .metre = metre};
   asked.component = view.word("shapes_column");
   if (const auto given = view.find("shapes_modes")) {
     for (const double number : view.numbers("shapes_modes", asked.modes)) {
@@ -88,8 +88,8 @@ void read_modal(const TomlView& given, const Units& units, const CaseFiles& file
   if (!ascends) view.find("elevations")->error("must ascend");
   modal.masses = view.numbers("masses", floors);
   const auto periods = view.find("periods");
-  modal.periods = view.numbers("periods");
-  if (periods && floors > 0 && modal.periods.size() > floors) {
+  modal.modes.periods = view.numbers("periods");
+  if (periods && floors > 0 && modal.modes.periods.size() > floors) {
     periods->error("has " + periods->entries() + ": a building has as many modes as floors at most");
   }
   const auto kind = view.exactly_one("shapes");
@@ -97,16 +97,16 @@ void read_modal(const TomlView& given, const Units& units, const CaseFiles& file
     view.refuse({"shapes_column", "shapes_modes", "floor_names"}, "goes with shapes_file, which is not given");
   }
   if (kind == "shapes_file") {
-    if (ascends && floors > 0 && !modal.periods.empty()) {
-      modal.shapes = read_shapes_file(view, files, 1 / metres(units.length), modal, building.spec);
+    if (ascends && floors > 0 && !modal.modes.periods.empty()) {
+      modal.modes.shapes = read_shapes_file(view, files, 1 / metres(units.length), modal, building.spec);
     }
   } else if (const auto shapes = view.find("shapes");
-             shapes && shapes->is_list_of("lists, one per mode", {modal.periods.size(), "one per mode"})) {
+             shapes && shapes->is_list_of("lists, one per mode", {modal.modes.periods.size(), "one per mode"})) {
     for (const TomlView& shape : shapes->items()) {
-      modal.shapes.push_back(shape.as_numbers(Range::finite, {floors, "one per floor"}));
+      modal.modes.shapes.push_back(shape.as_numbers(Range::finite, {floors, "one per floor"}));
     }
   }
-  building.modes = modal.periods.size();
+  building.modes = modal.modes.periods.size();
   if (ascends) building.elevations = modal.elevations;
   building.spec.structure = std::move(modal);
 }
