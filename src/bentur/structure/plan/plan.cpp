@@ -213,8 +213,8 @@ void add_cantilever(const Plan& plan, PlanModel& model) {
   }
 }
 
-void add_known(const Plan& plan, PlanModel& model) {
-  const MatrixXd stiffness = known_over_dofs(plan);
+/// Adds a stiffness against the movements of all centres of mass, and what storeys carry of it (P-32).
+void add_known(const Plan& plan, const MatrixXd& stiffness, PlanModel& model) {
   model.stiffness += stiffness;
   for (Index j = 0; j < model.floors(); ++j) {
     model.storey_forces.middleRows<3>(3 * j) += borne_from(plan, j) * stiffness;
@@ -354,7 +354,11 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
     if (plan.planes[p].is_frame()) add_at_once(model.planes[p], plan.planes[p].sway_stiffness, model);
   }
   if (plan.cantilever) add_cantilever(plan, model);
-  if (plan.known) add_known(plan, model);
+  if (plan.known) add_known(plan, known_over_dofs(plan), model);
+  if (plan.modes) {
+    model.known = known_modes(*plan.modes, mass);
+    add_known(plan, model.known->stiffness, model);
+  }
   if (!plan.gravity_loads.empty()) soften(plan.gravity_loads, model);
   return model;
 }
@@ -362,7 +366,8 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
 PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping& damping, bool tangent,
                                 const std::optional<PlanSoil>& soil, const std::optional<PlanIsolation>& isolation) {
   PlanBuilding building{.name = std::move(name), .model = std::move(model), .modes = {}, .modal_damping = {}};
-  building.modes = modes(building.model.mass, building.model.stiffness);
+  const auto& known = building.model.known;
+  building.modes = known ? known->modes : modes(building.model.mass, building.model.stiffness);
   building.modal_damping = modal_damping(damping, building.modes);
   if (tangent) {
     const MatrixXd& softening = building.model.softening;

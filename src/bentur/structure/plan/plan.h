@@ -12,6 +12,7 @@
 #include "bentur/structure/building.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/frame/plane_frame.h"
+#include "bentur/structure/known/modal.h"
 #include "bentur/structure/plan/footprint.h"
 #include "bentur/structure/stick.h"
 
@@ -107,6 +108,9 @@ struct Plan {
   std::optional<PlanRigidity> rigidity = {};      ///< beside the planes
   std::optional<PlanCantilever> cantilever = {};  ///< beside both
   std::optional<PlanStiffness> known = {};        ///< in place of all of these
+  /// In place of them too, of a building that stands as it is given: shapes are u_x, u_y [length] and θ [rad] of the
+  /// centres of mass, floor after floor (P-33).
+  std::optional<GivenModes> modes = {};
   std::vector<double> gravity_loads = {};  ///< of P-Δ, on each floor, spread as its mass is [force] ≥ 0; empty: none
   std::optional<PlanSoil> soil = {};       ///< below it; nothing: its base moves with the ground
   std::optional<PlanIsolation> isolation = {};  ///< not together with soil
@@ -125,11 +129,12 @@ struct UnheldStorey {
 /// floors are relative to the free field.
 struct PlanModel {
   Footprint footprint;
-  std::vector<double> elevations;      ///< [length] of the floors above the common datum
-  std::vector<double> storey_heights;  ///< [length]
-  std::vector<double> floor_masses;    ///< [mass]; infinite of a wall
-  std::vector<PlanPoint> centres;      ///< c_f from the footprint's corner [length]
-  Eigen::MatrixXd mass, stiffness;     ///< dofs × dofs
+  std::vector<double> elevations;        ///< [length] of the floors above the common datum
+  std::vector<double> storey_heights;    ///< [length]
+  std::vector<double> floor_masses;      ///< [mass]; infinite of a wall
+  std::vector<PlanPoint> centres;        ///< c_f from the footprint's corner [length]
+  Eigen::MatrixXd mass, stiffness;       ///< dofs × dofs
+  std::optional<KnownModes> known = {};  ///< of a building known by its modes: it moves in these alone
   Eigen::MatrixXd softening = {};  ///< what gravity loads have taken from the stiffness (P-22); empty: there are none
   std::vector<double> gravity_loads = {};  ///< those loads [force]
   std::optional<PlanSoil> soil = {};       ///< what the foundation stands on

@@ -46,6 +46,22 @@ void check_matrix(const std::string& name, const MatrixXd& stiffness, Index floo
   }
 }
 
+/// Modes are of a building with these masses on a base that does not move.
+void check_stands_as_given(const Plan& plan) {
+  const auto refuse = [](const char* key) {
+    throw InvalidParameter(key, "beside modes",
+                           "must not be given: a building known by its modes stands as it is given");
+  };
+  if (!plan.planes.empty()) refuse("planes");
+  if (plan.rigidity) refuse("rigidity");
+  if (plan.cantilever) refuse("cantilever");
+  if (plan.known) refuse("known");
+  if (!plan.gravity_loads.empty()) refuse("gravity_loads");
+  if (plan.soil) refuse("soil");
+  if (plan.isolation) refuse("isolation");
+  if (plan.eccentricity_both_ways > 0 || !plan.accidental_eccentricity.isZero()) refuse("accidental_eccentricity");
+}
+
 void check_holds(const Plan& plan) {
   const Index floors = std::ssize(plan.storey_heights);
   for (const PlanPlane& plane : plan.planes) {
@@ -79,6 +95,10 @@ void check_holds(const Plan& plan) {
     check_list("x", rigidity.x, floors);
     check_list("y", rigidity.y, floors);
     check_list("torsion", rigidity.torsion, floors);
+  }
+  if (plan.modes) {
+    check_stands_as_given(plan);
+    return;
   }
   if (const std::vector<UnheldStorey> found = unheld_storeys(plan); !found.empty()) {
     throw InvalidParameter("planes", "storey " + std::to_string(found.front().storey + 1),
