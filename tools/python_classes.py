@@ -42,7 +42,7 @@ CLASSES = {
     "Frame": (("building", "frame"), "", [("structure/frame/plane_frame.h", "PlaneFrame")]),
     "Stick": (("building", "stick"), "", [("structure/stick.h", "Stick")]),
     "Matrices": (("building", "matrices"), "", []),
-    "Modal": (("building", "modal"), "", [("structure/known/modal.h", "ModalBuilding"), ("structure/known/modal.h", "ModalModel")]),
+    "Modal": (("building", "modal"), "", [("structure/known/modal.h", "ModalBuilding"), ("structure/known/modal.h", "KnownModes")]),
     "Generic": (("building", "generic"), "", [("structure/known/generic.h", "GenericBuilding"), ("structure/known/generic.h", "generic_model")]),
     "Displacements": (("building", "displacements"), "", [("structure/known/displacements.h", "known_by_displacements")]),
     "Isolation": (("building", "isolation"), "", [("elements/bearing_laws.h", "bilinear_bearings")]),

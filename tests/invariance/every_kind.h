@@ -64,11 +64,11 @@ class EveryKindGenerator : private BuildingGenerator {
       modal.elevations = {heights_[0], heights_[0] + heights_[1]};
       const double mass = logarithmic(1e4, 8e4), period = uniform(0.2, 0.8);
       modal.masses = {mass, mass};
-      modal.periods = {period, 0.35 * period};
-      modal.shapes = {{0.6, 1.0}, {1.0, -0.6}};
+      modal.modes.periods = {period, 0.35 * period};
+      modal.modes.shapes = {{0.6, 1.0}, {1.0, -0.6}};
       if (chance(0.3)) {
-        modal.periods.pop_back();
-        modal.shapes.pop_back();
+        modal.modes.periods.pop_back();
+        modal.modes.shapes.pop_back();
       }
       spec.structure = modal;
     } else if (kind < 0.45) {

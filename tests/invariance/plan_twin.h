@@ -69,6 +69,17 @@ inline std::vector<PlanPlane> planes_of(PlaneFrame frame) {
   return {low, high, plane_of(springs, 0.5, false, 400), plane_of(springs, 9.5, false, 400)};
 }
 
+/// Movements along x, or under a map of it, as u_x, u_y and rotation of floors.
+inline std::vector<std::vector<double>> triples_of(const std::vector<std::vector<double>>& lists,
+                                                   const Eigen::Matrix2d& map = Eigen::Matrix2d::Identity()) {
+  std::vector<std::vector<double>> all;
+  for (const std::vector<double>& list : lists) {
+    std::vector<double>& one = all.emplace_back();
+    for (const double x : list) one.insert(one.end(), {x * map(0, 0), x * map(1, 0), 0.0});
+  }
+  return all;
+}
+
 inline std::optional<BuildingSpec> twin_of(const BuildingSpec& spec, double corner) {
   const Footprint footprint{.corner = {corner, -3}, .size = twin_size};
   BuildingSpec twin;
@@ -79,6 +90,13 @@ inline std::optional<BuildingSpec> twin_of(const BuildingSpec& spec, double corn
   twin.base_elevation = spec.base_elevation;
   if (const auto* wall = std::get_if<RigidSpec>(&spec.structure)) {
     twin.structure = PlanWall{footprint, wall->elevations};
+    return twin;
+  }
+  if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) {
+    const StructuralModel row = structural_model(spec);
+    Plan plan{.footprint = footprint, .storey_heights = row.storey_heights, .masses = row.floor_masses};
+    plan.modes = GivenModes{.periods = modal->modes.periods, .shapes = triples_of(modal->modes.shapes)};
+    twin.structure = std::move(plan);
     return twin;
   }
   const auto* stick = std::get_if<Stick>(&spec.structure);
@@ -119,16 +137,14 @@ inline void put_under(const Eigen::Matrix2d& map, BuildingSpec& building) {
     plane.through = map * (from.corner + plane.through) - plan.footprint.corner;
     plane.direction = map * plane.direction;
   }
-}
-
-inline std::vector<std::vector<double>> triples_of(const std::vector<std::vector<double>>& lists,
-                                                   const Eigen::Matrix2d& map) {
-  std::vector<std::vector<double>> all;
-  for (const std::vector<double>& list : lists) {
-    std::vector<double>& one = all.emplace_back();
-    for (const double x : list) one.insert(one.end(), {x * map(0, 0), x * map(1, 0), 0.0});
+  if (!plan.modes) return;
+  for (std::vector<double>& shape : plan.modes->shapes) {
+    for (std::size_t i = 0; i < shape.size(); i += 3) {
+      Eigen::Map<Eigen::Vector2d> moved(&shape[i]);
+      moved = (map * moved).eval();
+      shape[i + 2] *= map.determinant();
+    }
   }
-  return all;
 }
 
 inline bool is_integrated_law(const GapSpec& gap) {

@@ -20,6 +20,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/plan/plan_row.h"
+#include "bentur/structure/modes.h"
 #include "tests/invariance/expect_twins.h"
 #include "tests/invariance/plan_twin.h"
 #include "tests/invariance/random_building.h"
@@ -238,6 +239,51 @@ TEST(PlanTwins, OfUnevenStoreys) {
   EXPECT_GT(found.impacts, static_cast<int>(count));
   EXPECT_GT(found.watched, static_cast<int>(6 * count));
   EXPECT_GT(found.yielding, static_cast<int>(6 * count));
+}
+
+/// Rows of two known by all or some of their modes.
+class ModalRows : private test::BuildingGenerator {
+ public:
+  using BuildingGenerator::BuildingGenerator;
+
+  Case make() {
+    Case c;
+    for (const char* const name : {"A", "B"}) c.buildings.push_back(one(name));
+    GapSpec& gap = c.gaps.emplace_back();
+    gap.elevations = {heights_[0]};
+    gap.widths = {logarithmic(1e-4, 0.01)};
+    gap.contact.law = "linear";
+    gap.contact.numbers["stiffness"] = {logarithmic(1e7, 1e8)};
+    c.excitation.motion =
+        HarmonicMotion{.period = uniform(0.3, 0.9), .displacement_amplitude = logarithmic(0.02, 0.06)};
+    c.analysis.duration = uniform(1.5, 3);
+    return c;
+  }
+
+ private:
+  BuildingSpec one(const std::string& name) {
+    const Stick made = stick({heights_.begin(), heights_.begin() + 3});
+    const StructuralModel model = stick_model(made);
+    const Modes solved = modes(model.mass, model.stiffness);
+    ModalBuilding modal{.elevations = model.elevations, .masses = made.masses, .modes = {}};
+    for (Eigen::Index mode = 0; mode < among(1, 3); ++mode) {
+      modal.modes.periods.push_back(2 * std::numbers::pi / solved.omega(mode));
+      modal.modes.shapes.emplace_back(solved.shapes.col(mode).begin(), solved.shapes.col(mode).end());
+    }
+    BuildingSpec spec;
+    spec.name = name;
+    spec.damping = ModalDamping{{0.03}};
+    spec.structure = std::move(modal);
+    return spec;
+  }
+};
+
+TEST(PlanTwins, OfRowsKnownByTheirModes) {
+  TwinsOfRows found;
+  constexpr unsigned count = 5;
+  for (unsigned seed = 1; seed <= count; ++seed) found.compare(ModalRows(seed).make(), fmt::format("seed {}", seed));
+  EXPECT_EQ(found.twins, static_cast<int>(6 * count));
+  EXPECT_GT(found.impacts, static_cast<int>(6 * count));
 }
 
 /// The reference cases of frames with hinges that a plan can have: seen from both ends, and along y.

@@ -21,7 +21,7 @@ BEYOND = {
             damping-modal-length delays-length gap-count gap-widths-length gap-widths-without-points
             generic-lists-length gravity-loads-length initial-length isolation-initial-length
             infill-count length-of-list link-length plan-polygon-pairs plan-suite-pairs matrices-not-square modal-damping-length modal-lengths
-            modal-too-many sections-count spectrum-reduction spectrum-table-length yield-length""",
+            modal-too-many plan-matrices-size plan-modal-shapes sections-count spectrum-reduction spectrum-table-length yield-length""",
         "places in plan": """
             plan-footprints-overlap plan-held-by-nothing plan-isolation-at-one-place plan-link-not-facing
             plan-not-held-against-rotation plan-polygon-area plan-polygon-centre plan-polygon-corners
@@ -44,7 +44,7 @@ BEYOND = {
             record-time-step-contradicts record-time-step-missing record-uneven-time
             record-unit-missing record-unit-of-at2 record-unit-of-network record-units-of-line-3
             record-values-or-channels record-velocity record-word shapes-etabs-column shapes-etabs-level
-            shapes-etabs-modes shapes-names-order shapes-file-columns
+            plan-modal-file shapes-etabs-modes shapes-names-order shapes-file-columns
             shapes-file-elevation-twice shapes-file-elevation shapes-file-empty
             shapes-file-is-folder shapes-file-missing shapes-file-ragged shapes-file-rows
             shapes-file-upside-down shapes-file-word spectrum-file-column-missing
@@ -57,7 +57,7 @@ BEYOND = {
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing
             damping-stiffness-of-ratio displacements-motion duration-missing excitation-nothing-moves frame-width gap-missing
             generic-hardening-alone generic-of-plan-in-row plan-generic-and-rigidity plan-generic-yields
-            matrices-alone-in-a-row
+            matrices-alone-in-a-row modal-masses-missing
             isolation-of-plan-in-row plan-isolation-of-row plan-soil-twist soil-of-plan-in-row
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             contact-spread-in-row plan-friction-of-law plan-gap-width plan-link-without-place
@@ -77,7 +77,8 @@ BEYOND = {
             hinge-backbone-hardens hinge-backbone-steep infill-no-room infill-ultimate
             initial-overlap-restitution link-level-tolerance matrices-damping-not-semidefinite
             matrices-mass-diagonal matrices-not-definite matrices-not-symmetric modal-not-orthogonal
-            plan-frame-loads plan-isolation-outside
+            plan-frame-loads plan-isolation-outside plan-matrices-indefinite plan-matrices-values
+            plan-modal-not-orthogonal
             modal-shape-of-zeros output-step-tiny p-delta-critical rayleigh-negative-ratio
             section-overflow spectrum-table-short suite-factor-bounds suite-misfit suite-no-factor
             suite-table-ends suite-too-few weight-beyond-all""",

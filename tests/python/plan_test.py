@@ -160,6 +160,23 @@ def test_other_values(result):
         case.replace({"building[1].plan.size": [-1.0, 2.0]})
 
 
+def test_known_by_its_modes(result):
+    """Modes that NumPy finds of the first building's matrices, in place of its planes."""
+    case = bentur.Case.from_file(CASE)
+    matrices = case.matrices("Walled")
+    root = np.sqrt(np.diag(matrices["mass"]))
+    squares, vectors = np.linalg.eigh(matrices["stiffness"] / np.outer(root, root))
+    tables = case.to_dict()
+    del tables["building"][0]["plane"]
+    tables["building"][0]["modal"] = bentur.Modal(periods=2 * np.pi / np.sqrt(squares), shapes=(vectors / root[:, None]).T)
+    known = bentur.run(bentur.Case.from_dict(tables, folder=CASE.parent))
+    assert known.summary["buildings"][0]["modal"]["modes"] == 6
+    forces = [[point["peak_force"] for point in one.summary["gaps"][0]["points"]] for one in (known, result)]
+    np.testing.assert_allclose(*forces, rtol=1e-8)
+    with pytest.raises(bentur.CaseError, match="does not go with modal"):
+        bentur.Case.from_dict(tables, folder=CASE.parent).replace({"building[0].rigidity": {"centre": [1, 1]}})
+
+
 def test_sweep(result, tmp_path):
     pytest.importorskip("xarray")
     study = tmp_path / "study.toml"

@@ -80,10 +80,11 @@ Size size_of(const TomlValue& building) {
     size.modes = condensation != nullptr && condensation->text == "none" ? size.joints : floors;
   }
   if (const TomlValue* stick = building.find("stick")) size.modes = length_of(*stick, "storey_heights");
-  if (const TomlValue* plan = building.find("plan")) size.modes = 3 * length_of(*plan, "storey_heights");
   for (const char* const known : {"matrices", "modal"}) {
     if (const TomlValue* one = building.find(known)) size.modes = length_of(*one, "elevations");
   }
+  // Also beside matrices or modes, which then have no floors of their own.
+  if (const TomlValue* plan = building.find("plan")) size.modes = 3 * length_of(*plan, "storey_heights");
   if (const TomlValue* generic = building.find("generic")) {
     const TomlValue* storeys = generic->find("storeys");
     if (storeys != nullptr) size.modes = storeys->real;

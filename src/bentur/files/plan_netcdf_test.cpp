@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <stdexcept>
@@ -246,6 +247,36 @@ TEST(PlanReading, RefusesWhatIsNotOfOneRun) {
   EXPECT_NO_THROW((void)read_plan_results(folder.path()));
   write("summary.json", "{}");
   EXPECT_THROW((void)read_plan_results(folder.path()), std::runtime_error);
+}
+
+/// The first of the pair by two of its modes, from a table beside the case.
+std::string by_modes(const std::filesystem::path& table) {
+  std::string text = test::twisting_pair();
+  const std::size_t first = text.find("[[building.plane]]"), next = text.find("[[building]]", first);
+  return text.replace(first, next - first,
+                      "[building.modal]\nperiods = [0.5, 0.4]\nshapes_file = '" + table.string() + "'\n");
+}
+
+TEST(PlanReading, OfABuildingKnownByItsModesNeedsTheirTable) {
+  const TemporaryFolder folder;
+  const std::filesystem::path table = folder.path() / "shapes.csv";
+  std::ofstream(table) << "0.6,0,0.01,0,0.6,0\n1,0,0.02,0,1,0\n";
+  const PlanRun run = test::plan_run(by_modes(table));
+  EXPECT_NE(summary_json(run, "0").find("\"mass_shares\""), std::string::npos);
+  expect_read_back(run);
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder.path() / name, std::ios::binary) << text;
+  };
+  write("histories.nc", histories_netcdf(run, "0"));
+  write("summary.json", summary_json(run, "0"));
+  write("case.toml", run.c.source->text);
+  std::filesystem::remove(table);
+  try {
+    (void)read_plan_results(folder.path());
+    ADD_FAILURE() << "was read";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("shapes_file"), std::string::npos) << error.what();
+  }
 }
 
 TEST(PlanCsv, HasARowForEachImpact) {

@@ -363,6 +363,7 @@ PlanRun read_plan_results(const NetcdfReader& histories) {
   PlanRun run;
   MadeParts made;
   std::optional<Case> c = read_case_without_record(text, file, diagnostics, &made);
+  if (!c && !diagnostics.ok()) throw std::runtime_error(diagnostics.errors().front().text());
   if (!c || !c->is_in_plan()) fail(file, "is no case of buildings in plan of this version");
   run.c = *std::move(c);
   run.problem = std::move(made.plan);

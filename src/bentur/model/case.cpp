@@ -327,7 +327,7 @@ Building make_building(const BuildingSpec& spec, StructuralModel model) {
   const double fixed_omega = spec.tangent_damping ? modes(model.mass, model.stiffness).omega(0) : 0;  // [rad/s]
   if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) {
     ModalModel known = modal_model(*modal, spec.base_elevation);
-    building = {spec.name, std::move(known.model), std::move(known.modes), {}};
+    building = {spec.name, std::move(known.model), std::move(known.known.modes), {}};
     building.modal_damping = modal_damping(spec.damping, building.modes);
   } else {
     const Support support = support_of(spec, model);

@@ -6,6 +6,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/exchange/mode_shapes.h"
 #include "bentur/io/number_table.h"
 #include "bentur/io/schema/case_keys.h"
@@ -21,12 +22,11 @@ double ratio_of(const std::string& system) {
 }
 
 /// Shapes of a table beside the case; empty (and an error) where something is wrong.
-std::vector<std::vector<double>> read_shapes_file(const TableView& view, const CaseFiles& files, double metre,
-                                                  const ModalBuilding& modal, BuildingSpec& spec) {
+std::vector<std::vector<double>> read_shapes_file(const TableView& view, const CaseFiles& files, ShapesAsked asked,
+                                                  BuildingSpec& spec) {
   const TomlView file = *view.find("shapes_file");
   const auto name = file.as_text();
   if (!name) return {};
-  ShapesAsked asked{.elevations = modal.elevations, .modes = modal.periods.size(), .metre = metre};
   asked.component = view.word("shapes_column");
   if (const auto given = view.find("shapes_modes")) {
     for (const double number : view.numbers("shapes_modes", asked.modes)) {
@@ -45,6 +45,38 @@ std::vector<std::vector<double>> read_shapes_file(const TableView& view, const C
   return text
              ? mode_shapes(*text, path->string(), asked, files.diagnostics).value_or(std::vector<std::vector<double>>())
              : std::vector<std::vector<double>>();
+}
+
+/// Periods and shapes of [building.modal]. @param floors how many @param asked of a file: elevations, empty where they
+/// are not known, and whether floors move in plan
+GivenModes read_modes(const TableView& view, const CaseFiles& files, std::size_t floors, ShapesAsked asked,
+                      BuildingSpec& spec) {
+  GivenModes modes;
+  const std::size_t dofs = asked.in_plan ? 3 * floors : floors;
+  const auto periods = view.find("periods");
+  modes.periods = view.numbers("periods");
+  if (periods && floors > 0 && modes.periods.size() > dofs) {
+    periods->error("has " + periods->entries() + ": a building has " + (asked.in_plan ? "three times " : "") +
+                   "as many modes as floors at most");
+  }
+  const auto kind = view.exactly_one("shapes");
+  if (kind != "shapes_file") {
+    view.refuse({"shapes_modes", "floor_names"}, "goes with shapes_file, which is not given");
+    if (!asked.in_plan) view.refuse({"shapes_column"}, "goes with shapes_file, which is not given");
+  }
+  asked.modes = modes.periods.size();
+  if (kind == "shapes_file") {
+    if (!asked.elevations.empty() && asked.modes > 0) {
+      modes.shapes = read_shapes_file(view, files, std::move(asked), spec);
+    }
+  } else if (const auto shapes = view.find("shapes");
+             shapes && shapes->is_list_of("lists, one per mode", {modes.periods.size(), "one per mode"})) {
+    for (const TomlView& shape : shapes->items()) {
+      modes.shapes.push_back(
+          shape.as_numbers(Range::finite, {dofs, asked.in_plan ? "three per floor" : "one per floor"}));
+    }
+  }
+  return modes;
 }
 
 /// What is the same of buildings in a row and in plan; without storeys where their number is not known.
@@ -80,6 +112,9 @@ void read_modal(const TomlView& given, const Units& units, const CaseFiles& file
   const auto table = TableView::of(given, modal_keys());
   if (!table) return;
   const TableView& view = *table;
+  for (const char* const key : {"elevations", "masses"}) {
+    if (!view.has(key)) view.error_missing(key);
+  }
   ModalBuilding modal;
   modal.elevations = view.numbers("elevations");
   const std::size_t floors = modal.elevations.size();
@@ -87,28 +122,25 @@ void read_modal(const TomlView& given, const Units& units, const CaseFiles& file
                        modal.elevations.end();
   if (!ascends) view.find("elevations")->error("must ascend");
   modal.masses = view.numbers("masses", floors);
-  const auto periods = view.find("periods");
-  modal.periods = view.numbers("periods");
-  if (periods && floors > 0 && modal.periods.size() > floors) {
-    periods->error("has " + periods->entries() + ": a building has as many modes as floors at most");
-  }
-  const auto kind = view.exactly_one("shapes");
-  if (kind != "shapes_file") {
-    view.refuse({"shapes_column", "shapes_modes", "floor_names"}, "goes with shapes_file, which is not given");
-  }
-  if (kind == "shapes_file") {
-    if (ascends && floors > 0 && !modal.periods.empty()) {
-      modal.shapes = read_shapes_file(view, files, 1 / metres(units.length), modal, building.spec);
-    }
-  } else if (const auto shapes = view.find("shapes");
-             shapes && shapes->is_list_of("lists, one per mode", {modal.periods.size(), "one per mode"})) {
-    for (const TomlView& shape : shapes->items()) {
-      modal.shapes.push_back(shape.as_numbers(Range::finite, {floors, "one per floor"}));
-    }
-  }
-  building.modes = modal.periods.size();
+  ShapesAsked asked{.elevations = {}, .metre = 1 / metres(units.length)};
+  if (ascends) asked.elevations = modal.elevations;
+  modal.modes = read_modes(view, files, floors, std::move(asked), building.spec);
+  building.modes = modal.modes.periods.size();
   if (ascends) building.elevations = modal.elevations;
   building.spec.structure = std::move(modal);
+}
+
+GivenModes read_modes_in_plan(const TomlView& given, const Units& units, const CaseFiles& files,
+                              const std::vector<double>& storey_heights, BuildingSpec& spec) {
+  const auto table = TableView::of(given, modal_keys());
+  if (!table) return {};
+  table->refuse({"elevations", "masses"}, "follows from plan, which has storey_heights, masses and inertias");
+  table->refuse({"shapes_column"}, "is not for buildings in plan, whose files have UX, UY and RZ or U1, U2 and R3");
+  ShapesAsked asked{.elevations = floor_elevations(storey_heights), .metre = 1 / metres(units.length), .in_plan = true};
+  GivenModes modes = read_modes(*table, files, storey_heights.size(), std::move(asked), spec);
+  const auto is_wrong = [](const std::vector<double>& shape) { return shape.empty(); };
+  if (std::any_of(modes.shapes.begin(), modes.shapes.end(), is_wrong)) modes.shapes.clear();
+  return modes;
 }
 
 void read_generic(const TomlView& given, const Units& units, ReadBuilding& building) {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
 #include "bentur/structure/modes.h"

@@ -14,7 +14,6 @@
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/plan/plan_problem.h"
-#include "bentur/structure/plan/plan_generic.h"
 
 // The parts a case file is read in. Each reader reports what is wrong and fills in what it can, so that the later parts
 // can still be checked against it; only the sum of all diagnostics says whether the case may be used.
@@ -73,15 +72,10 @@ bool read_frame_of_plane(const TableView& frame, const std::vector<double>& stor
 
 /// case_matrices.cpp: [building.matrices] into `building`, its damping too where it is given.
 void read_matrices(const TomlView& matrices, ReadBuilding& building);
-/// case_matrices.cpp: the stiffness of a building in plan, three rows per storey; empty (and an error) where it is
-/// wrong.
-[[nodiscard]] Eigen::MatrixXd read_stiffness_in_plan(const TomlView& matrices, std::size_t storeys);
 
 /// case_known.cpp: [building.modal], [building.generic], [building.displacements], rigid = true, into `building`.
 void read_modal(const TomlView& modal, const Units& units, const CaseFiles& files, ReadBuilding& building);
 void read_generic(const TomlView& generic, const Units& units, ReadBuilding& building);
-/// case_known.cpp: of a building in plan; without storeys where their number is not known.
-[[nodiscard]] std::optional<GenericPlan> read_generic_in_plan(const TomlView& generic, const Units& units);
 void read_rigid(const TableView& table, ReadBuilding& building);
 void read_displacements(const TomlView& displacements, ReadBuilding& building);
 

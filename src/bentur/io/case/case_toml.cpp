@@ -315,7 +315,7 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   c.title = title ? title->as_line().value_or("") : "";
   c.units = read_units(root);
   std::vector<ReadBuilding>& buildings = read.buildings;
-  buildings = in_plan ? read_plan_buildings(root, c.units)
+  buildings = in_plan ? read_plan_buildings(root, c.units, {folder, diagnostics})
                       : with_struck_columns(root, read_buildings(root, c.units, {folder, diagnostics}, memo));
   c.gaps = in_plan ? read_plan_gaps(root, buildings) : read_gaps(root, buildings);
   c.links = read_links(root, buildings, in_plan);

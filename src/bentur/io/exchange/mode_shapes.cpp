@@ -60,10 +60,26 @@ class ShapesReader {
   struct Row {
     std::string name;
     int mode = 0;
-    double value = 0;
+    std::vector<double> values = {};   ///< of each component that is asked for
     std::optional<double> level = {};  ///< Z [length]
     int line = 0;
   };
+
+  /// A column of a program's table with what the shapes are made of.
+  struct Component {
+    std::string name;
+    std::size_t column = 0;
+    double unit = 1;  ///< of what it holds, in those of the case
+  };
+
+  /// Numbers of a floor.
+  [[nodiscard]] std::size_t each() const { return asked_.in_plan ? 3 : 1; }
+
+  [[nodiscard]] std::vector<std::string> components_of(const std::map<std::string, std::size_t>& columns) const {
+    if (!asked_.in_plan) return {*asked_.component};
+    if (columns.contains("UX") || columns.contains("UY")) return {"UX", "UY", "RZ"};
+    return {"U1", "U2", "R3"};
+  }
 
   std::nullopt_t complain(int line, const std::string& message) {
     diagnostics_.error({file_, line, line > 0 ? 1 : 0}, message);
@@ -125,23 +141,25 @@ class ShapesReader {
     if (asked_.component || !asked_.numbers.empty()) {
       return complain(0, "is no table of a row a storey and mode, of which shapes_column and shapes_modes are");
     }
-    if (table.columns() != modes && table.columns() != modes + 1) {
+    const std::size_t columns = each() * modes;
+    if (table.columns() != columns && table.columns() != columns + 1) {
       return complain(table.lines.front(),
-                      fmt::format("has {}, expected {} (one per period of the case), or {} with the "
+                      fmt::format("has {}, expected {} ({} per period of the case), or {} with the "
                                   "elevations first",
-                                  counted(table.columns(), "column"), modes, modes + 1));
+                                  counted(table.columns(), "column"), columns,
+                                  asked_.in_plan ? "three, UX, UY and RZ," : "one", columns + 1));
     }
     if (table.rows.size() != floors) {
       return complain(0, fmt::format("has {} of numbers, expected {} (one per floor of the case)",
                                      counted(table.rows.size(), "row"), floors));
     }
-    const bool elevations_first = table.columns() == modes + 1;
+    const bool elevations_first = table.columns() == columns + 1;
     const auto floor_of = floors_of(table, names, elevations_first);
     if (!floor_of) return std::nullopt;
-    Shapes shapes(modes, std::vector<double>(floors));
+    Shapes shapes(modes, std::vector<double>(each() * floors));
     for (std::size_t i = 0; i < floors; ++i) {
-      for (std::size_t mode = 0; mode < modes; ++mode) {
-        shapes[mode][(*floor_of)[i]] = table.rows[i][mode + (elevations_first ? 1 : 0)];
+      for (std::size_t k = 0; k < columns; ++k) {
+        shapes[k / each()][each() * (*floor_of)[i] + k % each()] = table.rows[i][k + (elevations_first ? 1 : 0)];
       }
     }
     return shapes;
@@ -184,14 +202,16 @@ class ShapesReader {
                                              std::size_t step, std::optional<std::size_t> type,
                                              std::optional<std::size_t> level) {
     const int heading_line = lines[heading].number;
-    if (!asked_.component) {
+    if (!asked_.component && !asked_.in_plan) {
       return complain(heading_line,
                       "has displacements both ways: say with shapes_column which, \"UX\" or \"UY\" (of "
                       "SAP2000 \"U1\" or \"U2\")");
     }
-    const auto component = columns.find(*asked_.component);
-    if (component == columns.end()) {
-      return complain(heading_line, fmt::format("has no column {}", *asked_.component));
+    std::vector<Component> components;
+    for (const std::string& one : components_of(columns)) {
+      const auto found = columns.find(one);
+      if (found == columns.end()) return complain(heading_line, fmt::format("has no column {}", one));
+      components.push_back({one, found->second});
     }
     std::vector<Row> rows;
     double unit = 1;  // of Z [length]
@@ -204,19 +224,24 @@ class ShapesReader {
       const auto mode = number(step);
       if (!mode) {
         if (rows.empty() && level) unit = unit_of(std::string(cell(*level)));
+        if (!rows.empty() || !asked_.in_plan) continue;
+        for (Component& one : components) one.unit = unit_of(std::string(cell(one.column)));
         continue;  // the line of units, a blank one, or of a case without steps
       }
       if (type && plain_word(cell(*type)) != "MODE") continue;
-      const auto value = number(component->second);
       if (!(*mode >= 0 && *mode <= most_modes && *mode == std::floor(*mode))) {
         return complain(lines[i].number, fmt::format("has the step {}, must be the number of a mode",
                                                      in_quotes(std::string(cell(step)))));
       }
-      if (!value || !std::isfinite(*value)) {
-        return complain(lines[i].number, fmt::format("{} = {}, must be a number", component->first,
-                                                     in_quotes(std::string(cell(component->second)))));
+      Row row{std::string(cell(name)), static_cast<int>(*mode), {}, {}, lines[i].number};
+      for (const Component& one : components) {
+        const auto value = number(one.column);
+        if (!value || !std::isfinite(*value)) {
+          return complain(lines[i].number,
+                          fmt::format("{} = {}, must be a number", one.name, in_quotes(std::string(cell(one.column)))));
+        }
+        row.values.push_back(one.unit * *value);
       }
-      Row row{std::string(cell(name)), static_cast<int>(*mode), *value, {}, lines[i].number};
       if (level && number(*level)) row.level = *number(*level) * unit;
       rows.push_back(std::move(row));
     }
@@ -266,7 +291,7 @@ class ShapesReader {
     if (!wanted) return std::nullopt;
     const std::size_t floors = asked_.elevations.size();
     const double base = asked_.names.empty() ? base_of_table(rows) : 0;
-    Shapes shapes(asked_.modes, std::vector<double>(floors));
+    Shapes shapes(asked_.modes, std::vector<double>(each() * floors));
     std::vector<std::vector<bool>> seen(asked_.modes, std::vector<bool>(floors, false));
     for (const Row& row : rows) {
       const auto place = std::find(wanted->begin(), wanted->end(), row.mode);
@@ -287,7 +312,7 @@ class ShapesReader {
                                               in_quotes(row.name), row.mode));
       }
       seen[mode][*floor] = true;
-      shapes[mode][*floor] = row.value;
+      std::copy(row.values.begin(), row.values.end(), shapes[mode].begin() + static_cast<long>(each() * *floor));
     }
     for (std::size_t mode = 0; mode < asked_.modes; ++mode) {
       for (std::size_t floor = 0; floor < floors; ++floor) {

@@ -139,5 +139,39 @@ TEST(ModeShapes, WhatIsOfOtherTablesIsRefused) {
             std::string::npos);
 }
 
+ShapesAsked in_plan(std::size_t modes) {
+  return {.elevations = {3.5, 7}, .modes = modes, .metre = 100, .in_plan = true};
+}
+
+/// In centimetres, of a table in metres or millimetres: rotations are radians in both.
+TEST(ModeShapes, InPlanHaveRotationsAndTheUnitOfTheirDisplacements) {
+  const std::string table = R"(Story,Step Number,UX,UY,RZ,Z
+,,m,m,rad,m
+Story2,1,0.2,0.01,0.03,7
+Story1,1,0.1,0.02,0.04,3.5
+)";
+  const ShapesAsked asked = {.elevations = {350, 700}, .modes = 1, .metre = 100, .in_plan = true};
+  const Shapes expected = {{10, 2, 0.04, 20, 1, 0.03}};
+  EXPECT_EQ(shapes(table, asked), expected);
+  const Shapes thousandth = shapes(changed(table, ",,m,m,rad,m\n", ",,mm,mm,rad,m\n"), asked);
+  ASSERT_EQ(thousandth.size(), 1U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_DOUBLE_EQ(thousandth[0][i], expected[0][i] * (i % 3 == 2 ? 1 : 0.001)) << i;
+  }
+  const std::string joints = changed(
+      changed(changed(changed(table, "Story2", "12"), "Story1", "7"), "UX,UY,RZ,Z", "U1,U2,R3,Z"), "Story,", "Joint,");
+  ShapesAsked named = asked;
+  named.names = {"7", "12"};
+  EXPECT_EQ(shapes(joints, named), expected);
+  EXPECT_NE(error_of(changed(table, "RZ", "RY"), asked).find("has no column RZ"), std::string::npos);
+  EXPECT_NE(error_of(changed(table, "0.04", "x"), asked).find("RZ = \"x\", must be a number"), std::string::npos);
+}
+
+TEST(ModeShapes, InPlanOfARowAFloorHaveThreeColumnsAMode) {
+  EXPECT_EQ(shapes("7,1,2,3,4,5,6\n3.5,7,8,9,10,11,12\n", in_plan(2)),
+            (Shapes{{7, 8, 9, 1, 2, 3}, {10, 11, 12, 4, 5, 6}}));
+  EXPECT_NE(error_of("1,2\n3,4\n", in_plan(2)).find("expected 6 (three, UX, UY and RZ, per period"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace bentur

@@ -55,13 +55,6 @@ Json soil_json(const SoilSpec& spec) {
   return json;
 }
 
-/// How good the shapes are that were given, and what of each floor's mass they move.
-Json modal_json(const BuildingSpec& spec, const ModalBuilding& modal) {
-  const ModalModel model = modal_model(modal, spec.base_elevation);
-  return {
-      {"modes", modal.periods.size()}, {"largest_product", model.largest_product}, {"mass_shares", model.mass_shares}};
-}
-
 Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   const Building& building = run.problem.buildings[b];
   Json json = {{"name", building.name},
@@ -71,7 +64,9 @@ Json building_json(const RunView& run, const Case& c, Eigen::Index b) {
   if (b < std::ssize(c.buildings)) {
     const BuildingSpec& spec = c.buildings[b];
     if (spec.soil) json["soil"] = soil_json(*spec.soil);
-    if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) json["modal"] = modal_json(spec, *modal);
+    if (const auto* modal = std::get_if<ModalBuilding>(&spec.structure)) {
+      json["modal"] = modal_json(modal_model(*modal, spec.base_elevation).known);
+    }
   }
   put_quantities(json, Owner::building, run, {{b}});
   put_quantities(json, Owner::floor, run, floors_of(run.problem, b));

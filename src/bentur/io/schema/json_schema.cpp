@@ -262,9 +262,11 @@ void add_groups(const KeyTable& table, const Counts& counts, std::vector<Schema>
       Schema one_of = Schema::array();
       for (const std::string& name : names) {
         Schema alone = all_given({name});
-        for (const Key& key : table.keys) {  // both together count as the one that joins
-          if (key.group == group && key.beside == name) alone["not"] = all_given({std::string(key.name)});
+        Schema joining = Schema::array();  // both together count as the one that joins
+        for (const Key& key : table.keys) {
+          if (key.group == group && key.beside == name) joining.push_back(all_given({std::string(key.name)}));
         }
+        if (!joining.empty()) alone["not"] = {{"anyOf", joining}};
         one_of.push_back(alone);
       }
       rules.push_back({{"oneOf", one_of}});

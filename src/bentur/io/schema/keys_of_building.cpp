@@ -92,10 +92,13 @@ const KeyTable& building_keys() {
             Key::sub_table(
                 "matrices", matrices_keys(), {"Matrices", "Matriks"},
                 "[from another program](case-buildings.md#buildingmatrices-from-another-program), also beside `plan`")
-                .one_of("structure"),
-            Key::sub_table("modal", modal_keys(), {"Modes", "Ragam"},
-                           "[known by its modes](case-buildings.md#buildingmodal-known-by-its-modes)")
-                .one_of("structure"),
+                .one_of("structure")
+                .may_join("plan"),
+            Key::sub_table(
+                "modal", modal_keys(), {"Modes", "Ragam"},
+                "[known by its modes](case-buildings.md#buildingmodal-known-by-its-modes), also beside `plan`")
+                .one_of("structure")
+                .may_join("plan"),
             Key::sub_table("generic", generic_keys(), {"Generic", "Generik"},
                            "[known by little](case-buildings.md#buildinggeneric-known-by-little), also beside `plan`")
                 .one_of("structure")
@@ -326,8 +329,9 @@ const KeyTable& stick_keys() {
   return table;
 }
 
+constexpr auto beside_plan = "needed but beside `plan`";  // which has them
+
 const KeyTable& matrices_keys() {
-  static constexpr auto beside_plan = "needed but beside `plan`";
   static const KeyTable table = {
       "building.matrices",
       "mass and stiffness from another program, floors × floors",
@@ -351,25 +355,28 @@ const KeyTable& modal_keys() {
   static const KeyTable table = {
       "building.modal",
       "known by its modes",
-      {elevations_of_floors(),
+      {elevations_of_floors().optional(beside_plan),
        Key::number("masses", dimension::mass, Range::positive, {"Masses", "Massa"}, "of the floors")
-           .list("one per floor"),
+           .list("one per floor")
+           .optional(beside_plan),
        Key::number("periods", dimension::time, Range::positive, {"Periods", "Periode"},
-                   "of as many modes as are known, at most one per floor")
+                   "of as many modes as are known, at most one per floor, in plan three")
            .list(),
-       Key::number("shapes", dimension::none, Range::finite, {"Shapes", "Bentuk ragam"},
-                   "one list per mode, floors bottom to top, of any scale; or")
+       Key::number(
+           "shapes", dimension::none, Range::finite, {"Shapes", "Bentuk ragam"},
+           "one list per mode, floors bottom to top, of any scale; in plan u_x, u_y [length] and rotation [rad] "
+           "of each floor's centre of mass; or")
            .matrix("one per mode")
            .one_of("shapes"),
-       Key::of(
-           "shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk ragam"},
-           "a table beside the case, named relative to it: a row per floor, a column per mode, or a row per storey and "
-           "mode as ETABS and SAP2000 write it; exactly one of the two")
+       Key::of("shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk ragam"},
+               "a table beside the case, named relative to it: a row per floor, a column per mode (in plan three: u_x, "
+               "u_y, "
+               "rotation), or a row per storey and mode as ETABS and SAP2000 write it; exactly one of the two")
            .one_of("shapes"),
        Key::choice("shapes_column", {"UX", "UY", "U1", "U2"}, {"Column of the file", "Kolom berkas"},
                    "of a file with a row per storey and mode: the displacement along the row of buildings")
            .goes_with("shapes_file")
-           .optional("needed for such a file"),
+           .optional("needed for such a file but in plan, where UX, UY and RZ or U1, U2 and R3 are taken"),
        Key::number("shapes_modes", dimension::none, Range::positive, {"Modes of the file", "Ragam berkas"},
                    "of such a file: the numbers of the modes that `periods` are of")
            .list("one per period")

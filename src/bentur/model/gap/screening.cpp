@@ -133,8 +133,9 @@ std::vector<ScreeningFinding> screening(const StandingBuilding& a, const Standin
   }
   const double ratio = std::max(a.mass, b.mass) / std::min(a.mass, b.mass);
   add(ratio, most_mass_ratio, attention_if(ratio >= most_mass_ratio));  // (7)
-  if (a.eccentricity && b.eccentricity) {
-    const double most = std::max(*a.eccentricity, *b.eccentricity);
+  // Of one alone that is known only too much can be said.
+  const double most = std::max(a.eccentricity.value_or(0), b.eccentricity.value_or(0));
+  if (most >= most_eccentricity || (a.eccentricity && b.eccentricity)) {
     add(most, most_eccentricity, attention_if(most >= most_eccentricity));  // (8)
   }
   return findings;

@@ -64,7 +64,7 @@ struct StandingBuilding {
   double height = 0;           ///< [length]
   double mass = 0;             ///< [mass]
   bool is_backed = false;      ///< a building that moves stands on its other side, along the line of the gap
-  std::optional<double> eccentricity = {};  ///< of (8) [%]; nothing: of a row
+  std::optional<double> eccentricity = {};  ///< of (8) [%]; nothing: of a row, or not known
 };
 
 /// Every rule for two buildings with a gap between them. @param width narrowest [length]; infinite where no floors face

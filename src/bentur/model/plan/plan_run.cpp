@@ -11,6 +11,7 @@
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/core/errors.h"
 #include "bentur/model/plan/plan_row.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 namespace {

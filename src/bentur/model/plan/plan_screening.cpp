@@ -28,8 +28,9 @@ bool is_backed(const PlanProblem& problem, std::size_t gap, Index building) {
 }
 
 /// The largest distance between a floor's centre of mass and the centre of rigidity of the storey below, along x or y
-/// over what the footprint takes up there [%].
-double largest_eccentricity(const PlanModel& model, const Plan& plan) {
+/// over what the footprint takes up there [%]. Nothing of one known by its modes.
+std::optional<double> largest_eccentricity(const PlanModel& model, const Plan& plan) {
+  if (plan.modes) return std::nullopt;
   double most = 0;
   const Index first = model.first_storey();  // above a slab
   for (Index floor = first; floor < model.floors(); ++floor) {

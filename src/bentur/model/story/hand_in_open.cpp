@@ -140,6 +140,8 @@ std::vector<Statement> assumptions_of(const PlanRun& run) {
   std::vector<Statement> statements = {model_statement(run)};
   const std::vector<PlanBuilding>& buildings = run.problem.buildings;
   const auto is_calibrated = [&](Index b) { return buildings[b].model.stiffness_factor.has_value(); };
+  tell_of(
+      "assumption.modal", buildings, [&](Index b) { return buildings[b].model.known.has_value(); }, statements);
   tell_of("assumption.calibrated", buildings, is_calibrated, statements);
   if (!run.c.excitation.spectrum) tell_motion(run.problem.delays, statements);
   if (run.c.excitation.suite) tell("assumption.suite", statements);

@@ -73,6 +73,22 @@ void check_modes(const Case& c, const Problem& problem, List& list) {
   }
 }
 
+/// The same of places in plan: what all modes would make of a blow there, over what those do that are given.
+void check_modes(const PlanProblem& problem, List& list) {
+  const bool any = std::any_of(problem.buildings.begin(), problem.buildings.end(),
+                               [](const PlanBuilding& one) { return one.model.known.has_value(); });
+  if (!any) return;
+  const System system = system_of(problem);
+  for (const Interface* const at : contact_interfaces(problem, system)) {
+    for (const BodyRow* const side : {&at->left, &at->right}) {
+      const PlanBuilding& building = problem.buildings[side->body];
+      if (!building.model.known) continue;
+      const double all = side->row.cwiseAbs2().cwiseQuotient(building.model.mass.diagonal()).sum();
+      list.check("modal_mass", building.name, (building.modes.shapes.transpose() * side->row).squaredNorm() / all);
+    }
+  }
+}
+
 /// How far each contact point of a joint overlaps at the start [length]; empty where no building starts displaced.
 std::vector<double> overlaps(const Problem& problem) {
   std::vector<double> found;
@@ -153,6 +169,7 @@ void check_gaps(const Case& c, const Problem& problem, List& list) {
 }
 
 void check_gaps(const Case& c, const PlanProblem& problem, List& list) {
+  check_modes(problem, list);
   check_levels(c, row_of(problem), overlaps(problem), list);
   for (const PlanGap& gap : problem.gaps) {
     list.check("merged_corners", gap_name(problem, gap), static_cast<double>(merged_corners(problem, gap).size()));

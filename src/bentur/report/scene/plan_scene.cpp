@@ -53,7 +53,7 @@ std::vector<PlanCentre> centres_of(const PlanRun& run) {
       const PlanPoint& corner = model.footprint.corner;
       centres.push_back({b, floor, corner + model.centres[floor], false});
       const Index storey = floor - model.first_storey();  // a slab on bearings has none below
-      if (storey >= 0) centres.push_back({b, floor, corner + centre_of_rigidity(*plan, storey), true});
+      if (storey >= 0 && !model.known) centres.push_back({b, floor, corner + centre_of_rigidity(*plan, storey), true});
     }
   }
   return centres;

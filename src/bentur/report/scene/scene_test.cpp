@@ -240,5 +240,19 @@ plan = { corner = [14.05, 1.0], size = [1.0, 18.0] }
   EXPECT_EQ(found[1], (std::pair<Eigen::Index, PlanPoint>(2, {11, 5})));
 }
 
+/// What holds the storeys of a building known by its modes, and where, they do not say.
+TEST(PlanScene, CentresOfABuildingKnownByItsModesAreOfMassAlone) {
+  const std::string given = "[building.modal]\nperiods = [0.5]\nshapes = [[1, 0, 0.01, 2, 0.1, 0.02]]\n";
+  std::string text = test::twisting_pair();
+  const std::size_t first = text.find("[[building.plane]]"), next = text.find("[[building]]", first);
+  text.replace(first, next - first, given);
+  const PlanRun run = test::plan_run(text);
+  const std::vector<PlanCentre> centres = centres_of(run);
+  const auto of_first = [](const PlanCentre& one) { return one.building == 0; };
+  EXPECT_EQ(std::count_if(centres.begin(), centres.end(), of_first), 2);
+  EXPECT_TRUE(std::none_of(centres.begin(), centres.end(),
+                           [&](const PlanCentre& one) { return of_first(one) && one.of_rigidity; }));
+}
+
 }  // namespace
 }  // namespace bentur

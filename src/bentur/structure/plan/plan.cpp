@@ -14,7 +14,8 @@
 #include "bentur/core/require.h"
 #include "bentur/structure/frame/frame_hinges.h"
 #include "bentur/structure/modes.h"
-#include "bentur/structure/plan/footprint_parts.h"
+#include "bentur/structure/plan/plan_checks.h"
+#include "bentur/structure/plan/plan_masses.h"
 #include "bentur/structure/plan/plan_support.h"
 #include "bentur/structure/sway.h"
 
@@ -80,13 +81,11 @@ Spring plane_spring(const Plan& plan, const PlanPlane& plane, Index storey) {
   return spring_at(plan, storey, plane.through, plane.direction, plane.storeys.stiffnesses[storey]);
 }
 
-bool is_frame(const PlanPlane& plane) { return plane.sway_stiffness.size() > 0; }
-
 /// All that hold a storey; what holds all floors at once by what the storey has alone, unless that is left out.
 std::vector<Spring> springs_of(const Plan& plan, Index storey, bool with_frames = true) {
   std::vector<Spring> springs = springs_of_rigidity(plan, storey);
   for (const PlanPlane& plane : plan.planes) {
-    if (with_frames || !is_frame(plane)) springs.push_back(plane_spring(plan, plane, storey));
+    if (with_frames || !plane.is_frame()) springs.push_back(plane_spring(plan, plane, storey));
   }
   if (with_frames && plan.cantilever) {
     for (const Spring& spring : springs_of_cantilever(plan, storey)) springs.push_back(spring);
@@ -145,93 +144,6 @@ Eigen::RowVectorXd over_dofs(const Spring& spring, Index storey, Index dofs) {
   return row;
 }
 
-void check_point(const std::string& name, const PlanPoint& at) {
-  require_finite(name, at.x());
-  require_finite(name, at.y());
-}
-
-void check_footprint(const Footprint& footprint) {
-  check_point("corner", footprint.corner);
-  require_positive("size", footprint.size.x());
-  require_positive("size", footprint.size.y());
-  if (footprint.polygon.empty()) return;
-  if (const auto fault = fault_of_outline(footprint.polygon)) throw InvalidParameter("polygon", "", *fault);
-  for (std::size_t i = 0; i < footprint.rings.size(); ++i) {
-    auto fault = fault_of_outline(footprint.rings[i]);
-    const bool is_part = area_of(footprint.rings[i]) > 0;
-    if (!fault) fault = is_part ? fault_of_part(footprint, i) : fault_of_court(footprint, i);
-    if (fault) throw InvalidParameter(indexed(is_part ? "parts" : "courts", i), "", *fault);
-  }
-}
-
-/// One value for all or one per storey.
-void check_list(const std::string& name, const std::vector<double>& list, Index storeys) {
-  if (list.size() > 1) require_size(name, list.size(), storeys);
-  for (std::size_t i = 0; i < list.size(); ++i) require_not_negative(indexed(name, i), list[i]);
-}
-
-void check_floors(const Plan& plan) {
-  const Index floors = std::ssize(plan.storey_heights);
-  if (floors == 0) throw InvalidParameter("storey_heights", "an empty list", "must have at least one entry");
-  require_size("masses", plan.masses.size(), floors);
-  if (plan.centres_of_mass.size() > 1) require_size("centres_of_mass", plan.centres_of_mass.size(), floors);
-  if (!plan.inertias.empty()) require_size("inertias", plan.inertias.size(), floors);
-  for (Index i = 0; i < floors; ++i) {
-    require_positive(indexed("storey_heights", i), plan.storey_heights[i]);
-    require_positive(indexed("masses", i), plan.masses[i]);
-    if (!plan.inertias.empty()) require_positive(indexed("inertias", i), plan.inertias[i]);
-    if (!plan.footprint.contains(centre_of_mass(plan, i))) {
-      throw InvalidParameter(indexed("centres_of_mass", i), "", "must be inside the footprint");
-    }
-  }
-}
-
-void check_matrix(const std::string& name, const MatrixXd& stiffness, Index floors) {
-  if (stiffness.rows() != floors || stiffness.cols() != floors || !stiffness.allFinite()) {
-    throw InvalidParameter(name, "", "must be finite, of as many floors as the building");
-  }
-}
-
-void check_holds(const Plan& plan) {
-  const Index floors = std::ssize(plan.storey_heights);
-  for (const PlanPlane& plane : plan.planes) {
-    check_point("through", plane.through);
-    if (!(std::abs(plane.direction.norm() - 1) <= 1e-12)) {
-      throw InvalidParameter("direction", plane.name, "must be of length 1");
-    }
-    require_size("stiffnesses", plane.storeys.stiffnesses.size(), floors);
-    check_list("stiffnesses", plane.storeys.stiffnesses, floors);
-    if (!is_frame(plane)) continue;
-    check_matrix("sway_stiffness", plane.sway_stiffness, floors);
-    if (plane.hinges.size() > 0 && plane.hinges.rows.cols() != floors) {
-      throw InvalidParameter("hinges", plane.name, "must be over as many sways as the building has floors");
-    }
-  }
-  if (plan.cantilever) {
-    check_point("cantilever", plan.cantilever->at);
-    for (const MatrixXd* const one : {&plan.cantilever->x, &plan.cantilever->y, &plan.cantilever->torsion}) {
-      check_matrix("cantilever", *one, floors);
-    }
-  }
-  if (plan.known) {
-    check_matrix("known", plan.known->matrix, 3 * floors);
-    require_size("at", plan.known->at.size(), floors);
-    for (const PlanPoint& at : plan.known->at) check_point("at", at);
-  }
-  if (plan.rigidity) {
-    const PlanRigidity& rigidity = *plan.rigidity;
-    if (rigidity.centres.size() != 1) require_size("centre", rigidity.centres.size(), floors);
-    for (const PlanPoint& centre : rigidity.centres) check_point("centre", centre);
-    check_list("x", rigidity.x, floors);
-    check_list("y", rigidity.y, floors);
-    check_list("torsion", rigidity.torsion, floors);
-  }
-  if (const std::vector<UnheldStorey> found = unheld_storeys(plan); !found.empty()) {
-    throw InvalidParameter("planes", "storey " + std::to_string(found.front().storey + 1),
-                           "must hold it: nothing does in " + std::string(found.front().direction));
-  }
-}
-
 /// How its floors sway along its line, floors × dofs: the drifts of all storeys below.
 MatrixXd sways_of(const PlanModel::Plane& plane) {
   MatrixXd sways = plane.drifts;
@@ -265,7 +177,7 @@ PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, Index
   std::vector<Spring> springs;
   for (Index j = 0; j < std::ssize(plan.storey_heights); ++j) springs.push_back(plane_spring(plan, plane, j));
   PlanModel::Plane made = over_dofs(plane.name, springs, dofs);
-  if (is_frame(plane)) {
+  if (plane.is_frame()) {
     hold_at_once(plane.sway_stiffness, made);
     made.hinges = plane.hinges;
     if (made.hinges.size() > 0) made.hinges.rows = plane.hinges.rows * sways_of(made);
@@ -301,8 +213,8 @@ void add_cantilever(const Plan& plan, PlanModel& model) {
   }
 }
 
-void add_known(const Plan& plan, PlanModel& model) {
-  const MatrixXd stiffness = known_over_dofs(plan);
+/// Adds a stiffness against the movements of all centres of mass, and what storeys carry of it (P-32).
+void add_known(const Plan& plan, const MatrixXd& stiffness, PlanModel& model) {
   model.stiffness += stiffness;
   for (Index j = 0; j < model.floors(); ++j) {
     model.storey_forces.middleRows<3>(3 * j) += borne_from(plan, j) * stiffness;
@@ -409,9 +321,7 @@ PlanPoint centre_of_rigidity(const Plan& plan, Index storey) {
 }
 
 PlanModel plan_model(const Plan& plan, double base_elevation) {
-  check_footprint(plan.footprint);
-  check_floors(plan);
-  check_holds(plan);
+  check_plan(plan);
   require_finite("base_elevation", base_elevation);
   PlanModel model;
   model.footprint = plan.footprint;
@@ -441,10 +351,14 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
     }
   }
   for (std::size_t p = 0; p < plan.planes.size(); ++p) {
-    if (is_frame(plan.planes[p])) add_at_once(model.planes[p], plan.planes[p].sway_stiffness, model);
+    if (plan.planes[p].is_frame()) add_at_once(model.planes[p], plan.planes[p].sway_stiffness, model);
   }
   if (plan.cantilever) add_cantilever(plan, model);
-  if (plan.known) add_known(plan, model);
+  if (plan.known) add_known(plan, known_over_dofs(plan), model);
+  if (plan.modes) {
+    model.known = known_modes(*plan.modes, mass);
+    add_known(plan, model.known->stiffness, model);
+  }
   if (!plan.gravity_loads.empty()) soften(plan.gravity_loads, model);
   return model;
 }
@@ -452,7 +366,8 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
 PlanBuilding make_plan_building(std::string name, PlanModel model, const Damping& damping, bool tangent,
                                 const std::optional<PlanSoil>& soil, const std::optional<PlanIsolation>& isolation) {
   PlanBuilding building{.name = std::move(name), .model = std::move(model), .modes = {}, .modal_damping = {}};
-  building.modes = modes(building.model.mass, building.model.stiffness);
+  const auto& known = building.model.known;
+  building.modes = known ? known->modes : modes(building.model.mass, building.model.stiffness);
   building.modal_damping = modal_damping(damping, building.modes);
   if (tangent) {
     const MatrixXd& softening = building.model.softening;

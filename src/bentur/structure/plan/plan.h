@@ -12,6 +12,7 @@
 #include "bentur/structure/building.h"
 #include "bentur/structure/damping.h"
 #include "bentur/structure/frame/plane_frame.h"
+#include "bentur/structure/known/modal.h"
 #include "bentur/structure/plan/footprint.h"
 #include "bentur/structure/stick.h"
 
@@ -34,6 +35,7 @@ struct PlanPlane {
   std::vector<InfillPanel> infills = {};  ///< of a frame, which its stiffness has too
   std::vector<double> bays = {};          ///< of a frame its widths [length], left to right, of pictures alone
   std::shared_ptr<const PlaneFrame> frame = nullptr;  ///< that it was made of; null: springs, or not known
+  [[nodiscard]] bool is_frame() const { return sway_stiffness.size() > 0; }
 };
 
 /// A frame as a plane has it: members without mass, statically condensed; floors weigh 1, which its stiffness does not
@@ -106,22 +108,15 @@ struct Plan {
   std::optional<PlanRigidity> rigidity = {};      ///< beside the planes
   std::optional<PlanCantilever> cantilever = {};  ///< beside both
   std::optional<PlanStiffness> known = {};        ///< in place of all of these
+  /// In place of them too, of a building that stands as it is given: shapes are u_x, u_y [length] and θ [rad] of the
+  /// centres of mass, floor after floor (P-33).
+  std::optional<GivenModes> modes = {};
   std::vector<double> gravity_loads = {};  ///< of P-Δ, on each floor, spread as its mass is [force] ≥ 0; empty: none
   std::optional<PlanSoil> soil = {};       ///< below it; nothing: its base moves with the ground
   std::optional<PlanIsolation> isolation = {};  ///< not together with soil
   /// What calibrate_period() has multiplied all that holds the floors by [-]; nothing: it has not.
   std::optional<double> stiffness_factor = {};
 };
-
-/// Of a plan whose lists have the right lengths, of one floor: its centre of mass, from the footprint's corner
-/// [length], and its inertia about that [mass·length²].
-[[nodiscard]] PlanPoint centre_of_mass(const Plan& plan, Eigen::Index floor);
-[[nodiscard]] double inertia_of(const Plan& plan, Eigen::Index floor);
-
-/// The same with all centres of mass moved by parts of the size along x and y; what holds the floors stays.
-[[nodiscard]] Plan with_masses_moved(Plan plan, const PlanPoint& parts);
-/// The four that plan.eccentricity_both_ways asks for: to the right and to the left along x, up and down along y.
-[[nodiscard]] std::vector<Plan> with_masses_elsewhere(const Plan& plan);
 
 /// A direction in which nothing holds a storey, counted from 0.
 struct UnheldStorey {
@@ -134,11 +129,12 @@ struct UnheldStorey {
 /// floors are relative to the free field.
 struct PlanModel {
   Footprint footprint;
-  std::vector<double> elevations;      ///< [length] of the floors above the common datum
-  std::vector<double> storey_heights;  ///< [length]
-  std::vector<double> floor_masses;    ///< [mass]; infinite of a wall
-  std::vector<PlanPoint> centres;      ///< c_f from the footprint's corner [length]
-  Eigen::MatrixXd mass, stiffness;     ///< dofs × dofs
+  std::vector<double> elevations;        ///< [length] of the floors above the common datum
+  std::vector<double> storey_heights;    ///< [length]
+  std::vector<double> floor_masses;      ///< [mass]; infinite of a wall
+  std::vector<PlanPoint> centres;        ///< c_f from the footprint's corner [length]
+  Eigen::MatrixXd mass, stiffness;       ///< dofs × dofs
+  std::optional<KnownModes> known = {};  ///< of a building known by its modes: it moves in these alone
   Eigen::MatrixXd softening = {};  ///< what gravity loads have taken from the stiffness (P-22); empty: there are none
   std::vector<double> gravity_loads = {};  ///< those loads [force]
   std::optional<PlanSoil> soil = {};       ///< what the foundation stands on

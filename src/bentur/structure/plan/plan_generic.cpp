@@ -6,6 +6,7 @@
 
 #include "bentur/core/require.h"
 #include "bentur/structure/modes.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 namespace {

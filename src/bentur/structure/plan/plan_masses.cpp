@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "bentur/structure/plan/plan.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 

@@ -11,6 +11,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/structure/modes.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 namespace {
@@ -411,6 +412,68 @@ TEST(PlanStiffness, HoldsEveryStoreyInEveryDirection) {
   EXPECT_THROW((void)plan_model(known), InvalidParameter);
   known.known->matrix.conservativeResize(3, 3);
   EXPECT_THROW((void)plan_model(known), InvalidParameter);
+}
+
+/// What another program would say of a building in plan: shapes of any scale.
+Plan told_by_modes(Plan plan, Eigen::Index count) {
+  const PlanModel model = plan_model(plan);
+  const Modes solved = modes(model.mass, model.stiffness);
+  plan.modes.emplace();
+  for (Eigen::Index mode = 0; mode < count; ++mode) {
+    plan.modes->periods.push_back(2 * std::numbers::pi / solved.omega(mode));
+    const Eigen::VectorXd shape = -3.7 * solved.shapes.col(mode);
+    plan.modes->shapes.emplace_back(shape.begin(), shape.end());
+  }
+  plan.planes.clear();
+  plan.rigidity.reset();
+  return plan;
+}
+
+TEST(PlanModes, AllOfThemAreThePlanesTheyWereMadeOf) {
+  const Plan given = shifted_storeys();
+  const Plan known = told_by_modes(given, 6);
+  const PlanModel by_planes = plan_model(given), by_modes = plan_model(known);
+  EXPECT_LE((by_modes.stiffness - by_planes.stiffness).norm(), 1e-12 * by_planes.stiffness.norm());
+  EXPECT_LE((by_modes.storey_forces - by_planes.storey_forces).norm(), 1e-12 * by_planes.storey_forces.norm());
+  for (const double share : by_modes.known->mass_shares) EXPECT_NEAR(share, 1, 1e-12);
+  const ModalDamping damping{{0.01, 0.02, 0.03, 0.04, 0.05, 0.06}};
+  const PlanBuilding one = make_plan_building("A", by_planes, damping);
+  const PlanBuilding other = make_plan_building("A", by_modes, damping);
+  EXPECT_LE((other.modes.omega - one.modes.omega).norm(), 1e-12 * one.modes.omega.norm());
+  EXPECT_LE((other.modes.shapes - one.modes.shapes).norm(), 1e-12 * one.modes.shapes.norm());
+  EXPECT_LE((other.modal_damping - one.modal_damping).norm(), 1e-12 * one.modal_damping.norm());
+}
+
+/// In two of six modes floors take a blow as if they weighed more, and nothing else moves.
+TEST(PlanModes, FewOfThemAreAllThatMoves) {
+  const Plan given = shifted_storeys();
+  const PlanModel model = plan_model(told_by_modes(given, 2));
+  const PlanBuilding few = make_plan_building("A", model, ModalDamping{{0.05}});
+  const PlanBuilding all = make_plan_building("A", plan_model(given), ModalDamping{{0.05}});
+  ASSERT_EQ(few.modes.omega.size(), 2);
+  EXPECT_LE((few.modes.shapes - all.modes.shapes.leftCols(2)).norm(), 1e-12 * all.modes.shapes.norm());
+  const Eigen::VectorXd shares = model.mass.diagonal().cwiseProduct(few.modes.shapes.rowwise().squaredNorm());
+  for (Eigen::Index i = 0; i < shares.size(); ++i) EXPECT_NEAR(model.known->mass_shares[i], shares(i), 1e-14);
+  EXPECT_LT(shares.sum(), 2 + 1e-12);
+}
+
+TEST(PlanModes, StandAsTheyAreGiven) {
+  const Plan known = told_by_modes(shifted_storeys(), 3);
+  const auto refused = [](const Plan& plan) { EXPECT_THROW((void)plan_model(plan), InvalidParameter); };
+  Plan loaded = known;
+  loaded.gravity_loads = {1177, 883};
+  refused(loaded);
+  refused(with_masses_moved(known, {0.05, 0}));
+  Plan held = known;
+  held.rigidity = shifted_storeys().rigidity;
+  held.planes = shifted_storeys().planes;
+  refused(held);
+  Plan short_one = known;
+  short_one.modes->shapes[1].pop_back();
+  refused(short_one);
+  Plan oblique = known;
+  oblique.modes->shapes[1] = oblique.modes->shapes[0];
+  refused(oblique);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "bentur/io/schema/footprint_keys.h"
 #include "bentur/io/schema/table_view.h"
 #include "bentur/structure/plan/footprint_parts.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 namespace {
@@ -228,8 +229,8 @@ void check_held(const TableView& building, const Plan& plan) {
   if (plan.planes.empty() && !plan.rigidity) {
     building.error(
         "has no planes and no rigidity: give [[building.plane]] tables, [building.rigidity] or both, "
-        "[building.matrices] or "
-        "[building.generic]");
+        "[building.matrices], "
+        "[building.modal] or [building.generic]");
     return;
   }
   for (const UnheldStorey& found : unheld_storeys(plan)) {
@@ -289,9 +290,9 @@ void calibrate(const TomlView& given, Plan& plan) {
   }
 }
 
-void read_floors(const TableView& building, const Units& units, ReadBuilding& read) {
+void read_floors(const TableView& building, const Units& units, const CaseFiles& files, ReadBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
-  building.refuse({"width", "frame", "stick", "modal", "displacements"}, "does not go with buildings in plan");
+  building.refuse({"width", "frame", "stick", "displacements"}, "does not go with buildings in plan");
   Plan plan;
   if (!building.has("plan")) building.error_missing("plan", "buildings stand in plan, all of them or none");
   const auto table = building.table("plan");
@@ -316,17 +317,27 @@ void read_floors(const TableView& building, const Units& units, ReadBuilding& re
     if (known) check_centres(*table, plan);
   }
   if (generic) {
-    building.refuse({"plane", "rigidity", "matrices"},
+    building.refuse({"plane", "rigidity", "matrices", "modal"},
                     "does not go with generic, whose periods say what holds the storeys");
     if (little) stand(*generic, *little, known, plan);
   } else if (const auto matrices = building.find("matrices")) {
-    building.refuse({"plane", "rigidity"}, "does not go with matrices, which say what holds the storeys");
+    building.refuse({"plane", "rigidity", "modal"}, "does not go with matrices, which say what holds the storeys");
     PlanStiffness stiffness{.at = {}, .matrix = read_stiffness_in_plan(*matrices, storeys)};
     known = known && stiffness.matrix.size() > 0;
     for (std::size_t f = 0; known && f < storeys; ++f) {
       stiffness.at.push_back(centre_of_mass(plan, static_cast<Eigen::Index>(f)));
     }
     if (known) plan.known = std::move(stiffness);
+  } else if (const auto modal = building.find("modal")) {
+    building.refuse({"plane", "rigidity"}, "does not go with modal, whose modes say how the floors move");
+    building.refuse({"calibrate_period", "p_delta", "gravity_loads", "isolation", "soil", "damping_stiffness"},
+                    "needs the storeys of a building: one known by its modes stands as it is given");
+    if (table) {
+      table->refuse({"accidental_eccentricity"},
+                    "needs what holds the storeys: a building known by its modes stands as it is given");
+    }
+    plan.modes = read_modes_in_plan(*modal, units, files, plan.storey_heights, read.spec);
+    known = known && !plan.modes->shapes.empty();
   } else {
     const bool planes = read_planes(building, plan);
     const bool held = read_rigidity(building, storeys, plan) && planes;
@@ -334,7 +345,7 @@ void read_floors(const TableView& building, const Units& units, ReadBuilding& re
   }
   if (const auto period = building.get("calibrate_period"); period && known) calibrate(*period, plan);
   if (known) move_centres(*table, plan);
-  read.modes = 3 * storeys;
+  read.modes = plan.modes ? plan.modes->periods.size() : 3 * storeys;
   read.elevations = floor_elevations(plan.storey_heights);
   read_gravity(building, read);
   plan.gravity_loads = read.spec.gravity_loads;
@@ -359,7 +370,7 @@ void read_floors(const TableView& building, const Units& units, ReadBuilding& re
     const auto yields = [](const PlanPlane& plane) {
       return !plane.storeys.yield_forces.empty() || plane.storeys.backbone;
     };
-    if (std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
+    if (!plan.modes && std::none_of(plan.planes.begin(), plan.planes.end(), yields)) {
       word->error_value("needs planes that can yield: plane.yield_forces or plane.backbone");
     }
   }
@@ -387,7 +398,7 @@ std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::
   return pairs.size() == given->size() ? pairs : std::vector<PlanPoint>{};
 }
 
-std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units) {
+std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units, const CaseFiles& files) {
   std::vector<ReadBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");
   if (!list || list->has_more_than(case_keys().at("building").most)) return buildings;
@@ -400,7 +411,7 @@ std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units&
       if (view.flag("rigid")) {
         read_wall(view, read);
       } else {
-        read_floors(view, units, read);
+        read_floors(view, units, files, read);
       }
       for (double& elevation : read.elevations) elevation += read.spec.base_elevation;
     }

@@ -6,6 +6,7 @@
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
 namespace {

@@ -10,12 +10,14 @@
 #include "bentur/elements/bearing_laws.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/model/plan/plan_run.h"
+#include "bentur/structure/plan/plan_generic.h"
 
 // The parts of a case that buildings in plan alone have, beside those of case_parts.h.
 namespace bentur {
 
 /// plan_buildings.cpp
-[[nodiscard]] std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units);
+[[nodiscard]] std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units,
+                                                            const CaseFiles& files);
 /// The buildings with modes and damping, of what is right otherwise; an error at each that cannot be made.
 [[nodiscard]] std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
                                                        const std::vector<ReadBuilding>& buildings);
@@ -30,6 +32,16 @@ void refuse_masses_elsewhere(const TomlView& root, const Case& c, const std::vec
 
 /// case_support.cpp: [building.soil] of a building in plan; nothing (and an error) where it says too little to go on.
 [[nodiscard]] std::optional<PlanSoil> read_soil_in_plan(const TomlView& given, const Footprint& footprint);
+
+/// case_known.cpp: [building.modal] of a building in plan; without shapes (and an error) where something is wrong.
+[[nodiscard]] GivenModes read_modes_in_plan(const TomlView& modal, const Units& units, const CaseFiles& files,
+                                            const std::vector<double>& storey_heights, BuildingSpec& spec);
+/// case_known.cpp: [building.generic] of a building in plan; without storeys where their number is not known.
+[[nodiscard]] std::optional<GenericPlan> read_generic_in_plan(const TomlView& generic, const Units& units);
+
+/// case_matrices.cpp: the stiffness of a building in plan, three rows per storey; empty (and an error) where it is
+/// wrong.
+[[nodiscard]] Eigen::MatrixXd read_stiffness_in_plan(const TomlView& matrices, std::size_t storeys);
 
 /// A law of bearings and its numbers.
 struct ReadBearings {

@@ -19,6 +19,7 @@
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
+#include "bentur/structure/known/modal.h"
 
 // What results in JSON say of runs of rows and of plans alike.
 namespace bentur {
@@ -76,6 +77,13 @@ template <class AnyResponse>
   json["wall_time"] = response.wall_time;
   json["peak_input_energy"] = response.energy ? Json(response.energy->peak_input) : Json(nullptr);
   return json;
+}
+
+/// How good the shapes are that were given, and what of the mass of each degree of freedom of the floors they move.
+[[nodiscard]] inline Json modal_json(const KnownModes& known) {
+  return {{"modes", known.modes.omega.size()},
+          {"largest_product", known.largest_product},
+          {"mass_shares", known.mass_shares}};
 }
 
 /// [excitation], of a case in plan with its angle and what is along y.

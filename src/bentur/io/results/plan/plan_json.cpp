@@ -82,6 +82,7 @@ Json plan_building_json(const PlanRun& run, std::size_t b) {
   }
   put_quantities(json, Owner::floor, run, floors_of(run.problem, item));
   if (building.is_rigid()) return json;
+  if (building.model.known) json["modal"] = modal_json(*building.model.known);
   if (building.model.stiffness_factor) json["stiffness_factor"] = *building.model.stiffness_factor;
   if (const auto& soil = building.model.soil) json["soil"] = soil_json(*soil);
   put_quantities(json, Owner::building, run, {{item}});
