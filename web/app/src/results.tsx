@@ -49,8 +49,7 @@ const mostInSight = 10; // gaps, as a report's table has the worst of them
  *  unless nothing else is to be told. */
 function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
-  // Of one gap what its table says is not said again.
-  const told = overview.statements.filter((one) => one.severity !== "remark" && (row || one.shown !== "table"));
+  const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
   const isFolded = (one: Said) => one.shown !== "sentence" || (one.severity === "finding" && !one.badge);
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
