@@ -382,7 +382,12 @@ test("a figure tells the values that are pointed at, shows a part of the time, a
     const rows = (await download(page, "histories")).trim().split("\n").map((line) => line.split(","));
     const figure = page.locator('[data-figure="opening"]');
     await figure.scrollIntoViewIfNeeded();
-    const sheet = figure.locator(".sheet"), box = await sheet.boundingBox();
+    const sheet = figure.locator(".sheet");
+    let box = await sheet.boundingBox();
+    for (let last = 0; box.height !== last; box = await sheet.boundingBox()) {  // it is drawn when it comes into sight
+      last = box.height;
+      await page.waitForTimeout(300);
+    }
     const numbers = () => figure.locator(".sheet > div > svg").evaluate((svg) => [...svg.querySelectorAll("text")].map((one) => one.textContent));
     const at = (part) => [box.x + part * box.width, box.y + 0.3 * box.height];
     // What is told is the opening of the histories that are given away, once the figure is of the run that was solved.
