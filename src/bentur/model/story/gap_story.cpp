@@ -160,13 +160,6 @@ std::vector<RuleFinding> findings_of(const GapView& facts, const std::vector<Lev
   return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed, facts.plan != nullptr);
 }
 
-bool is_cut(const GapView& facts) {
-  if (facts.response == nullptr) return false;
-  const auto goes_on = [](const auto& summary) { return summary.to_come && std::isinf(*summary.to_come); };
-  return std::any_of(facts.response->points.begin(), facts.response->points.end(), goes_on) ||
-         std::any_of(facts.response->watched.begin(), facts.response->watched.end(), goes_on);
-}
-
 const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation, bool cut) {
   // Of results read back the record's numbers are not known.
   if (std::holds_alternative<SampledMotion>(motion) || excitation.record) {

@@ -100,7 +100,7 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
     item.push_back(text_of("building", reason.subject));
     item.push_back(count_of("storey", static_cast<long>(reason.storey)));
   }
-  item.push_back(word_of("why", reason_key(reason, is_cut(view))));  // after the words that fill it
+  item.push_back(word_of("why", reason_key(reason, view.is_cut)));  // after the words that fill it
   return item;
 }
 
@@ -262,7 +262,7 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
                       count_of("may_be", unknown),
                       word_of("fall_short", small == 1 ? "story.is_small" : "story.are_small")};
   const bool more = small > 0 && unknown > 0;
-  if (unknown > 0 && is_cut(view)) {
+  if (unknown > 0 && view.is_cut) {
     statement.values.push_back(value_in("end", view.problem.duration, "s"));
     statement.values.push_back(word_of("since", "story.since_cut"));
   } else {

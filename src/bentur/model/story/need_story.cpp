@@ -6,7 +6,6 @@
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
-#include "bentur/pounding/plan/masses_elsewhere.h"
 
 // What is said of the gap that buildings need.
 namespace bentur::story {
@@ -74,9 +73,7 @@ void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<Lev
 /// Of masses that may stand elsewhere than expected where they stand when the gap needs the most.
 void tell_worst_masses(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
                        std::vector<Statement>& statements) {
-  if (facts.plan == nullptr || facts.response == nullptr) return;
-  const std::vector<MassPlaces> choices = mass_choices(*facts.plan);
-  if (choices.empty()) return;
+  if (facts.masses.empty()) return;
   std::optional<GoverningLevel> worst = governing_level(levels, facts.scale(gap));
   const auto reversed = governing_reversed(levels, facts.scale(gap));
   const auto lacks = [](const GoverningLevel& level) { return level.gap_needed - level.width; };
@@ -92,7 +89,7 @@ void tell_worst_masses(const GapView& facts, Eigen::Index gap, const std::vector
   const std::vector<Eigen::Index> buildings = buildings_of(facts.problem, gap);
   for (std::size_t side = 0; side < 2; ++side) {
     const auto b = static_cast<std::size_t>(buildings.at(side));
-    const int at = choice == 0 ? -1 : choices.at(static_cast<std::size_t>(choice) - 1).at(b);
+    const int at = choice == 0 ? -1 : facts.masses.at(static_cast<std::size_t>(choice) - 1).at(b);
     constexpr const char* ways[] = {"+{}\u00A0%\u00A0x", "−{}\u00A0%\u00A0x", "+{}\u00A0%\u00A0y", "−{}\u00A0%\u00A0y"};
     const std::string moved = at < 0 ? "0"
                                      : fmt::format(fmt::runtime(ways[static_cast<std::size_t>(at)]),
@@ -132,9 +129,9 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
                                     [](const LevelFacts& one) { return one.given.need.has_value(); });
   if (is_known) {
     statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap))));
-    const bool cut = is_cut(facts);
-    if (cut) statements.back().values.push_back(value_in("end", facts.problem.duration, "s"));
-    statements.back().values.push_back(word_of("motion", motion_word(facts.problem.motion, facts.c.excitation, cut)));
+    if (facts.is_cut) statements.back().values.push_back(value_in("end", facts.problem.duration, "s"));
+    statements.back().values.push_back(
+        word_of("motion", motion_word(facts.problem.motion, facts.c.excitation, facts.is_cut)));
   } else {
     statements.push_back({.kind = "need_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
     statements.back().values = {text_of("left", known.left), text_of("right", known.right)};

@@ -54,6 +54,7 @@ GapView judged_view_of(const PlanRun& run) {
   GapView view = view_of(*row);
   view.plan = &run.problem;
   view.screened = screened(run.c, run.problem);
+  view.masses = mass_choices(run.problem);
   for (const BuildingSpec& building : run.c.buildings) {
     const auto* const plan = std::get_if<Plan>(&building.structure);
     view.mass_parts.push_back(plan != nullptr ? plan->eccentricity_both_ways : 0);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "bentur/model/contact/worst_column.h"
 #include "bentur/model/story/internal/run_parts.h"
@@ -33,11 +34,16 @@ GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps
 }
 
 GapView view_of(const RunResults& run) {
+  const auto goes_on = [](const auto& summary) { return summary.to_come && std::isinf(*summary.to_come); };
+  const std::vector<PointSummary>& points = run.response.points;
+  const std::vector<WatchedSummary>& watched = run.response.watched;
   return {.c = run.c,
           .problem = run.problem,
           .response = &run.response,
           .levels = separations(run.problem, run.response, run.c.code, run.c.units),
           .collapsed = run.response.collapse_no_contact.has_value(),
+          .is_cut = std::any_of(points.begin(), points.end(), goes_on) ||
+                    std::any_of(watched.begin(), watched.end(), goes_on),
           .screened = screened(run.c, run.problem)};
 }
 

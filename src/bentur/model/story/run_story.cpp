@@ -264,23 +264,16 @@ void tell_hardest(std::vector<Statement>& statements) {
   const auto all = std::find_if(statements.begin(), statements.end(),
                                 [](const Statement& one) { return one.kind == "row_some" || one.kind == "row_all"; });
   if (all == statements.end()) return;
-  const auto value = [](const Statement& one, std::string_view name) {
-    return std::find_if(one.values.begin(), one.values.end(), [&](const StoryValue& v) { return v.name == name; });
-  };
-  const Statement* hardest = nullptr;
-  double most = 0;
+  const Statement* const hardest = hardest_impact_of(statements);
+  if (hardest == nullptr) return;
   long times = 0, closed = 0;
   for (const Statement& one : statements) {
     if (!one.gap || !one.kind.starts_with("pounding")) continue;
     ++closed;
-    times += std::get<long>(value(one, "times")->value);
-    const double size = std::get<double>(value(one, one.kind == "pounding" ? "force" : "speed")->value);
-    if (hardest == nullptr || one.kind < hardest->kind || (one.kind == hardest->kind && size > most)) {
-      hardest = &one;
-      most = size;
-    }
+    const auto counted = std::find_if(one.values.begin(), one.values.end(),
+                                      [](const StoryValue& value) { return value.name == "times"; });
+    times += std::get<long>(counted->value);
   }
-  if (hardest == nullptr) return;
   std::vector<StoryValue> values = hardest->values;
   std::erase_if(values, [](const StoryValue& one) { return one.name == "times"; });
   all->kind = "row_" + hardest->kind;

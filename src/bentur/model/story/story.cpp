@@ -50,7 +50,6 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
     Statement statement{.kind = "remark." + first.key,
                         .severity = first.is_doubt ? Severity::danger : Severity::remark};
     std::vector<double> values;
-    long count = 0;
     for (std::size_t k = i; k < remarks.size(); ++k) {
       const Remark& other = remarks[k];
       if (told[k] != 0 || other.key != first.key || other.is_doubt != first.is_doubt ||
@@ -59,12 +58,12 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
       }
       told[k] = 1;
       values.push_back(other.value);
-      if (++count > static_cast<long>(most_named)) continue;
+      if (values.size() > most_named) continue;
       statement.subject += (statement.subject.empty() ? "" : ", ") + other.subject;
     }
-    if (count == 0) continue;
-    if (count > static_cast<long>(most_named)) {
-      statement.values.push_back(story::count_of("more", count - static_cast<long>(most_named)));
+    if (values.empty()) continue;
+    if (values.size() > most_named) {
+      statement.values.push_back(story::count_of("more", static_cast<long>(values.size() - most_named)));
     }
     const std::string numbers = numbers_of(values);
     if (numbers == number(first.value)) {
@@ -93,6 +92,23 @@ void put_remarks(const std::vector<Remark>& remarks, std::vector<Statement>& sta
 void sort_by_severity(std::vector<Statement>& statements) {
   std::stable_sort(statements.begin(), statements.end(),
                    [](const Statement& a, const Statement& b) { return a.severity < b.severity; });
+}
+
+const Statement* hardest_impact_of(const std::vector<Statement>& statements) {
+  const Statement* hardest = nullptr;
+  double most = 0;
+  for (const Statement& one : statements) {
+    if (!one.gap || !one.kind.starts_with("pounding")) continue;
+    const std::string_view name = one.kind == "pounding" ? "force" : "speed";
+    const auto at =
+        std::find_if(one.values.begin(), one.values.end(), [&](const StoryValue& v) { return v.name == name; });
+    const double size = std::get<double>(at->value);
+    if (hardest == nullptr || one.kind < hardest->kind || (one.kind == hardest->kind && size > most)) {
+      hardest = &one;
+      most = size;
+    }
+  }
+  return hardest;
 }
 
 namespace story {

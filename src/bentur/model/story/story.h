@@ -93,6 +93,9 @@ struct Story {
 /// Puts what is gravest first; what is alike stays in order.
 void sort_by_severity(std::vector<Statement>& statements);
 
+/// The statement of a gap whose impact is the hardest: by force, of contacts without one by speed; null: none.
+[[nodiscard]] const Statement* hardest_impact_of(const std::vector<Statement>& statements);
+
 /// What is said of one of many runs.
 struct SaidOfRun {
   std::string name;  ///< such as that of its record

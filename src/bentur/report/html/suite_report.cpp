@@ -43,19 +43,10 @@ PageSection suite_section(const html::Report& report) {
 
 /// The statement on the hardest impact, whose instant an overview shows; without any the gravest of one record.
 const Statement* pictured(const Story& story) {
-  const Statement* found = nullptr;
-  double most = 0;
-  for (const Statement& one : story.statements) {
-    if (found == nullptr && one.many) found = &one;
-    if (!one.kind.starts_with("pounding")) continue;
-    const auto at = std::find_if(one.values.begin(), one.values.end(), [&](const StoryValue& value) {
-      return value.name == (one.kind == "pounding" ? "force" : "speed");
-    });
-    const double size = std::get<double>(at->value);
-    if (size > most) found = &one;
-    most = std::max(most, size);
-  }
-  return found;
+  if (const Statement* const hardest = hardest_impact_of(story.statements)) return hardest;
+  const auto found = std::find_if(story.statements.begin(), story.statements.end(),
+                                  [](const Statement& one) { return one.many.has_value(); });
+  return found == story.statements.end() ? nullptr : &*found;
 }
 
 /// The buildings and their gap under one record, which is run again.

@@ -138,8 +138,9 @@ PageSection verdict_section(const Report& report) {
                             .in_short = short_gap_name(report, number),
                             .facts = gap < report.judged.size() ? &report.judged[gap].facts : nullptr});
   }
-  if (verdict.gaps.size() > 1 && numbers_buildings(report) && !building_key(report).empty()) {
-    verdict.key = element("p", building_key(report), "class=\"note\"");
+  const std::string key = building_key(report);
+  if (verdict.gaps.size() > 1 && numbers_buildings(report) && !key.empty()) {
+    verdict.key = element("p", key, "class=\"note\"");
   }
   return verdict_section(verdict, report.say);
 }

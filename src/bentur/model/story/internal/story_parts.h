@@ -14,6 +14,7 @@
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
+#include "bentur/pounding/plan/masses_elsewhere.h"
 
 namespace bentur::story {
 
@@ -26,8 +27,10 @@ struct GapView {
   const Response* response = nullptr;                        ///< nothing: by a spectrum
   std::vector<LevelSeparation> levels;                       ///< of all gaps
   bool collapsed = false;                                    ///< the free response
+  bool is_cut = false;                                       ///< the ground motion goes on after the end of the run
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
   const PlanProblem* plan = nullptr;                         ///< of row_of() buildings in plan: where its levels are
+  std::vector<MassPlaces> masses = {};                       ///< mass_choices() of `plan`
   std::vector<double> mass_parts = {};                       ///< in plan Plan::eccentricity_both_ways of each building
   std::vector<JudgedGap> gaps = {};                          ///< empty: nothing is judged
   std::shared_ptr<const RunResults> row = {};                ///< row_of() a run in plan, which `problem` is of
@@ -53,8 +56,6 @@ template <class... Values>
 }
 
 [[nodiscard]] const Judgement& judged_of(const GapView& facts, Eigen::Index gap);
-/// Whether the ground motion goes on after the end of the run.
-[[nodiscard]] bool is_cut(const GapView& facts);
 /// The word for what moves the buildings; of a run that ends before it does {end} fills it.
 [[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation, bool cut);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
