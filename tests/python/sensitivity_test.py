@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 
+import doors
 import numpy as np
 import pytest
 
@@ -96,6 +97,27 @@ def test_a_curved_force_has_none():
         bentur.run(case).sensitivity  # noqa: B018
 
 
+def test_in_plan_places_are_numbers_and_points_have_theirs():
+    pytest.importorskip("pandas")
+    case = bentur.Case.from_file(doors.ROOT / "examples" / "plan" / "twisting-pair.toml").replace(
+        {"plan.contact": {"law": "linear", "stiffness": 4e5}, "analysis.duration": 6.0}
+    )
+    result = bentur.run(case, histories=False)
+    table, path = result.gradient, "building[1].plan.corner[0]"
+    h = 12.04e-6
+    above, below = (bentur.run(case.replace({path: 12.04 + by}), histories=False) for by in (h, -h))
+
+    def points(run):
+        return np.array([point["peak_force"] for point in run.summary["gaps"][0]["points"]])
+
+    known = points(result) > 0
+    different = (points(above) - points(below))[known] / (2 * h)
+    assert np.max(np.abs(different)) > 0
+    np.testing.assert_allclose(table.loc[path, "peak_force"].to_numpy(), different, atol=1e-4 * np.max(np.abs(different)))
+    assert table.columns.names == ["quantity", "of", "level", "x", "y"] and table.columns.is_unique
+    assert result.sensitivity["peaks"][0]["at"] == result.summary["gaps"][0]["points"][0]["at"]
+
+
 SUITE = """
 title = "Three records"
 [units]
@@ -175,6 +197,48 @@ def test_of_a_suite_each_record_and_what_its_code_takes(tmp_path, count, takes):
         assert np.max(np.abs(different - ours)) < 1e-5 * np.max(np.abs(different))
     words = subprocess.run([os.environ["BENTUR_PROGRAM"], "sensitivity", str(file), "--lang", "id"], capture_output=True, text=True)
     assert ("rata-rata" if takes == "mean" else "terbesar") in words.stdout and words.returncode == 0
+
+
+def test_of_pairs_each_direction_has_its_scale(tmp_path):
+    """Of buildings in plan: without contact all grows as both do."""
+    random = np.random.default_rng(3)
+    for r in range(8):
+        t = np.arange(300) * 0.02
+        values = np.convolve(random.normal(size=300), np.ones(4) / 4, "same") * np.exp(-(((t - 3) / 2) ** 2))
+        np.savetxt(tmp_path / f"r{r}.txt", np.column_stack([t, 4 * values]))
+    files = [", ".join(f'{{ file = "r{2 * k + y}.txt", unit = "m/s2" }}' for k in range(4)) for y in (0, 1)]
+    plan = "storey_heights = [3.0, 3.0], masses = [30.0, 25.0]"
+    (tmp_path / "suite.toml").write_text(f"""
+units = {{ length = "m", force = "kN" }}
+plan = {{ clearance = 0.1, contact = {{ law = "linear", stiffness = 1e5 }} }}
+[[building]]
+name = "A"
+damping = 0.05
+plan = {{ corner = [0.0, 0.0], size = [10.0, 12.0], {plan} }}
+rigidity = {{ centre = [4.0, 6.0], x = 9e3, y = 9e3, torsion = 4e5 }}
+[[building]]
+name = "B"
+damping = 0.05
+plan = {{ corner = [10.02, 2.0], size = [10.0, 13.0], {plan} }}
+rigidity = {{ centre = [5.0, 6.0], x = 2e4, y = 1e4, torsion = 8e5 }}
+[excitation]
+kind = "suite"
+files = [{files[0]}]
+scale = "en-1998-1"
+target = {{ shape = "en-1998-1", ground_acceleration = "0.3 g", ground_type = "C", spectrum_type = 1 }}
+[excitation.y]
+kind = "suite"
+files = [{files[1]}]
+""")
+    found = bentur.sensitivity(tmp_path / "suite.toml")
+    paths = [number["path"] for number in found["numbers"]]
+    x, y = paths.index("excitation.scale"), paths.index("excitation.y.scale")
+    assert found["numbers"][x]["value"] == found["numbers"][y]["value"] == 1
+    needs = [peak for peak in found["peaks"] if peak["quantity"] == "gap_needed"]
+    assert len(needs) == 4
+    for peak in needs:
+        assert peak["elasticity"][x] + peak["elasticity"][y] == pytest.approx(1, abs=1e-8)
+        assert abs(peak["elasticity"][y]) > 1e-3
 
 
 def test_the_report_of_results_finds_its_record(tmp_path):

@@ -95,8 +95,10 @@ Story sensitivity_story(const Sensitivity& found) {
     if (peak.is_largest && !found.numbers.empty()) largest.push_back(&peak);
   }
   if (!found.records.empty()) {
+    std::string scales;
+    for (const std::string& scale : found.scales) scales += (scales.empty() ? "" : ", ") + scale;
     story.statements.push_back({.kind = found.takes_mean ? "sensitivity_takes_mean" : "sensitivity_takes_largest",
-                                .values = {{"records", static_cast<long>(found.records.size())}}});
+                                .values = {{"records", static_cast<long>(found.records.size())}, {"scales", scales}}});
   }
   for (const SensitivePeak* peak : largest) say_peak(found, *peak, story.statements);
   // One table for each gap or building.

@@ -15,6 +15,7 @@ class PeakPlaces {
     double offset = 0;    ///< that is added to it
     bool of_size = true;  ///< |row q + offset|; else itself
     double peak = 0;      ///< that is known
+    std::vector<Dependence::OfRow> moved = {};  ///< how the row itself changes, of numbers that move it
   };
   struct Place {
     double time = -1, value = 0;  ///< negative time: not found

@@ -244,7 +244,15 @@ void TangentRun::fly(const Flight& flight) {
 }
 
 RowVectorXd TangentRun::deformations_by(Index element) const {
-  return along(setup_.modal.elements[element].relation, state_.by_q) + setup_.by.offsets().row(element);
+  RowVectorXd by = along(setup_.modal.elements[element].relation, state_.by_q) + setup_.by.offsets().row(element);
+  for (const Dependence::OfRow& moved : setup_.by.rows(element)) by(moved.parameter) += moved.row.dot(state_.q);
+  return by;
+}
+
+RowVectorXd TangentRun::speeds_by(Index element) const {
+  RowVectorXd by = along(setup_.modal.elements[element].relation, state_.by_v);
+  for (const Dependence::OfRow& moved : setup_.by.rows(element)) by(moved.parameter) += moved.row.dot(state_.v);
+  return by;
 }
 
 void TangentRun::note_speeds() {
@@ -277,7 +285,7 @@ void TangentRun::take_memory(const Change& change, const VectorXd& a) {
   if (law_states_[i].branch != change.before.branch) memories_[i].resize(0, 0);  // a dent that has faded
   event_by_.setZero(count);
   if (count == 0) return;
-  const RowVectorXd delta_by = deformations_by(i), speed_by = along(at, state_.by_v);
+  const RowVectorXd delta_by = deformations_by(i), speed_by = speeds_by(i);
   MatrixXd memory = MatrixXd::Zero(memory_size, count);
   for (Index p = 0; p < count; ++p) {
     const Dependence::Laws laws = setup_.by.laws(i, p);
@@ -351,23 +359,30 @@ void TangentRun::collide(const Change& change) {
   const double compliance = -at.along(push), bounce = 1.0 + *setup_.laws.laws[i]->restitution();
   const double impulse = bounce * speed / compliance;
   event_by_ = count > 0 ? RowVectorXd(-deformations_by(i) / speed) : RowVectorXd();
+  const RowVectorXd speed_by = count > 0 ? speeds_by(i) : RowVectorXd();
   for (Index p = 0; p < count; ++p) {
     const Dependence::Laws laws = setup_.by.laws(i, p);
     const double e = (*laws.above->restitution() - *laws.below->restitution()) / (2.0 * laws.step);
-    VectorXd heavier = VectorXd::Zero(modal.size);  // −M_p push
+    VectorXd pushed = VectorXd::Zero(modal.size);  // push_p − M_p push
     for (std::size_t b = 0; b < modal.blocks.size(); ++b) {
       const Dependence::OfBody& body = setup_.by.body(b);
       const auto found = std::find(body.parameters.begin(), body.parameters.end(), p);
       if (found == body.parameters.end()) continue;
       const Index n = modal.blocks[b].modes, begin = modal.blocks[b].begin;
-      heavier.segment(begin, n) =
+      pushed.segment(begin, n) =
           body.matrices.block(n * (found - body.parameters.begin()), 0, n, n) * push.segment(begin, n);
     }
-    const double total = along(at, state_.by_v)(p) + at.along(a) * event_by_(p);  // of δ̇ when it strikes
+    double less_held = at.along(pushed);  // −A_p
+    for (const Dependence::OfRow& moved : setup_.by.rows(i)) {
+      if (moved.parameter != p) continue;
+      less_held += at.along(moved.push) + moved.row.dot(push);
+      pushed += moved.push;
+    }
+    const double total = speed_by(p) + at.along(a) * event_by_(p);  // of δ̇ when it strikes
     state_.by_q.col(p) += state_.v * event_by_(p);
     state_.by_v.col(p) +=
-        a * event_by_(p) + heavier * impulse +
-        push * (e * speed / compliance + bounce * total / compliance + impulse * at.along(heavier) / compliance);
+        a * event_by_(p) + pushed * impulse +
+        push * (e * speed / compliance + bounce * total / compliance + impulse * less_held / compliance);
   }
   state_.v += push * impulse;
   step_.accelerations(state_, inputs_, pressing_, setup_.laws.offsets, after);
@@ -388,7 +403,7 @@ double TangentRun::force(Index element, RowVectorXd& by) {
     const ModalSystem::Relation& at = setup_.modal.elements[element].relation;
     const double delta = at.along(state_.q) + setup_.laws.offsets[element], speed = at.along(state_.v);
     by = one.base + one.stiffness * delta + one.damping * speed + one.force.stiffness * deformations_by(element) +
-         one.force.damping * along(at, state_.by_v);
+         one.force.damping * speeds_by(element);
     return one.force.base + one.force.stiffness * delta + one.force.damping * speed;
   }
   return 0.0;
