@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/not_known.h"
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/internal/after_motion.h"
+#include "bentur/pounding/plan/plan_meetings.h"
+#include "bentur/pounding/plan/plan_pounding.h"
 
 namespace bentur {
 namespace {
@@ -37,6 +40,23 @@ ProblemTangents tangents_of(const AnyProblem& problem, const std::vector<Variati
   return result;
 }
 
+/// Of what was found of a system's contacts that of the points of its problem, without seams. Where edges that close
+/// one after the other never touch, a point needs less than its contact; of that there is no derivative.
+void take_points(const PlanProblem& problem, const RunLimits& limits, Tangents& found) {
+  std::size_t count = 0;
+  for (const PlanGap& gap : problem.gaps) count += gap.contacts.size();
+  found.needed.resize(count);
+  found.peak_force.resize(count);
+  if (!has_meetings(problem)) return;
+  const PlanResponse response = solve(problem, ExactSolver{}, {.limits = limits});
+  constexpr double same = 1e-9;
+  for (std::size_t i = 0; i < count; ++i) {
+    Derivative& needed = found.needed[i];
+    const double value = response.points[i].gap_needed;
+    if (std::abs(needed.value - value) > same * value) needed = {.value = value, .time = not_known, .by = {}};
+  }
+}
+
 }  // namespace
 
 ProblemTangents tangents(const Problem& problem, const std::vector<VariationOf<Problem>>& variations,
@@ -53,7 +73,9 @@ ProblemTangents tangents(const PlanProblem& problem, const std::vector<Variation
   if (moves_masses) {
     return {.refused = "what a gap needs is the most of many places of the masses (accidental_eccentricity)"};
   }
-  return tangents_of(problem, variations, limits, progress);
+  ProblemTangents result = tangents_of(problem, variations, limits, progress);
+  if (!result.refused && result.status == Status::done) take_points(problem, limits, result.found);
+  return result;
 }
 
 }  // namespace bentur

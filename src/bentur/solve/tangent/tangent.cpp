@@ -43,7 +43,8 @@ std::vector<Dependence::OfRow> moved_output(const System& system, const ModalSys
     if (less == more) continue;
     Dependence::OfRow& of = moved.emplace_back(Dependence::OfRow{p, VectorXd::Zero(modal.size), {}});
     const MatrixXd& shapes = system.bodies[body].modes.shapes;
-    of.row.segment(modal.blocks[body].begin, shapes.cols()) = shapes.transpose() * (more - less).transpose() / (2 * by.step);
+    of.row.segment(modal.blocks[body].begin, shapes.cols()) =
+        shapes.transpose() * (more - less).transpose() / (2 * by.step);
   }
   return moved;
 }
@@ -55,8 +56,7 @@ std::vector<Sought> sought_of(const System& system, const ModalSystem& modal, co
   std::vector<Sought> result;
   for (std::size_t i = 0; needed != nullptr && i < system.contacts.size(); ++i) {
     const auto element = static_cast<Index>(i);
-    result.push_back(
-        {row_of(modal, modal.elements[i].relation), 0.0, false, (*needed)[i], by.rows(element)});
+    result.push_back({row_of(modal, modal.elements[i].relation), 0.0, false, (*needed)[i], by.rows(element)});
   }
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     if (outputs[b].empty()) continue;
@@ -65,8 +65,8 @@ std::vector<Sought> sought_of(const System& system, const ModalSystem& modal, co
     for (Index r = 0; r < peak.size(); ++r) {
       VectorXd row = VectorXd::Zero(modal.size);
       row.segment(block.begin, block.size) = block.outputs.front().of_position.row(r);
-      result.push_back({row, block.outputs.front().at_rest(r), true, peak(r),
-                        moved_output(system, modal, variations, b, r)});
+      result.push_back(
+          {row, block.outputs.front().at_rest(r), true, peak(r), moved_output(system, modal, variations, b, r)});
     }
   }
   return result;
@@ -100,6 +100,7 @@ struct Want {
   double time = 0;
   const Sought* sought = nullptr;  ///< null: the force of a contact
   Index contact = -1;
+  double force = 0;  ///< of that, as it is known
   Derivative* into = nullptr;
 };
 
@@ -112,7 +113,8 @@ void take_want(const Want& want, TangentRun& run, bool at_event) {
     RowVectorXd by;
     into.value = run.force(want.contact, by);
     if (at_event) by += run.force_rate(want.contact) * run.event_by();
-    into.by = by.transpose();
+    if (std::abs(into.value - want.force) <= same_force * want.force) into.by = by.transpose();
+    into.value = want.force;  // else it has ended there at once, where bodies slipped off
     return;
   }
   const TangentState& state = at_event ? run.before_event() : run.state();
@@ -161,7 +163,6 @@ std::optional<std::string> why_no_tangents(const System& system) {
   }
   if (!system.rubbing.empty()) return "contacts that rub are not followed";
   for (const Contact& contact : system.contacts) {
-    if (contact.place.meeting >= 0) return "contacts that meet in plan are not followed";
     LawState touching;
     touching.branch = 1;
     if (!contact.law->branch(touching).linear) {
@@ -218,7 +219,7 @@ Tangents tangents(const FreeSolution& free, const Solution& found, const std::ve
     into.is_equalled = place.is_equalled;
     const double size = of.of_size ? std::abs(place.value) : place.value;
     if (place.time >= 0.0 && of.peak > least && std::abs(size - of.peak) <= near_peak * of.peak) {
-      list.push_back({place.time, &of, -1, &into});
+      list.push_back({place.time, &of, -1, 0, &into});
     }
   };
   std::size_t at = 0;
@@ -244,7 +245,8 @@ Tangents tangents(const FreeSolution& free, const Solution& found, const std::ve
       if (&impact == hardest || impact.point != static_cast<Index>(i)) continue;
       if (impact.peak_force >= (1.0 - same_force) * hardest->peak_force) result.peak_force[i].is_equalled = true;
     }
-    wants.push_back({hardest->peak_force_time, nullptr, static_cast<Index>(i), &result.peak_force[i]});
+    wants.push_back(
+        {hardest->peak_force_time, nullptr, static_cast<Index>(i), hardest->peak_force, &result.peak_force[i]});
   }
 
   TangentRun run(setup, false);

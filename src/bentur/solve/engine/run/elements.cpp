@@ -427,13 +427,17 @@ Elements::Force Elements::take_force(Index i) {
 void Elements::change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state) {
   const Index i = event.element;
   jumps_.clear();
-  began_ = goes_on_ = false;
+  slipped_.clear();
+  began_ = goes_on_ = passes_ = false;
   if (i >= count()) {
     change_coupled(event, time, inputs, state);
     return;
   }
   if (two_bodies(i)) ++events_;
-  if (two_bodies(i) && meetings_.has(i) && is_settled(i, time, state)) return;
+  if (two_bodies(i) && meetings_.has(i) && is_settled(i, time, state)) {
+    passes_ = true;
+    return;
+  }
   if (law(i).restitution()) {
     collide(i, time, state);
     if (coupled_.none() || failed_) return;

@@ -92,6 +92,8 @@ void Elements::take(Index contact, int sharing) {
   if (sharing > 1) laws_[contact] = std::make_shared<PartOfLaw>(laws_[contact], 1.0 / sharing);
 }
 
+bool Elements::shares(Index contact) const { return dynamic_cast<const PartOfLaw*>(laws_[contact].get()) != nullptr; }
+
 /// A point is no longer closed: where nothing is of its family, bodies slip off all others.
 void Elements::part(Index point, double time, State& state) {
   if (!meetings_.has(point)) return;
@@ -124,6 +126,7 @@ void Elements::slip_off(Index point, double time, State& state) {
   log_.end(log, time, -speed(at, state));
   if (!rubs) take(point, 1);
   pass(point, time, state);
+  slipped_.push_back(point);
 }
 
 /// A point is closed and nothing pushes there.

@@ -20,6 +20,13 @@ bool is_of_same_body(const BodyRow& a, const BodyRow& b) {
   return a.body == b.body && a.row.size() == b.row.size() && a.ground.size() == b.ground.size();
 }
 
+/// Contacts of a meeting stay what they are of it.
+bool are_of_same_meetings(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contact& x, const Contact& y) {
+    return x.place.meeting == y.place.meeting && x.place.family == y.place.family && x.place.seam == y.place.seam;
+  });
+}
+
 template <class List>
 bool are_of_same_bodies(const List& a, const List& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
@@ -86,7 +93,8 @@ std::optional<std::string> trouble_of(const System& system, const Variation& by)
       if (other->bodies[b].modes.omega.size() != system.bodies[b].modes.omega.size())
         return "changes a building's modes";
     }
-    if (!are_of_same_bodies(system.contacts, other->contacts) || !are_of_same_bodies(system.joints, other->joints)) {
+    if (!are_of_same_bodies(system.contacts, other->contacts) ||
+        !are_of_same_meetings(system.contacts, other->contacts) || !are_of_same_bodies(system.joints, other->joints)) {
       return "changes where buildings touch";
     }
     if (other->motions.size() != system.motions.size()) return "changes the number of motions";

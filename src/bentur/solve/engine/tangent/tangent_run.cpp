@@ -268,7 +268,7 @@ void TangentRun::note_grazing(Index element, double rate, double usual, double s
   if (usual > 0.0) grazing_ = std::min(grazing_, std::abs(rate) / usual);
 }
 
-/// (S-2), and what the law remembers after it.
+/// (S-2), and what the law remembers after it, unless the contact passes.
 void TangentRun::take_memory(const Change& change, const VectorXd& a) {
   const Index i = change.element;
   const ModalSystem::Relation& at = setup_.modal.elements[i].relation;
@@ -283,6 +283,7 @@ void TangentRun::take_memory(const Change& change, const VectorXd& a) {
 
   const Index count = setup_.by.count();
   if (law_states_[i].branch != change.before.branch) memories_[i].resize(0, 0);  // a dent that has faded
+  const bool passes = change.passes;
   event_by_.setZero(count);
   if (count == 0) return;
   const RowVectorXd delta_by = deformations_by(i), speed_by = speeds_by(i);
@@ -296,6 +297,7 @@ void TangentRun::take_memory(const Change& change, const VectorXd& a) {
     };
     const double half = 1.0 / (2.0 * laws.step);
     event_by_(p) = -half * (guarded(*laws.above, laws.step) - guarded(*laws.below, -laws.step)) / rate;
+    if (passes) continue;
     const auto next = [&](const Law& of, double by) {
       const double tau = event_by_(p);
       return of.next(moved(change.before, memories_[i], p, by), change.guard, change.time + by * tau,
@@ -306,7 +308,7 @@ void TangentRun::take_memory(const Change& change, const VectorXd& a) {
     memory(1, p) = half * (above.closing_speed - below.closing_speed);
     for (Index m = 2; m < memory_size; ++m) memory(m, p) = half * (above.memory[m - 2] - below.memory[m - 2]);
   }
-  memories_[i] = memory;
+  if (!passes) memories_[i] = memory;
 }
 
 void TangentRun::change(const Change& change) {
@@ -320,13 +322,20 @@ void TangentRun::change(const Change& change) {
         simultaneous_ || (previous >= 0.0 && change.time - previous <= tangent_instant * setup_.system.duration);
     last_jump_ = change.time;
   };
-  if (setup_.laws.laws[change.element]->restitution()) {
+  if (change.shares) {
+    throw InvalidParameter("contacts", "of several edges", "have no derivatives where they close at one instant");
+  }
+  if (setup_.laws.laws[change.element]->restitution() && !change.passes) {
     jumps();
     collide(change);
   } else {
     step_.accelerations(state_, inputs_, pressing_, setup_.laws.offsets, a);
     take_memory(change, a);
     law_states_[change.element] = change.after;
+    for (const auto& [slipped, after_it] : change.slipped) {
+      law_states_[slipped] = after_it;
+      memories_[slipped].resize(0, 0);
+    }
     set_pressing();
     step_.accelerations(state_, inputs_, pressing_, setup_.laws.offsets, after);
     const double least = 1e-9 * std::max(a.cwiseAbs().maxCoeff(), after.cwiseAbs().maxCoeff());

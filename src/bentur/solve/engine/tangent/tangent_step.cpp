@@ -128,7 +128,8 @@ void TangentStep::accelerate(double rate, bool first, const std::vector<Pressing
     }
     if (count == 0) continue;
     for (const Dependence::OfRow& moved : by_->rows(one.element)) {
-      const double by = one.force.stiffness * moved.row.dot(term_.q) + one.force.damping * rate * moved.row.dot(term_.v);
+      const double by =
+          one.force.stiffness * moved.row.dot(term_.q) + one.force.damping * rate * moved.row.dot(term_.v);
       double* a = by_a_.data() + moved.parameter * size;
       for (Index i = 0; i < at.left_size; ++i) a[at.left_begin + i] += by * at.left_push(i);
       for (Index i = 0; i < at.right_size; ++i) a[at.right_begin + i] += by * at.right_push(i);
