@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "bentur/core/errors.h"
@@ -70,11 +71,36 @@ void gather(const TomlValue& value, const ParameterPath& path, std::vector<Param
   }
 }
 
+/// Whether a number is of a footprint's corners or size.
+bool is_of_footprint(const ParameterPath& path) {
+  constexpr std::array keys = {"corner", "size", "polygon", "court", "part"};
+  return path.size() > 3 && path[0] == PathStep("building") && path[2] == PathStep("plan") &&
+         std::any_of(keys.begin(), keys.end(), [&](const char* key) { return path[3] == PathStep(key); });
+}
+
+/// Of a case in plan the widths of its gaps, by what they are called as numbers.
+std::vector<std::string> names_of_widths(const ReadCase& read) {
+  std::vector<std::string> names;
+  if (!read.plan) return names;
+  for (const PlanGap& gap : read.plan->gaps) names.push_back(gap_name(*read.plan, gap) + ": width");
+  return names;
+}
+
+/// The numbers of a case that are asked for.
+struct Asked {
+  std::vector<ParameterPath> paths = {};
+  std::vector<std::size_t> widths = {};  ///< of these gaps in plan
+};
+
 /// Those that were asked for; what is none is an error.
-std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::filesystem::path& file,
-                                         const std::vector<std::string>& asked, Diagnostics& diagnostics) {
-  std::vector<ParameterPath> paths;
+Asked asked_numbers(const TomlValue& root, const std::filesystem::path& file, const std::vector<std::string>& asked,
+                    const std::vector<std::string>& widths, Diagnostics& diagnostics) {
+  Asked numbers;
   for (const std::string& text : asked) {
+    if (const auto width = std::find(widths.begin(), widths.end(), text); width != widths.end()) {
+      numbers.widths.push_back(static_cast<std::size_t>(width - widths.begin()));
+      continue;
+    }
     std::string error;
     std::optional<ParameterPath> path = parse_path(text, error);
     if (path) path = resolved(root, *path, error);
@@ -88,10 +114,10 @@ std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::files
       if (path && value == nullptr) found.suggestion = near_unknown_key(case_keys(), *path, root).value_or("");
       diagnostics.add(std::move(found));
     } else {
-      paths.push_back(*path);
+      numbers.paths.push_back(*path);
     }
   }
-  return paths;
+  return numbers;
 }
 
 class Maker {
@@ -250,24 +276,43 @@ bool is_of_gap(SensitivePeak::Kind kind) { return kind == Kind::gap_needed || ki
 
 double Sensitivity::elasticity(const SensitivePeak& peak, std::size_t number) const {
   const Derivative& of = peak.derivative;
-  if (of.by.size() == 0 || !(of.value > 0)) return not_known;
+  if (of.by.size() == 0 || !(of.value > 0) || numbers[number].is_of_footprint) return not_known;
   return of.by(static_cast<Index>(number)) * numbers[number].value / of.value;
 }
 
 namespace {
 
+/// A gap in plan with another width: all its contacts are as much further apart, and no others.
+PlanProblem with_width(PlanProblem problem, std::size_t gap, double more) {
+  problem.gaps[gap].stretch.width += more;
+  return problem;
+}
+
 /// Of a case that is right, with one motion, by these numbers. Nothing (and an error) where there are none.
 template <class AnyProblem>
-std::optional<Sensitivity> found_by(const ReadCase& read, Maker& maker, const TomlValue& root,
-                                    const std::vector<ParameterPath>& paths, const SensitivityOptions& options,
+std::optional<Sensitivity> found_by(const ReadCase& read, Maker& maker, const TomlValue& root, const Asked& asked,
+                                    const SensitivityOptions& options,
                                     const std::function<std::nullopt_t(const std::string&)>& refuse) {
   Sensitivity result{.title = read.c.title, .units = read.c.units, .numbers = {}, .left_out = {}, .peaks = {}};
   const AnyProblem problem = read.problem_as<AnyProblem>();
   std::vector<VariationOf<AnyProblem>> variations;
   std::vector<CaseNumber> numbers;
-  for (const ParameterPath& path : paths) {
+  if constexpr (std::is_same_v<AnyProblem, PlanProblem>) {
+    const std::vector<std::string> names = names_of_widths(read);
+    for (const std::size_t gap : asked.widths) {
+      const CaseNumber width{names[gap], problem.gaps[gap].stretch.width};
+      const double step = relative_step * width.value;
+      if (step == 0.0) {
+        result.left_out.emplace_back(width.path, "is zero: no part of it can be added");
+        continue;
+      }
+      variations.push_back({step, with_width(problem, gap, -step), with_width(problem, gap, step)});
+      numbers.push_back(width);
+    }
+  }
+  for (const ParameterPath& path : asked.paths) {
     const Given given = *number_in(*find_value(root, path));
-    const CaseNumber number{path_text(path), given.value};
+    const CaseNumber number{path_text(path), given.value, is_of_footprint(path)};
     const double step = relative_step * std::abs(number.value);
     if (step == 0.0) {
       result.left_out.emplace_back(number.path, "is zero: no part of it can be added");
@@ -317,11 +362,13 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
   if (!std::holds_alternative<ExactSolver>(c.analysis.solver)) {
     return refuse("sensitivities are found by the solver \"exact\" alone");
   }
-  std::vector<ParameterPath> paths = numbers_in(root);
-  if (!options.numbers.empty()) paths = asked_numbers(root, file, options.numbers, diagnostics);
+  const std::vector<std::string> widths = names_of_widths(read);
+  Asked asked{.paths = numbers_in(root)};
+  for (std::size_t gap = 0; gap < widths.size(); ++gap) asked.widths.push_back(gap);
+  if (!options.numbers.empty()) asked = asked_numbers(root, file, options.numbers, widths, diagnostics);
   if (!diagnostics.ok()) return std::nullopt;
-  return read.plan ? found_by<PlanProblem>(read, maker, root, paths, options, refuse)
-                   : found_by<Problem>(read, maker, root, paths, options, refuse);
+  return read.plan ? found_by<PlanProblem>(read, maker, root, asked, options, refuse)
+                   : found_by<Problem>(read, maker, root, asked, options, refuse);
 }
 
 namespace {

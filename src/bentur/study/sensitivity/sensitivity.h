@@ -18,10 +18,12 @@
 
 namespace bentur {
 
-/// A number that a case has.
+/// A number that a case has; in plan also the width of a gap, which follows from the footprints.
 struct CaseNumber {
-  std::string path;  ///< `gap[0].width`
+  std::string path;  ///< `gap[0].width`, in plan `A | B: width`
   double value = 0;  ///< as it stands there
+  /// Of a footprint's corners or size, of which a hundredth is no small part of a gap: without an elasticity.
+  bool is_of_footprint = false;
 };
 
 /// A peak of a run, and its derivatives by the numbers.
@@ -38,12 +40,12 @@ struct SensitivePeak {
     displacement_y_no_contact
   };
   Kind kind = Kind::gap_needed;
-  Eigen::Index item = 0;               ///< the gap, or the building
-  Eigen::Index place = 0;              ///< the contact point, or the floor
-  std::string name = {};               ///< of that gap or building
-  double level = 0;                    ///< [length]
-  std::optional<PlanPoint> at = {};    ///< of a contact point in plan, in the common plan [length]
-  bool is_largest = false;  ///< of its kind in its gap or building
+  Eigen::Index item = 0;             ///< the gap, or the building
+  Eigen::Index place = 0;            ///< the contact point, or the floor
+  std::string name = {};             ///< of that gap or building
+  double level = 0;                  ///< [length]
+  std::optional<PlanPoint> at = {};  ///< of a contact point in plan, in the common plan [length]
+  bool is_largest = false;           ///< of its kind in its gap or building
   Derivative derivative = {};
   std::string record = {};  ///< of a suite of which the largest is taken: under which record it is
 };
@@ -70,7 +72,8 @@ struct Sensitivity {
   bool takes_mean = false;
   std::vector<std::string> scales = {};  ///< of a suite: the paths of those factors, along x and along y
 
-  /// By what part of itself a peak changes with a number, for each part of that: p/y ∂y/∂p [-]. NaN: it is not known.
+  /// By what part of itself a peak changes with a number, for each part of that: p/y ∂y/∂p [-]. NaN: it is not known,
+  /// or the number is of a footprint.
   [[nodiscard]] double elasticity(const SensitivePeak& peak, std::size_t number) const;
 };
 
