@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -233,15 +232,6 @@ struct ReadCase {
   [[nodiscard]] std::vector<Building> made_buildings() const;
   /// make_problem() of a row that is right. @throws InvalidParameter
   [[nodiscard]] Problem problem() const { return make_problem(c, made_buildings()); }
-  /// The same of a row, or as PlanProblem of a case in plan.
-  template <class AnyProblem>
-  [[nodiscard]] AnyProblem problem_as() const {
-    if constexpr (std::is_same_v<AnyProblem, PlanProblem>) {
-      return *plan;
-    } else {
-      return problem();
-    }
-  }
 };
 
 /// case_toml.cpp: a whole case; its parts are usable only when `diagnostics` has no error. `memo` is for many readings

@@ -9,6 +9,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/tangent/problem_tangents.h"
+#include "bentur/study/problem_as.h"
 #include "bentur/study/remedy/remedy.h"
 #include "bentur/study/study_variables.h"
 
@@ -78,9 +79,9 @@ ProblemTangents tangents_by(const ReadCase& here, const std::vector<std::pair<Re
   std::vector<VariationOf<AnyProblem>> variations;
   for (std::size_t i = 0; i < varied.size(); ++i) {
     const auto& [below, above] = varied[i];
-    variations.push_back({steps[i], below.problem_as<AnyProblem>(), above.problem_as<AnyProblem>()});
+    variations.push_back({steps[i], problem_as<AnyProblem>(below), problem_as<AnyProblem>(above)});
   }
-  return tangents(here.problem_as<AnyProblem>(), variations, run_limits(here.c.analysis),
+  return tangents(problem_as<AnyProblem>(here), variations, run_limits(here.c.analysis),
                   [&](double) { return go_on(); });
 }
 

@@ -100,7 +100,7 @@ TEST_F(PlanRemedies, TheLeastGapKeepsThemApartAndALittleLessDoesNot) {
 TEST_F(PlanRemedies, SlopesAreThoseOfTheObjectiveByDifferences) {
   std::ofstream(folder_.path() / "case.toml") << case_of(0.02, 2e4);
   for (const std::string objective :
-       {"gap_needed", "peak_force", "peak_displacement_x_no_contact", "peak_displacement_north"}) {
+       {"gap_needed", "peak_force", "peak_displacement_north_no_contact", "peak_displacement_north"}) {
     SCOPED_TRACE(objective);
     std::ofstream(folder_.path() / "study.toml")
         << "case = 'case.toml'\n[remedy]\nobjective = '" + objective + "'\nevaluations = 10\n" +

@@ -21,6 +21,7 @@
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/tangent/problem_tangents.h"
+#include "bentur/study/problem_as.h"
 #include "bentur/study/sensitivity/internal/suite_sensitivity.h"
 
 namespace bentur {
@@ -133,7 +134,7 @@ class Maker {
     try {
       const ReadCase read =
           read_case_parts(TomlView(root, "", file_.string(), found), file_.parent_path(), found, &memo_);
-      if (found.ok()) return read.problem_as<AnyProblem>();
+      if (found.ok()) return problem_as<AnyProblem>(read);
       why = found.errors().front().rule;
     } catch (const InvalidParameter& error) {
       why = error.what();
@@ -294,7 +295,7 @@ std::optional<Sensitivity> found_by(const ReadCase& read, Maker& maker, const To
                                     const SensitivityOptions& options,
                                     const std::function<std::nullopt_t(const std::string&)>& refuse) {
   Sensitivity result{.title = read.c.title, .units = read.c.units, .numbers = {}, .left_out = {}, .peaks = {}};
-  const AnyProblem problem = read.problem_as<AnyProblem>();
+  const AnyProblem problem = problem_as<AnyProblem>(read);
   std::vector<VariationOf<AnyProblem>> variations;
   std::vector<CaseNumber> numbers;
   if constexpr (std::is_same_v<AnyProblem, PlanProblem>) {

@@ -103,7 +103,6 @@ class Elements {
   /// A surface that has come back to within round-off of its place at `time` is a fresh one. To be called between
   /// steps, once what ended the last one has changed: its branch may be the one that is left.
   void forget_faded(double time, State& state);
-
   void go_on() { coupled_.go_on(); }  ///< a flight has been taken: nothing is at the beginning of its branch any more
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
@@ -115,11 +114,7 @@ class Elements {
   [[nodiscard]] std::optional<Eigen::Index> limit_passed() const { return limit_passed_; }
   [[nodiscard]] bool began() const { return began_; }                      ///< it began a contact
   [[nodiscard]] const std::vector<Jump>& jumps() const { return jumps_; }  ///< of the last change
-  /// Whether the last change, of a contact of a meeting, is none of its law; those whose force has ended with it.
-  [[nodiscard]] bool passes() const { return passes_; }
-  [[nodiscard]] const std::vector<Eigen::Index>& slipped() const { return slipped_; }
-  /// Whether a contact has a part of its law.
-  [[nodiscard]] bool shares(Eigen::Index contact) const;
+  [[nodiscard]] const Meetings& meetings() const { return meetings_; }     ///< and what they did at it
 
   /// Ends the run at `time`: contacts still closed count as impacts.
   void finish(double time);
@@ -242,13 +237,11 @@ class Elements {
   ImpactLog log_;
   std::vector<Account> accounts_;
   std::vector<Jump> jumps_;
-  std::vector<Eigen::Index> slipped_;
   double initial_work_ = 0;
   double fastest_ = 0;  ///< speed that modes have added up to at any event, or a part of free ones [length/s]
   std::optional<Eigen::Index> limit_passed_;
   bool began_ = false;
   bool goes_on_ = false;
-  bool passes_ = false;
   bool failed_ = false;
   long events_ = 0;
   std::vector<double> worst_openings_;

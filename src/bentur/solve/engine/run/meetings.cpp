@@ -92,8 +92,6 @@ void Elements::take(Index contact, int sharing) {
   if (sharing > 1) laws_[contact] = std::make_shared<PartOfLaw>(laws_[contact], 1.0 / sharing);
 }
 
-bool Elements::shares(Index contact) const { return dynamic_cast<const PartOfLaw*>(laws_[contact].get()) != nullptr; }
-
 /// A point is no longer closed: where nothing is of its family, bodies slip off all others.
 void Elements::part(Index point, double time, State& state) {
   if (!meetings_.has(point)) return;
@@ -126,7 +124,7 @@ void Elements::slip_off(Index point, double time, State& state) {
   log_.end(log, time, -speed(at, state));
   if (!rubs) take(point, 1);
   pass(point, time, state);
-  slipped_.push_back(point);
+  meetings_.slip_off(point);
 }
 
 /// A point is closed and nothing pushes there.
@@ -148,6 +146,7 @@ void Elements::pass(Index point, double time, State& state) {
 bool Elements::is_settled(Index point, double time, State& state) {
   if (meetings_.passed(point)) {
     meetings_.come_back(point);
+    meetings_.settle();
     if (point < system_->switched) {
       set(point, states_[point], state);
     } else {
@@ -164,6 +163,7 @@ bool Elements::is_settled(Index point, double time, State& state) {
     return false;
   }
   pass(point, time, state);
+  meetings_.settle();
   return true;
 }
 
