@@ -113,7 +113,8 @@ void take_want(const Want& want, TangentRun& run, bool at_event) {
     RowVectorXd by;
     into.value = run.force(want.contact, by);
     if (at_event) by += run.force_rate(want.contact) * run.event_by();
-    if (std::abs(into.value - want.force) <= same_force * want.force) into.by = by.transpose();
+    const bool is_whole = std::abs(into.value - want.force) <= same_force * want.force;
+    if (is_whole && by.allFinite()) into.by = by.transpose();
     into.value = want.force;  // else it has ended there at once, where bodies slipped off
     return;
   }
@@ -124,7 +125,7 @@ void take_want(const Want& want, TangentRun& run, bool at_event) {
   for (const Dependence::OfRow& moved : want.sought->moved) by(moved.parameter) += moved.row.dot(state.q);
   if (at_event) by += want.sought->row.dot(state.v) * run.event_by();
   into.value *= sign;
-  into.by = sign * by.transpose();
+  if (by.allFinite()) into.by = sign * by.transpose();
 }
 
 /// Goes to all that is wanted, in order of time, and to the changes before the last of it.

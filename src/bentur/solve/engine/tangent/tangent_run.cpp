@@ -325,7 +325,11 @@ void TangentRun::change(const Change& change) {
   if (change.shares) {
     throw InvalidParameter("contacts", "of several edges", "have no derivatives where they close at one instant");
   }
-  if (setup_.laws.laws[change.element]->restitution() && !change.passes) {
+  if (change.passes && change.slipped.empty()) {  // no force changes, whenever that is
+    event_by_.setZero(setup_.by.count());
+    if (change.after.branch != change.before.branch) memories_[change.element].resize(0, 0);
+    law_states_[change.element] = change.after;
+  } else if (setup_.laws.laws[change.element]->restitution() && !change.passes) {
     jumps();
     collide(change);
   } else {
