@@ -50,11 +50,18 @@ ReportOptions of_results(ReportOptions options, const NetcdfReader& results) {
   return options;
 }
 
-/// Of a row. Its record is looked for where it was from the results, from beside them, and from here.
+/// Records are looked for where they were from the results, from beside them, and from here.
+ReportOptions with_sensitivity(ReportOptions options, const Case& c, const std::filesystem::path& folder) {
+  options.sensitivity = sensitivity_of_results(c, {folder, folder / "..", "."});
+  return options;
+}
+
 std::string report_of(const RunResults& results, const std::filesystem::path& folder, const ReportOptions& options) {
-  ReportOptions all = options;
-  all.sensitivity = sensitivity_of_results(results.c, {folder, folder / "..", "."});
-  return report_html(results, all);
+  return report_html(results, with_sensitivity(options, results.c, folder));
+}
+
+std::string report_of(const PlanRun& results, const std::filesystem::path& folder, const ReportOptions& options) {
+  return plan_report_html(results, with_sensitivity(options, results.c, folder));
 }
 
 /// The report of a folder of results.
@@ -63,7 +70,7 @@ std::string from_results(const std::filesystem::path& folder, const ReportOption
     if (std::filesystem::exists(folder / "histories.nc") && std::filesystem::exists(folder / "summary.json")) {
       const NetcdfReader histories(folder / "histories.nc");
       const ReportOptions told = of_results(options, histories);
-      return is_plan_run(histories) ? plan_report_html(read_plan_results(histories), told)
+      return is_plan_run(histories) ? report_of(read_plan_results(histories), folder, told)
                                     : report_of(read_results(folder), folder, told);
     }
     return report_of(read_results(folder), folder, options);
@@ -98,15 +105,15 @@ std::string from_case(const Loaded& loaded, const std::string& file, const Repor
     const SpectralGaps gaps = spectral_gaps(loaded);
     return spectral_report_html(loaded.c, loaded.problem, gaps, options);
   }
+  ReportOptions all = options;
+  all.sensitivity = sensitivity_of_report(loaded.c, file);
   if (loaded.c.is_in_plan()) {
     PlanRun run = simulate_plan(loaded, report_output_step(loaded.plan), true, options.language);
     run.closer = dense_findings(run);
-    return plan_report_html(run, options);
+    return plan_report_html(run, all);
   }
   RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
   results.figures = figure_data(results);
-  ReportOptions all = options;
-  all.sensitivity = sensitivity_of_report(results.c, file);
   return report_html(results, all);
 }
 

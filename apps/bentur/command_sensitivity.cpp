@@ -25,7 +25,7 @@ struct SensitivityArguments {
 };
 
 void run(const SensitivityArguments& arguments) {
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
+  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   std::optional<OutputFile> output;
   const OutputRules rules{.inputs = {arguments.file}, .force = arguments.force};
   if (!arguments.output.empty()) output.emplace(arguments.output, ResultKind::sensitivity, rules);
@@ -53,7 +53,7 @@ void run(const SensitivityArguments& arguments) {
 void add_sensitivity_command(CLI::App& app) {
   auto arguments = std::make_shared<SensitivityArguments>();
   CLI::App* command = app.add_subcommand("sensitivity", "How peaks change with every number of a case");
-  command->add_option("CASE", arguments->file, "case file (TOML), of a row")->required()->check(not_empty());
+  command->add_option("CASE", arguments->file, "case file (TOML)")->required()->check(not_empty());
   command->add_option("--by", arguments->numbers, "a number as gap[0].width; default: all of the case")
       ->check(not_empty())
       ->type_name("NUMBER");

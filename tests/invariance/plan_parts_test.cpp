@@ -67,6 +67,12 @@ std::string frame_with(const std::string& modulus, const std::string& mass, cons
          mass + " }], beams = [{ area = 0.12, inertia = 0.0016" + mass + " }]";
 }
 
+/// frame_with() of half the modulus, seen from behind.
+std::string turned_frame() {
+  return "{ elastic_modulus = 2.5e7, bay_widths = [4, 5], columns = [{ width = 0.4, depth = 0.4 }, { width = 0.4, "
+         "depth = 0.35 }], beams = [{ area = 0.12, inertia = 0.0016 }] }";
+}
+
 TEST(PlanParts, TwoEqualFramesAreTheRowsFrame) {
   const std::string row =
       units + "[[building]]\nname = \"A\"\ndamping = 0.04\nframe = " +
@@ -100,6 +106,38 @@ TEST(PlanParts, TwoEqualFramesAreTheRowsFrame) {
   // The frames bear it all, each half.
   const PlanPeaks& peaks = found.response.buildings[0];
   for (const std::size_t p : {0U, 1U}) expect_alike(2 * peaks.planes[p].shear, peaks.shear_x, "half the shear");
+}
+
+/// Beams of both, in plan each frame with half of the modulus: E A/(L/2) adds up. The bays are not alike, so that the
+/// one at the gap counts; frames that stand along it do not.
+TEST(PlanParts, AxialStiffnessIsThatOfTheRowsBeams) {
+  for (const bool mirrored : {false, true}) {
+    SCOPED_TRACE(mirrored);
+    const std::string masses[] = {"[40, 30]", "[20, 18]"};
+    const std::string row_frame = frame_with("5e7", ", mass = 0", "storey_heights = [3.5, 3.2], ");
+    const auto building = [&](int b) {
+      return "[[building]]\nname = \"" + std::string(b == 0 ? "A" : "B") + "\"\ndamping = 0.04\nframe = " + row_frame +
+             ", floor_masses = " + masses[b] + ", mass_matrix = \"lumped\" }\n";
+    };
+    const std::string contact = "contact = { law = \"kelvin-voigt\", stiffness = \"axial\", restitution = 0.65 }\n";
+    const std::string row =
+        units + building(0) + building(1) + "[[gap]]\nbetween = [\"A\", \"B\"]\nwidth = 0.005\n" + contact + shaken;
+    const std::string frame = frame_with("2.5e7", "", "") + " }";
+    const auto placed = [&](const std::string& at) {
+      // Seen from its end the frame goes the other way: the line is turned by 180°, and so are its bays.
+      return "[[building.plane]]\n" +
+             (mirrored ? "angle = 180\nthrough = [0, " + at + "]" : "along = \"x\"\nat = " + at) +
+             "\nframe = " + (mirrored ? turned_frame() : frame) + "\n";
+    };
+    const auto in_plan = [&](int b) {
+      return "[[building]]\nname = \"" + std::string(b == 0 ? "A" : "B") + "\"\ndamping = 0.04\nplan = { corner = [" +
+             (b == 0 ? "0" : "9.005") + ", 0], size = [9, 14], storey_heights = [3.5, 3.2], masses = " + masses[b] +
+             " }\n" + placed("1") + placed("13") + "[[building.plane]]\nalong = \"y\"\nat = 4.5\nframe = " + frame +
+             "\n";
+    };
+    const PlanRun found = plan_run(units + "[plan]\nclearance = 0.02\n" + contact + in_plan(0) + in_plan(1) + shaken);
+    expect_row(found, row_response(row));
+  }
 }
 
 /// Planes that soften and pinch, each with half of what the row's storeys have.

@@ -198,9 +198,15 @@ def test_ida(tmp_path):
     assert fragility["curves"][0]["runs"] == 6
 
 
-def test_what_does_not_go_with_them():
-    with pytest.raises(bentur.CaseError, match="does not go with friction"):
-        bentur.run(bentur.Case.from_file(CASE).replace({"analysis": {"duration": 2.0, "solver": "runge-kutta"}}))
+def test_every_solver_follows_friction():
+    case = bentur.Case.from_file(CASE)
+    exact, *others = (
+        bentur.run(case.replace({"analysis": {"duration": 5.0, "solver": solver, **more}}), histories=False)
+        for solver, more in (("exact", {}), ("adaptive", {"tolerance": 1e-11}), ("runge-kutta", {"step": 5e-4}))
+    )
+    loss = [sum(point["friction_loss"] for point in run.summary["gaps"][0]["points"]) for run in (exact, *others)]
+    assert loss[0] > 0
+    assert loss[1:] == pytest.approx([loss[0]] * 2, rel=1e-6)
 
 
 def test_remarks_of_buildings_in_plan(result):

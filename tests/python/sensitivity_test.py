@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 
+import doors
 import numpy as np
 import pytest
 
@@ -96,6 +97,121 @@ def test_a_curved_force_has_none():
         bentur.run(case).sensitivity  # noqa: B018
 
 
+def test_in_plan_places_are_numbers_and_points_have_theirs():
+    pytest.importorskip("pandas")
+    case = bentur.Case.from_file(doors.ROOT / "examples" / "plan" / "twisting-pair.toml").replace(
+        {"plan.contact": {"law": "linear", "stiffness": 4e5}, "analysis.duration": 6.0}
+    )
+    result = bentur.run(case, histories=False)
+    table, path = result.gradient, "building[1].plan.corner[0]"
+    h = 12.04e-6
+    above, below = (bentur.run(case.replace({path: 12.04 + by}), histories=False) for by in (h, -h))
+
+    def points(run):
+        return np.array([point["peak_force"] for point in run.summary["gaps"][0]["points"]])
+
+    known = points(result) > 0
+    different = (points(above) - points(below))[known] / (2 * h)
+    assert np.max(np.abs(different)) > 0
+    np.testing.assert_allclose(table.loc[path, "peak_force"].to_numpy(), different, atol=1e-4 * np.max(np.abs(different)))
+    assert table.columns.names == ["quantity", "of", "level", "x", "y"] and table.columns.is_unique
+    assert result.sensitivity["peaks"][0]["at"] == result.summary["gaps"][0]["points"][0]["at"]
+
+
+def random_plan(seed):
+    """Two twisting buildings side by side, some corner to corner; of three laws, under two motions."""
+    random = np.random.default_rng(seed)
+    storeys = random.integers(1, 4)
+
+    def any_of(low, high):
+        return f"[{', '.join(f'{value:.9g}' for value in random.uniform(low, high, storeys))}]"
+
+    def building(name, corner, size):
+        u = random.uniform
+        return f"""
+[[building]]
+name = "{name}"
+damping = {u(0.02, 0.06):.6g}
+[building.plan]
+corner = [{corner[0]:.9g}, {corner[1]:.9g}]
+size = [{size[0]:.9g}, {size[1]:.9g}]
+storey_heights = {[3.0] * storeys}
+masses = {any_of(80, 300)}
+centres_of_mass = [{size[0] * u(0.4, 0.6):.9g}, {size[1] * u(0.4, 0.6):.9g}]
+[[building.plane]]
+along = "x"
+at = {size[1] * u(0.02, 0.3):.9g}
+stiffnesses = {any_of(2e4, 9e4)}
+[[building.plane]]
+along = "x"
+at = {size[1] * u(0.7, 0.98):.9g}
+stiffnesses = {any_of(2e4, 9e4)}
+[[building.plane]]
+angle = {u(70, 110):.9g}
+through = [{size[0] * u(0.1, 0.9):.9g}, 1.0]
+stiffnesses = {any_of(5e4, 12e4)}
+"""
+
+    sizes = random.uniform(8, 16, (2, 2))
+    beside = sizes[0][1] + random.uniform(-0.1, 0.02) if seed % 3 == 0 else random.uniform(-0.5, 0.8) * sizes[0][1]
+    more = ["", ", damping_ratio = 0.15", ", damping_ratio = 0.1"][seed % 3]
+    law = ["linear", "kelvin-voigt", "kelvin-voigt-approach"][seed % 3]
+    motions = [f'kind = "harmonic"\nperiod = {random.uniform(0.3, 0.8):.6g}\ndisplacement_amplitude = {a}\n' for a in (0.02, 0.012)]
+    return f"""
+units = {{ length = "m", force = "kN" }}
+plan = {{ clearance = 0.1, contact = {{ law = "{law}", stiffness = {random.uniform(5e4, 5e5):.6g}{more} }} }}
+{building("A", (1.0, 2.0), sizes[0])}
+{building("B", (1.0 + sizes[0][0] + random.uniform(0.005, 0.03), 2.0 + beside), sizes[1])}
+[excitation]
+{motions[0]}angle = {random.uniform(3, 40):.6g}
+[excitation.y]
+{motions[1]}
+[analysis]
+duration = 2.5
+"""
+
+
+def of_plan(run):
+    gap = {(quantity, n): point[quantity] for n, point in enumerate(run.summary["gaps"][0]["points"]) for quantity in ("gap_needed", "peak_force")}
+    floors = {
+        (f"displacement_{axis}", building["name"], floor): value
+        for building in run.summary["buildings"]
+        for axis in "xy"
+        for floor, value in enumerate(building[f"peak_displacement_{axis}"])
+    }
+    return {**gap, **floors}
+
+
+@pytest.mark.filterwarnings("ignore::bentur.RemarkWarning")
+@pytest.mark.parametrize("seed", range(1, 7))
+def test_of_random_plans(seed):
+    """Of footprints a millionth moves corners too far for differences: the C++ tests have these."""
+    case = bentur.Case.from_text(random_plan(seed))
+    run = bentur.run(case, histories=False)
+    found, values = bentur.sensitivity(case), of_plan(run)
+    places = [(point["elevation"], point["at"]) for point in run.summary["gaps"][0]["points"]]
+
+    def key_of(peak):
+        if "building" in peak:
+            return peak["quantity"], peak["building"], round(peak["level"] / 3) - 1
+        near = [(peak["quantity"], n) for n, place in enumerate(places) if place == (peak["level"], peak["at"])]
+        return next(key for key in near if values[key] == pytest.approx(peak["value"], rel=1e-7))
+
+    peaks = [(key_of(peak), peak) for peak in found["peaks"] if not peak["quantity"].endswith("_no_contact") and peak["grazing"] > 1e-3]
+    compared = 0
+    for i, number in enumerate(found["numbers"]):
+        if number["path"].endswith(": width") or found["peaks"][0]["elasticity"][i] is None:
+            continue
+        step = 2e-7 * abs(number["value"])
+        above, below = (of_plan(bentur.run(case.replace({number["path"]: number["value"] + h}), histories=False)) for h in (step, -step))
+        for key, peak in peaks:
+            different = (above[key] - below[key]) / (2 * step) * number["value"] / values[key]
+            scale = 1 + max(abs(e) for e in peak["elasticity"] if e is not None)
+            assert different == pytest.approx(peak["elasticity"][i], abs=1e-5 * scale), (number["path"], key)
+            compared += 1
+    assert compared >= 300
+
+
 SUITE = """
 title = "Three records"
 [units]
@@ -175,6 +291,48 @@ def test_of_a_suite_each_record_and_what_its_code_takes(tmp_path, count, takes):
         assert np.max(np.abs(different - ours)) < 1e-5 * np.max(np.abs(different))
     words = subprocess.run([os.environ["BENTUR_PROGRAM"], "sensitivity", str(file), "--lang", "id"], capture_output=True, text=True)
     assert ("rata-rata" if takes == "mean" else "terbesar") in words.stdout and words.returncode == 0
+
+
+def test_of_pairs_each_direction_has_its_scale(tmp_path):
+    """Of buildings in plan: without contact all grows as both do."""
+    random = np.random.default_rng(3)
+    for r in range(8):
+        t = np.arange(300) * 0.02
+        values = np.convolve(random.normal(size=300), np.ones(4) / 4, "same") * np.exp(-(((t - 3) / 2) ** 2))
+        np.savetxt(tmp_path / f"r{r}.txt", np.column_stack([t, 4 * values]))
+    files = [", ".join(f'{{ file = "r{2 * k + y}.txt", unit = "m/s2" }}' for k in range(4)) for y in (0, 1)]
+    plan = "storey_heights = [3.0, 3.0], masses = [30.0, 25.0]"
+    (tmp_path / "suite.toml").write_text(f"""
+units = {{ length = "m", force = "kN" }}
+plan = {{ clearance = 0.1, contact = {{ law = "linear", stiffness = 1e5 }} }}
+[[building]]
+name = "A"
+damping = 0.05
+plan = {{ corner = [0.0, 0.0], size = [10.0, 12.0], {plan} }}
+rigidity = {{ centre = [4.0, 6.0], x = 9e3, y = 9e3, torsion = 4e5 }}
+[[building]]
+name = "B"
+damping = 0.05
+plan = {{ corner = [10.02, 2.0], size = [10.0, 13.0], {plan} }}
+rigidity = {{ centre = [5.0, 6.0], x = 2e4, y = 1e4, torsion = 8e5 }}
+[excitation]
+kind = "suite"
+files = [{files[0]}]
+scale = "en-1998-1"
+target = {{ shape = "en-1998-1", ground_acceleration = "0.3 g", ground_type = "C", spectrum_type = 1 }}
+[excitation.y]
+kind = "suite"
+files = [{files[1]}]
+""")
+    found = bentur.sensitivity(tmp_path / "suite.toml")
+    paths = [number["path"] for number in found["numbers"]]
+    x, y = paths.index("excitation.scale"), paths.index("excitation.y.scale")
+    assert found["numbers"][x]["value"] == found["numbers"][y]["value"] == 1
+    needs = [peak for peak in found["peaks"] if peak["quantity"] == "gap_needed"]
+    assert len(needs) == 4
+    for peak in needs:
+        assert peak["elasticity"][x] + peak["elasticity"][y] == pytest.approx(1, abs=1e-8)
+        assert abs(peak["elasticity"][y]) > 1e-3
 
 
 def test_the_report_of_results_finds_its_record(tmp_path):

@@ -1,8 +1,9 @@
 // The studio with buildings in plan, as its user meets it. Environment as page.test.mjs.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 import { curveDone, launch, open, openForm, solved, taken, test } from "./browser.mjs";
@@ -91,6 +92,45 @@ test("figures, tables and impacts are those of buildings in plan, without what o
     await put(page, text.replace("corner = [12.04, 0.0]", "corner = [12.08, 0.0]"));
     assert.deepEqual(await page.$$eval("#compare tbody tr", (all) => all.map((row) => row.cells[1].textContent)), ["0.08\u00a0m", "0.04\u00a0m"]);
   });
+});
+
+/** The same pair without friction and under a motion of its own, its first building known by so many of its modes, as the command line tells them. */
+function byModes(count) {
+  const { periods, shapes } = JSON.parse(execFileSync(process.env.BENTUR, ["modes", "--json", file])).buildings[0];
+  const planes = text.indexOf("[[building.plane]]"), next = text.indexOf("[[building]]", planes);
+  const modal = `[building.modal]\nperiods = ${JSON.stringify(periods.slice(0, count))}\nshapes = ${JSON.stringify(shapes.slice(0, count))}\n\n`;
+  return (text.slice(0, planes) + modal + text.slice(next))
+    .replace(/\[excitation\][^[]*/, '[excitation]\nkind = "harmonic"\nperiod = 0.5\ndisplacement_amplitude = 0.03\nangle = 30.0\n\n')
+    .replace("duration = 15.0", "duration = 4.0");
+}
+
+test("a building that is known by its modes stands in plan as on the command line, and what its modes leave out is said", async () => {
+  const folder = mkdtempSync(`${tmpdir()}/bentur-modes-`);
+  try {
+    await inPlan(async (page) => {
+      for (const count of [6, 3]) {
+        const given = byModes(count), own = `${folder}/case.toml`;
+        writeFileSync(own, given);
+        await put(page, given);
+        const mine = JSON.parse(await taken(page, '[data-take="summary"]'));
+        const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["run", "--json", own]));
+        assert.equal(mine.buildings[0].modal.modes, count);
+        const unlike = (path) => /^\/case|\/wall_time$|\/energy_residual$|\/energy_lost$/.test(path);
+        const found = difference(mine, theirs, "", unlike);
+        assert.ok(found.size < 1e-12, `${found.path} ${found.size}`);
+        for (const language of ["en", "id"]) {
+          await page.selectOption("#language", language);
+          await solved(page);
+          const remarks = spaced(await page.textContent("[data-remarks]"));
+          assert.deepEqual(remarks, terminal(own, language).remarks.join(" ").replaceAll("remark: ", ""));
+          assert.equal(/modes|ragam|moda/.test(remarks), count === 3, remarks);
+        }
+        await page.selectOption("#language", "en");
+      }
+    });
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
 
 /** Thirty houses, five rows of six, each a little unlike its neighbours. */

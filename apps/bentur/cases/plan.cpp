@@ -36,7 +36,7 @@ std::string gap_line(const Loaded& loaded, std::size_t g, const Words& say) {
                              {"stretch", length(gap.stretch.to - gap.stretch.from)},
                              {"points", say.count("checked.count.points", std::ssize(gap.contacts))},
                              {"law", loaded.c.gaps[g].contact.law}}) +
-         "\n";
+         (loaded.c.gaps[g].contact.axial ? say("checked.axial") : "") + "\n";
 }
 
 /// How much of each mode is along x, along y, and rotation: parts of φᵀMφ = 1 [%].

@@ -110,7 +110,7 @@ def sensitivity(
     all records, and of each. :attr:`Result.sensitivity` has those of a run.
 
     :param numbers: those wanted, as ``gap[0].width``; default: all of the case.
-    :raises CaseError: for buildings in plan, that yield, or a contact law with a curved force.
+    :raises CaseError: for buildings that yield, friction, or a contact law with a curved force.
     """
     asked = as_case(case)
     wanted = [_arguments.text(f"numbers[{i}]", one) for i, one in enumerate([numbers] if isinstance(numbers, str) else numbers)]

@@ -272,7 +272,7 @@ class Result:
         as ``bentur sensitivity CASE --json`` prints them (docs/sensitivity.md). Found when first asked for. Of a record of
         a suite they are those of the suite, with each record's own, as of :func:`bentur.sensitivity`.
 
-        :raises CaseError: for buildings in plan, that yield, or a contact law with a curved force.
+        :raises CaseError: for buildings that yield, friction, or a contact law with a curved force.
         """
         found: dict[str, Any] = json.loads(_core.sensitivity_json(self.case._made, [], None))
         return found
@@ -280,7 +280,7 @@ class Result:
     @property
     def gradient(self) -> pandas.DataFrame:
         """:attr:`sensitivity` as a table: a row for each number of the case, a column for each peak, by its quantity,
-        its gap or building, and its level.
+        its gap or building, and its level; in plan also by x and y of a contact point.
 
         :raises CaseError: as :attr:`sensitivity`.
         :raises ImportError: without pandas.
@@ -288,11 +288,15 @@ class Result:
         pandas: Any = imported("pandas", "the table of derivatives")
         found = self.sensitivity
         peaks = found["peaks"]
-        columns = [(peak["quantity"], peak.get("gap", peak.get("building")), peak["level"]) for peak in peaks]
+        names = ("quantity", "of", "level", "x", "y") if self._in_plan else ("quantity", "of", "level")
+        columns = [
+            (peak["quantity"], peak.get("gap", peak.get("building")), peak["level"], *peak.get("at", (None, None)))[: len(names)]
+            for peak in peaks
+        ]
         table: Any = pandas.DataFrame(
             np.array([peak["gradient"] for peak in peaks]).reshape(len(peaks), len(found["numbers"])).T,
             index=[number["path"] for number in found["numbers"]],
-            columns=pandas.MultiIndex.from_tuples(columns, names=("quantity", "of", "level")),
+            columns=pandas.MultiIndex.from_tuples(columns, names=names),
         )
         return table
 

@@ -343,7 +343,7 @@ void bind_run(py::module_& module) {
           [](PyRun& run, const std::string& language, const PyCase* given) {
             ReportOptions options{.language = language, .version = std::string(version())};
             tell_source(run);
-            if (given != nullptr && !run.plan) {
+            if (given != nullptr) {
               options.sensitivity = sensitivity_of_report(given->c, given->folder / fs::path(given->name).filename());
             }
             return run.plan ? plan_report_html(plan_with_figures(run), options)

@@ -16,7 +16,7 @@ namespace bentur {
 Key spring_stiffness() {
   return Key::number("stiffness", dimension::stiffness, Range::positive, {"Contact stiffness", "Kekakuan kontak"},
                      "k; of `\"axial\"`, between two frames, 1/k = 1/K₁ + 1/K₂ with K = EA/(L/2) of the floor beams "
-                     "next to the gap")
+                     "next to the gap, in plan of all frames across the joint together")
       .for_each("one per contact point")
       .or_one_of({"axial"})
       .called({{"axial, of the floor beams next to the gap", "aksial, dari balok lantai di sisi celah"}});

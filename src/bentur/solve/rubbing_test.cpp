@@ -224,9 +224,6 @@ TEST(Rubbing, LawsThatPullOrHaveNoBranchesTakeNone) {
     EXPECT_THROW(Rubbing(law, 0.1, 0), InvalidParameter);
     EXPECT_THROW(Rubbing(law, 0.1, std::numeric_limits<double>::infinity()), InvalidParameter);
   }
-  System system = rectangle(Vector3d::Zero(), 1);
-  system.rubbing = {rubbing({std::make_shared<Linear>(1), 0.3, 1}, corner)};
-  EXPECT_THROW(FreeSolution(system, RungeKuttaSolver{}), InvalidParameter);
 }
 
 TEST(Rubbing, RandomCornersOfTwoBodiesByBothSolvers) {

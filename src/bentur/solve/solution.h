@@ -58,6 +58,11 @@ struct Change {
   std::size_t guard = 0;     ///< of its branch
   double time = 0;           ///< [s]
   LawState before, after;
+  /// Of a contact of a meeting: it is closed or opens without a force, and its law goes on as it was.
+  bool passes = false;
+  bool shares = false;  ///< several families of its meeting share what acts
+  std::vector<std::pair<Eigen::Index, LawState>>
+      slipped;  ///< contacts whose force has ended with it, and where they are
   std::vector<std::pair<Eigen::Index, double>> impulses;  ///< of impacts without time: element, and [force·s]
   Eigen::VectorXd q, v;                                   ///< every coordinate of the solver
 };

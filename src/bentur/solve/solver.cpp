@@ -193,9 +193,6 @@ void validate(const Solver& solver) {
 FreeSolution::FreeSolution(System system, const Solver& solver, const std::function<bool(double)>& progress,
                            const RunLimits& limits) {
   validate(solver);
-  if (!system.rubbing.empty() && std::holds_alternative<RungeKuttaSolver>(solver)) {
-    throw InvalidParameter("solver", "runge-kutta", "does not take contacts that rub");
-  }
   const auto parts = std::make_shared<engine::FreeParts>(std::move(system), solver, limits);
   const System& given = parts->system;
   engine::FreeRun run({parts->modal, given, parts->laws, parts->solver, parts->grid, parts->plan, limits});

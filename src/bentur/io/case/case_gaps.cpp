@@ -85,6 +85,8 @@ std::vector<double> read_elevations(const TomlView& gap, const ReadBuilding& lef
 /// One key of the law into `spec`; false (and an error) unless its value is usable.
 bool read_number(const TomlView& value, const LawEntry& law, const Key& key, const GapSides& sides, ContactSpec& spec) {
   const bool axial = !key.words.empty();
+  // In plan frames are planes: whether some stand across the joint shows where its laws are made.
+  const auto may_have_beams = [](const ReadBuilding& one) { return one.is_frame || one.spec.is_in_plan(); };
   if (value.is(TomlValue::Kind::text)) {
     if (value.value().text != "axial") {
       value.error_value(axial ? "must be a number, a list of numbers or \"axial\""
@@ -92,9 +94,9 @@ bool read_number(const TomlView& value, const LawEntry& law, const Key& key, con
     } else if (!axial) {
       value.error_value(fmt::format("must be a number or a list of numbers: with law = \"{}\" {} is no force/length",
                                     law.name, key.name));
-    } else if (!sides.left.is_frame || !sides.right.is_frame) {
-      value.error_value(
-          fmt::format("needs two frames, but {} is none", (sides.left.is_frame ? sides.right : sides.left).path));
+    } else if (!may_have_beams(sides.left) || !may_have_beams(sides.right)) {
+      value.error_value(fmt::format("needs two frames, but {} is none",
+                                    (may_have_beams(sides.left) ? sides.right : sides.left).path));
     } else {
       spec.axial = true;
     }

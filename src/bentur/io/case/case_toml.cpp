@@ -192,19 +192,6 @@ void check_times(const TomlView& root, const std::vector<TomlView>& views, const
   }
 }
 
-/// Of a case in plan steps of one length do not follow friction.
-void refuse_steps_with_friction(const TomlView& root, const std::vector<GapSpec>& gaps) {
-  const bool rubs = std::any_of(gaps.begin(), gaps.end(), [](const GapSpec& gap) {
-    const auto friction = gap.contact.numbers.find("friction");
-    return friction != gap.contact.numbers.end() &&
-           std::any_of(friction->second.begin(), friction->second.end(), [](double value) { return value > 0; });
-  });
-  const auto analysis = root.find("analysis");
-  if (!analysis || !analysis->is(TomlValue::Kind::table)) return;
-  const auto solver = analysis->find("solver");
-  if (rubs && solver && solver->value().text == "runge-kutta") solver->error_value("does not go with friction");
-}
-
 /// The excitation that says how long the ground moves: the longer record.
 const ExcitationSpec& longest_of(const Case& c) {
   const auto length = [](const ExcitationSpec& one) { return one.record ? one.record->duration : 0.0; };
@@ -324,7 +311,6 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   read_excitation(root, buildings, files, in_plan, c);
   bool moves = false;
   c.initial = read_initial(root, buildings, in_plan, moves);
-  if (in_plan) refuse_steps_with_friction(root, c.gaps);
   c.analysis = read_analysis(root, longest_of(c));
   c.code = read_code(root, c.units, buildings.size(), gaps);
   c.screening = read_screening(root);

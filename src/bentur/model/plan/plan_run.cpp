@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bentur/contact/axial_stiffness.h"
 #include "bentur/contact/laws/rubbing.h"
 #include "bentur/core/errors.h"
 #include "bentur/model/plan/plan_row.h"
@@ -34,6 +35,34 @@ double floor_mass(const BuildingSpec& spec, int floor) {
   if (plan == nullptr) return std::numeric_limits<double>::infinity();
   const int slabs = plan->isolation ? 1 : 0;
   return floor < slabs ? plan->isolation->mass : plan->masses.at(static_cast<std::size_t>(floor - slabs));
+}
+
+/// Halves of the floor beams next to a joint (3-4), those of all frames that stand across it side by side
+/// [force/length]. @param outward normal of the joint, away from the building
+double beam_ends_stiffness(const BuildingSpec& spec, int floor, const PlanPoint& outward) {
+  constexpr double parallel = 1e-9;
+  const Plan* const plan = std::get_if<Plan>(&spec.structure);
+  const int beams = floor - (plan != nullptr && plan->isolation ? 1 : 0);
+  if (beams < 0)
+    throw InvalidParameter("stiffness", "axial", "is of floor beams, of which a slab on bearings has none");
+  double sum = 0;
+  for (const PlanPlane& plane : plan != nullptr ? plan->planes : std::vector<PlanPlane>()) {
+    const double along = plane.direction.dot(outward);
+    if (plane.frame == nullptr || 1 - std::abs(along) > parallel) continue;
+    const PlaneFrame& frame = *plane.frame;
+    sum += half_beam_stiffness(frame.elastic_modulus, frame.beams.at(static_cast<std::size_t>(beams)).area,
+                               along > 0 ? frame.bay_widths.back() : frame.bay_widths.front());
+  }
+  if (sum > 0) return sum;
+  throw InvalidParameter("stiffness", "axial", "needs frames across the joint, but \"" + spec.name + "\" has none");
+}
+
+/// What a point of a level gives its law. @param axial the whole stiffness of floor beams, where that is asked for
+LawInput input_of(const ContactSpec& contact, std::size_t level, double m_e, double share,
+                  const std::optional<double>& axial) {
+  LawInput input = contact_input(contact, level, m_e, share);
+  if (axial) input.numbers["stiffness"] = share * *axial;
+  return input;
 }
 
 /// How far two buildings may move by one another, of the height of a floor: what a joint's ends are looked at for.
@@ -97,6 +126,11 @@ PlanGap gap_with_contacts(const GapSpec& gap, const BuildingSpec& left, const Bu
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
     const LevelPair& floors = gap.levels[level];
     const double m_e = effective_mass(floor_mass(left, floors.left_floor), floor_mass(right, floors.right_floor));
+    std::optional<double> axial;
+    if (gap.contact.axial) {
+      axial = series_stiffness(beam_ends_stiffness(left, floors.left_floor, gap.stretch.n),
+                               beam_ends_stiffness(right, floors.right_floor, -gap.stretch.n));
+    }
     const double height = floors.elevation - std::min(left.base_elevation, right.base_elevation);
     for (StretchPoint& point : points_between(left.footprint(), right.footprint(), gap.stretch, gap.points,
                                               moves_of_height * height, gap.contact.number("spread", 0))) {
@@ -109,7 +143,7 @@ PlanGap gap_with_contacts(const GapSpec& gap, const BuildingSpec& left, const Bu
                               .at = point.beside ? *point.beside : gap.stretch.at(point.along)});
         continue;
       }
-      const auto law = make_contact_law(gap.contact, contact_input(gap.contact, level, m_e, point.share));
+      const auto law = make_contact_law(gap.contact, input_of(gap.contact, level, m_e, point.share, axial));
       (point.beside ? others : made.contacts)
           .push_back({.left_floor = floors.left_floor,
                       .right_floor = floors.right_floor,

@@ -10,8 +10,12 @@ namespace bentur::html {
 namespace {
 
 /// A number of a case in the words of its keys: "Annex, Frame: Storey heights 6" is
-/// building[1].frame.storey_heights[5].
+/// building[1].frame.storey_heights[5]. In plan the width of a gap is called as it is beside the name of the gap.
 std::string number_in_words(const std::string& path, const Case& c, const Words& say) {
+  if (constexpr std::string_view width = ": width"; path.ends_with(width)) {
+    const Key* const key = case_keys().find("gap")->table->find("width");
+    return path.substr(0, path.size() - width.size()) + ": " + label_text(key->label, say);
+  }
   std::string error, text;
   const std::optional<ParameterPath> steps = parse_path(path, error);
   const KeyTable* keys = &case_keys();

@@ -12,6 +12,7 @@ namespace engine {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
@@ -31,12 +32,31 @@ VectorXd row_of(const ModalSystem& modal, const ModalSystem::Relation& at) {
   return row;
 }
 
+/// How a row of the first outputs of a body changes with the numbers.
+std::vector<Dependence::OfRow> moved_output(const System& system, const ModalSystem& modal,
+                                            const std::vector<Variation>& variations, std::size_t body, Index row) {
+  std::vector<Dependence::OfRow> moved;
+  for (Index p = 0; p < std::ssize(variations); ++p) {
+    const Variation& by = variations[p];
+    const RowVectorXd less = by.below.bodies[body].outputs.front().rows.row(row);
+    const RowVectorXd more = by.above.bodies[body].outputs.front().rows.row(row);
+    if (less == more) continue;
+    Dependence::OfRow& of = moved.emplace_back(Dependence::OfRow{p, VectorXd::Zero(modal.size), {}});
+    const MatrixXd& shapes = system.bodies[body].modes.shapes;
+    of.row.segment(modal.blocks[body].begin, shapes.cols()) =
+        shapes.transpose() * (more - less).transpose() / (2 * by.step);
+  }
+  return moved;
+}
+
 /// Of each contact the deformation without width, and then the first outputs of each body.
-std::vector<Sought> sought_of(const System& system, const ModalSystem& modal, const std::vector<double>* needed,
+std::vector<Sought> sought_of(const System& system, const ModalSystem& modal, const Dependence& by,
+                              const std::vector<Variation>& variations, const std::vector<double>* needed,
                               const std::vector<std::vector<OutputsFound>>& outputs) {
   std::vector<Sought> result;
   for (std::size_t i = 0; needed != nullptr && i < system.contacts.size(); ++i) {
-    result.push_back({row_of(modal, modal.elements[i].relation), 0.0, false, (*needed)[i]});
+    const auto element = static_cast<Index>(i);
+    result.push_back({row_of(modal, modal.elements[i].relation), 0.0, false, (*needed)[i], by.rows(element)});
   }
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     if (outputs[b].empty()) continue;
@@ -45,7 +65,8 @@ std::vector<Sought> sought_of(const System& system, const ModalSystem& modal, co
     for (Index r = 0; r < peak.size(); ++r) {
       VectorXd row = VectorXd::Zero(modal.size);
       row.segment(block.begin, block.size) = block.outputs.front().of_position.row(r);
-      result.push_back({row, block.outputs.front().at_rest(r), true, peak(r)});
+      result.push_back(
+          {row, block.outputs.front().at_rest(r), true, peak(r), moved_output(system, modal, variations, b, r)});
     }
   }
   return result;
@@ -79,6 +100,7 @@ struct Want {
   double time = 0;
   const Sought* sought = nullptr;  ///< null: the force of a contact
   Index contact = -1;
+  double force = 0;  ///< of that, as it is known
   Derivative* into = nullptr;
 };
 
@@ -91,16 +113,19 @@ void take_want(const Want& want, TangentRun& run, bool at_event) {
     RowVectorXd by;
     into.value = run.force(want.contact, by);
     if (at_event) by += run.force_rate(want.contact) * run.event_by();
-    into.by = by.transpose();
+    const bool is_whole = std::abs(into.value - want.force) <= same_force * want.force;
+    if (is_whole && by.allFinite()) into.by = by.transpose();
+    into.value = want.force;  // else it has ended there at once, where bodies slipped off
     return;
   }
   const TangentState& state = at_event ? run.before_event() : run.state();
   into.value = want.sought->row.dot(state.q) + want.sought->offset;
   const double sign = want.sought->of_size && into.value < 0.0 ? -1.0 : 1.0;
   RowVectorXd by = want.sought->row.transpose() * state.by_q;
+  for (const Dependence::OfRow& moved : want.sought->moved) by(moved.parameter) += moved.row.dot(state.q);
   if (at_event) by += want.sought->row.dot(state.v) * run.event_by();
   into.value *= sign;
-  into.by = sign * by.transpose();
+  if (by.allFinite()) into.by = sign * by.transpose();
 }
 
 /// Goes to all that is wanted, in order of time, and to the changes before the last of it.
@@ -139,7 +164,6 @@ std::optional<std::string> why_no_tangents(const System& system) {
   }
   if (!system.rubbing.empty()) return "contacts that rub are not followed";
   for (const Contact& contact : system.contacts) {
-    if (contact.place.meeting >= 0) return "contacts that meet in plan are not followed";
     LawState touching;
     touching.branch = 1;
     if (!contact.law->branch(touching).linear) {
@@ -172,8 +196,8 @@ Tangents tangents(const FreeSolution& free, const Solution& found, const std::ve
   const TangentRun::Setup still{system, modal, grid, laws, none}, setup{system, modal, grid, laws, by};
 
   const Solution& alone = free.solution();
-  const std::vector<Sought> free_sought = sought_of(system, modal, &alone.needed, alone.outputs);
-  const std::vector<Sought> sought = sought_of(system, modal, nullptr, found.outputs);
+  const std::vector<Sought> free_sought = sought_of(system, modal, by, variations, &alone.needed, alone.outputs);
+  const std::vector<Sought> sought = sought_of(system, modal, by, variations, nullptr, found.outputs);
   std::vector<double> speeds;
   const std::vector<Place> free_places = places_of(still, free_sought, {}, false, speeds);
   const bool touches = !found.changes.empty();
@@ -196,7 +220,7 @@ Tangents tangents(const FreeSolution& free, const Solution& found, const std::ve
     into.is_equalled = place.is_equalled;
     const double size = of.of_size ? std::abs(place.value) : place.value;
     if (place.time >= 0.0 && of.peak > least && std::abs(size - of.peak) <= near_peak * of.peak) {
-      list.push_back({place.time, &of, -1, &into});
+      list.push_back({place.time, &of, -1, 0, &into});
     }
   };
   std::size_t at = 0;
@@ -222,7 +246,8 @@ Tangents tangents(const FreeSolution& free, const Solution& found, const std::ve
       if (&impact == hardest || impact.point != static_cast<Index>(i)) continue;
       if (impact.peak_force >= (1.0 - same_force) * hardest->peak_force) result.peak_force[i].is_equalled = true;
     }
-    wants.push_back({hardest->peak_force_time, nullptr, static_cast<Index>(i), &result.peak_force[i]});
+    wants.push_back(
+        {hardest->peak_force_time, nullptr, static_cast<Index>(i), hardest->peak_force, &result.peak_force[i]});
   }
 
   TangentRun run(setup, false);

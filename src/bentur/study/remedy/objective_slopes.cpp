@@ -1,11 +1,15 @@
 #include "bentur/study/remedy/objective_slopes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "bentur/core/errors.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/tangent/problem_tangents.h"
+#include "bentur/study/problem_as.h"
 #include "bentur/study/remedy/remedy.h"
 #include "bentur/study/study_variables.h"
 
@@ -19,6 +23,29 @@ constexpr double slow_start = 1e-3;  // of the usual speed of contact: no deriva
 constexpr double counts = 0.5;       // of the largest: peaks further below are not soon the largest
 constexpr double as_large = 1e-6;    // of a peak: two that are as large are named by either
 
+/// Of buildings in plan displacements stand in a list kind after kind: of centres of mass along x and y, of edges.
+constexpr std::array<std::string_view, 6> kinds_in_plan = {"_x", "_y", "_south", "_north", "_west", "_east"};
+
+/// What is asked of displacements of floors: of a row all, of a plan one of its kinds; nothing: another quantity.
+struct OfFloors {
+  bool without_contact = false;
+  std::optional<std::size_t> kind = {};
+};
+std::optional<OfFloors> displacement_of(const RowPart& part) {
+  constexpr std::string_view first = "peak_displacement", last = "_no_contact";
+  const std::string number_left_out = without_number(part.name);
+  std::string_view name = number_left_out;
+  if (part.owner != Owner::floor || !name.starts_with(first)) return std::nullopt;
+  name.remove_prefix(first.size());
+  OfFloors asked{.without_contact = name.ends_with(last)};
+  if (asked.without_contact) name.remove_suffix(last.size());
+  if (name.empty()) return asked;
+  const auto kind = std::find(kinds_in_plan.begin(), kinds_in_plan.end(), name);
+  if (kind == kinds_in_plan.end()) return std::nullopt;
+  asked.kind = static_cast<std::size_t>(kind - kinds_in_plan.begin());
+  return asked;
+}
+
 /// The peaks that a part of a row is of; nothing: it is none of these.
 std::optional<std::vector<const Derivative*>> peaks_of(const RowPart& part, const Tangents* found) {
   std::vector<const Derivative*> peaks;
@@ -31,14 +58,31 @@ std::optional<std::vector<const Derivative*>> peaks_of(const RowPart& part, cons
     if (found != nullptr) all(found->needed);
   } else if (name == "peak_force") {
     if (found != nullptr) all(found->peak_force);
-  } else if (name == "peak_displacement") {
-    if (found != nullptr) all(found->displacement[building]);
-  } else if (name == "peak_displacement_no_contact") {
-    if (found != nullptr) all(found->displacement_free[building]);
+  } else if (const auto asked = displacement_of(part)) {
+    if (found == nullptr) return peaks;
+    all((asked->without_contact ? found->displacement_free : found->displacement)[building]);
+    if (asked->kind) {
+      const std::size_t floors = peaks.size() / kinds_in_plan.size();
+      peaks.erase(peaks.begin() + static_cast<std::ptrdiff_t>((*asked->kind + 1) * floors), peaks.end());
+      peaks.erase(peaks.begin(), peaks.end() - static_cast<std::ptrdiff_t>(floors));
+    }
   } else {
     return std::nullopt;
   }
   return peaks;
+}
+
+/// What of a run and of those with a little more and a little less of each choice follows.
+template <class AnyProblem>
+ProblemTangents tangents_by(const ReadCase& here, const std::vector<std::pair<ReadCase, ReadCase>>& varied,
+                            const std::vector<double>& steps, const std::function<bool()>& go_on) {
+  std::vector<VariationOf<AnyProblem>> variations;
+  for (std::size_t i = 0; i < varied.size(); ++i) {
+    const auto& [below, above] = varied[i];
+    variations.push_back({steps[i], problem_as<AnyProblem>(below), problem_as<AnyProblem>(above)});
+  }
+  return tangents(problem_as<AnyProblem>(here), variations, run_limits(here.c.analysis),
+                  [&](double) { return go_on(); });
 }
 
 }  // namespace
@@ -74,17 +118,19 @@ std::optional<std::vector<double>> ObjectiveSlopes::values_at(const Places& plac
   try {
     const std::optional<ReadCase> here = read_at(places, choices);
     if (!here || !std::holds_alternative<ExactSolver>(here->c.analysis.solver)) return none;
-    std::vector<ProblemVariation> variations;
+    std::vector<std::pair<ReadCase, ReadCase>> varied;
+    std::vector<double> steps;
     for (std::size_t i = 0; i < places.size(); ++i) {
       Places low = places, high = places;
       low[i] = std::max(0.0, places[i] - step);
       high[i] = std::min(1.0, places[i] + step);
-      const std::optional<ReadCase> below = read_at(low, choices), above = read_at(high, choices);
+      std::optional<ReadCase> below = read_at(low, choices), above = read_at(high, choices);
       if (!below || !above) return none;
-      variations.push_back({(high[i] - low[i]) / 2, below->problem(), above->problem()});
+      varied.emplace_back(*std::move(below), *std::move(above));
+      steps.push_back((high[i] - low[i]) / 2);
     }
-    const ProblemTangents all =
-        tangents(here->problem(), variations, run_limits(here->c.analysis), [&](double) { return go_on(); });
+    const ProblemTangents all = here->plan ? tangents_by<PlanProblem>(*here, varied, steps, go_on)
+                                           : tangents_by<Problem>(*here, varied, steps, go_on);
     if (all.status == Status::stopped) return std::nullopt;
     const auto is_left_out = [](const std::optional<std::string>& why) { return why.has_value(); };
     if (all.refused || all.status != Status::done ||

@@ -21,7 +21,7 @@ class ObjectiveSlopes {
                   std::shared_ptr<CaseMemo> memo)
       : of_(of), study_(study), axes_(std::move(axes)), memo_(std::move(memo)) {}
 
-  /// Whether there may be any: the objective is the gap needed, the peak force or a displacement, in a row.
+  /// Whether there may be any: the objective is the gap needed, the peak force or a displacement.
   [[nodiscard]] bool may_be() const;
   /// Of a run at places u those peaks that are more than half of the largest, a value and a slope per axis each, one
   /// after the other; none where the largest has no derivative that holds: by the reasons of docs/sensitivity.md, or

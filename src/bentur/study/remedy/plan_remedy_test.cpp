@@ -9,9 +9,11 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/study/remedy/least_gap.h"
+#include "bentur/study/remedy/objective_slopes.h"
 #include "bentur/study/remedy/optimiser.h"
 #include "bentur/study/remedy/remedy.h"
 #include "bentur/study/remedy/remedy_story.h"
+#include "bentur/study/study_variables.h"
 
 namespace bentur {
 namespace {
@@ -92,6 +94,50 @@ TEST_F(PlanRemedies, TheLeastGapKeepsThemApartAndALittleLessDoesNot) {
   EXPECT_TRUE(apart.response.impacts.empty());
   EXPECT_EQ(least_gap_story(least_gaps(apart)).statements.front().kind, "least_gap_enough");
   EXPECT_TRUE(least_gaps(run(gap.needed * (1 - 1e-6), 2e4)).gaps[0].is_short);
+}
+
+/// Of contacts, of centres of mass and of edges, which lie elsewhere in what was found.
+TEST_F(PlanRemedies, SlopesAreThoseOfTheObjectiveByDifferences) {
+  std::ofstream(folder_.path() / "case.toml") << case_of(0.02, 2e4);
+  for (const std::string objective :
+       {"gap_needed", "peak_force", "peak_displacement_north_no_contact", "peak_displacement_north"}) {
+    SCOPED_TRACE(objective);
+    std::ofstream(folder_.path() / "study.toml")
+        << "case = 'case.toml'\n[remedy]\nobjective = '" + objective + "'\nevaluations = 10\n" +
+               "[[vary]]\nparameter = 'building[0].plane[1].stiffnesses'\nfrom = 2e4\nto = 9e4\n" +
+               "[[vary]]\nparameter = 'building[1].plan.corner[0]'\nfrom = 12.01\nto = 12.05\n";
+    Diagnostics diagnostics;
+    const std::optional<Study> read = read_study(folder_.path() / "study.toml", diagnostics);
+    ASSERT_TRUE(read && diagnostics.ok()) << diagnostics.errors().front().text();
+    const auto memo = std::make_shared<CaseMemo>();
+    const std::optional<StudyFacts> facts = check_study(*read, *memo, diagnostics);
+    ASSERT_TRUE(diagnostics.ok()) << diagnostics.errors().front().text();
+    std::vector<RowPart> of;
+    for (const RowPart& part : quantities_of(*facts)) {
+      if (is_quantity(part.name, objective) && part.building == 0)
+        of.push_back(part);  // the other one hangs on neither
+    }
+    ASSERT_FALSE(of.empty());
+    const ObjectiveSlopes slopes(of, *read, {0, 1}, memo);
+    ASSERT_TRUE(slopes.may_be());
+    const std::vector<std::size_t> first = {0};
+    const auto largest = [&](double stiffness, double corner) {
+      const std::vector<double> places = {stiffness, corner};
+      const auto parts = slopes.parts(StudyRuns(chosen_study(*read, places), *facts, memo, slopes.at(places))
+                                          .solve(first, [] { return true; })[0]
+                                          .values);
+      return *std::max_element(parts.begin(), parts.end(),
+                               [](const auto& a, const auto& b) { return a.value < b.value; });
+    };
+    constexpr double h = 1e-5;  // its square, of u
+    const FunctionPart here = largest(0.4, 0.3);
+    const double by_stiffness = (largest(0.4 + h, 0.3).value - largest(0.4 - h, 0.3).value) / (2 * h);
+    const double by_corner = (largest(0.4, 0.3 + h).value - largest(0.4, 0.3 - h).value) / (2 * h);
+    const double most = std::max(std::abs(by_stiffness), std::abs(by_corner));
+    EXPECT_GT(most, 0);
+    EXPECT_NEAR(here.slope[0], by_stiffness, 1e-5 * most);
+    EXPECT_NEAR(here.slope[1], by_corner, 1e-5 * most);
+  }
 }
 
 TEST_F(PlanRemedies, ASideIsStiffenedUntilTheBuildingTurnsNoMore) {

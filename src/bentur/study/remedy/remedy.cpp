@@ -134,7 +134,7 @@ class Trials {
   /// The peaks near the objective at a place where it is known, with their slopes; empty: there are none. Of the mean
   /// over records it is one peak for all, of the largest of each.
   std::vector<FunctionPart> parts(const Places& places) {
-    if (!options_.slopes || facts_.plan || !slopes_.may_be()) return {};
+    if (!options_.slopes || !slopes_.may_be()) return {};
     const double value = objective(places);
     if (!std::isfinite(value)) return {};
     const auto known = known_parts_.find(places);

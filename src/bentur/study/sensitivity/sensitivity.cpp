@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "bentur/core/errors.h"
@@ -20,6 +21,7 @@
 #include "bentur/io/toml/parameter_path.h"
 #include "bentur/model/case.h"
 #include "bentur/pounding/tangent/problem_tangents.h"
+#include "bentur/study/problem_as.h"
 #include "bentur/study/sensitivity/internal/suite_sensitivity.h"
 
 namespace bentur {
@@ -28,7 +30,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double relative_step = 1e-6;  // of a number: its square is below what assembly keeps
-constexpr std::array tables_of_numbers = {"building", "gap", "link", "excitation", "initial"};
+constexpr std::array tables_of_numbers = {"plan", "building", "gap", "link", "excitation", "initial"};
 constexpr std::size_t most_buildings = 6;   // of a report
 constexpr std::array samples = {"values"};  // lists that are no parameters
 
@@ -70,11 +72,36 @@ void gather(const TomlValue& value, const ParameterPath& path, std::vector<Param
   }
 }
 
+/// Whether a number is of a footprint's corners or size.
+bool is_of_footprint(const ParameterPath& path) {
+  constexpr std::array keys = {"corner", "size", "polygon", "court", "part"};
+  return path.size() > 3 && path[0] == PathStep("building") && path[2] == PathStep("plan") &&
+         std::any_of(keys.begin(), keys.end(), [&](const char* key) { return path[3] == PathStep(key); });
+}
+
+/// Of a case in plan the widths of its gaps, by what they are called as numbers.
+std::vector<std::string> names_of_widths(const ReadCase& read) {
+  std::vector<std::string> names;
+  if (!read.plan) return names;
+  for (const PlanGap& gap : read.plan->gaps) names.push_back(gap_name(*read.plan, gap) + ": width");
+  return names;
+}
+
+/// The numbers of a case that are asked for.
+struct Asked {
+  std::vector<ParameterPath> paths = {};
+  std::vector<std::size_t> widths = {};  ///< of these gaps in plan
+};
+
 /// Those that were asked for; what is none is an error.
-std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::filesystem::path& file,
-                                         const std::vector<std::string>& asked, Diagnostics& diagnostics) {
-  std::vector<ParameterPath> paths;
+Asked asked_numbers(const TomlValue& root, const std::filesystem::path& file, const std::vector<std::string>& asked,
+                    const std::vector<std::string>& widths, Diagnostics& diagnostics) {
+  Asked numbers;
   for (const std::string& text : asked) {
+    if (const auto width = std::find(widths.begin(), widths.end(), text); width != widths.end()) {
+      numbers.widths.push_back(static_cast<std::size_t>(width - widths.begin()));
+      continue;
+    }
     std::string error;
     std::optional<ParameterPath> path = parse_path(text, error);
     if (path) path = resolved(root, *path, error);
@@ -88,10 +115,10 @@ std::vector<ParameterPath> asked_numbers(const TomlValue& root, const std::files
       if (path && value == nullptr) found.suggestion = near_unknown_key(case_keys(), *path, root).value_or("");
       diagnostics.add(std::move(found));
     } else {
-      paths.push_back(*path);
+      numbers.paths.push_back(*path);
     }
   }
-  return paths;
+  return numbers;
 }
 
 class Maker {
@@ -99,14 +126,15 @@ class Maker {
   Maker(const TomlValue& root, const std::filesystem::path& file) : root_(root), file_(file) {}
 
   /// The problem where a number is another one; nothing where the case is then wrong, and why.
-  std::optional<Problem> with(const ParameterPath& path, const TomlValue& value, std::string& why) {
+  template <class AnyProblem>
+  std::optional<AnyProblem> with(const ParameterPath& path, const TomlValue& value, std::string& why) {
     TomlValue root = root_;
     put_value(root, path, value);
     Diagnostics found;
     try {
       const ReadCase read =
           read_case_parts(TomlView(root, "", file_.string(), found), file_.parent_path(), found, &memo_);
-      if (found.ok()) return read.problem();
+      if (found.ok()) return problem_as<AnyProblem>(read);
       why = found.errors().front().rule;
     } catch (const InvalidParameter& error) {
       why = error.what();
@@ -124,37 +152,82 @@ class Maker {
   CaseMemo memo_;
 };
 
+using Kind = SensitivePeak::Kind;
+
 std::vector<SensitivePeak> peaks_of(const Problem& problem, const Tangents& found) {
   std::vector<SensitivePeak> peaks;
   for (Index gap = 0; gap < gap_count(problem); ++gap) {
-    for (const auto kind : {SensitivePeak::Kind::gap_needed, SensitivePeak::Kind::peak_force}) {
+    for (const auto& [kind, of] : {std::pair(Kind::gap_needed, &found.needed), {Kind::peak_force, &found.peak_force}}) {
       for (const Index point : gap_at(problem, gap).points) {
-        const auto& of = kind == SensitivePeak::Kind::gap_needed ? found.needed : found.peak_force;
         peaks.push_back({.kind = kind,
                          .item = gap,
                          .place = point,
                          .name = gap_name(problem, gap),
                          .level = problem.points[point].elevation,
-                         .derivative = of[point]});
+                         .derivative = (*of)[point]});
       }
     }
   }
-  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
-    for (const auto kind : {SensitivePeak::Kind::displacement, SensitivePeak::Kind::displacement_no_contact}) {
-      const auto& of = kind == SensitivePeak::Kind::displacement ? found.displacement : found.displacement_free;
-      const Building& building = problem.buildings[b];
-      for (Index floor = 0; floor < std::min<Index>(building.model.floors(), std::ssize(of[b])); ++floor) {
-        peaks.push_back({.kind = kind,
-                         .item = b,
-                         .place = floor,
-                         .name = building.name,
-                         .level = building.model.elevations[floor],
-                         .derivative = of[b][floor]});
-      }
-    }
-  }
-  mark_largest(peaks);
   return peaks;
+}
+
+std::vector<SensitivePeak> peaks_of(const PlanProblem& problem, const Tangents& found) {
+  std::vector<SensitivePeak> peaks;
+  Index first = 0;
+  for (Index gap = 0; gap < std::ssize(problem.gaps); ++gap) {
+    const PlanGap& between = problem.gaps[gap];
+    for (const auto& [kind, of] : {std::pair(Kind::gap_needed, &found.needed), {Kind::peak_force, &found.peak_force}}) {
+      for (Index i = 0; i < std::ssize(between.contacts); ++i) {
+        peaks.push_back({.kind = kind,
+                         .item = gap,
+                         .place = first + i,
+                         .name = gap_name(problem, between),
+                         .level = between.contacts[i].elevation,
+                         .at = between.middle(between.contacts[i]),
+                         .derivative = (*of)[first + i]});
+      }
+    }
+    first += std::ssize(between.contacts);
+  }
+  return peaks;
+}
+
+/// Displacements of one kind, of the floors of a building, in what was found from `begin` on; of a wall there are none.
+void add_floors(Kind kind, Index building, const std::string& name, const std::vector<double>& elevations,
+                const std::vector<Derivative>& of, Index begin, std::vector<SensitivePeak>& peaks) {
+  for (Index floor = 0; floor < std::ssize(elevations) && begin + floor < std::ssize(of); ++floor) {
+    peaks.push_back({.kind = kind,
+                     .item = building,
+                     .place = floor,
+                     .name = name,
+                     .level = elevations[floor],
+                     .derivative = of[begin + floor]});
+  }
+}
+
+void add_displacements(const Problem& problem, const Tangents& found, std::vector<SensitivePeak>& peaks) {
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    const Building& of = problem.buildings[b];
+    const auto add = [&](Kind kind, const auto& list) {
+      add_floors(kind, b, of.name, of.model.elevations, list[b], 0, peaks);
+    };
+    add(Kind::displacement, found.displacement);
+    add(Kind::displacement_no_contact, found.displacement_free);
+  }
+}
+
+void add_displacements(const PlanProblem& problem, const Tangents& found, std::vector<SensitivePeak>& peaks) {
+  for (Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    const PlanBuilding& of = problem.buildings[b];
+    if (of.is_rigid()) continue;
+    const auto add = [&](Kind kind, const auto& list, Index begin) {
+      add_floors(kind, b, of.name, of.model.elevations, list[b], begin, peaks);
+    };
+    add(Kind::displacement_x, found.displacement, 0);
+    add(Kind::displacement_x_no_contact, found.displacement_free, 0);
+    add(Kind::displacement_y, found.displacement, of.model.floors());
+    add(Kind::displacement_y_no_contact, found.displacement_free, of.model.floors());
+  }
 }
 
 }  // namespace
@@ -180,59 +253,75 @@ void mark_largest(std::vector<SensitivePeak>& peaks) {
 
 std::string_view key_of(SensitivePeak::Kind kind) {
   switch (kind) {
-    case SensitivePeak::Kind::gap_needed:
+    case Kind::gap_needed:
       return "gap_needed";
-    case SensitivePeak::Kind::peak_force:
+    case Kind::peak_force:
       return "peak_force";
-    case SensitivePeak::Kind::displacement:
+    case Kind::displacement:
       return "displacement";
-    case SensitivePeak::Kind::displacement_no_contact:
+    case Kind::displacement_no_contact:
+      return "displacement_no_contact";
+    case Kind::displacement_x:
+      return "displacement_x";
+    case Kind::displacement_x_no_contact:
+      return "displacement_x_no_contact";
+    case Kind::displacement_y:
+      return "displacement_y";
+    case Kind::displacement_y_no_contact:
       break;
   }
-  return "displacement_no_contact";
+  return "displacement_y_no_contact";
 }
+
+bool is_of_gap(SensitivePeak::Kind kind) { return kind == Kind::gap_needed || kind == Kind::peak_force; }
 
 double Sensitivity::elasticity(const SensitivePeak& peak, std::size_t number) const {
   const Derivative& of = peak.derivative;
-  if (of.by.size() == 0 || !(of.value > 0)) return not_known;
+  if (of.by.size() == 0 || !(of.value > 0) || numbers[number].is_of_footprint) return not_known;
   return of.by(static_cast<Index>(number)) * numbers[number].value / of.value;
 }
 
-std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::filesystem::path& file,
-                                          const SensitivityOptions& options, Diagnostics& diagnostics) {
-  Maker maker(root, file);
-  const ReadCase read = maker.itself(diagnostics);
-  if (!diagnostics.ok()) return std::nullopt;
-  const Case& c = read.c;
-  const auto refuse = [&](const std::string& why) {
-    diagnostics.error({file.string(), 0, 0}, why);
-    return std::nullopt;
-  };
-  if (refuse_plan(c, file, diagnostics)) return std::nullopt;
-  if (c.excitation.suite) return sensitivity_of_suite(root, file, c.excitation.suite, options, diagnostics);
-  if (refuse_without_motion(c, diagnostics)) return std::nullopt;
-  if (!std::holds_alternative<ExactSolver>(c.analysis.solver)) {
-    return refuse("sensitivities are found by the solver \"exact\" alone");
-  }
-  std::vector<ParameterPath> paths = numbers_in(root);
-  if (!options.numbers.empty()) paths = asked_numbers(root, file, options.numbers, diagnostics);
-  if (!diagnostics.ok()) return std::nullopt;
+namespace {
 
-  Sensitivity result{.title = c.title, .units = c.units, .numbers = {}, .left_out = {}, .peaks = {}};
-  const Problem problem = read.problem();
-  std::vector<ProblemVariation> variations;
+/// A gap in plan with another width: all its contacts are as much further apart, and no others.
+PlanProblem with_width(PlanProblem problem, std::size_t gap, double more) {
+  problem.gaps[gap].stretch.width += more;
+  return problem;
+}
+
+/// Of a case that is right, with one motion, by these numbers. Nothing (and an error) where there are none.
+template <class AnyProblem>
+std::optional<Sensitivity> found_by(const ReadCase& read, Maker& maker, const TomlValue& root, const Asked& asked,
+                                    const SensitivityOptions& options,
+                                    const std::function<std::nullopt_t(const std::string&)>& refuse) {
+  Sensitivity result{.title = read.c.title, .units = read.c.units, .numbers = {}, .left_out = {}, .peaks = {}};
+  const AnyProblem problem = problem_as<AnyProblem>(read);
+  std::vector<VariationOf<AnyProblem>> variations;
   std::vector<CaseNumber> numbers;
-  for (const ParameterPath& path : paths) {
+  if constexpr (std::is_same_v<AnyProblem, PlanProblem>) {
+    const std::vector<std::string> names = names_of_widths(read);
+    for (const std::size_t gap : asked.widths) {
+      const CaseNumber width{names[gap], problem.gaps[gap].stretch.width};
+      const double step = relative_step * width.value;
+      if (step == 0.0) {
+        result.left_out.emplace_back(width.path, "is zero: no part of it can be added");
+        continue;
+      }
+      variations.push_back({step, with_width(problem, gap, -step), with_width(problem, gap, step)});
+      numbers.push_back(width);
+    }
+  }
+  for (const ParameterPath& path : asked.paths) {
     const Given given = *number_in(*find_value(root, path));
-    const CaseNumber number{path_text(path), given.value};
+    const CaseNumber number{path_text(path), given.value, is_of_footprint(path)};
     const double step = relative_step * std::abs(number.value);
     if (step == 0.0) {
       result.left_out.emplace_back(number.path, "is zero: no part of it can be added");
       continue;
     }
     std::string why;
-    std::optional<Problem> below = maker.with(path, given.other(number.value - step), why), above;
-    if (below) above = maker.with(path, given.other(number.value + step), why);
+    std::optional<AnyProblem> below = maker.with<AnyProblem>(path, given.other(number.value - step), why), above;
+    if (below) above = maker.with<AnyProblem>(path, given.other(number.value + step), why);
     if (!above) {
       result.left_out.emplace_back(number.path, why);
       continue;
@@ -240,7 +329,7 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
     variations.push_back({step, *std::move(below), *std::move(above)});
     numbers.push_back(number);
   }
-  const ProblemTangents found = tangents(problem, variations, run_limits(c.analysis), options.progress);
+  const ProblemTangents found = tangents(problem, variations, run_limits(read.c.analysis), options.progress);
   if (found.refused) return refuse("there are no sensitivities of this case: " + *found.refused);
   if (found.status == Status::stopped) return std::nullopt;
   if (found.status != Status::done) return refuse("the run did not get to its end: " + found.message);
@@ -252,7 +341,35 @@ std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::file
     }
   }
   result.peaks = peaks_of(problem, found.found);
+  add_displacements(problem, found.found, result.peaks);
+  mark_largest(result.peaks);
   return result;
+}
+
+}  // namespace
+
+std::optional<Sensitivity> sensitivity_of(const TomlValue& root, const std::filesystem::path& file,
+                                          const SensitivityOptions& options, Diagnostics& diagnostics) {
+  Maker maker(root, file);
+  const ReadCase read = maker.itself(diagnostics);
+  if (!diagnostics.ok()) return std::nullopt;
+  const Case& c = read.c;
+  const auto refuse = [&](const std::string& why) {
+    diagnostics.error({file.string(), 0, 0}, why);
+    return std::nullopt;
+  };
+  if (c.excitation.suite) return sensitivity_of_suite(root, file, c.excitation.suite, options, diagnostics);
+  if (refuse_without_motion(c, diagnostics)) return std::nullopt;
+  if (!std::holds_alternative<ExactSolver>(c.analysis.solver)) {
+    return refuse("sensitivities are found by the solver \"exact\" alone");
+  }
+  const std::vector<std::string> widths = names_of_widths(read);
+  Asked asked{.paths = numbers_in(root)};
+  for (std::size_t gap = 0; gap < widths.size(); ++gap) asked.widths.push_back(gap);
+  if (!options.numbers.empty()) asked = asked_numbers(root, file, options.numbers, widths, diagnostics);
+  if (!diagnostics.ok()) return std::nullopt;
+  return read.plan ? found_by<PlanProblem>(read, maker, root, asked, options, refuse)
+                   : found_by<Problem>(read, maker, root, asked, options, refuse);
 }
 
 namespace {
@@ -278,19 +395,23 @@ bool is_record(const std::filesystem::path& file, const RecordEcho& record) {
 }  // namespace
 
 std::optional<Sensitivity> sensitivity_of_report(const Case& c, const std::filesystem::path& file) {
-  if (c.given == nullptr || c.buildings.size() > most_buildings || c.is_in_plan()) return std::nullopt;
+  if (c.given == nullptr || c.buildings.size() > most_buildings) return std::nullopt;
   return found_or_nothing(*c.given, file);
 }
 
 std::optional<Sensitivity> sensitivity_of_results(const Case& c, const std::vector<std::filesystem::path>& folders) {
-  if (!c.source || c.buildings.size() > most_buildings || c.is_in_plan()) return std::nullopt;
+  if (!c.source || c.buildings.size() > most_buildings) return std::nullopt;
   Diagnostics ignored;
   const auto root = parse_toml(c.source->text, c.source->file, ignored);
   if (!root) return std::nullopt;
-  const TomlValue* const named = find_value(*root, {"excitation", "file"});
+  // Of buildings in plan a second motion, along y, may have one too.
+  const auto is_there = [&](const ParameterPath& path, const ExcitationSpec& motion, const std::filesystem::path& at) {
+    const TomlValue* const named = find_value(*root, path);
+    return named == nullptr || (motion.record && is_record(at / named->text, *motion.record));
+  };
   for (const std::filesystem::path& folder : folders) {
-    const bool is_here =
-        named == nullptr || (c.excitation.record && is_record(folder / named->text, *c.excitation.record));
+    const bool is_here = is_there({"excitation", "file"}, c.excitation, folder) &&
+                         is_there({"excitation", "y", "file"}, c.excitation_y, folder);
     if (is_here) return found_or_nothing(*root, folder / c.source->file);
   }
   return std::nullopt;

@@ -19,9 +19,8 @@ Json peaks_json(const Sensitivity& found, const std::vector<SensitivePeak>& of_a
       gradient.push_back(of.by(static_cast<Eigen::Index>(i)));
       elasticity.push_back(found.elasticity(peak, i));
     }
-    const bool of_gap = peak.kind == SensitivePeak::Kind::gap_needed || peak.kind == SensitivePeak::Kind::peak_force;
     peaks.push_back({{"quantity", key_of(peak.kind)},
-                     {of_gap ? "gap" : "building", peak.name},
+                     {is_of_gap(peak.kind) ? "gap" : "building", peak.name},
                      {"level", peak.level},
                      {"value", of.value},
                      {"time", std::isnan(of.time) ? Json(nullptr) : Json(of.time)},
@@ -31,6 +30,7 @@ Json peaks_json(const Sensitivity& found, const std::vector<SensitivePeak>& of_a
                      {"simultaneous", of.is_simultaneous},
                      {"gradient", gradient},
                      {"elasticity", elasticity}});
+    if (peak.at) peaks.back()["at"] = {peak.at->x(), peak.at->y()};
     if (!peak.record.empty()) peaks.back()["record"] = peak.record;
   }
   return peaks;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "bentur/core/number_text.h"
 #include "bentur/study/sensitivity/sensitivity.h"
@@ -12,10 +13,12 @@ constexpr double grazes = 1e-3;         // of the usual speed: a contact that se
 constexpr double small_part = 0.01;     // of the largest elasticity: numbers below are not shown
 constexpr std::size_t most_shown = 20;  // numbers in a table
 
-std::size_t most_of(const Sensitivity& found, const SensitivePeak& peak) {
-  std::size_t most = 0;
-  for (std::size_t i = 1; i < found.numbers.size(); ++i) {
-    if (std::abs(found.elasticity(peak, i)) > std::abs(found.elasticity(peak, most))) most = i;
+/// The number that a peak changes with most; nothing where none has an elasticity.
+std::optional<std::size_t> most_of(const Sensitivity& found, const SensitivePeak& peak) {
+  std::optional<std::size_t> most;
+  for (std::size_t i = 0; i < found.numbers.size(); ++i) {
+    const double part = std::abs(found.elasticity(peak, i));
+    if (!std::isnan(part) && (!most || part > std::abs(found.elasticity(peak, *most)))) most = i;
   }
   return most;
 }
@@ -32,14 +35,15 @@ void say_peak(const Sensitivity& found, const SensitivePeak& peak, std::vector<S
   const bool is_mean = found.takes_mean && !found.records.empty();
   const std::string kind =
       "sensitivity_" + std::string(key_of(peak.kind)) + (of_force && is_mean ? "_mean" : "");  // at no one time
-  const std::size_t most = most_of(found, peak);
-  const double elasticity = found.elasticity(peak, most);
+  const std::optional<std::size_t> most = most_of(found, peak);
+  if (!most) return;
+  const double elasticity = found.elasticity(peak, *most);
   const std::vector<StoryValue> values = {
       {"name", peak.name},
       {"value", of.value, of_force ? found.units.force : found.units.length},
       {"level", peak.level, found.units.length},
       {"time", of.time, "s"},
-      {"number", found.numbers[most].path},
+      {"number", found.numbers[*most].path},
       {"part", std::abs(to_shown(elasticity)), "%"},
       {"way", std::string(elasticity < 0 ? "story.sensitivity_less" : "story.sensitivity_more"), {}, true}};
   statements.push_back({.kind = kind, .values = values});
@@ -67,6 +71,7 @@ StoryTable sensitivity_table(const Sensitivity& found, const std::vector<const S
   std::vector<std::size_t> order(largest.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return largest[a] > largest[b]; });
+  std::erase_if(order, [&](std::size_t i) { return found.numbers[i].is_of_footprint; });
   order.resize(std::min(order.size(), most_shown));
   while (!order.empty() && largest[order.back()] < small_part * largest[order.front()]) order.pop_back();
   for (const std::size_t i : order) shown[i] = true;
@@ -95,8 +100,10 @@ Story sensitivity_story(const Sensitivity& found) {
     if (peak.is_largest && !found.numbers.empty()) largest.push_back(&peak);
   }
   if (!found.records.empty()) {
+    std::string scales;
+    for (const std::string& scale : found.scales) scales += (scales.empty() ? "" : ", ") + scale;
     story.statements.push_back({.kind = found.takes_mean ? "sensitivity_takes_mean" : "sensitivity_takes_largest",
-                                .values = {{"records", static_cast<long>(found.records.size())}}});
+                                .values = {{"records", static_cast<long>(found.records.size())}, {"scales", scales}}});
   }
   for (const SensitivePeak* peak : largest) say_peak(found, *peak, story.statements);
   // One table for each gap or building.
@@ -110,7 +117,10 @@ Story sensitivity_story(const Sensitivity& found) {
     at = end;
   }
   if (largest.empty()) story.statements.push_back({.kind = "sensitivity_none", .severity = Severity::warning});
-  if (const auto rest = std::count(shown.begin(), shown.end(), false); rest > 0 && !largest.empty()) {
+  const auto footprints = std::count_if(found.numbers.begin(), found.numbers.end(),
+                                        [](const CaseNumber& number) { return number.is_of_footprint; });
+  const auto rest = std::count(shown.begin(), shown.end(), false) - footprints;
+  if (rest > 0 && !largest.empty()) {
     double most = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
       for (const SensitivePeak* const peak : largest) {
@@ -121,6 +131,9 @@ Story sensitivity_story(const Sensitivity& found) {
     story.statements.push_back(
         {.kind = "sensitivity_rest",
          .values = {{"rows", rows}, {"count", static_cast<long>(rest)}, {"part", to_shown(most), "%"}}});
+  }
+  if (footprints > 0 && !largest.empty()) {
+    story.statements.push_back({.kind = "sensitivity_footprints", .severity = Severity::remark});
   }
   if (!found.left_out.empty()) {
     std::string list;

@@ -14,12 +14,16 @@ namespace {
 using Eigen::Index;
 
 const ParameterPath scale_of_record = {"excitation", "scale"};
+const ParameterPath scale_along_y = {"excitation", "y", "scale"};  // of pairs
+
+bool is_scale(const std::string& path) {
+  return path == path_text(scale_of_record) || path == path_text(scale_along_y);
+}
 
 /// A number's place in what was found of a record; nothing where it is not there.
 std::optional<Index> place_of(const Sensitivity& found, const CaseNumber& number) {
-  const bool is_scale = number.path == path_text(scale_of_record);
   const auto at = std::find_if(found.numbers.begin(), found.numbers.end(), [&](const CaseNumber& one) {
-    return one.path == number.path && (is_scale || one.value == number.value);
+    return one.path == number.path && (is_scale(number.path) || one.value == number.value);
   });
   return at == found.numbers.end() ? std::nullopt : std::optional(at - found.numbers.begin());
 }
@@ -57,14 +61,14 @@ void join_numbers(std::vector<Sensitivity>& all) {
       Eigen::VectorXd by(std::ssize(kept));
       for (Index i = 0; i < by.size(); ++i) {
         const CaseNumber& own = one.numbers[places[i]];
-        by(i) = peak.derivative.by(places[i]) * (own.path == path_text(scale_of_record) ? own.value : 1.0);
+        by(i) = peak.derivative.by(places[i]) * (is_scale(own.path) ? own.value : 1.0);
       }
       peak.derivative.by = std::move(by);
     }
     one.left_out = left_out;
   }
   for (CaseNumber& number : kept) {
-    if (number.path == path_text(scale_of_record)) number.value = 1;
+    if (is_scale(number.path)) number.value = 1;
   }
   for (Sensitivity& one : all) one.numbers = kept;
 }
@@ -106,6 +110,8 @@ std::optional<Sensitivity> sensitivity_of_suite(const TomlValue& root, const std
   if (!study) return std::nullopt;
   const Vary& records = study->varies.front();
   const std::size_t count = records.values.size();
+  std::vector<ParameterPath> scales = {scale_of_record};
+  if (study->suite->is_of_pairs()) scales.push_back(scale_along_y);
   std::vector<std::string> of_suite;  // numbers that choose and scale the records
   for (const ParameterPath& path : numbers_in(root)) {
     const bool is_there = find_value(study->case_root, path) != nullptr;
@@ -115,7 +121,9 @@ std::optional<Sensitivity> sensitivity_of_suite(const TomlValue& root, const std
   for (std::size_t record = 0; record < count; ++record) {
     const std::vector<Choice> choices = {{.level = record}};
     TomlValue of_record = chosen_case(*study, choices);
-    put_value(of_record, scale_of_record, toml_number(normalisation_of(*study, choices)));
+    for (const ParameterPath& scale : scales) {
+      put_value(of_record, scale, toml_number(normalisation_of(*study, choices)));
+    }
     SensitivityOptions each{.numbers = options.numbers};
     if (options.progress) {
       each.progress = [&](double fraction) {
@@ -137,6 +145,7 @@ std::optional<Sensitivity> sensitivity_of_suite(const TomlValue& root, const std
         path, "is of how the suite is chosen and scaled: excitation.scale is a factor of all records");
   }
   Sensitivity result = all.front();
+  for (const ParameterPath& scale : scales) result.scales.push_back(path_text(scale));
   result.takes_mean = suite_measure(*study->suite).kind == SuiteMeasure::Kind::mean;
   for (std::size_t i = 0; i < result.peaks.size(); ++i) {
     SensitivePeak& peak = result.peaks[i];

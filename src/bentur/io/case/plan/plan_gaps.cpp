@@ -32,6 +32,7 @@ PlanDefaults read_defaults(const TomlView& root) {
   // As of one level: what differs from level to level is a gap's own.
   ReadBuilding none;
   none.path = "a building in plan";
+  none.spec.structure = Plan();
   const TomlView contact = *defaults.view->find("contact");
   bool lists = false;
   for (const TomlMember& member : contact.value().members) {

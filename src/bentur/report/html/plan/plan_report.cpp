@@ -307,7 +307,10 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
       .header = html::title_block(run.c.project, title, say("report.by", {{"version", options.version}}), say) +
                 html::identity(run.c.source, records, say),
       .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
-                   sections.impacts(listed), html::figures_section(say, figures),
+                   sections.impacts(listed),
+                   options.sensitivity ? html::sensitivity_section(*options.sensitivity, run.c, say, options.language)
+                                       : html::PageSection{"sensitivity", {}, {}},
+                   html::figures_section(say, figures),
                    html::plan_input_section(run.c, run.problem, run.response.events, say)},
       .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
                 html::csv_script(csv_of(run, listed))};

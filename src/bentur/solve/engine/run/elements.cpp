@@ -427,6 +427,7 @@ Elements::Force Elements::take_force(Index i) {
 void Elements::change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state) {
   const Index i = event.element;
   jumps_.clear();
+  meetings_.begin_change();
   began_ = goes_on_ = false;
   if (i >= count()) {
     change_coupled(event, time, inputs, state);
@@ -476,11 +477,6 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
     begin_impact(i, i, start, closing, law(i).stored_energy(states_[i], delta));
     log_.under_way(i).slow_start = slow;
   }
-}
-
-void Elements::begin_impact(Index i, Index of_log, double start, double closing, double stored) {
-  log_.begin(of_log, start, std::abs(closing) < least_speeds_[i] ? 0.0 : closing, stored);
-  log_.under_way(of_log).from_rest = from_rest(i, closing);
 }
 
 Elements::Memory Elements::memory() const { return {states_, accounts_, tolerances_, coupled_.states()}; }

@@ -103,7 +103,6 @@ class Elements {
   /// A surface that has come back to within round-off of its place at `time` is a fresh one. To be called between
   /// steps, once what ended the last one has changed: its branch may be the one that is left.
   void forget_faded(double time, State& state);
-
   void go_on() { coupled_.go_on(); }  ///< a flight has been taken: nothing is at the beginning of its branch any more
 
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
@@ -115,6 +114,7 @@ class Elements {
   [[nodiscard]] std::optional<Eigen::Index> limit_passed() const { return limit_passed_; }
   [[nodiscard]] bool began() const { return began_; }                      ///< it began a contact
   [[nodiscard]] const std::vector<Jump>& jumps() const { return jumps_; }  ///< of the last change
+  [[nodiscard]] const Meetings& meetings() const { return meetings_; }     ///< and what they did at it
 
   /// Ends the run at `time`: contacts still closed count as impacts.
   void finish(double time);

@@ -124,6 +124,7 @@ void Elements::slip_off(Index point, double time, State& state) {
   log_.end(log, time, -speed(at, state));
   if (!rubs) take(point, 1);
   pass(point, time, state);
+  meetings_.slip_off(point);
 }
 
 /// A point is closed and nothing pushes there.
@@ -145,6 +146,7 @@ void Elements::pass(Index point, double time, State& state) {
 bool Elements::is_settled(Index point, double time, State& state) {
   if (meetings_.passed(point)) {
     meetings_.come_back(point);
+    meetings_.settle();
     if (point < system_->switched) {
       set(point, states_[point], state);
     } else {
@@ -161,6 +163,7 @@ bool Elements::is_settled(Index point, double time, State& state) {
     return false;
   }
   pass(point, time, state);
+  meetings_.settle();
   return true;
 }
 

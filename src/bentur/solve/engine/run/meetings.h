@@ -32,12 +32,26 @@ class Meetings {
   }
   /// How many families share what acts in the meeting of a point: those that closed last at one instant.
   [[nodiscard]] int& sharing(Eigen::Index point) { return sharing_[places_[point].meeting]; }
+  [[nodiscard]] bool shares(Eigen::Index point) const { return has(point) && sharing_[places_[point].meeting] > 1; }
+
+  /// What a change does beside the law of its contact: that one is closed or opens without a force, its law as it was;
+  /// contacts whose force ends with it.
+  void begin_change() {
+    settles_ = false;
+    slipped_.clear();
+  }
+  void settle() { settles_ = true; }
+  void slip_off(Eigen::Index point) { slipped_.push_back(point); }
+  [[nodiscard]] bool settles() const { return settles_; }
+  [[nodiscard]] const std::vector<Eigen::Index>& slipped() const { return slipped_; }
 
  private:
   std::vector<MeetingPlace> places_;
   std::vector<char> passed_;                       ///< per point
   std::vector<std::vector<Eigen::Index>> points_;  ///< per meeting
   std::vector<int> sharing_;                       ///< per meeting
+  std::vector<Eigen::Index> slipped_;
+  bool settles_ = false;
 };
 
 /// While it is passed: no force, until δ is back where bodies that are apart touch. @param apart their branch

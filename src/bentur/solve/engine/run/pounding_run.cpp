@@ -60,6 +60,10 @@ void PoundingRun::changed(double time) {
     if (change.element < elements_.count()) {
       change.before = before();
       change.after = elements_.law_state(change.element);
+      const Meetings& meetings = elements_.meetings();
+      change.passes = meetings.settles();
+      change.shares = change.element < system_.switched && meetings.shares(change.element);
+      for (const Eigen::Index one : meetings.slipped()) change.slipped.emplace_back(one, elements_.law_state(one));
     }
     for (const Elements::Jump& jump : elements_.jumps()) change.impulses.emplace_back(jump.element, jump.impulse);
     change.q = state_.q;

@@ -2,6 +2,7 @@
 #include "bentur/contact/laws/rubbing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bentur/solve/engine/run/elements.h"
 
@@ -66,6 +67,11 @@ void Elements::note_touch(const Opening& of, const Course& course, double end) {
   if (!zero && leaves && touch.time >= 0.0) return;
   const double s = zero.value_or(leaves ? 0.0 : end);
   touch = {course.time + s * course.h, first_derivative(beyond, s) / course.h};
+}
+
+void Elements::begin_impact(Index i, Index of_log, double start, double closing, double stored) {
+  log_.begin(of_log, start, std::abs(closing) < least_speeds_[i] ? 0.0 : closing, stored);
+  log_.under_way(of_log).from_rest = from_rest(i, closing);
 }
 
 /// What follows from a guard of an element of several deformations.

@@ -16,16 +16,53 @@ MatrixXd damping_matrix(const Body& body) {
   return shapes * body.modal_damping * shapes.transpose();
 }
 
-bool same_place(const BodyRow& a, const BodyRow& b) {
-  return a.body == b.body && a.row.size() == b.row.size() && a.row == b.row && a.ground.size() == b.ground.size() &&
-         a.ground == b.ground;
+bool is_of_same_body(const BodyRow& a, const BodyRow& b) {
+  return a.body == b.body && a.row.size() == b.row.size() && a.ground.size() == b.ground.size();
+}
+
+/// Contacts of a meeting stay what they are of it.
+bool are_of_same_meetings(const std::vector<Contact>& a, const std::vector<Contact>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contact& x, const Contact& y) {
+    return x.place.meeting == y.place.meeting && x.place.family == y.place.family && x.place.seam == y.place.seam;
+  });
 }
 
 template <class List>
-bool same_places(const List& a, const List& b) {
+bool are_of_same_bodies(const List& a, const List& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return same_place(x.at.left, y.at.left) && same_place(x.at.right, y.at.right);
+    return is_of_same_body(x.at.left, y.at.left) && is_of_same_body(x.at.right, y.at.right);
   });
+}
+
+/// Whether numbers change as much below as above, as far as round-off lets that be seen.
+bool changes_evenly(const VectorXd& below, const VectorXd& here, const VectorXd& above) {
+  constexpr double uneven = 1e-3, round_off = 1e-12;
+  const VectorXd change = above - below;
+  return ((above - here) - (here - below)).lpNorm<Eigen::Infinity>() <=
+         uneven * change.lpNorm<Eigen::Infinity>() + round_off * here.lpNorm<Eigen::Infinity>();
+}
+
+/// Where a contact or joint is: its rows, and the width of a contact.
+bool moves_evenly(const BodyRow& below, const BodyRow& here, const BodyRow& above) {
+  return changes_evenly(below.row, here.row, above.row) && changes_evenly(below.ground, here.ground, above.ground);
+}
+
+bool moves_evenly(const Interface& below, const Interface& here, const Interface& above) {
+  return moves_evenly(below.left, here.left, above.left) && moves_evenly(below.right, here.right, above.right);
+}
+
+/// Contacts stand at corners: where two of them are at one place, it moves otherwise one way than the other.
+bool moves_evenly(const System& system, const Variation& by) {
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    const auto width = [](const Contact& contact) { return VectorXd::Constant(1, contact.width); };
+    const Contact &below = by.below.contacts[i], &here = system.contacts[i], &above = by.above.contacts[i];
+    if (!moves_evenly(below.at, here.at, above.at)) return false;
+    if (!changes_evenly(width(below), width(here), width(above))) return false;
+  }
+  for (std::size_t i = 0; i < system.joints.size(); ++i) {
+    if (!moves_evenly(by.below.joints[i].at, system.joints[i].at, by.above.joints[i].at)) return false;
+  }
+  return true;
 }
 
 /// The input of a harmonic motion a time after it has begun.
@@ -56,9 +93,11 @@ std::optional<std::string> trouble_of(const System& system, const Variation& by)
       if (other->bodies[b].modes.omega.size() != system.bodies[b].modes.omega.size())
         return "changes a building's modes";
     }
-    if (!same_places(system.contacts, other->contacts) || !same_places(system.joints, other->joints)) {
-      return "moves the places where buildings touch";
+    if (!are_of_same_bodies(system.contacts, other->contacts) ||
+        !are_of_same_meetings(system.contacts, other->contacts) || !are_of_same_bodies(system.joints, other->joints)) {
+      return "changes where buildings touch";
     }
+    if (other->motions.size() != system.motions.size()) return "changes the number of motions";
     for (std::size_t c = 0; c < system.motions.size(); ++c) {
       const GroundMotion &one = system.motions[c], &moved = other->motions[c];
       if (one.index() != moved.index()) return "changes the kind of motion";
@@ -70,12 +109,14 @@ std::optional<std::string> trouble_of(const System& system, const Variation& by)
       }
     }
   }
+  if (!moves_evenly(system, by)) return "moves the places where buildings touch otherwise one way than the other";
   return std::nullopt;
 }
 
 Dependence::Dependence(const System& system, const ModalSystem& modal)
     : system_(&system),
       bodies_(system.bodies.size()),
+      rows_(modal.elements.size()),
       initial_q_(MatrixXd::Zero(modal.size, 0)),
       initial_v_(MatrixXd::Zero(modal.size, 0)),
       offsets_(MatrixXd::Zero(std::ssize(modal.elements), 0)),
@@ -90,6 +131,7 @@ Dependence::Dependence(const System& system, const ModalSystem& modal, const std
   for (Index p = 0; p < count_; ++p) {
     const Variation& by = variations[p];
     take_bodies(system, modal, by, p);
+    take_rows(system, modal, by, p);
     for (std::size_t i = 0; i < system.contacts.size(); ++i) {
       offsets_(static_cast<Index>(i), p) = -(by.above.contacts[i].width - by.below.contacts[i].width) / (2.0 * by.step);
     }
@@ -129,6 +171,28 @@ void Dependence::take_bodies(const System& system, const ModalSystem& modal, con
     };
     start(by.above.initial_displacement, by.below.initial_displacement, initial_q_);
     start(by.above.initial_velocity, by.below.initial_velocity, initial_v_);
+  }
+}
+
+void Dependence::take_rows(const System& system, const ModalSystem& modal, const Variation& by, Index p) {
+  const double rate = 1.0 / (2.0 * by.step);
+  const auto take = [&](Index element, const Interface& below, const Interface& above) {
+    OfRow of{p, VectorXd::Zero(modal.size), VectorXd::Zero(modal.size)};
+    for (const auto& [less, more] : {std::pair(&below.left, &above.left), std::pair(&below.right, &above.right)}) {
+      if (more->body < 0) continue;
+      const ModalSystem::Block& block = modal.blocks[more->body];
+      const VectorXd moved = system.bodies[more->body].modes.shapes.transpose() * (rate * (more->row - less->row));
+      of.row.segment(block.begin, block.modes) += moved;
+      of.push.segment(block.begin, block.modes) -= moved;
+      of.row.segment(block.begin + block.modes, more->ground.size()) += rate * (more->ground - less->ground);
+    }
+    if (!of.row.isZero(0.0)) rows_[element].push_back(std::move(of));
+  };
+  for (std::size_t i = 0; i < system.contacts.size(); ++i) {
+    take(static_cast<Index>(i), by.below.contacts[i].at, by.above.contacts[i].at);
+  }
+  for (std::size_t i = 0; i < system.joints.size(); ++i) {
+    take(modal.joint(static_cast<Index>(i)), by.below.joints[i].at, by.above.joints[i].at);
   }
 }
 

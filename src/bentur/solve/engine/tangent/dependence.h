@@ -26,12 +26,19 @@ class Dependence {
     std::vector<Eigen::Index> parameters;  ///< whose matrices or load these are
     Eigen::MatrixXd matrices;              ///< −[M_p K_p C_p load_p] of each, one above the other
   };
+  /// How a row over all coordinates, and what its force pushes, change with a number: of contacts that it moves.
+  struct OfRow {
+    Eigen::Index parameter = 0;
+    Eigen::VectorXd row, push;
+  };
   [[nodiscard]] Eigen::Index count() const { return count_; }
   [[nodiscard]] const OfBody& body(std::size_t body) const { return bodies_[body]; }
   [[nodiscard]] const Eigen::MatrixXd& initial_q() const { return initial_q_; }
   [[nodiscard]] const Eigen::MatrixXd& initial_v() const { return initial_v_; }
   [[nodiscard]] const Eigen::MatrixXd& offsets() const { return offsets_; }  ///< of δ, elements × parameters
-  [[nodiscard]] const Eigen::MatrixXd& nu() const { return nu_; }            ///< components × parameters
+  /// Of an element: only of the numbers that move it.
+  [[nodiscard]] const std::vector<OfRow>& rows(Eigen::Index element) const { return rows_[element]; }
+  [[nodiscard]] const Eigen::MatrixXd& nu() const { return nu_; }  ///< components × parameters
   [[nodiscard]] bool moves_nu() const { return moves_nu_; }
 
   /// Laws of an element with a little less and a little more of a number, and how much that is.
@@ -53,11 +60,13 @@ class Dependence {
  private:
   void take_bodies(const System& system, const ModalSystem& modal, const Variation& by, Eigen::Index parameter);
   void take_motion(const System& system, const Variation& by, Eigen::Index parameter);
+  void take_rows(const System& system, const ModalSystem& modal, const Variation& by, Eigen::Index parameter);
 
   Eigen::Index count_ = 0;
   const std::vector<Variation>* variations_ = nullptr;
   const System* system_;
   std::vector<OfBody> bodies_;
+  std::vector<std::vector<OfRow>> rows_;
   Eigen::MatrixXd initial_q_, initial_v_, offsets_, nu_, delays_;
   /// Of what changes samples or amplitudes.
   struct Moved {

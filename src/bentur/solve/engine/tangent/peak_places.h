@@ -11,10 +11,11 @@ namespace bentur::engine {
 class PeakPlaces {
  public:
   struct Sought {
-    Eigen::VectorXd row;  ///< over all coordinates
-    double offset = 0;    ///< that is added to it
-    bool of_size = true;  ///< |row q + offset|; else itself
-    double peak = 0;      ///< that is known
+    Eigen::VectorXd row;                        ///< over all coordinates
+    double offset = 0;                          ///< that is added to it
+    bool of_size = true;                        ///< |row q + offset|; else itself
+    double peak = 0;                            ///< that is known
+    std::vector<Dependence::OfRow> moved = {};  ///< how the row itself changes, of numbers that move it
   };
   struct Place {
     double time = -1, value = 0;  ///< negative time: not found

@@ -244,7 +244,15 @@ void TangentRun::fly(const Flight& flight) {
 }
 
 RowVectorXd TangentRun::deformations_by(Index element) const {
-  return along(setup_.modal.elements[element].relation, state_.by_q) + setup_.by.offsets().row(element);
+  RowVectorXd by = along(setup_.modal.elements[element].relation, state_.by_q) + setup_.by.offsets().row(element);
+  for (const Dependence::OfRow& moved : setup_.by.rows(element)) by(moved.parameter) += moved.row.dot(state_.q);
+  return by;
+}
+
+RowVectorXd TangentRun::speeds_by(Index element) const {
+  RowVectorXd by = along(setup_.modal.elements[element].relation, state_.by_v);
+  for (const Dependence::OfRow& moved : setup_.by.rows(element)) by(moved.parameter) += moved.row.dot(state_.v);
+  return by;
 }
 
 void TangentRun::note_speeds() {
@@ -260,7 +268,7 @@ void TangentRun::note_grazing(Index element, double rate, double usual, double s
   if (usual > 0.0) grazing_ = std::min(grazing_, std::abs(rate) / usual);
 }
 
-/// (S-2), and what the law remembers after it.
+/// (S-2), and what the law remembers after it, unless the contact passes.
 void TangentRun::take_memory(const Change& change, const VectorXd& a) {
   const Index i = change.element;
   const ModalSystem::Relation& at = setup_.modal.elements[i].relation;
@@ -275,9 +283,10 @@ void TangentRun::take_memory(const Change& change, const VectorXd& a) {
 
   const Index count = setup_.by.count();
   if (law_states_[i].branch != change.before.branch) memories_[i].resize(0, 0);  // a dent that has faded
+  const bool passes = change.passes;
   event_by_.setZero(count);
   if (count == 0) return;
-  const RowVectorXd delta_by = deformations_by(i), speed_by = along(at, state_.by_v);
+  const RowVectorXd delta_by = deformations_by(i), speed_by = speeds_by(i);
   MatrixXd memory = MatrixXd::Zero(memory_size, count);
   for (Index p = 0; p < count; ++p) {
     const Dependence::Laws laws = setup_.by.laws(i, p);
@@ -288,6 +297,7 @@ void TangentRun::take_memory(const Change& change, const VectorXd& a) {
     };
     const double half = 1.0 / (2.0 * laws.step);
     event_by_(p) = -half * (guarded(*laws.above, laws.step) - guarded(*laws.below, -laws.step)) / rate;
+    if (passes) continue;
     const auto next = [&](const Law& of, double by) {
       const double tau = event_by_(p);
       return of.next(moved(change.before, memories_[i], p, by), change.guard, change.time + by * tau,
@@ -298,7 +308,7 @@ void TangentRun::take_memory(const Change& change, const VectorXd& a) {
     memory(1, p) = half * (above.closing_speed - below.closing_speed);
     for (Index m = 2; m < memory_size; ++m) memory(m, p) = half * (above.memory[m - 2] - below.memory[m - 2]);
   }
-  memories_[i] = memory;
+  if (!passes) memories_[i] = memory;
 }
 
 void TangentRun::change(const Change& change) {
@@ -312,13 +322,24 @@ void TangentRun::change(const Change& change) {
         simultaneous_ || (previous >= 0.0 && change.time - previous <= tangent_instant * setup_.system.duration);
     last_jump_ = change.time;
   };
-  if (setup_.laws.laws[change.element]->restitution()) {
+  if (change.shares) {
+    throw InvalidParameter("contacts", "of several edges", "have no derivatives where they close at one instant");
+  }
+  if (change.passes && change.slipped.empty()) {  // no force changes, whenever that is
+    event_by_.setZero(setup_.by.count());
+    if (change.after.branch != change.before.branch) memories_[change.element].resize(0, 0);
+    law_states_[change.element] = change.after;
+  } else if (setup_.laws.laws[change.element]->restitution() && !change.passes) {
     jumps();
     collide(change);
   } else {
     step_.accelerations(state_, inputs_, pressing_, setup_.laws.offsets, a);
     take_memory(change, a);
     law_states_[change.element] = change.after;
+    for (const auto& [slipped, after_it] : change.slipped) {
+      law_states_[slipped] = after_it;
+      memories_[slipped].resize(0, 0);
+    }
     set_pressing();
     step_.accelerations(state_, inputs_, pressing_, setup_.laws.offsets, after);
     const double least = 1e-9 * std::max(a.cwiseAbs().maxCoeff(), after.cwiseAbs().maxCoeff());
@@ -351,23 +372,30 @@ void TangentRun::collide(const Change& change) {
   const double compliance = -at.along(push), bounce = 1.0 + *setup_.laws.laws[i]->restitution();
   const double impulse = bounce * speed / compliance;
   event_by_ = count > 0 ? RowVectorXd(-deformations_by(i) / speed) : RowVectorXd();
+  const RowVectorXd speed_by = count > 0 ? speeds_by(i) : RowVectorXd();
   for (Index p = 0; p < count; ++p) {
     const Dependence::Laws laws = setup_.by.laws(i, p);
     const double e = (*laws.above->restitution() - *laws.below->restitution()) / (2.0 * laws.step);
-    VectorXd heavier = VectorXd::Zero(modal.size);  // −M_p push
+    VectorXd pushed = VectorXd::Zero(modal.size);  // push_p − M_p push
     for (std::size_t b = 0; b < modal.blocks.size(); ++b) {
       const Dependence::OfBody& body = setup_.by.body(b);
       const auto found = std::find(body.parameters.begin(), body.parameters.end(), p);
       if (found == body.parameters.end()) continue;
       const Index n = modal.blocks[b].modes, begin = modal.blocks[b].begin;
-      heavier.segment(begin, n) =
+      pushed.segment(begin, n) =
           body.matrices.block(n * (found - body.parameters.begin()), 0, n, n) * push.segment(begin, n);
     }
-    const double total = along(at, state_.by_v)(p) + at.along(a) * event_by_(p);  // of δ̇ when it strikes
+    double less_held = at.along(pushed);  // −A_p
+    for (const Dependence::OfRow& moved : setup_.by.rows(i)) {
+      if (moved.parameter != p) continue;
+      less_held += at.along(moved.push) + moved.row.dot(push);
+      pushed += moved.push;
+    }
+    const double total = speed_by(p) + at.along(a) * event_by_(p);  // of δ̇ when it strikes
     state_.by_q.col(p) += state_.v * event_by_(p);
     state_.by_v.col(p) +=
-        a * event_by_(p) + heavier * impulse +
-        push * (e * speed / compliance + bounce * total / compliance + impulse * at.along(heavier) / compliance);
+        a * event_by_(p) + pushed * impulse +
+        push * (e * speed / compliance + bounce * total / compliance + impulse * less_held / compliance);
   }
   state_.v += push * impulse;
   step_.accelerations(state_, inputs_, pressing_, setup_.laws.offsets, after);
@@ -388,7 +416,7 @@ double TangentRun::force(Index element, RowVectorXd& by) {
     const ModalSystem::Relation& at = setup_.modal.elements[element].relation;
     const double delta = at.along(state_.q) + setup_.laws.offsets[element], speed = at.along(state_.v);
     by = one.base + one.stiffness * delta + one.damping * speed + one.force.stiffness * deformations_by(element) +
-         one.force.damping * along(at, state_.by_v);
+         one.force.damping * speeds_by(element);
     return one.force.base + one.force.stiffness * delta + one.force.damping * speed;
   }
   return 0.0;

@@ -75,6 +75,7 @@ class TangentRun {
   void collide(const Change& change);
   void take_memory(const Change& change, const Eigen::VectorXd& a);
   [[nodiscard]] Eigen::RowVectorXd deformations_by(Eigen::Index element) const;
+  [[nodiscard]] Eigen::RowVectorXd speeds_by(Eigen::Index element) const;
 
   const Setup setup_;
   TangentStep step_;

@@ -126,6 +126,15 @@ void TangentStep::accelerate(double rate, bool first, const std::vector<Pressing
       for (Index i = 0; i < at.left_size; ++i) a[at.left_begin + i] += by * at.left_push(i);
       for (Index i = 0; i < at.right_size; ++i) a[at.right_begin + i] += by * at.right_push(i);
     }
+    if (count == 0) continue;
+    for (const Dependence::OfRow& moved : by_->rows(one.element)) {
+      const double by =
+          one.force.stiffness * moved.row.dot(term_.q) + one.force.damping * rate * moved.row.dot(term_.v);
+      double* a = by_a_.data() + moved.parameter * size;
+      for (Index i = 0; i < at.left_size; ++i) a[at.left_begin + i] += by * at.left_push(i);
+      for (Index i = 0; i < at.right_size; ++i) a[at.right_begin + i] += by * at.right_push(i);
+      for (Index i = 0; i < size; ++i) a[i] += force * moved.push(i);
+    }
   }
   if (count == 0) return;
   for (std::size_t b = 0; b < modal_->blocks.size(); ++b) {
