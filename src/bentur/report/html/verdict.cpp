@@ -45,19 +45,17 @@ Html drawn_bars(const std::vector<GapBar>& bars, double largest, const std::stri
   return element("table", element("tbody", rows), "class=\"gapbars\"");
 }
 
-/// Whether it says that something is not known, which is no danger yet.
-bool is_open(const SaidStatement& statement) { return statement.kind.ends_with("not_known"); }
-
 }  // namespace
 
 Html paragraphs(const SaidStatement& statement, std::string& badge) {
   Html block;
   if (!statement.badge.empty() && statement.badge != badge) {
-    block += element("p", statement.badge, is_open(statement) ? "class=\"badge\" data-open" : "class=\"badge\"");
+    block += element("p", statement.badge, statement.is_open ? "class=\"badge\" data-open" : "class=\"badge\"");
     badge = statement.badge;
   }
-  const bool leads = statement.severity == Severity::danger || !statement.badge.empty();
-  return block + element("p", statement.text, leads ? "class=\"lead\"" : "");
+  if (statement.lead == 0) return block + element("p", statement.text);
+  const Html lead = element("strong", statement.text.substr(0, statement.lead));
+  return block + element("p", lead + Html::text(statement.text.substr(statement.lead)), "class=\"lead\"");
 }
 
 Html table_of(const SaidTable& table, std::string_view attributes, std::vector<std::string> titles) {
@@ -92,7 +90,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     } else {
       if (are_many && statement.gap) {
         const auto& [name, in_short, facts] = gaps[*statement.gap];
-        statement.text = of_gap(statement.text, name, in_short);
+        statement = behind_gap(std::move(statement), name, in_short);
       }
       block += paragraphs(statement, badge);
     }
@@ -122,7 +120,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   block += each.folded(say, "appendix.gaps");
   if (known) block += table_of(*known, "class=\"said\"");
   const bool is_worse =
-      std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity) && !is_open(one); });
+      std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity) && !one.is_open; });
   return {"verdict", say("heading.verdict"),
           element("div", block, grave && !is_worse ? "class=\"verdict open\"" : verdict_class(grave))};
 }
