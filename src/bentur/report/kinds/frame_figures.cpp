@@ -143,7 +143,9 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         "that are frames");
   }
   Figure figure{.title = carried.title,
-                .columns = options.narrow ? 1 : 2,
+                .columns = options.narrow      ? 1
+                           : frames.size() > 1 ? 4
+                                               : 2,
                 .width = options.narrow ? options.width : broad(options.width)};
   const bool has_impacts = !run.response.impacts.empty();
   Eigen::Index storeys = 0;  // of the highest

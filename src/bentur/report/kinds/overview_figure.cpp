@@ -36,7 +36,6 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
   Panel panel = opening_figure(run, there).panels.front();
   panel.events = {};
   panel.curves.resize(1);
-  panel.curves.front().label = "";
   if (instant.point) panel.rules.front().label = word(options, "closed at 0");
   panel.rules.push_back({.at = instant.histories->time[instant.column],
                          .vertical = true,
@@ -151,18 +150,18 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
                 .columns = is_wide ? 2 : 1,
                 .width = options.width};
   figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 7 : 0.65 * options.width));
-  constexpr double longish = 1.4;  // width over height
+  constexpr double longish = 2;  // width over height
   const double aspect = aspect_of(figure.panels.front());
   if (instant.point || asked_inside(run, options) != nullptr)
     figure.panels.push_back(opening_panel(run, instant, options));
   figure.panels.push_back(gap_panel(run, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
-    figure.panels.front().height = 6.5;
-    figure.panels[1].height = figure.panels[2].height = std::max(figure.panels[1].height, figure.panels[2].height);
+    figure.panels.front().height = 5;
+    for (std::size_t below : {1, 2}) figure.panels[below].height = 2.8;
   } else if (is_wide) {
     constexpr double height = 7, frames = 12.5;  // about [cm]
-    const double left = std::clamp(height * aspect, 4.5, 7.5);
+    const double left = std::clamp(height * aspect, 4.5, 8.0);
     figure.panels.front().rows = static_cast<int>(figure.panels.size()) - 1;
     figure.shares = {left, frames - left};
   }
