@@ -164,6 +164,35 @@ test("the still that is given away looks as the picture does", async () => {
   });
 });
 
+test("the slider of a gap moves the building beyond it, as far as the two are a pair", async () => {
+  await inPlan(async (page) => {
+    const slide = async (width) => {
+      await page.locator("#gap").evaluate((range, value) => { range.value = value; range.dispatchEvent(new Event("input", { bubbles: true })); }, width);
+      await solved(page);
+    };
+    const shown = () => page.textContent(".gap-slider output");
+    assert.match(await shown(), /^0\.04 m$/);
+    const marks = await page.textContent(".gap-slider .marks");
+    assert.match(marks, /reversed/i);
+    await slide(0.07);
+    assert.match(await shown(), /^0\.07 m$/);
+    const moved = await page.inputValue(editor);
+    assert.equal(moved, text.replace("corner = [12.04, 0.0]", "corner = [12.07, 0.0]"));
+    assert.match(await page.textContent("#compare, .verdicts"), /./);
+    assert.equal(JSON.parse(await taken(page, '[data-take="gaps"]')).gaps[0].width, 0.07);
+    await page.locator("#gap").press("End");
+    await solved(page);
+    const clearance = Number(text.match(/clearance = ([\d.]+)/)[1]);
+    assert.ok(Number((await shown()).split(" ")[0]) <= clearance);
+    assert.equal((await page.$$(".errors li")).length, 0);
+    await page.click(".travel");
+    await solved(page);
+    await page.click(".travel");
+    await solved(page);
+    assert.equal(await page.inputValue(editor), text);
+  });
+});
+
 test("the form changes the text, and has nothing that plans cannot have", async () => {
   await inPlan(async (page) => {
     await openForm(page);
