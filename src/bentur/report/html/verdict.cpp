@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/html/internal/sections.h"
 
@@ -34,13 +35,17 @@ std::vector<GapBar> bars_of(const VerdictGap& gap, const std::string& simulated,
 /// `largest`: what the whole width stands for.
 Html drawn_bars(const std::vector<GapBar>& bars, double largest, const std::string& unit) {
   if (bars.empty() || !(largest > 0)) return {};
+  std::vector<double> values;
+  for (const GapBar& bar : bars) values.push_back(bar.value);
+  const std::vector<std::string> numbers = column(values);
   Html rows;
-  for (const GapBar& bar : bars) {
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const GapBar& bar = bars[i];
     const Html drawn = element(
         "svg", Html(),  // which has a width without a style, that the page's policy refuses
         fmt::format("class=\"bar {}\" width=\"{:.1f}%\" aria-hidden=\"true\"", bar.style, 100 * bar.value / largest));
     rows += element("tr", element("th", bar.name, "scope=\"row\"") + element("td", drawn, "class=\"bars\"") +
-                              element("td", quantity(bar.value, unit)));
+                              element("td", numbers[i] + "\u00A0" + unit));
   }
   return element("table", element("tbody", rows), "class=\"gapbars\"");
 }

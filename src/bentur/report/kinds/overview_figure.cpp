@@ -83,10 +83,14 @@ void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
 /// Each bar by its name and value, the given gap uppermost.
 void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& options) {
   const std::vector<GapBar> bars = bars_of(judged_gaps(run).front().facts);
+  std::vector<double> values;
+  for (const GapBar& one : bars) values.push_back(one.value);
+  const std::vector<std::string> numbers = column(values);  // with digits alike
   for (std::size_t k = 0; k < bars.size(); ++k) {
-    const GapBar& one = bars[bars.size() - 1 - k];
+    const std::size_t at = bars.size() - 1 - k;
+    const GapBar& one = bars[at];
     const std::string value =
-        std::isnan(one.value) ? word(options, "not known") : number(one.value) + " " + run.c.units.length;
+        std::isnan(one.value) ? word(options, "not known") : numbers[at] + " " + run.c.units.length;
     panel.y.names.push_back(word(options, one.name) + ": " + value);
     add_bar(panel, one, static_cast<double>(k), 0.6);
   }

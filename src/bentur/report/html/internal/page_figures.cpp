@@ -86,6 +86,7 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       narrow.narrow = true;
       Figure slim = narrowest.width < figure.width ? narrowest : make(kind.name, narrow);
       if (slim.width >= figure.width) slim = stacked(std::move(slim));
+      bound_height(slim, 15);  // of a telephone's screen, of whose width it is
       if (slim.width < figure.width) figures.back().slim = figure_element(slim, caption);
     } catch (const NoFigure&) {  // this one has nothing to show
       continue;
