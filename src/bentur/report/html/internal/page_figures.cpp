@@ -79,7 +79,7 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       const Figure narrowest = figure;
       spread(figure);
       const bool is_wide = figure.width > column_width;
-      bound_height(figure, is_wide ? 10.5 : 6.5);
+      bound_height(figure, is_wide ? 8.7 : 6.5);
       figures.push_back({.caption = caption, .svg = figure_element(figure, caption), .wide = is_wide});
       if (!is_wide) continue;
       FigureOptions narrow = options;

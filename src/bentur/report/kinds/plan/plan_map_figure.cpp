@@ -168,7 +168,7 @@ std::string finding_of(const PlanRun& run, const FigureOptions& options) {
 Figure map_figure(const PlanRun& run, const FigureOptions& options) {
   return {.title = "The block from above, by what is judged of its gaps",
           .finding = finding_of(run, options),
-          .panels = {BlockMap(run, options).panel(0.8 * options.width)},
+          .panels = {BlockMap(run, options).panel(0.72 * options.width)},
           .width = options.width};
 }
 
