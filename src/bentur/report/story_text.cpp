@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -107,7 +108,7 @@ std::string wording_text(std::string text, const Words& say) {
   return text;
 }
 
-/// Quantities of one unit with equally many decimals, as a column has them.
+/// Quantities of one unit with equally many decimals, as a column has them, where none loses more than one digit by it.
 void make_alike(std::vector<std::string>& cells) {
   struct Quantity {
     std::size_t row;
@@ -122,6 +123,9 @@ void make_alike(std::vector<std::string>& cells) {
   for (const auto& [unit, all] : by_unit) {
     std::vector<double> values;
     for (const Quantity& one : all) values.push_back(one.value);
+    const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto [least, most] = std::minmax_element(values.begin(), values.end(), size);
+    if (std::abs(*most) > 10 * std::abs(*least)) continue;
     const std::vector<std::string> alike = column(values);
     for (std::size_t i = 0; i < all.size(); ++i) cells[all[i].row] = alike[i] + unit;
   }
