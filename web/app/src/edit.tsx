@@ -314,8 +314,8 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
       </div>
       <div class="track"><Travel /><div>
         <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(place.put(text.value, event.currentTarget.valueAsNumber), "gap")} />
-        <div class="needed">{marks.map(({ at, name }, i) => <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
-        {place.moves.length > 0 && <p class="marks">{say("gap.moves", { names: place.moves.join(", ") })}</p>}
+        <div class="needed">{marks.map(({ at, name }, i) => at <= span && <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        {place.moves.length > 0 && <p class="marks">{place.moves.length > 6 ? say("gap.moves.many", { n: place.moves.length }) : say("gap.moves", { names: place.moves.join(", ") })}</p>}
         {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} </span>)} {overview.units.length}</p>}
       </div></div>
     </div>
