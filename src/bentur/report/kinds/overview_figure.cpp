@@ -36,7 +36,10 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
   Panel panel = opening_figure(run, there).panels.front();
   panel.events = {};
   panel.curves.resize(1);
-  if (instant.point) panel.rules.front().label = word(options, "closed at 0");
+  if (instant.point) {
+    panel.rules.front().label = word(options, "closed at 0");
+    panel.rules.front().line = Line::dash_dot;  // the curve is solid
+  }
   panel.rules.push_back({.at = instant.histories->time[instant.column],
                          .vertical = true,
                          .label = word(options, !instant.point   ? "deepest inside"
