@@ -319,6 +319,23 @@ levels = [0.1, 0.3, 0.6]
         self.assertGreater(pages, 3)
         self.assertLessEqual(pages, 12)
 
+    def test_letters_of_figures_have_seven_points_on_paper(self):
+        """A page's width and a column's, one opening figure and two, frames and many houses."""
+        for page in self.example("two-frames-si"), self.example("row-of-three"), self.report(self.block(12)):
+            self.opened(page, A4 - 106)  # between the margins
+            self.browser.call("Emulation.setEmulatedMedia", media="print")
+            self.assertGreater(self.js("document.querySelectorAll('figure svg').length"), 3)
+            self.assertGreaterEqual(self.js(SMALLEST) * 72 / 96, 7 - 0.1)
+            self.browser.call("Emulation.setEmulatedMedia", media="")
+
+    def test_figures_with_many_panels_are_drawn_for_a_telephone(self):
+        for page in self.example("two-frames-si"), self.report(self.block(12)):
+            self.opened(page, PHONE)
+            self.assertGreater(self.js("document.querySelectorAll('.figures .broad').length"), 1)
+            beyond = ("[...document.querySelectorAll('figure svg')].filter(svg => !svg.parentNode.closest('svg'))"
+                      ".map(svg => svg.getBoundingClientRect().right)")
+            self.assertLessEqual(max(self.js(beyond)), PHONE, "a figure runs off a phone")
+
     def test_text_of_a_case_runs_nothing(self):
         hostile = ["<script>window.pwned = 1</script>", "</script><script>window.pwned = 2</script>",
                    "\"><img src=x onerror=window.pwned=3>", "`${window.pwned = 4}`", "\"; system('touch pwned'); \"",

@@ -200,7 +200,7 @@ class WhatAnEngineerReads(Reported):
         self.output("report", case, "-o", report)
         badge, sentence = re.findall(r"<p[^>]*>(.*?)</p>", report.read_text().split('id="verdict"')[1], re.S)[:2]
         self.assertEqual(badge, "Column fails in shear")
-        self.assertRegex(sentence, r"^D/C 2\.416 in the column of Office")
+        self.assertRegex(sentence, r"^<strong>D/C 2\.416 in the column of Office")
 
 
 if __name__ == "__main__":

@@ -74,7 +74,6 @@ test("figures, tables and impacts are those of buildings in plan, without what o
     await page.selectOption("#figures select", { label: "Walled | Frame, 3.5 m" });
     await page.locator('[data-figure="opening"]').evaluate((one) => one.scrollIntoView()); // what is not in sight waits
     await page.waitForFunction(() => document.querySelector('[data-figure="opening"]').textContent.includes("level 3.5 m"));
-    assert.equal(await page.locator("#gap").count(), 0); // no width of its own to be slid
     await page.click('[data-table="peaks"] summary');
     await page.waitForSelector('[data-table="peaks"] table'); // which is only made once it is open
     assert.match(await page.textContent('[data-table="peaks"]'), /north frame/);
@@ -201,6 +200,34 @@ test("the still that is given away looks as the picture does", async () => {
     };
     assert.deepEqual({ floor: kept("floor"), mass: kept("mass") }, shown);
     assert.equal(shown.mass.strokeLinecap, "round");
+  });
+});
+
+test("the slider of a gap moves the building beyond it, as far as the two are a pair", async () => {
+  await inPlan(async (page) => {
+    const slide = async (width) => {
+      await page.locator("#gap").evaluate((range, value) => { range.value = value; range.dispatchEvent(new Event("input", { bubbles: true })); }, width);
+      await solved(page);
+    };
+    const shown = () => page.textContent(".gap-slider output");
+    assert.match(await shown(), /^0\.04 m$/);
+    const marks = await page.textContent(".gap-slider .marks");
+    assert.match(marks, /reversed/i);
+    await slide(0.07); // or the step of the slider beside it
+    const moved = await page.inputValue(editor), corner = Number(moved.match(/corner = \[(12\.\d+), 0\.0\]/)[1]);
+    assert.ok(Math.abs(corner - 12.07) < 1e-3, moved);
+    assert.equal(moved, text.replace("corner = [12.04, 0.0]", `corner = [${corner}, 0.0]`));
+    assert.ok(Math.abs(Number((await shown()).split(" ")[0]) - (corner - 12)) < 1e-6);
+    await page.locator("#gap").press("End");
+    await solved(page);
+    const clearance = Number(text.match(/clearance = ([\d.]+)/)[1]);
+    assert.ok(Number((await shown()).split(" ")[0]) <= clearance);
+    assert.equal((await page.$$(".errors li")).length, 0);
+    await page.click(".travel");
+    await solved(page);
+    await page.click(".travel");
+    await solved(page);
+    assert.equal(await page.inputValue(editor), text);
   });
 });
 

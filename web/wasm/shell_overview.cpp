@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/version.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
@@ -72,12 +73,24 @@ Json marks_of(const GapFacts& facts, const Words& say) {
   return all;
 }
 
+Json gap_overview(const std::string& name, double width, double needed, const GapFacts& facts, const Words& say) {
+  return {{"name", name}, {"width", width}, {"needed", number_or_null(needed)}, {"marks", marks_of(facts, say)}};
+}
+
 Json gap_overview(const Problem& problem, Eigen::Index gap, const GoverningLevel& found, const GapFacts& facts,
                   const Words& say) {
-  return {{"name", gap_name(problem, gap)},
-          {"width", found.width},
-          {"needed", number_or_null(found.gap_needed)},
-          {"marks", marks_of(facts, say)}};
+  return gap_overview(gap_name(problem, gap), found.width, found.gap_needed, facts, say);
+}
+
+/// What moves where a gap in plan becomes wider by one: each building with the corner of its footprint, along `by`.
+Json movers_of(const PlanProblem& problem, std::size_t gap) {
+  Json movers = Json::array();
+  for (const Eigen::Index b : buildings_beyond(problem, gap)) {
+    const PlanPoint& corner = problem.buildings[b].model.footprint.corner;
+    movers.push_back({{"building", b}, {"corner", {corner.x(), corner.y()}}});
+  }
+  const PlanPoint& n = problem.gaps[gap].stretch.n;
+  return {{"all", movers}, {"by", {n.x(), n.y()}}};
 }
 
 /// What is to be said, in words, the gravest first. @param gaps by name
@@ -89,6 +102,8 @@ Json statements_of(const std::vector<std::string>& gaps, const Story& story, con
                    {"gap", one.gap ? Json(gaps.at(*one.gap)) : Json()},
                    {"rank", one.rank ? Json(*one.rank) : Json()},
                    {"badge", one.badge},
+                   {"open", one.is_open},
+                   {"lead", one.text.substr(0, one.lead)},
                    {"shown", shown_name(one.shown)},
                    {"text", one.text}});
   }
@@ -178,11 +193,12 @@ Json plan_overview(const PlanRun& run, const Words& say) {
   const PlanProblem& problem = run.problem;
   const std::vector<std::string> names = gap_names(problem);
   Json gaps = Json::array(), buildings = Json::array(), points = Json::array(), impacts = Json::array();
+  const std::vector<JudgedGap> judged = judged_gaps(run);
   for (std::size_t g = 0; g < names.size(); ++g) {
     const auto found = governing_level(run, g);
-    gaps.push_back({{"name", names[g]},
-                    {"width", problem.gaps[g].stretch.width},
-                    {"needed", found ? number_or_null(found->gap_needed) : Json()}});
+    gaps.push_back(gap_overview(names[g], problem.gaps[g].stretch.width, found ? found->gap_needed : not_known,
+                                judged.at(g).facts, say));
+    gaps.back()["movers"] = movers_of(problem, g);
   }
   for (const PlanBuilding& building : problem.buildings) {
     buildings.push_back(

@@ -250,7 +250,7 @@ std::deque<Quantity>& list() {
       {"settling", impact, "1", "", "whether it is a bounce by which a contact comes to rest, slower than 2⁻¹³ of the speeds", {}, of_impacts(&Impact::settling)},
       {"closing_speed", impact, "L s-1", "v₀", "speed at which the bodies met", {"Closing speed", "Kecepatan mendekat"}, of_impacts(&Impact::closing_speed)},
       {"separation_speed", impact, "L s-1", "v₁", "speed at which they parted", {}, of_impacts(&Impact::separation_speed)},
-      {"restitution", impact, "1", "e", "coefficient of restitution", {"Restitution", "Restitusi"}, of_any(impact_restitution), {}, {}, 1, 3},
+      {"restitution", impact, "1", "e", "coefficient of restitution", {"Speed ratio", "Rasio kecepatan"}, of_any(impact_restitution), {}, {}, 1, 3},
       {"peak_force", impact, "F", "max F", "largest force", {"Peak force", "Gaya puncak"}, of_impacts(&Impact::peak_force)},
       {"peak_force_time", impact, "s", "t(max F)", "time of the largest force", {}, of_impacts(&Impact::peak_force_time)},
       {"peak_penetration", impact, "L", "max δ", "largest penetration", {"Penetration", "Penetrasi"}, of_impacts(&Impact::peak_penetration)},

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -83,6 +85,19 @@ std::vector<std::vector<std::string>> rows_of(const Statement& statement, const 
   return rows;
 }
 
+/// Bytes of the first sentence of a text; of a long one those of its first clauses.
+std::size_t first_sentence(std::string_view text) {
+  constexpr std::size_t most = 180;
+  const std::size_t stop = text.find(". ");
+  const std::size_t end = stop == std::string_view::npos ? text.size() : stop + 1;
+  std::size_t lead = end;
+  for (std::size_t at = end; lead > most && at > 0; --at) {
+    const bool ends_clause = std::string_view(",;:").find(text[at - 1]) != std::string_view::npos;
+    if (at <= most && ends_clause && at < text.size() && text[at] == ' ') lead = at;
+  }
+  return lead;
+}
+
 /// How a rule's wording is known, in the words of a language.
 std::string wording_text(std::string text, const Words& say) {
   for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("second hand", "gap.second_hand"),
@@ -91,6 +106,29 @@ std::string wording_text(std::string text, const Words& say) {
     if (at != std::string::npos) text.replace(at, std::string_view(english).size(), say(key));
   }
   return text;
+}
+
+/// Quantities of one unit with equally many decimals, as a column has them, where none loses more than one digit by it.
+void make_alike(std::vector<std::string>& cells) {
+  struct Quantity {
+    std::size_t row;
+    double value;
+  };
+  std::map<std::string, std::vector<Quantity>> by_unit;
+  for (std::size_t row = 0; row < cells.size(); ++row) {
+    const std::size_t end = std::min(cells[row].find("\u00A0"), cells[row].size());
+    const auto value = parse_number(std::string_view(cells[row]).substr(0, end));
+    if (value) by_unit[cells[row].substr(end)].push_back({row, *value});
+  }
+  for (const auto& [unit, all] : by_unit) {
+    std::vector<double> values;
+    for (const Quantity& one : all) values.push_back(one.value);
+    const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto [least, most] = std::minmax_element(values.begin(), values.end(), size);
+    if (std::abs(*most) > 10 * std::abs(*least)) continue;
+    const std::vector<std::string> alike = column(values);
+    for (std::size_t i = 0; i < all.size(); ++i) cells[all[i].row] = alike[i] + unit;
+  }
 }
 
 }  // namespace
@@ -108,6 +146,7 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
                       .severity = statement.severity,
                       .gap = statement.gap,
                       .rank = statement.rank,
+                      .is_open = is_open(statement.kind),
                       .shown = statement.shown};
     one.text = say(key, values);
     if (one.shown == Shown::row) one.rows = rows_of(statement, key, values, say);
@@ -126,6 +165,7 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
       of_many.emplace_back("text", one.text);
       one.text = say(of_all ? "story.under_all" : "story.under_some", of_many);
     }
+    if (one.severity == Severity::danger || !one.badge.empty()) one.lead = first_sentence(one.text);
     all.push_back(std::move(one));
   }
   return all;
@@ -175,6 +215,7 @@ std::optional<SaidTable> known_table(const std::vector<std::string>& gaps, const
   }
   if (count == 0) return std::nullopt;
   for (TableColumn& column : table.columns) column.cells.resize(count);
+  make_alike(table.columns[1].cells);
   table.are_numbers.resize(table.columns.size());
   table.are_numbers[1] = true;
   return table;
@@ -197,6 +238,13 @@ std::string of_gap(const std::string& text, const std::string& gap, std::string 
   const bool is_named = bar != std::string::npos && text.find(gap.substr(0, bar)) != std::string::npos &&
                         text.find(gap.substr(bar + 3)) != std::string::npos;
   return is_named ? text : shown + ": " + text;
+}
+
+SaidStatement behind_gap(SaidStatement statement, const std::string& gap, const std::string& shown) {
+  std::string text = of_gap(statement.text, gap, shown);
+  if (statement.lead > 0) statement.lead += text.size() - statement.text.size();
+  statement.text = std::move(text);
+  return statement;
 }
 
 std::string with_spaces(std::string text) {

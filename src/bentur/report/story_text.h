@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@ struct SaidStatement {
   std::optional<Eigen::Index> gap = {};
   std::optional<long> rank = {};  ///< of the gap, Statement::rank
   std::string badge = {};         ///< the verdict in two or three words; empty where the statement is none
+  bool is_open = false;           ///< it says that something is not known, which is no danger yet
   std::string text = {};
+  std::size_t lead = 0;  ///< bytes of the text that are in bold: its first sentence, of what heads a verdict; else 0
   Shown shown = Shown::sentence;
   std::vector<std::vector<std::string>> rows = {};  ///< of a table of what else is known: what, how much, where, more
 };
@@ -47,6 +50,9 @@ struct SaidTable {
 
 /// A badge in capitals, as terminals have it.
 [[nodiscard]] std::string upper_case(std::string text);
+
+/// The same statement behind the name of its gap, as of_gap() has its text. @param shown the name in short
+[[nodiscard]] SaidStatement behind_gap(SaidStatement statement, const std::string& gap, const std::string& shown = {});
 
 /// A sentence behind the name of its gap, unless it names both buildings. @param shown the name in short
 [[nodiscard]] std::string of_gap(const std::string& text, const std::string& gap, std::string shown = {});

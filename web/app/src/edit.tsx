@@ -5,12 +5,12 @@ import { found, gap, inPlan, result, text } from "./case";
 import { recordName } from "./cases";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
 import { type CaseError, type Files, type Key, type Node, schema } from "./solver";
-import { addFiles, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, travel, type, width } from "./state";
+import { addFiles, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, slot, travel, type, width } from "./state";
 import { canRedo, canUndo } from "./steps";
 import { count, type Part } from "./storeys";
 import { isSuite, placeOf, withFile } from "./suite";
 import { number, say } from "./texts";
-import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable, withWidth } from "./toml";
+import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable } from "./toml";
 
 /** What went wrong; what is said in English only is marked so. */
 export const Message = ({ one: { text: said, english } }: { one: Told }) => (english ? <span lang="en">{said}</span> : <>{said}</>);
@@ -295,26 +295,27 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
   const overview = result.value?.overview;
   const one = overview?.gaps[gap.value];
   const most = useRef<{ key: string; value: number }>({ key: "", value: 0 });
-  // In plan a gap is as wide as footprints stand apart: no number of its own can be slid.
-  if (!overview || !one || overview.plan || one.needed === null) return <div class="head">{children}<p><Travel /></p></div>;
+  const place = slot.value;
+  if (!overview || !one || !place || one.needed === null) return <div class="head">{children}<p><Travel /></p></div>;
   const key = `${gap.value}|${loads.value}|${one.name}|${overview.units.length}`;
   const marks = one.marks ?? [], furthest = Math.max(width.value, one.needed, ...marks.map(({ at }) => at));
-  if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2)) };
+  if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Math.min(place.most, Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2))) };
   const isNear = (one: number, other: number) => one - other < 0.06 * most.current.value; // as wide as a number on a telephone
   // Numbers of marks that stand together stand above the first of them.
   const numbers = marks.map(({ at }, i) => i > 0 && isNear(at, marks[i - 1].at) ? "" : marks.map((_, k) => k + 1)
     .filter((k) => k > i && marks.slice(i + 1, k).every((one, n) => isNear(one.at, marks[i + n].at))).join(" "));
-  const span = most.current.value, several = overview.gaps.length > 1;
+  const span = most.current.value, share = (at: number) => Math.min(1, at / span), several = overview.gaps.length > 1;
   return (
-    <div class="gap-slider" style={{ "--at": one.needed / span, "--now": Math.min(1, width.value / span) }}>
+    <div class="gap-slider" style={{ "--at": share(one.needed), "--now": share(width.value) }}>
       <div class="head">
         <p><label for="gap">{several ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></label>
           {several && <select aria-label={say("gap.which")} value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select>}</p>
         {children}
       </div>
       <div class="track"><Travel /><div>
-        <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(withWidth(text.value, gap.value, event.currentTarget.valueAsNumber), "gap")} />
-        <div class="needed">{marks.map(({ at, name }, i) => <b key={name} data-mark={numbers[i]} style={{ "--at": at / span }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(place.put(text.value, event.currentTarget.valueAsNumber), "gap")} />
+        <div class="needed">{marks.map(({ at, name }, i) => at <= span && <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        {place.moves.length > 0 && <p class="marks">{place.moves.length > 6 ? say("gap.moves.many", { n: place.moves.length }) : say("gap.moves", { names: place.moves.join(", ") })}</p>}
         {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} </span>)} {overview.units.length}</p>}
       </div></div>
     </div>

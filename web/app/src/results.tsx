@@ -24,8 +24,7 @@ const grave = ["danger", "warning"];
 /** Where a statement stands among others, the gravest first: by severity, and of those alike what the verdict says in a sentence. */
 const gravity = (one: Said) => 2 * (grave.includes(one.severity) ? grave.indexOf(one.severity) : grave.length) + (one.shown === "sentence" ? 0 : 1);
 const isGrave = (one: Said) => grave.includes(one.severity);
-/** What is not known is no danger yet. */
-const toneOf = (one: Said) => one.kind.endsWith("not_known") ? " open" : isGrave(one) ? " grave" : " fine";
+const toneOf = (one: Said) => one.open ? " open" : isGrave(one) ? " grave" : " fine";
 
 const namesBoth = (gap: string, text: string) => gap.split(" | ").every((building) => text.includes(building));
 
@@ -37,7 +36,7 @@ function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOver
     const shown = one.badge && one.badge !== badge ? (badge = one.badge) : "";
     return <div key={i} data-kind={one.kind} data-shown={one.shown}>
       {shown && <p class={`badge${toneOf(one)}`}>{shown}</p>}
-      <p class={one.badge || one.severity === "danger" ? "lead" : ""}>{gaps.length > 1 && one.gap !== null && !namesBoth(gaps[one.gap].name, one.text) ? `${gaps[one.gap].name}: ` : ""}{one.text}</p>
+      <p class={one.lead ? "lead" : ""}>{gaps.length > 1 && one.gap !== null && !namesBoth(gaps[one.gap].name, one.text) ? `${gaps[one.gap].name}: ` : ""}{one.lead && <strong>{one.lead}</strong>}{one.text.slice(one.lead.length)}</p>
     </div>;
   })}</>;
 }
@@ -109,13 +108,13 @@ export function Impacts({ now }: { now: Result }) {
       <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
         <table>
           <thead><tr>
-            <th scope="col">{say("impact.number")}</th><th scope="col" class="t">{nameOf("gap", "width")}</th><th scope="col">{say("history.point")} <small>{units.length}</small></th><th scope="col">{say("impact.start")} <small>s</small></th>
-            <th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("curve.force")} <small>{forceUnit}</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{nameOf("gap", "contact", "restitution")}</th>
+            <th scope="col">{say("impact.number")}</th><th scope="col" class="t">{nameOf("gap", "width")}</th><th scope="col">{say("curve.force")} <small>{forceUnit}</small></th><th scope="col">{say("history.point")} <small>{units.length}</small></th>
+            <th scope="col">{say("impact.start")} <small>s</small></th><th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{say("impact.ratio")}</th>
           </tr></thead>
           <tbody>{impacts.slice(0, LISTED).map((one, k) => (
             <tr key={k} class={Math.abs(one[4] - now.overview.force) === 0 && one[4] > 0 ? "marked" : ""}>
               <td><button type="button" aria-label={say("impact.show", { n: k + 1 })} onClick={() => { main?.showImpact(main.impacts[k]); document.getElementById("motion")?.scrollIntoView(); }}>{k + 1}</button></td>
-              <td class="t">{[gaps[one[0]]?.name, one[7]].filter(Boolean).join(", ")}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[4])}</td><td>{number(one[5])}</td><td>{number(one[6])}</td>
+              <td class="t">{[gaps[one[0]]?.name, one[7]].filter(Boolean).join(", ")}</td><td>{number(one[4])}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[5])}</td><td>{number(one[6])}</td>
             </tr>))}</tbody>
         </table>
       </div>

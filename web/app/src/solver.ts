@@ -25,9 +25,13 @@ export interface Histories {
   /** By what is told of floors, of a row displacement, drift and shear. */
   buildings: Record<string, Float64Array[]>[];
 }
-/** `marks`: widths beside the one needed, of the motion reversed and of rules. */
-export interface GapOverview { name: string; width: number; needed: number | null; marks?: { at: number; name: string }[] }
-export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; rank: number | null; badge: string; shown: "sentence" | "row" | "table"; text: string }
+/** `marks`: widths beside the one needed, of the motion reversed and of rules. `movers`: in plan the buildings that move where
+ *  it becomes wider, with the corners that they were run with, and along which direction. */
+export interface GapOverview {
+  name: string; width: number; needed: number | null; marks?: { at: number; name: string }[];
+  movers?: { all: { building: number; corner: [number, number] }[]; by: [number, number] };
+}
+export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; rank: number | null; badge: string; open: boolean; lead: string; shown: "sentence" | "row" | "table"; text: string }
 export interface BuildingOverview {
   name: string; rigid: boolean; yields: boolean; elevations: number[]; heights: number[];
   displacement: (number | null)[]; alone: (number | null)[]; drift: (number | null)[];

@@ -10,7 +10,8 @@ import { isStill } from "./still";
 import { grown, type Part, withoutPoints, withPoints } from "./storeys";
 import { isSuite, named, uses } from "./suite";
 import { hasWord, language, number, say, type Word } from "./texts";
-import { leaf, outline, widths, withWidth } from "./toml";
+import { type Slot, slotOf } from "./slot";
+import { leaf, outline } from "./toml";
 
 export const errors = signal<CaseError[]>([]);
 export const curveDone = signal(1);
@@ -61,10 +62,12 @@ export const ownRecord = computed(() => {
 });
 /** Whether what stands there is not what the page begins with. */
 export const isOwn = computed(() => text.value !== cases[0].text || files.value.length > 0);
-export const width = computed(() => {
-  const values = widths(found.value, gap.value).map((one) => one.value as number);
-  return values.length > 0 ? Math.min(...values) : 0;
+/** The gap that the slider is of, in the text. */
+export const slot = computed((): Slot | null => {
+  const overview = result.value?.overview;
+  return slotOf(found.value, gap.value, overview?.gaps[gap.value], overview?.buildings.map(({ name }) => name) ?? []);
 });
+export const width = computed(() => slot.value?.width ?? result.value?.overview.gaps[gap.value]?.width ?? 0);
 
 const behind = new Solver(); // curves and files, so that nothing waits for them
 const give = (more: Placed) => { for (const solver of [live, behind]) solver.files = [...solver.files, ...more]; };
@@ -118,8 +121,9 @@ function run(fine: boolean) {
 /** The curve belongs to the case without its gap's width: a drag of the slider does not make it anew. */
 function drawCurve(wanted: string) {
   const overview = result.value?.overview;
-  if (!overview || isStill(overview) || overview.plan || widths(outline(wanted), gap.value).length === 0) return;
-  const key = `${chosen.value}|${gap.value}|${withWidth(wanted, gap.value, 0)}`;
+  const row = overview && !overview.plan ? slotOf(outline(wanted), gap.value, undefined, []) : null;
+  if (!overview || isStill(overview) || !row) return;
+  const key = `${chosen.value}|${gap.value}|${row.put(wanted, 0)}`;
   if (key === curveText && files.value === curveFiles) return;
   [curveText, curveFiles] = [key, files.value];
   const needed = overview.gaps[gap.value]?.needed ?? 0;

@@ -75,18 +75,9 @@ export function put(text: string, at: Leaf, value: number | string | boolean): s
   return text.slice(0, at.range[0]) + made + text.slice(at.range[1]);
 }
 
-/** The narrowest width of a gap, and every number of it. */
+/** Every number of a gap's width. */
 export function widths(found: Outline | null, gap: number): Leaf[] {
   return (found?.leaves ?? []).filter((one) => typeof one.value === "number" && under(one.path, ["gap", gap, "width"]));
-}
-
-/** The text with a gap's narrowest point this wide, the others wider by as much as they were. */
-export function withWidth(text: string, gap: number, width: number): string {
-  const places = widths(outline(text), gap);
-  const least = Math.min(...places.map((one) => one.value as number));
-  let changed = text;
-  for (const one of places.reverse()) changed = put(changed, one, Math.max(0, width + ((one.value as number) - least)));
-  return changed;
 }
 
 /** The text with these keys in a table, in place of what it had but `kept`; the table is added where there is none. */

@@ -1,6 +1,8 @@
 #include "bentur/model/plan/plan_places.h"
 
 #include <algorithm>
+#include <set>
+
 namespace bentur {
 
 using Eigen::Index;
@@ -105,6 +107,29 @@ std::vector<const Interface*> contact_interfaces(const PlanProblem& problem, con
   for (const Contact& one : system.contacts) take(one.at);
   for (const RubbingContact& one : system.rubbing) take(one.at);
   return found;
+}
+
+std::vector<Index> buildings_beyond(const PlanProblem& problem, std::size_t gap) {
+  const PlanGap& joint = problem.gaps.at(gap);
+  const Stretch& stretch = joint.stretch;
+  const auto along_n = [&](const PlanPoint& at) { return stretch.n.dot(at); };
+  const double limit = along_n(stretch.middle(stretch.corners.front().along));
+  const auto is_beyond = [&](Index b) {
+    const Footprint& footprint = problem.buildings[b].model.footprint;
+    return along_n(footprint.corner + footprint.middle()) > limit;
+  };
+  std::set<Index> found = {joint.right};
+  std::vector<Index> ends = {joint.right};
+  while (!ends.empty()) {
+    const Index from = ends.back();
+    ends.pop_back();
+    for (const PlanGap& other : problem.gaps) {
+      if (other.left != from && other.right != from) continue;
+      const Index to = other.left == from ? other.right : other.left;
+      if (to != joint.left && is_beyond(to) && found.insert(to).second) ends.push_back(to);
+    }
+  }
+  return {found.begin(), found.end()};
 }
 
 std::vector<std::string> gap_names(const PlanProblem& problem) {

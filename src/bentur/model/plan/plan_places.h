@@ -43,6 +43,10 @@ struct PlanContactPlace {
 /// Those that an owner has in a building.
 [[nodiscard]] std::vector<QuantityPlace> places_in(const PlanProblem& problem, Owner owner, Eigen::Index building);
 
+/// Who moves where a gap becomes wider and all else keeps its place, as far as that can be: R of the joint, and all
+/// that are joined to it by gaps beyond the joint without L, ascending.
+[[nodiscard]] std::vector<Eigen::Index> buildings_beyond(const PlanProblem& problem, std::size_t gap);
+
 /// The gaps of a problem by name, in their order.
 [[nodiscard]] std::vector<std::string> gap_names(const PlanProblem& problem);
 

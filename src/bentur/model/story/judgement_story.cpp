@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 
 #include "bentur/core/not_known.h"
@@ -205,6 +206,25 @@ std::string why_not_short(const Judgement& judged) {
   }
 }
 
+/// Lengths of several columns with equally many decimals, of three digits; those that are given keep all of theirs.
+void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed) {
+  std::vector<double> all;
+  for (const StoryColumn* const one : computed) all.insert(all.end(), one->numbers.begin(), one->numbers.end());
+  all.insert(all.end(), given.numbers.begin(), given.numbers.end());
+  const std::vector<std::string> texts = column(all, 3);
+  auto text = texts.begin();
+  for (StoryColumn* const one : computed) {
+    one->are_counts = true;
+    one->texts.assign(text, text + std::ssize(one->numbers));
+    text += std::ssize(one->numbers);
+  }
+  const std::vector<std::string> own = column(given.numbers);
+  given.are_counts = true;
+  for (std::size_t i = 0; i < own.size(); ++i, ++text) {
+    given.texts.push_back(text->size() < own[i].size() ? own[i] : *text);
+  }
+}
+
 /// Of all in their order, or of many of the worst. @param order worst_first()
 StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, const ShownUnits& shown) {
   const std::string& length = view.c.units.length;
@@ -232,8 +252,7 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     impacts.texts.push_back(std::to_string(count));
     hardest.numbers.push_back(peak_force_of(facts) > 0 ? shown.force * peak_force_of(facts) : not_known);
   }
-  for (StoryColumn* const one : {&needed, &reversed, &lacks}) one->digits = 3;
-  lacks.texts = column(lacks.numbers, lacks.digits);
+  set_alike(given, {&needed, &reversed, &lacks});
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (std::isnan(lacks.numbers[i])) lacks.texts[i] = why_not_short(view.gaps[order[i]].judgement);
   }

@@ -24,6 +24,8 @@ enum class Severity {
 [[nodiscard]] std::string_view severity_name(Severity severity);
 /// Whether a verdict with such a statement is a warning.
 [[nodiscard]] inline bool is_grave(Severity severity) { return severity <= Severity::warning; }
+/// Whether a statement of this kind says that something is not known, which is no danger yet.
+[[nodiscard]] inline bool is_open(std::string_view kind) { return kind.ends_with("not_known"); }
 
 /// What fills a {name} in the text of a statement.
 struct StoryValue {

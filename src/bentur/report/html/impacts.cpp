@@ -41,6 +41,19 @@ Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, s
   return content;
 }
 
+void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const HtmlTable& places, const Words& say,
+                 bool in_plan) {
+  const std::string_view name = quantity_named("peak_force", Owner::impact, in_plan).label[say.number()];
+  const auto force = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const TableColumn& column) { return column.label == name; });
+  if (force != quantities.end()) {
+    table.add(force->label, force->unit, std::move(force->cells));
+    quantities.erase(force);
+  }
+  table.add(places);
+  add_columns(table, std::move(quantities));
+}
+
 PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed) {
   const Words& say = report.say;
   const std::vector<Impact>& all = report.response.impacts;
@@ -58,17 +71,11 @@ PageSection impacts_section(const Report& report, const std::vector<Eigen::Index
   HtmlTable table;
   table.add("#", "", numbers);
   if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
-  table.add(say("column.elevation"), report.c.units.length, elevations);
-  if (of_columns) table.add(say("columns.struck"), "", struck, false);
-  for (TableColumn& column : table_columns(Owner::impact, report.run, places_of(listed), say.number())) {
-    table.add(column.label, column.unit, std::move(column.cells));  // numbers that report.js can sort by
-  }
-  int sorted =
-      2 + (report.c.gaps.size() > 1 ? 1 : 0) + (of_columns ? 1 : 0);  // column of the peak force, by which they are
-  for (const Quantity* quantity : quantities_of(Owner::impact)) {
-    if (quantity->key == "peak_force") break;
-    sorted += quantity->label[0].empty() ? 0 : 1;
-  }
+  const int sorted = report.c.gaps.size() > 1 ? 2 : 1;  // column of the peak force, by which they are
+  HtmlTable places;
+  places.add(say("column.elevation"), report.c.units.length, elevations);
+  if (of_columns) places.add(say("columns.struck"), "", struck, false);
+  add_impacts(table, table_columns(Owner::impact, report.run, places_of(listed), say.number()), places, say, false);
   return {"impacts", say("heading.impacts"), impact_list(say, table, listed.size(), all.size(), sorted)};
 }
 

@@ -17,6 +17,7 @@
 #include "bentur/io/results/result_csv.h"
 #include "bentur/report/html/internal/motion_data.h"
 #include "bentur/report/html/internal/page.h"
+#include "bentur/report/html/internal/page_figures.h"
 
 namespace bentur {
 namespace {
@@ -355,7 +356,7 @@ TEST(Report, FiguresStandInlineInThePagesOwnStyle) {
   const Simulated impact = run(example("free-impact"));
   const std::string page = impact.page();
   EXPECT_TRUE(has(page, ".bentur .stroke-blue{stroke:var(--blue)}"));
-  // Every kind that tells something stands there once, as make_figure() draws it.
+  // Every kind that tells something stands there once.
   std::size_t drawn = 0;
   for (const FigureKind& kind : figure_kinds(impact)) drawn += kind.tells ? 1 : 0;
   std::size_t found = 0;
@@ -363,7 +364,12 @@ TEST(Report, FiguresStandInlineInThePagesOwnStyle) {
     ++found;
   }
   EXPECT_EQ(found, drawn + 1) << "and the opening figure";
-  EXPECT_TRUE(has(page, figure_element(make_figure(impact, "force"), Words("en")("figure.force"))));
+  const auto make = [&](const std::string& kind, const FigureOptions& options) {
+    return make_figure(impact, kind, options);
+  };
+  for (const html::PageFigure& one : html::page_figures(figure_kinds(impact), make, "figure.", "en")) {
+    EXPECT_TRUE(has(page, one.svg)) << one.caption;
+  }
 }
 
 TEST(Report, ImpactsWithoutDurationHaveASpeedInPlaceOfAForce) {

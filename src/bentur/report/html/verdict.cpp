@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/html/internal/sections.h"
 
@@ -34,30 +35,32 @@ std::vector<GapBar> bars_of(const VerdictGap& gap, const std::string& simulated,
 /// `largest`: what the whole width stands for.
 Html drawn_bars(const std::vector<GapBar>& bars, double largest, const std::string& unit) {
   if (bars.empty() || !(largest > 0)) return {};
+  std::vector<double> values;
+  for (const GapBar& bar : bars) values.push_back(bar.value);
+  const std::vector<std::string> numbers = column(values);
   Html rows;
-  for (const GapBar& bar : bars) {
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const GapBar& bar = bars[i];
     const Html drawn = element(
         "svg", Html(),  // which has a width without a style, that the page's policy refuses
         fmt::format("class=\"bar {}\" width=\"{:.1f}%\" aria-hidden=\"true\"", bar.style, 100 * bar.value / largest));
     rows += element("tr", element("th", bar.name, "scope=\"row\"") + element("td", drawn, "class=\"bars\"") +
-                              element("td", quantity(bar.value, unit)));
+                              element("td", numbers[i] + "\u00A0" + unit));
   }
   return element("table", element("tbody", rows), "class=\"gapbars\"");
 }
-
-/// Whether it says that something is not known, which is no danger yet.
-bool is_open(const SaidStatement& statement) { return statement.kind.ends_with("not_known"); }
 
 }  // namespace
 
 Html paragraphs(const SaidStatement& statement, std::string& badge) {
   Html block;
   if (!statement.badge.empty() && statement.badge != badge) {
-    block += element("p", statement.badge, is_open(statement) ? "class=\"badge\" data-open" : "class=\"badge\"");
+    block += element("p", statement.badge, statement.is_open ? "class=\"badge\" data-open" : "class=\"badge\"");
     badge = statement.badge;
   }
-  const bool leads = statement.severity == Severity::danger || !statement.badge.empty();
-  return block + element("p", statement.text, leads ? "class=\"lead\"" : "");
+  if (statement.lead == 0) return block + element("p", statement.text);
+  const Html lead = element("strong", statement.text.substr(0, statement.lead));
+  return block + element("p", lead + Html::text(statement.text.substr(statement.lead)), "class=\"lead\"");
 }
 
 Html table_of(const SaidTable& table, std::string_view attributes, std::vector<std::string> titles) {
@@ -92,7 +95,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     } else {
       if (are_many && statement.gap) {
         const auto& [name, in_short, facts] = gaps[*statement.gap];
-        statement.text = of_gap(statement.text, name, in_short);
+        statement = behind_gap(std::move(statement), name, in_short);
       }
       block += paragraphs(statement, badge);
     }
@@ -122,7 +125,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   block += each.folded(say, "appendix.gaps");
   if (known) block += table_of(*known, "class=\"said\"");
   const bool is_worse =
-      std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity) && !is_open(one); });
+      std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity) && !one.is_open; });
   return {"verdict", say("heading.verdict"),
           element("div", block, grave && !is_worse ? "class=\"verdict open\"" : verdict_class(grave))};
 }

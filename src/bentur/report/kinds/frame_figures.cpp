@@ -111,6 +111,16 @@ void add_scale(Panel& panel, double scale, double one_cm, const std::string& uni
   panel.texts.push_back({.x = end, .y = level, .text = number(value) + " " + unit});
 }
 
+/// Whether a frame is so much higher than it is wide that four stand side by side.
+bool is_slender(const FrameForces& frame) {
+  double right = 0, top = 0;
+  for (const FrameMember& member : frame.members) {
+    right = std::max(right, member.of_beam ? member.to : member.place);
+    top = std::max(top, member.of_beam ? member.place : member.to);
+  }
+  return top > 1.2 * right;
+}
+
 /// "bottom of the column of line 2, storey 1", of shears and axial forces "column of line 2, storey 1".
 std::string member_text(const FigureOptions& options, const Carried& carried, const FrameForces& frame,
                         const LargestForce& largest) {
@@ -142,8 +152,11 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
         "that are frames");
   }
+  const bool are_slender = std::all_of(frames.begin(), frames.end(), [](const auto* one) { return is_slender(*one); });
   Figure figure{.title = carried.title,
-                .columns = options.narrow ? 1 : 2,
+                .columns = options.narrow                     ? 1
+                           : frames.size() > 1 && are_slender ? 4
+                                                              : 2,
                 .width = options.narrow ? options.width : broad(options.width)};
   const bool has_impacts = !run.response.impacts.empty();
   Eigen::Index storeys = 0;  // of the highest

@@ -141,6 +141,10 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   Curve parting =
       part(deepest, course.end,
            {.label = word(options, "parting") + ": " + lost, .tone = Tone::grey, .line = Line::dashed, .width = 1.3});
+  if (is_lossless(run)) {  // one lies on the other
+    closing.label = word(options, "closing and parting alike") + ": " + lost;
+    parting.in_legend = false;
+  }
   if (!impact.open_ended) {  // what is left comes back without force
     parting.x.push_back(0);
     parting.y.push_back(0);

@@ -36,8 +36,10 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
   Panel panel = opening_figure(run, there).panels.front();
   panel.events = {};
   panel.curves.resize(1);
-  panel.curves.front().label = "";
-  if (instant.point) panel.rules.front().label = word(options, "closed at 0");
+  if (instant.point) {
+    panel.rules.front().label = word(options, "closed at 0");
+    panel.rules.front().line = Line::dash_dot;  // the curve is solid
+  }
   panel.rules.push_back({.at = instant.histories->time[instant.column],
                          .vertical = true,
                          .label = word(options, !instant.point   ? "deepest inside"
@@ -84,10 +86,14 @@ void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
 /// Each bar by its name and value, the given gap uppermost.
 void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& options) {
   const std::vector<GapBar> bars = bars_of(judged_gaps(run).front().facts);
+  std::vector<double> values;
+  for (const GapBar& one : bars) values.push_back(one.value);
+  const std::vector<std::string> numbers = column(values);  // with digits alike
   for (std::size_t k = 0; k < bars.size(); ++k) {
-    const GapBar& one = bars[bars.size() - 1 - k];
+    const std::size_t at = bars.size() - 1 - k;
+    const GapBar& one = bars[at];
     const std::string value =
-        std::isnan(one.value) ? word(options, "not known") : number(one.value) + " " + run.c.units.length;
+        std::isnan(one.value) ? word(options, "not known") : numbers[at] + " " + run.c.units.length;
     panel.y.names.push_back(word(options, one.name) + ": " + value);
     add_bar(panel, one, static_cast<double>(k), 0.6);
   }
@@ -151,18 +157,18 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
                 .columns = is_wide ? 2 : 1,
                 .width = options.width};
   figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 7 : 0.65 * options.width));
-  constexpr double longish = 1.4;  // width over height
+  constexpr double longish = 2;  // width over height
   const double aspect = aspect_of(figure.panels.front());
   if (instant.point || asked_inside(run, options) != nullptr)
     figure.panels.push_back(opening_panel(run, instant, options));
   figure.panels.push_back(gap_panel(run, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
-    figure.panels.front().height = 6.5;
-    figure.panels[1].height = figure.panels[2].height = std::max(figure.panels[1].height, figure.panels[2].height);
+    figure.panels.front().height = 5;
+    for (std::size_t below : {1, 2}) figure.panels[below].height = 2.8;
   } else if (is_wide) {
     constexpr double height = 7, frames = 12.5;  // about [cm]
-    const double left = std::clamp(height * aspect, 4.5, 7.5);
+    const double left = std::clamp(height * aspect, 4.5, 8.0);
     figure.panels.front().rows = static_cast<int>(figure.panels.size()) - 1;
     figure.shares = {left, frames - left};
   }

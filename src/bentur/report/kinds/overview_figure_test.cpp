@@ -102,7 +102,7 @@ TEST(Overview, BarsAreGivenAndNeeded) {
   const Panel bars = overview(pair).panels.back();
   EXPECT_EQ(ends_of_bars(bars),
             (std::vector<double>{level.width, level.gap_needed, level.gap_needed_reversed.value()}));
-  EXPECT_EQ(bars.y.names, (std::vector<std::string>{"reversed: 0.06682 m", "needed: 0.04946 m", "given: 0.03 m"}));
+  EXPECT_EQ(bars.y.names, (std::vector<std::string>{"reversed: 0.06682 m", "needed: 0.04946 m", "given: 0.03000 m"}));
   const RunResults row = example_run("row-of-three");
   std::vector<double> expected;
   for (Eigen::Index gap = 0; gap < 2; ++gap) {

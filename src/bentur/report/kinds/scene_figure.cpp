@@ -16,13 +16,14 @@ namespace {
 
 bool is_of_building(const SceneShape& shape) { return shape.role >= SceneRole::wall; }
 
-/// "impact 12: 5300 kN, level 300 cm", in a row of more than two buildings with theirs.
+/// "impact 12: peak 5300 kN, level 300 cm", in a row of more than two buildings with theirs.
 std::string impact_text(const RunResults& run, Eigen::Index index, const FigureOptions& options) {
   const Impact& impact = run.response.impacts[index];
   const Units& units = run.c.units;
-  const std::string strength = impact.peak_force > 0
-                                   ? shown_value(run, impact.peak_force, "F")
-                                   : fmt::format("{} {}/s", number(impact.closing_speed), units.length);
+  const std::string strength =
+      impact.peak_force > 0
+          ? word(options, "peak {}", shown_value(run, impact.peak_force, "F"))
+          : word(options, "closing at {}", fmt::format("{} {}/s", number(impact.closing_speed), units.length));
   const double level = run.problem.points[impact.point].elevation;
   const bool are_many = run.problem.buildings.size() > 2;
   const std::string pair = are_many ? gap_name(run.problem, run.problem.points[impact.point].left) + ", " : "";

@@ -19,6 +19,17 @@ bool is_before_unit(const std::string& text, std::size_t space) {
   return text.compare(space + 1, 1, "[") == 0 || (is(space - 1, std::isdigit) && is(space + 1, std::isalpha));
 }
 
+/// Where a line breaks that may end at `end` at the latest: behind a phrase, where one ends in its second half and what
+/// follows still has room in `more` lines.
+std::size_t phrase_end(const std::string& rest, std::size_t end, double width, std::size_t more) {
+  for (std::size_t at = rest.rfind(' ', end); at != std::string::npos && at > 0; at = rest.rfind(' ', at - 1)) {
+    if (text_width(rest.substr(0, at)) < width / 2) break;
+    const bool ends_phrase = rest[at - 1] == ',' || rest[at - 1] == ';';
+    if (ends_phrase && (more > 1 || text_width(rest.substr(at + 1)) <= width)) return at;
+  }
+  return end;
+}
+
 }  // namespace
 
 std::vector<std::string> lines_of(const std::string& text, double width, std::size_t most) {
@@ -31,6 +42,7 @@ std::vector<std::string> lines_of(const std::string& text, double width, std::si
       while (end != std::string::npos && is_before_unit(rest, end));
     }
     if (end == std::string::npos || end == 0) end = std::min(rest.find(' '), rest.size());
+    if (end < rest.size()) end = phrase_end(rest, end, width, most - lines.size() - 1);
     lines.push_back(cut_to(rest.substr(0, end), width));
     rest = end < rest.size() ? rest.substr(end + 1) : "";
   }

@@ -51,6 +51,10 @@ void HtmlTable::add(const std::string& name, const std::string& unit, std::vecto
   columns_.push_back({name, unit, std::move(cells), numeric});
 }
 
+void HtmlTable::add(const HtmlTable& other) {
+  columns_.insert(columns_.end(), other.columns_.begin(), other.columns_.end());
+}
+
 void HtmlTable::join(const std::string& name, const HtmlTable& other) {
   if (other.rows() == 0) return;
   if (columns_.empty()) add("", "", std::vector<std::string>(), false);

@@ -44,6 +44,8 @@ class HtmlTable {
   /// `unit` empty: none. All columns of one length.
   void add(const std::string& name, const std::string& unit, const std::vector<double>& values);
   void add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric = true);
+  /// The columns of another one, as long as these.
+  void add(const HtmlTable& other);
   /// What a pointer over the cells of the first column shows.
   void explain(std::vector<std::string> titles) { titles_ = std::move(titles); }
   /// Makes a row stand out, e.g. the level that governs.

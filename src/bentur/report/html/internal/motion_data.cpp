@@ -91,7 +91,8 @@ Json played_json(const MotionSampling& sampling, const std::vector<double>& time
   for (const char* const word : {"play", "pause", "impact", "level", "show_impact", "slips"}) {
     words[word] = say("script." + std::string(word));
   }
-  words["magnified"] = say("figure.text.magnified");
+  for (const char* const word : {"magnified", "peak", "closing_at"})
+    words[word] = say("figure.text." + std::string(word));
   return {
       {"words", words}, {"frames", sampling.count}, {"step", sampling.step}, {"keys", key_times}, {"impacts", told}};
 }

@@ -6,6 +6,61 @@
 #include "bentur/report/words.h"
 
 namespace bentur::html {
+namespace {
+
+/// Makes frames that are no pictures lower, as far as can be read, so that the figure is at most so high [cm]: on paper
+/// three of a column's width stand one below another, and two of a page's.
+void bound_height(Figure& figure, double most) {
+  constexpr double least = 1.7;  // of a frame [cm]
+  for (int tries = 0; tries < 4; ++tries) {
+    const double excess = layout(figure).height - most;
+    double frames = 0;  // of all rows
+    for (const Panel& panel : figure.panels) frames += panel.to_scale ? 0 : panel.height / figure.columns;
+    if (!(excess > 0) || !(frames > 0)) return;
+    for (Panel& panel : figure.panels) {
+      if (panel.to_scale || panel.height <= least) continue;
+      panel.height = std::max(least, panel.height * std::max(0.3, 1 - excess / frames));
+    }
+  }
+}
+
+/// More panels one below another than stand beside other figures: two side by side over a page's width.
+void spread(Figure& figure) {
+  constexpr std::size_t most = 3;
+  const std::size_t count = figure.panels.size();
+  if (figure.columns > 1 || figure.width > column_width || count <= most || !figure.shares.empty()) return;
+  const auto takes_room = [](const Panel& one) { return one.to_scale || one.rows > 1; };
+  if (std::any_of(figure.panels.begin(), figure.panels.end(), takes_room)) return;
+  figure.columns = 2;
+  figure.width = page_width;
+  Axis& beside = figure.panels[count - 2].x;
+  if (beside.label.empty()) beside.label = figure.panels.back().x.label;
+  beside.numbers = beside.numbers || figure.panels.back().x.numbers;
+}
+
+/// The panels one below another, each with the labels and numbers that those of neighbours served for.
+Figure stacked(Figure figure) {
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  const auto takes_more = [](const Panel& one) { return one.rows > 1 || one.across > 1; };
+  if (columns < 2 || std::any_of(figure.panels.begin(), figure.panels.end(), takes_more)) return figure;
+  const auto take = [](Axis& axis, const Axis& other) {
+    if (axis.label.empty()) axis.label = other.label;
+    axis.numbers = axis.numbers || other.numbers;
+  };
+  const std::size_t count = figure.panels.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Panel& panel = figure.panels[i];
+    if (panel.to_scale) continue;
+    take(panel.y, figure.panels[i - i % columns].y);
+    take(panel.x, figure.panels[i + (count - 1 - i) / columns * columns].x);
+  }
+  figure.columns = 1;
+  figure.shares = {};
+  figure.width = column_width;
+  return figure;
+}
+
+}  // namespace
 
 std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const MakeFigure& make,
                                      const std::string& family, const std::string& language) {
@@ -18,18 +73,20 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
   for (const FigureKind& kind : kinds) {
     if (!kind.tells) continue;
     try {
-      const Figure figure = make(kind.name, options);
+      Figure figure = make(kind.name, options);
       std::string caption = say(family + kind.name + (figure.lacks.empty() ? "" : ".without_" + figure.lacks));
       if (!figure.part.empty()) caption += ". " + figure.part;
-      constexpr double tall = 0.6;  // of the width
-      figures.push_back({.caption = caption,
-                         .svg = figure_element(figure, caption),
-                         .wide = figure.width > column_width,
-                         .tall = layout(figure).height > tall * figure.width});
-      if (!figures.back().wide) continue;
+      const Figure narrowest = figure;
+      spread(figure);
+      const bool is_wide = figure.width > column_width;
+      bound_height(figure, is_wide ? 8.7 : 6.5);
+      figures.push_back({.caption = caption, .svg = figure_element(figure, caption), .wide = is_wide});
+      if (!is_wide) continue;
       FigureOptions narrow = options;
       narrow.narrow = true;
-      const Figure slim = make(kind.name, narrow);
+      Figure slim = narrowest.width < figure.width ? narrowest : make(kind.name, narrow);
+      if (slim.width >= figure.width) slim = stacked(std::move(slim));
+      bound_height(slim, 15);  // of a telephone's screen, of whose width it is
       if (slim.width < figure.width) figures.back().slim = figure_element(slim, caption);
     } catch (const NoFigure&) {  // this one has nothing to show
       continue;

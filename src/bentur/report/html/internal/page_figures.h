@@ -13,7 +13,6 @@ struct PageFigure {
   std::string caption;
   std::string svg;        ///< by figure_element()
   bool wide = false;      ///< wider than a journal's column
-  bool tall = false;      ///< of several lines of panels
   std::string slim = {};  ///< the same for a telephone, where it can be drawn so
 };
 

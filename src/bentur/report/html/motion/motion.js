@@ -282,8 +282,8 @@ function benturMotion(parts, data) {
   }
 
   function describe(impact) {
-    const what = impact.force > 0 ? `${number(impact.force)} ${data.units.force}`
-      : `${number(impact.speed)} ${data.units.length}/s`;
+    const what = impact.force > 0 ? words.peak.replace("{}", `${number(impact.force)} ${data.units.force}`)
+      : words.closing_at.replace("{}", `${number(impact.speed)} ${data.units.length}/s`);
     return `${words.impact} ${impact.number}: ${what}, ${picture.where(impact.point)}${impact.slips ? `, ${words.slips}` : ""}`;
   }
 

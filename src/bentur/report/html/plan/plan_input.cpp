@@ -25,6 +25,7 @@ class PlanInput {
   /// The case key by key, and what follows from it.
   [[nodiscard]] PageSection input() const {
     Html content;
+    bool is_sharing_told = false;
     for (const Key& key : case_keys().keys) {
       const TomlValue nothing;
       const TomlValue* const found = c_.given ? c_.given->find(std::string(key.name)) : nullptr;
@@ -47,6 +48,10 @@ class PlanInput {
         }
         const std::string heading = is_building ? problem_.buildings.at(i).name : label_text(key.label, say_);
         Html told = echo(*key.table, one, say_, c_.units, rows);
+        if (!is_sharing_told && (key.name == "plan" || key.name == "gap")) {
+          told += element("p", say_("plan.shared"), "class=\"note\"");
+          is_sharing_told = true;
+        }
         if (is_building) told += given_planes(static_cast<Index>(i), planes) + modes(static_cast<Index>(i));
         each.add(heading, told);
       }

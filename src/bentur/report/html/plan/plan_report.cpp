@@ -116,15 +116,10 @@ class PlanPage {
     HtmlTable table;
     table.add("#", "", numbers);
     if (gaps_.size() > 1) table.add(say_("column.gap"), "", gaps, false);
-    add_places(table, points);
-    int sorted = gaps_.size() > 1 ? 5 : 4;  // column of the peak force, by which they are
-    const std::string peak_force(quantity_named("peak_force", Owner::impact, true).label[say_.number()]);
-    bool before = true;
-    for (TableColumn& column : table_columns(Owner::impact, run_, places, say_.number())) {
-      before = before && column.label != peak_force;
-      sorted += before ? 1 : 0;
-      table.add(column.label, column.unit, std::move(column.cells));
-    }
+    const int sorted = gaps_.size() > 1 ? 2 : 1;  // column of the peak force, by which they are
+    HtmlTable where;
+    add_places(where, points);
+    html::add_impacts(table, table_columns(Owner::impact, run_, places, say_.number()), where, say_, true);
     return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size(), sorted)};
   }
 

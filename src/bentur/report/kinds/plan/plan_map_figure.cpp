@@ -117,6 +117,14 @@ class BlockMap {
       curve.y.resize(1);
       panel_.curves.push_back(std::move(curve));
     }
+    const auto is_disc = [](const Curve& one) { return one.mark == Mark::disc; };
+    const auto disc = std::find_if(panel_.curves.begin(), panel_.curves.end(), is_disc);
+    if (disc == panel_.curves.end()) return;
+    Curve corner = *disc;  // below it
+    corner.label = say_("figure.text.corner_to_corner");
+    corner.tone = Tone::grey;
+    corner.in_legend = true;
+    panel_.curves.insert(panel_.curves.begin(), std::move(corner));
   }
 
   /// Where the table of the worst has it: on the joint, off its middle, beside which names of houses stand; of corners
@@ -160,7 +168,7 @@ std::string finding_of(const PlanRun& run, const FigureOptions& options) {
 Figure map_figure(const PlanRun& run, const FigureOptions& options) {
   return {.title = "The block from above, by what is judged of its gaps",
           .finding = finding_of(run, options),
-          .panels = {BlockMap(run, options).panel(0.8 * options.width)},
+          .panels = {BlockMap(run, options).panel(0.72 * options.width)},
           .width = options.width};
 }
 

@@ -86,7 +86,7 @@ TEST(PlanMap, HasTheColourOfTheWorstThatIsJudged) {
   EXPECT_GT(all.size(), 1U);
   long named = 0;
   for (const Curve& curve : figure.panels.front().curves) named += curve.in_legend ? 1 : 0;
-  EXPECT_EQ(named, std::ssize(all) + 1) << "and what the numbers are";
+  EXPECT_EQ(named, std::ssize(all) + 2) << "and what numbers and discs are";
   for (const Curve& curve : figure.panels.front().curves) {
     if (curve.label == "H9") {
       EXPECT_EQ(curve.tone, Tone::grey);

@@ -1,0 +1,47 @@
+// A gap as the case has it, and the text of the same case with another width of it: of a row the numbers of the gap, in
+// plan, where a gap is as wide as footprints stand apart, the corners of the buildings that move.
+import type { GapOverview } from "./solver";
+import { apply, leaf, type Outline, put, widths } from "./toml";
+
+/** `put` gives the text with another width, `most` is what a plan's clearance lets it be, `moves` says who moves of many. */
+export interface Slot { width: number; most: number; moves: string[]; put: (text: string, width: number) => string }
+
+/** The text with a gap's narrowest point this wide, the others wider by as much as they were. */
+function inRow(found: Outline | null, gap: number): Slot | null {
+  const places = widths(found, gap);
+  if (places.length === 0) return null;
+  const least = Math.min(...places.map((one) => one.value as number));
+  return {
+    width: least, most: Infinity, moves: [],
+    put: (text, width) => [...places].reverse().reduce((all, one) => put(all, one, Math.max(0, width + ((one.value as number) - least))), text),
+  };
+}
+
+/** Numbers without the round-off of a sum, which would fill a text with digits. */
+const plain = (value: number) => Number(value.toPrecision(12));
+
+function betweenFootprints(found: Outline | null, overview: GapOverview, names: string[]): Slot | null {
+  const { all, by } = overview.movers!;
+  const axes = [0, 1].filter((axis) => Math.abs(by[axis]) > 1e-9);
+  const places = all.flatMap(({ building }) => axes.map((axis) => ({ axis, at: leaf(found, ["building", building, "plan", "corner", axis]) })));
+  if (places.some(({ at }) => typeof at?.value !== "number")) return null; // counted from the plan's own zero
+  const first = all[0];
+  // What was run has this width; since then its first building has moved so far.
+  const width = axes.reduce((sum, axis) => sum + by[axis] * ((leaf(found, ["building", first.building, "plan", "corner", axis])!.value as number) - first.corner[axis]), overview.width);
+  const pair = overview.name.split(" | "), clearance = leaf(found, ["plan", "clearance"])?.value;
+  const isNamed = found!.tables.some(({ path }) => path[0] === "gap" && path.length === 2 && [0, 1].every((k) => pair.includes(String(leaf(found, [...path, "between", k])?.value))));
+  return {
+    width: plain(Math.max(0, width)), most: typeof clearance === "number" && !isNamed ? 0.998 * clearance : Infinity, // at which they are a pair still
+    moves: all.length > 1 ? all.map(({ building }) => names[building]) : [],
+    put: (text, next) => {
+      const grain = 10 ** Math.floor(Math.log10(Math.max(next, width, 1e-9)) - 3), way = grain * Math.round((next - width) / grain);
+      return apply(text, places.map(({ axis, at }) => ({ range: at!.range, made: decimalOf(plain((at!.value as number) + by[axis] * way)) })));
+    },
+  };
+}
+
+const decimalOf = (value: number) => (Number.isInteger(value) ? value.toFixed(1) : String(value));
+
+/** Nothing where no number of the text is the width. */
+export const slotOf = (found: Outline | null, gap: number, overview: GapOverview | undefined, names: string[]): Slot | null =>
+  overview?.movers ? betweenFootprints(found, overview, names) : inRow(found, gap);
