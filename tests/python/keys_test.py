@@ -51,7 +51,7 @@ BEYOND = {
             spectrum-file-column-outside spectrum-file-missing spectrum-file-one-column
             spectrum-file-values spectrum-file-word""",
         "keys of several tables, or numbers of several keys": """
-            code-no-rule column-axial-stiffness column-capacity-of-nothing column-elevations-missing
+            code-no-rule column-axial-stiffness plan-axial-without-frames column-capacity-of-nothing column-elevations-missing
             column-of-a-stick columns-not-asked-for contact-axial-without-frames
             contact-damping-beyond-critical contact-damping-ratio-list-beyond-critical
             contact-filler-locking contact-filler-stiffness contact-missing contact-second-stiffness-list contact-second-stiffness damping-missing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "bentur/core/not_known.h"
@@ -100,15 +101,23 @@ class Diagram {
 };
 
 /// What a round number is drawn as, about a centimetre, below the frame. @param scale [length per unit shown]
-void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level) {
+/// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there
+void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level,
+               const std::optional<double>& middle) {
   if (!(scale > 0)) return;
   const double value = round_125(one_cm / scale);
-  const double end = scale * value, cap = 0.1 * one_cm;
-  panel.curves.push_back({.x = {0, 0, not_known, 0, end, not_known, end, end},
+  const double length = scale * value, cap = 0.1 * one_cm;
+  const double from = middle ? *middle - length / 2 : 0, end = from + length;
+  panel.curves.push_back({.x = {from, from, not_known, from, end, not_known, end, end},
                           .y = {level - cap, level + cap, not_known, level, level, not_known, level - cap, level + cap},
                           .width = 0.9,
                           .complete = true});
-  panel.texts.push_back({.x = end, .y = level, .text = number(value) + " " + unit});
+  const std::string text = number(value) + " " + unit;
+  if (middle) {
+    panel.texts.push_back({.x = *middle, .y = level - cap, .text = text, .side = PlaceText::Side::below});
+  } else {
+    panel.texts.push_back({.x = end, .y = level, .text = text});
+  }
 }
 
 /// Whether a frame is so much higher than it is wide that four stand side by side.
@@ -191,8 +200,10 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     const Diagram of_instant = scaled(std::abs(then.value));
     const double all = std::max(std::abs(largest.value), std::abs(alone.value));
     const Diagram of_all = scaled(all);
-    const double low = -0.22 * top, high = top + 1.15 * reach;
-    const double one_cm = std::max((high - low) / height, (right + 2.3 * reach) / width);
+    const double of_bar = figure.columns == 4 ? 0.5 : 0;  // its number, below it [cm]
+    const double high = top + 1.15 * reach;
+    const double one_cm = std::max((high + 0.22 * top) / (height - of_bar), (right + 2.3 * reach) / width);
+    const double low = -0.22 * top - of_bar * one_cm;
     const double beside = (one_cm * width - right) / 2;  // for numbers too
     Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
                 .y = {.from = low, .to = high, .numbers = false},
@@ -215,8 +226,9 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       of.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
       add_beside(of, x, y, number(factor * std::abs(one.value)) + " " + unit, one_cm);
     };
+    const std::optional<double> middle = of_bar > 0 ? std::optional(right / 2) : std::nullopt;
     const auto add_bar = [&](Panel& of, double most) {
-      if (most > 0) add_scale(of, reach / (factor * most), one_cm, unit, -0.17 * top);
+      if (most > 0) add_scale(of, reach / (factor * most), one_cm, unit, -0.17 * top, middle);
     };
     Panel instant = panel;
     add_bar(instant, std::abs(then.value));
