@@ -80,7 +80,7 @@ for (const file of files) {
 }
 
 /** Figures of a page, each as what is written and drawn in it, element by element. */
-const figuresOf = (html) => [...html.matchAll(/<figure[^>]*>(<svg[\s\S]*?<\/svg>)/g)].map(([, svg]) => svg.split("\n"));
+const figuresOf = (html) => [...html.matchAll(/<figure[^>]*>(?:<div class="wide"[^>]*>)?(<svg[\s\S]*?<\/svg>)/g)].map(([, svg]) => svg.split("\n"));
 const numbers = (text) => (text.match(/-?\d+(?:\.\d+)?/g) ?? []).map(Number);
 
 /** Farthest that a point of one line through points lies from the other [px]. */

@@ -123,7 +123,7 @@ void add_gaps(Panel& panel, const RunResults& run, const FigureOptions& options)
   std::erase(told, "");
   panel.title = word(options, "from above: {}", fmt::format("{}", fmt::join(told, ", ")));
   if (judged.size() > most)
-    panel.title += "; " + word(options, "the tightest of {} gaps", std::to_string(judged.size()));
+    panel.title += "; " + word(options, "the most critical of {} gaps", std::to_string(judged.size()));
   panel.height = 0.3 + 0.6 * static_cast<double>(gaps.size());
 }
 
