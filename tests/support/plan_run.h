@@ -6,6 +6,8 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/input_file.h"
+#include "bentur/model/plan/plan_run.h"
+#include "bentur/pounding/plan/plan_pounding.h"
 
 namespace bentur::test {
 
