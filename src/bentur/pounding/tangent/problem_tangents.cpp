@@ -1,11 +1,12 @@
 #include "bentur/pounding/tangent/problem_tangents.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/not_known.h"
 #include "bentur/pounding/assemble.h"
 #include "bentur/pounding/internal/after_motion.h"
+#include "bentur/pounding/internal/free_parts.h"
 #include "bentur/pounding/plan/plan_meetings.h"
 #include "bentur/pounding/plan/plan_pounding.h"
 
@@ -48,11 +49,11 @@ void take_points(const PlanProblem& problem, const RunLimits& limits, Tangents& 
   found.needed.resize(count);
   found.peak_force.resize(count);
   if (!has_meetings(problem)) return;
-  const PlanResponse response = solve(problem, ExactSolver{}, {.limits = limits});
+  const PlanFreeResponse free(problem, ExactSolver{}, {}, limits);
   constexpr double same = 1e-9;
   for (std::size_t i = 0; i < count; ++i) {
     Derivative& needed = found.needed[i];
-    const double value = response.points[i].gap_needed;
+    const double value = free.response().points[i].gap_needed;
     if (std::abs(needed.value - value) > same * value) needed = {.value = value, .time = not_known, .by = {}};
   }
 }
@@ -68,9 +69,7 @@ ProblemTangents tangents(const Problem& problem, const std::vector<VariationOf<P
 ProblemTangents tangents(const PlanProblem& problem, const std::vector<VariationOf<PlanProblem>>& variations,
                          const RunLimits& limits, const std::function<bool(double)>& progress) {
   validate(problem);
-  const bool moves_masses = std::any_of(problem.elsewhere.begin(), problem.elsewhere.end(),
-                                        [](const std::vector<PlanBuilding>& places) { return !places.empty(); });
-  if (moves_masses) {
+  if (any_problem::may_have_masses_elsewhere(problem)) {
     return {.refused = "what a gap needs is the most of many places of the masses (accidental_eccentricity)"};
   }
   ProblemTangents result = tangents_of(problem, variations, limits, progress);
