@@ -120,13 +120,22 @@ void add_scale(Panel& panel, double scale, double one_cm, const std::string& uni
   }
 }
 
+/// How far the members of a frame reach from its lower left corner [length].
+struct Extent {
+  double right = 0, top = 0;
+};
+Extent extent_of(const FrameForces& frame) {
+  Extent extent;
+  for (const FrameMember& member : frame.members) {
+    extent.right = std::max(extent.right, member.of_beam ? member.to : member.place);
+    extent.top = std::max(extent.top, member.of_beam ? member.place : member.to);
+  }
+  return extent;
+}
+
 /// Whether a frame is so much higher than it is wide that four stand side by side.
 bool is_slender(const FrameForces& frame) {
-  double right = 0, top = 0;
-  for (const FrameMember& member : frame.members) {
-    right = std::max(right, member.of_beam ? member.to : member.place);
-    top = std::max(top, member.of_beam ? member.place : member.to);
-  }
+  const auto [right, top] = extent_of(frame);
   return top > 1.2 * right;
 }
 
@@ -180,10 +189,9 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   const std::string unit = shown_unit(run, carried.form);
   for (const FrameForces* frame : frames) {
     const Building& building = run.problem.buildings[frame->building];
-    double right = 0, top = 0, shortest = INFINITY;  // bay or storey
+    const double right = extent_of(*frame).right, top = extent_of(*frame).top;
+    double shortest = INFINITY;  // bay or storey
     for (const FrameMember& member : frame->members) {
-      right = std::max(right, member.of_beam ? member.to : member.place);
-      top = std::max(top, member.of_beam ? member.place : member.to);
       if (member.of_beam) shortest = std::min(shortest, member.length());
     }
     for (Eigen::Index f = building.model.first_storey(); f < building.model.floors(); ++f) {
