@@ -74,8 +74,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                    html::damage_section(report),
                    html::columns_section(report),
                    html::impacts_section(report, listed),
-                   options.sensitivity ? html::sensitivity_section(*options.sensitivity, c, say, options.language)
-                                       : html::PageSection{"sensitivity", {}, {}},
+                   html::sensitivity_section(options.sensitivity, c, say, options.language),
                    html::figures_section(say, figures),
                    html::input_section(report)};
   if (report.to_hand_in) {

@@ -41,9 +41,10 @@ std::string number_in_words(const std::string& path, const Case& c, const Words&
 
 }  // namespace
 
-PageSection sensitivity_section(const Sensitivity& found, const Case& c, const Words& say,
+PageSection sensitivity_section(const std::optional<Sensitivity>& found, const Case& c, const Words& say,
                                 const std::string& language) {
-  Sensitivity told = found;
+  if (!found) return {"sensitivity", {}, {}};
+  Sensitivity told = *found;
   std::map<std::string, std::string> paths;  // by their words
   for (CaseNumber& number : told.numbers) {
     const std::string words = number_in_words(number.path, c, say);

@@ -20,14 +20,11 @@ bool is_of_building(const SceneShape& shape) { return shape.role >= SceneRole::w
 std::string impact_text(const RunResults& run, Eigen::Index index, const FigureOptions& options) {
   const Impact& impact = run.response.impacts[index];
   const Units& units = run.c.units;
-  const std::string strength =
-      impact.peak_force > 0
-          ? word(options, "peak {}", shown_value(run, impact.peak_force, "F"))
-          : word(options, "closing at {}", fmt::format("{} {}/s", number(impact.closing_speed), units.length));
   const double level = run.problem.points[impact.point].elevation;
   const bool are_many = run.problem.buildings.size() > 2;
   const std::string pair = are_many ? gap_name(run.problem, run.problem.points[impact.point].left) + ", " : "";
-  return fmt::format("{}: {}, {}{}", word(options, "impact {}", std::to_string(index + 1)), strength, pair,
+  return fmt::format("{}: {}, {}{}", word(options, "impact {}", std::to_string(index + 1)),
+                     strength_text(run, impact, options), pair,
                      word(options, "level {}", number(level) + " " + units.length));
 }
 

@@ -52,8 +52,9 @@ constexpr std::size_t rows_in_print = 100;
 /// Contact totals per level and peaks per floor.
 [[nodiscard]] PageSection peaks_section(const Report& report);
 
-/// How the peaks change with the numbers of the case, which have the words of its keys: sentences, a picture, tables.
-[[nodiscard]] PageSection sensitivity_section(const Sensitivity& found, const Case& c, const Words& say,
+/// How the peaks change with the numbers of the case, which have the words of its keys: sentences, a picture, tables;
+/// empty where none were found.
+[[nodiscard]] PageSection sensitivity_section(const std::optional<Sensitivity>& found, const Case& c, const Words& say,
                                               const std::string& language);
 
 /// Which storeys yielded, with and without contact, drawn on the buildings; nothing where none can yield.

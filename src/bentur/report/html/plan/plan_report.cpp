@@ -303,8 +303,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
                 html::identity(run.c.source, records, say),
       .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
                    sections.impacts(listed),
-                   options.sensitivity ? html::sensitivity_section(*options.sensitivity, run.c, say, options.language)
-                                       : html::PageSection{"sensitivity", {}, {}},
+                   html::sensitivity_section(options.sensitivity, run.c, say, options.language),
                    html::figures_section(say, figures),
                    html::plan_input_section(run.c, run.problem, run.response.events, say)},
       .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/core/number_text.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/kinds/kinds.h"
 
@@ -47,6 +48,13 @@ template <class... Values>
 [[nodiscard]] double shown_factor(const RunResults& run, std::string_view form);
 [[nodiscard]] std::vector<double> shown_values(const RunResults& run, std::vector<double> values,
                                                std::string_view form);
+/// How hard an impact is, in a row or in plan: "peak 5300 kN", without a force "closing at 12 cm/s".
+template <class AnyRun>
+[[nodiscard]] std::string strength_text(const AnyRun& run, const Impact& impact, const FigureOptions& options) {
+  return impact.peak_force > 0
+             ? word(options, "peak {}", shown_value(run, impact.peak_force, "F"))
+             : word(options, "closing at {}", number(impact.closing_speed) + " " + run.c.units.length + "/s");
+}
 /// "3.57 s".
 [[nodiscard]] std::string seconds_text(double time);
 /// Elevation of a building's base [length].

@@ -372,11 +372,7 @@ std::string instant_text(const PlanRun& run, const PlanInstant& instant, const F
   std::string what = word(options, "closest, without contact");
   if (instant.impact) {
     const Impact& impact = run.response.impacts[*instant.impact];
-    const std::string strength =
-        impact.peak_force > 0
-            ? word(options, "peak {}", shown_value(run, impact.peak_force, "F"))
-            : word(options, "closing at {}", fmt::format("{} {}/s", number(impact.closing_speed), run.c.units.length));
-    what = word(options, "impact {}", std::to_string(*instant.impact + 1)) + ": " + strength;
+    what = word(options, "impact {}", std::to_string(*instant.impact + 1)) + ": " + strength_text(run, impact, options);
     if (run.problem.gaps.size() > 1) {
       what += ", " + gap_name(run.problem, run.problem.gaps[contact_at(run.problem, impact.point).gap]);
     }
