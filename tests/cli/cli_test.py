@@ -2057,8 +2057,8 @@ class Completion(CommandLine):
 
 
 def load_tests(loader, tests, pattern):
-    """All tests; under the sanitizers, where every start of the program takes long, a third of them."""
-    return part_of_tests(tests, 3) if SANITIZED else tests
+    """All tests; under the sanitizers, where every start of the program takes long, a ninth of them."""
+    return part_of_tests(tests, 9) if SANITIZED else tests
 
 
 if __name__ == "__main__":

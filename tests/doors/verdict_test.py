@@ -27,7 +27,7 @@ PROGRAM = os.environ.get("BENTUR_PROGRAM", "")
 TEXTS = tomllib.loads((doors.ROOT / "src/bentur/report/html/texts.toml").read_text(encoding="utf-8"))
 LANGUAGES = TEXTS["languages"]
 GRAVE = ["danger", "warning", "finding", "remark"]
-CASES = part([*doors.EXAMPLES, *doors.CASES, *doors.PLANS], 8)
+CASES = part([*doors.EXAMPLES, *doors.CASES, *doors.PLANS], 12)
 
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="BENTUR_PROGRAM does not name the command line to compare with")
 

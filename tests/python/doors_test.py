@@ -17,7 +17,7 @@ from bentur import _result, _study
 from bentur._dataset import netcdf
 
 NAMES = [case.stem for case in doors.EXAMPLES]
-SOME_NAMES = part(NAMES, 3)  # where whole files are compared
+SOME_NAMES = part(NAMES, 6)  # where whole files are compared
 
 
 def output(program, *arguments):

@@ -200,7 +200,7 @@ class Pages(Reports):
         self.browser.call("Emulation.setEmulatedMedia", features=[])
 
     def test_every_example_opens_without_a_complaint_and_fits_phone_and_a4(self):
-        for case in [*part((SOURCE / "examples").glob("*.toml"), 6), PLAN]:
+        for case in [*part((SOURCE / "examples").glob("*.toml"), 10), PLAN]:
             for language in "en", "id":
                 page = self.report(case, "--lang", language)
                 for width in PHONE, A4:
@@ -645,7 +645,7 @@ class Stills(Reports):
         self.assertEqual(self.js("document.querySelectorAll('#stage .hinge').length"), 0)
 
     def test_a_still_is_what_the_page_shows_at_that_time(self):
-        for case in part((SOURCE / "examples").glob("*.toml"), 6):
+        for case in part((SOURCE / "examples").glob("*.toml"), 10):
             with self.subTest(case.stem):
                 still = self.still(case)
                 self.opened(self.report(case))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Cases that readers found reported wrongly, as the command line answers them now.
 
-Inputs are beside this file, in cases/. Environment: BENTUR, BENTUR_SOURCE."""
+Inputs are beside this file, in cases/. Environment: BENTUR, BENTUR_SOURCE, BENTUR_SANITIZED."""
 
 import csv
 import json
@@ -11,11 +11,16 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
+from part import part_of_tests
+
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
+SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
 CASES = SOURCE / "tests" / "reported" / "cases"
 
 
@@ -201,6 +206,11 @@ class WhatAnEngineerReads(Reported):
         badge, sentence = re.findall(r"<p[^>]*>(.*?)</p>", report.read_text().split('id="verdict"')[1], re.S)[:2]
         self.assertEqual(badge, "Column fails in shear")
         self.assertRegex(sentence, r"^<strong>D/C 2\.416 in the column of Office")
+
+
+def load_tests(loader, tests, pattern):
+    """All tests; under the sanitizers, where every start of the program takes long, a sixth of them."""
+    return part_of_tests(tests, 6) if SANITIZED else tests
 
 
 if __name__ == "__main__":

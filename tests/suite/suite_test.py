@@ -20,6 +20,7 @@ except ImportError:
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
 import shared_folder
+from part import part_of_tests
 from shared_folder import SHARED
 
 BENTUR = os.environ["BENTUR"]
@@ -466,6 +467,11 @@ class Suites(unittest.TestCase):
         self.assertLess(len(told["records"]), 12)
         self.assertIsNone(told["mean"]["gap_needed"])
         self.assertIsNotNone(told["largest"]["gap_needed"])
+
+
+def load_tests(loader, tests, pattern):
+    """All tests; under the sanitizers, where every start of the program takes long, a sixth of them."""
+    return part_of_tests(tests, 6) if SANITIZED else tests
 
 
 if __name__ == "__main__":

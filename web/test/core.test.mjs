@@ -111,8 +111,8 @@ function isDrawnAs(mine, theirs, isExact) {
   });
 }
 
-// Pictures of every third case and of every plan: they are drawn by what draws those of the others.
-const drawn = files.filter((file, k) => process.env.BENTUR_EVERY_EXAMPLE || k % 3 === 2 || plans.includes(file));
+// Pictures of every sixth case and of every plan: they are drawn by what draws those of the others.
+const drawn = files.filter((file, k) => process.env.BENTUR_EVERY_EXAMPLE || k % 6 === 2 || plans.includes(file));
 for (const file of drawn) {
   const name = file.slice(file.lastIndexOf("/") + 1);
   test(`${name}: a report made in the page has the command line's figures`, () => {
@@ -394,9 +394,10 @@ const withoutResidual = (markup) => markup.replace(/\d(\.\d+)?\u00a0Ã—\u00a010[â
 
 test("the tables are those of the report", () => {
   const ids = new Set();
-  for (const name of ["struck-column.toml", "yielding-pair.toml", "row-of-three.toml", "isolated-moat.toml"]) {
+  const all = process.env.BENTUR_EVERY_EXAMPLE;
+  for (const name of ["struck-column.toml", "row-of-three.toml", ...all ? ["yielding-pair.toml", "isolated-moat.toml"] : []]) {
     solved(read(name), name);
-    for (const language of ["en", "id"]) {
+    for (const language of all || name.startsWith("row") ? ["en", "id"] : ["en"]) {
       const page = execFileSync(process.env.BENTUR, ["report", `${source}/examples/${name}`, "--lang", language, "-o", "-"], { encoding: "utf8", maxBuffer: 2 ** 28 });
       const { ok, tables } = JSON.parse(one.tables(language));
       assert.ok(ok);

@@ -54,8 +54,8 @@ std::shared_ptr<PyCase> read_unlocked(std::shared_ptr<const TomlValue> given, co
   return made;
 }
 
-std::shared_ptr<PyCase> read(TomlValue root, const std::string& name, const fs::path& folder,
-                             std::optional<CaseSource> source, CaseMemo* memo = nullptr) {
+std::shared_ptr<PyCase> read_case(TomlValue root, const std::string& name, const fs::path& folder,
+                                  std::optional<CaseSource> source, CaseMemo* memo = nullptr) {
   Diagnostics found;
   std::shared_ptr<PyCase> made;
   {
@@ -74,8 +74,8 @@ std::shared_ptr<PyCase> from_text(const std::string& text, const std::string& na
   Diagnostics found;
   std::optional<TomlValue> root = parse_toml(text, name, found);
   if (!root) raise_case_error(found);
-  return read(std::move(*root), name, folder,
-              CaseSource{.file = fs::path(name).filename().string(), .text = text, .sha256 = sha256(text)});
+  return read_case(std::move(*root), name, folder,
+                   CaseSource{.file = fs::path(name).filename().string(), .text = text, .sha256 = sha256(text)});
 }
 
 std::shared_ptr<PyCase> from_file(const fs::path& file) {
@@ -101,7 +101,7 @@ std::shared_ptr<PyCase> with_values(const PyCase& given, const py::dict& values)
     put_value(root, *place, toml_of(value, text));
   }
   if (!found.ok()) raise_case_error(found);
-  return read(std::move(root), given.name, given.folder, std::nullopt, shared_memo());
+  return read_case(std::move(root), given.name, given.folder, std::nullopt, shared_memo());
 }
 
 /// The case of one record of its suite, from 1. Its values stay those of the whole case.
@@ -162,7 +162,7 @@ void bind_case(py::module_& module) {
       .def_static(
           "from_values",
           [](const py::dict& values, const std::string& name, const fs::path& folder) {
-            return read(toml_of(values), name, folder, std::nullopt);
+            return read_case(toml_of(values), name, folder, std::nullopt);
           },
           py::arg("values"), py::arg("name"), py::arg("folder"))
       .def("with_record", &with_record, py::arg("record"))

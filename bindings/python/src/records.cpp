@@ -16,9 +16,9 @@ namespace py = pybind11;
 namespace bentur::python {
 namespace {
 
-py::dict read(const std::filesystem::path& file, const std::string& format, const std::optional<double>& time_step,
-              const std::optional<int>& column, const std::optional<int>& channel,
-              const std::optional<std::string>& component, int skip_lines) {
+py::dict read_record(const std::filesystem::path& file, const std::string& format,
+                     const std::optional<double>& time_step, const std::optional<int>& column,
+                     const std::optional<int>& channel, const std::optional<std::string>& component, int skip_lines) {
   Diagnostics found;
   RecordOptions options{.format = format,
                         .time_step = time_step,
@@ -67,7 +67,7 @@ Eigen::Matrix<double, Eigen::Dynamic, 4> spectrum(
 }  // namespace
 
 void bind_records(py::module_& module) {
-  module.def("read_record", &read, py::arg("file"), py::arg("format"), py::arg("time_step"), py::arg("column"),
+  module.def("read_record", &read_record, py::arg("file"), py::arg("format"), py::arg("time_step"), py::arg("column"),
              py::arg("channel"), py::arg("component"), py::arg("skip_lines"));
   module.def("response_spectrum", &spectrum, py::arg("values"), py::arg("time_step"), py::arg("factor"),
              py::arg("periods"), py::arg("damping"));

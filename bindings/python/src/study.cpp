@@ -174,7 +174,7 @@ ForEachNumber by_threads_of(const py::object& for_each) {
   };
 }
 
-std::shared_ptr<PyStudy> read(const fs::path& file, bool ida, const py::object& for_each) {
+std::shared_ptr<PyStudy> read_study(const fs::path& file, bool ida, const py::object& for_each) {
   Diagnostics found;
   std::unique_ptr<StudyRuns> runs;
   {
@@ -334,7 +334,7 @@ SuiteResults suite_results(const PyCase& given, const py::object& progress) {
 
 void bind_study(py::module_& module) {
   py::class_<PyStudy, std::shared_ptr<PyStudy>>(module, "Study")
-      .def(py::init(&read), py::arg("file"), py::arg("ida"), py::arg("for_each"))
+      .def(py::init(&read_study), py::arg("file"), py::arg("ida"), py::arg("for_each"))
       .def(py::init(&of_values), py::arg("case"), py::arg("tables"), py::arg("text"), py::arg("case_text"),
            py::arg("for_each"))
       .def_static("of_cases", &of_cases, py::arg("cases"), py::arg("labels"))
