@@ -17,7 +17,7 @@ import unittest
 BENTUR = os.environ["BENTUR"]
 # What the library does not free of a damaged file is not for the sanitizers to find.
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": ":".join(filter(None, [os.environ.get("ASAN_OPTIONS"), "detect_leaks=0"]))}
-COUNT = int(os.environ.get("BENTUR_DAMAGED", "300"))
+COUNT = int(os.environ.get("BENTUR_DAMAGED", "150"))
 STUDY = 'case = "m12-el-centro.toml"\n[[vary]]\nparameter = "gap[0].width"\nvalues = [0.2, 0.4]\n'
 IDA = 'case = "m12-el-centro.toml"\n[ida]\nintensity = "pga"\nunit = "g"\nlevels = [0.1, 0.2]\n'
 

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -24,6 +22,7 @@
 #include "tests/invariance/movement.h"
 #include "tests/invariance/transforms.h"
 #include "tests/invariance/unit_change.h"
+#include "tests/support/random_numbers.h"
 #include "tests/support/same_response.h"
 
 namespace bentur {
@@ -32,18 +31,7 @@ namespace {
 using namespace bentur::test;
 
 /// BENTUR_EVERY_KIND=FIRST:COUNT runs others than those that the test always runs.
-std::pair<unsigned, unsigned> chosen() {
-#ifdef BENTUR_SANITIZED
-  std::pair<unsigned, unsigned> range = {1, 40};
-#else
-  std::pair<unsigned, unsigned> range = {1, 600};
-#endif
-  if (const char* text = std::getenv("BENTUR_EVERY_KIND")) {
-    unsigned first = 1, count = 0;
-    if (std::sscanf(text, "%u:%u", &first, &count) == 2) range = {first, count};
-  }
-  return range;
-}
+std::pair<unsigned, unsigned> chosen() { return test::seeds_of("BENTUR_EVERY_KIND", {1, 300}, {1, 40}); }
 
 /// Nothing where gravity loads are more than a weak building bears.
 std::optional<Problem> made(const Case& c) {

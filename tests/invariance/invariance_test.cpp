@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,6 +19,7 @@
 #include "tests/invariance/random_case.h"
 #include "tests/invariance/transforms.h"
 #include "tests/invariance/unit_change.h"
+#include "tests/support/random_numbers.h"
 
 namespace bentur {
 namespace {
@@ -61,23 +60,8 @@ std::vector<Transform> transforms(const RandomCase& random_case, const Problem& 
   return list;
 }
 
-/// BENTUR_RANDOM_CASES=COUNT or FIRST:COUNT runs others than those that the test always runs.
-std::pair<unsigned, unsigned> chosen_cases() {
-#ifdef BENTUR_SANITIZED
-  std::pair<unsigned, unsigned> range = {1, 60};  // the sanitizers look for other faults, much more slowly
-#else
-  std::pair<unsigned, unsigned> range = {1, 2000};
-#endif
-  if (const char* text = std::getenv("BENTUR_RANDOM_CASES")) {
-    unsigned first = 1, count = 0;
-    if (std::sscanf(text, "%u:%u", &first, &count) == 2) {
-      range = {first, count};
-    } else {
-      range.second = first;
-    }
-  }
-  return range;
-}
+/// BENTUR_RANDOM_CASES=FIRST:COUNT runs others than those that the test always runs.
+std::pair<unsigned, unsigned> chosen_cases() { return test::seeds_of("BENTUR_RANDOM_CASES", {1, 1000}, {1, 60}); }
 
 constexpr unsigned parts = 4;  // run at the same time
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,35 +11,22 @@
 
 #include <fmt/format.h>
 
+#include "bentur/core/errors.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/story/story.h"
 #include "bentur/pounding/pounding.h"
 #include "tests/invariance/every_kind.h"
 #include "tests/invariance/plan_twin.h"
 #include "tests/invariance/random_case.h"
+#include "tests/support/random_numbers.h"
 
 namespace bentur {
 namespace {
 
 using namespace bentur::test;
 
-/// BENTUR_JUDGEMENTS=COUNT or FIRST:COUNT runs others than those that the test always runs.
-std::pair<unsigned, unsigned> chosen_judgements() {
-#ifdef BENTUR_SANITIZED
-  std::pair<unsigned, unsigned> range = {1, 100};
-#else
-  std::pair<unsigned, unsigned> range = {1, 2000};
-#endif
-  if (const char* text = std::getenv("BENTUR_JUDGEMENTS")) {
-    unsigned first = 1, count = 0;
-    if (std::sscanf(text, "%u:%u", &first, &count) == 2) {
-      range = {first, count};
-    } else {
-      range.second = first;
-    }
-  }
-  return range;
-}
+/// BENTUR_JUDGEMENTS=FIRST:COUNT runs others than those that the test always runs.
+std::pair<unsigned, unsigned> chosen_judgements() { return test::seeds_of("BENTUR_JUDGEMENTS", {1, 1000}, {1, 100}); }
 
 constexpr unsigned parts_of_judgements = 2;  // run at the same time
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -15,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "bentur/pounding/pounding.h"
+#include "tests/support/random_numbers.h"
 #include "tests/support/random_yielding.h"
 
 namespace bentur::random_yielding {
@@ -178,18 +178,7 @@ Response mirrored_back(Response response) {
 }
 
 /// BENTUR_RANDOM_YIELDING=FIRST:COUNT runs others than those that the test always runs.
-std::pair<unsigned, unsigned> chosen() {
-#ifdef BENTUR_SANITIZED
-  std::pair<unsigned, unsigned> range = {1, 8};
-#else
-  std::pair<unsigned, unsigned> range = {1, 60};
-#endif
-  if (const char* text = std::getenv("BENTUR_RANDOM_YIELDING")) {
-    unsigned first = 1, count = 0;
-    if (std::sscanf(text, "%u:%u", &first, &count) == 2) range = {first, count};
-  }
-  return range;
-}
+std::pair<unsigned, unsigned> chosen() { return test::seeds_of("BENTUR_RANDOM_YIELDING", {1, 60}, {1, 8}); }
 
 void expect_same(const RandomYielding& random, const Response& base, const Response& other, unsigned seed,
                  int& sensitive, const char* what) {
