@@ -14,6 +14,7 @@
 #include "bentur/report/files/figure_files.h"
 #include "bentur/report/files/figure_json.h"
 #include "bentur/report/files/picture.h"
+#include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/studies/file_kinds.h"
 #include "commands.h"
@@ -28,7 +29,7 @@ struct PlotArguments {
   std::vector<std::string> at;
   std::string method = fragility_methods().front();
   FigureOptions options;
-  double from = NAN, to = NAN, elevation = NAN;
+  double from = NAN, to = NAN, elevation = NAN, width = NAN;
   int gap = -1;
   bool list = false, force = false;
 };
@@ -60,6 +61,19 @@ void list_kinds(const NetcdfReader& results) {
   print(text);
 }
 
+/// The figure, as wide as is asked for; where it cannot be, this is said.
+Figure drawn(const MakeFigure& make, const PlotArguments& arguments) {
+  const FigureOptions options = options_of(arguments);
+  const std::optional<double> width = given(arguments.width);
+  if (!width) return make(options);
+  Figure figure = figure_of_width(make, options, *width);
+  if (figure.width > *width) {
+    message(fmt::format("{} is {:.3g} cm wide and not {:.3g} cm: its panels belong beside one another", arguments.kind,
+                        figure.width, *width));
+  }
+  return figure;
+}
+
 /// A figure that the user describes.
 void draw_own(const PlotArguments& arguments) {
   const std::filesystem::path file = arguments.results;
@@ -69,6 +83,7 @@ void draw_own(const PlotArguments& arguments) {
     figure = figure_from_json(*text, file.string(), diagnostics);
   }
   if (!figure) throw Failure(diagnostics, arguments.language);
+  figure->width = given(arguments.width).value_or(figure->width);
   if (!arguments.kind.empty() || arguments.list) {
     throw Failure(exit_bad_input, fmt::format("bentur plot: {} is one figure, without kinds", file.string()));
   }
@@ -92,9 +107,10 @@ void draw_suite(const PlotArguments& arguments) {
   if (arguments.list)
     return print(fmt::format("{:<20}{}\n", "suite", "spectra of the records, their mean, the target"));
   if (arguments.kind != "suite") throw Failure(exit_bad_input, "bentur plot: a suite has the figure \"suite\" alone");
-  write_picture(arguments.output.empty() ? "suite.svg" : arguments.output,
-                suite_figure(*suite, loaded.c.units, options_of(arguments)),
-                {.inputs = loaded.files, .force = arguments.force});
+  write_picture(
+      arguments.output.empty() ? "suite.svg" : arguments.output,
+      drawn([&](const FigureOptions& options) { return suite_figure(*suite, loaded.c.units, options); }, arguments),
+      {.inputs = loaded.files, .force = arguments.force});
 }
 
 void run(const PlotArguments& arguments) {
@@ -113,7 +129,8 @@ void run(const PlotArguments& arguments) {
     if (arguments.kind.empty()) {
       throw Failure(exit_bad_input, "bentur plot: KIND is required; --list shows what these results can give");
     }
-    figure = make_figure(results, arguments.kind, options_of(arguments));
+    figure =
+        drawn([&](const FigureOptions& options) { return make_figure(results, arguments.kind, options); }, arguments);
   } catch (const Failure&) {
     throw;
   } catch (const std::runtime_error& error) {  // no such figure, or results that cannot be read
@@ -192,7 +209,9 @@ void add_plot_command(CLI::App& app) {
                       "of a fragility: as in bentur fragility; default \"impacts > 0\"");
   command->add_option("--method", arguments->method, "of a fragility: as in bentur fragility; default likelihood")
       ->check(CLI::IsMember(fragility_methods()));
-  command->add_option("--width", arguments->options.width, "of the figure [cm]; default 8.8, a journal's column")
+  command
+      ->add_option("--width", arguments->width,
+                   "of the figure [cm]; default 8.8, a journal's column, or 17, a page, for panels beside one another")
       ->check(finite())
       ->check(CLI::Range(5.0, 60.0));
   command->add_option("--lang", arguments->language, "language of the figure: en or id")
