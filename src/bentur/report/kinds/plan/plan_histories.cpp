@@ -145,12 +145,14 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
   struct Quantity {
     std::string label;
     const std::vector<Eigen::MatrixXd>& list;
+    Eigen::VectorXd PlanPeaks::*peaks;
     double factor;
     std::string unit;
   };
-  const Quantity quantities[] = {{with_unit(word(options, "Displacement x"), length), histories.x, 1, length},
-                                 {with_unit(word(options, "Displacement y"), length), histories.y, 1, length},
-                                 {word(options, "Rotation θ [mrad]"), histories.rotation, to_mrad, "mrad"}};
+  const Quantity quantities[] = {
+      {with_unit(word(options, "Displacement x"), length), histories.x, &PlanPeaks::x, 1, length},
+      {with_unit(word(options, "Displacement y"), length), histories.y, &PlanPeaks::y, 1, length},
+      {word(options, "Rotation θ [mrad]"), histories.rotation, &PlanPeaks::rotation, to_mrad, "mrad"}};
   const auto moves = [&](const Quantity& quantity) {
     const auto is_moved = [&](int side) {
       const auto [b, floor] = side_at(run, point, side);
@@ -174,6 +176,9 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
                         .y = times(row_of(quantity.list[b], floor), quantity.factor),
                         .tone = building_tone(b),
                         .line = side == 0 ? Line::solid : Line::dashed});
+      if (run.response.course.time.empty()) {
+        add_peak(curves.back(), quantity.factor * (run.response.buildings[b].*quantity.peaks)(floor));
+      }
       const auto most = std::max_element(curves.back().y.begin(), curves.back().y.end(),
                                          [](double a, double c) { return std::abs(a) < std::abs(c); });
       if (*most == 0) continue;
@@ -299,8 +304,8 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
   const Index other = point == beside.front() ? beside.back() : beside.front();
   const std::string& length = run.c.units.length;
   Figure figure{.title = "Orbits of the edges at both ends of the stretch, seen from above",
-                .columns = 2,
-                .width = broad(options.width)};
+                .columns = options.narrow ? 1 : 2,
+                .width = options.narrow ? options.width : broad(options.width)};
   PlanPoint reach = PlanPoint::Zero();
   reach[gap.stretch.across] = 1.05 * gap.stretch.width;
   for (const int side : {0, 1}) {
@@ -363,7 +368,11 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
     panel.x.from = -(panel.x.to = reach.x()).value();
     panel.y.from = -(panel.y.to = reach.y()).value();
   }
-  for (std::size_t i = 1; i < figure.panels.size(); ++i) leave_to_neighbour(figure.panels[i].y);
+  if (options.narrow) {
+    figure.panels.front().x.label = "";
+  } else {
+    for (std::size_t i = 1; i < figure.panels.size(); ++i) leave_to_neighbour(figure.panels[i].y);
+  }
   // Lengths alike both ways.
   const PanelPlace frame = placed_figure(figure, "").panels.front();
   for (Panel& panel : figure.panels) panel.height *= frame.width / frame.height * reach.y() / reach.x();
