@@ -264,7 +264,9 @@ class PlanPicture {
   std::string label_of(Tone tone, double most) {
     if (!labelled_.insert(tone).second) return {};
     const std::string_view form = has_forces() ? "F" : "F s";
-    return word(options_, "impacts ≤ {}", shown_value(run_, tone == Tone::red ? most : most / 2, form));
+    const std::string half = shown_value(run_, most / 2, form);
+    return tone == Tone::red ? word(options_, "hardest impact {} to {}", half, shown_value(run_, most, form))
+                             : word(options_, "hardest impact up to {}", half);
   }
 
   void add_centres() {
