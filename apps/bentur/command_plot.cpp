@@ -17,6 +17,7 @@
 #include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/studies/file_kinds.h"
+#include "cases/suite.h"
 #include "commands.h"
 #include "output/picture.h"
 #include "session.h"
@@ -55,9 +56,9 @@ FigureOptions options_of(const PlotArguments& arguments) {
   return options;
 }
 
-void list_kinds(const NetcdfReader& results) {
+void list_kinds(const std::vector<FigureKind>& kinds) {
   std::string text;
-  for (const FigureKind& kind : figure_kinds(results)) text += fmt::format("{:<20}{}\n", kind.name, kind.shows);
+  for (const FigureKind& kind : kinds) text += fmt::format("{:<20}{}\n", kind.name, kind.shows);
   print(text);
 }
 
@@ -95,22 +96,36 @@ void draw_own(const PlotArguments& arguments) {
   }
 }
 
-/// Of a case with a suite the spectra of its records.
+/// Of a case with a suite what each record needs, which is run for that, or the spectra of its records.
 void draw_suite(const PlotArguments& arguments) {
   const Loaded loaded = load(arguments.results, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   const auto& suite = loaded.c.excitation.suite;
   if (!suite) {
     throw Failure(exit_bad_input,
                   "bentur plot: a case has results to draw once bentur run -o DIR has made them; "
-                  "without a run it has the figure \"suite\" of excitation.kind = \"suite\"");
+                  "without a run it has figures of excitation.kind = \"suite\"");
   }
-  if (arguments.list)
-    return print(fmt::format("{:<20}{}\n", "suite", "spectra of the records, their mean, the target"));
-  if (arguments.kind != "suite") throw Failure(exit_bad_input, "bentur plot: a suite has the figure \"suite\" alone");
-  write_picture(
-      arguments.output.empty() ? "suite.svg" : arguments.output,
-      drawn([&](const FigureOptions& options) { return suite_figure(*suite, loaded.c.units, options); }, arguments),
-      {.inputs = loaded.files, .force = arguments.force});
+  if (arguments.list) return list_kinds(figure_kinds(SuiteRun{}));
+  std::optional<SuiteRun> run;
+  if (arguments.kind != "suite") {
+    const std::vector<FigureKind> kinds = figure_kinds(SuiteRun{});
+    if (std::none_of(kinds.begin(), kinds.end(), [&](const FigureKind& one) { return one.name == arguments.kind; })) {
+      throw Failure(exit_bad_input, fmt::format("bentur plot: a suite has no figure \"{}\"; --list shows those it has",
+                                                arguments.kind));
+    }
+    run = run_records(loaded, true, arguments.language);
+  }
+  const auto make = [&](const FigureOptions& options) {
+    return run ? make_figure(*run, arguments.kind, options) : suite_figure(*suite, loaded.c.units, options);
+  };
+  std::optional<Figure> figure;
+  try {
+    figure = drawn(make, arguments);
+  } catch (const NoFigure& error) {
+    throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
+  }
+  write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, *figure,
+                {.inputs = loaded.files, .force = arguments.force});
 }
 
 void run(const PlotArguments& arguments) {
@@ -125,7 +140,7 @@ void run(const PlotArguments& arguments) {
   std::optional<Figure> figure;
   try {
     const NetcdfReader results{file};
-    if (arguments.list) return list_kinds(results);
+    if (arguments.list) return list_kinds(figure_kinds(results));
     if (arguments.kind.empty()) {
       throw Failure(exit_bad_input, "bentur plot: KIND is required; --list shows what these results can give");
     }
