@@ -307,7 +307,7 @@ levels = [0.1, 0.3, 0.6]
         self.assertEqual({(round(float(w)), round(float(h))) for w, h in boxes}, {(595, 842)})
 
     def test_a_block_of_thirty_houses_prints_on_twelve_pages(self):
-        """With the needs of all gaps, all floors and entries of the case, and the hardest hundred impacts."""
+        """With the needs of all gaps, all floors and entries of the case, and the hardest sixty impacts."""
         page = self.report(self.block(30))
         self.opened(page, PHONE)
         beyond = "[...document.querySelectorAll('.gaps, #sensitivity table')].map((one) => one.scrollWidth - one.parentElement.clientWidth)"

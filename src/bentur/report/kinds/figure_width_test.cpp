@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/support/drawn_run.h"
+#include "tests/support/hinged_case.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "bentur/core/not_known.h"
@@ -101,20 +100,21 @@ class Diagram {
 };
 
 /// What a round number is drawn as, about a centimetre, below the frame. @param scale [length per unit shown]
-/// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there
-void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level,
-               const std::optional<double>& middle) {
+/// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there;
+/// not_known: of others
+void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level, double middle) {
   if (!(scale > 0)) return;
   const double value = round_125(one_cm / scale);
   const double length = scale * value, cap = 0.1 * one_cm;
-  const double from = middle ? *middle - length / 2 : 0, end = from + length;
+  const bool is_below = !std::isnan(middle);
+  const double from = is_below ? middle - length / 2 : 0, end = from + length;
   panel.curves.push_back({.x = {from, from, not_known, from, end, not_known, end, end},
                           .y = {level - cap, level + cap, not_known, level, level, not_known, level - cap, level + cap},
                           .width = 0.9,
                           .complete = true});
   const std::string text = number(value) + " " + unit;
-  if (middle) {
-    panel.texts.push_back({.x = *middle, .y = level - cap, .text = text, .side = PlaceText::Side::below});
+  if (is_below) {
+    panel.texts.push_back({.x = middle, .y = level - cap, .text = text, .side = PlaceText::Side::below});
   } else {
     panel.texts.push_back({.x = end, .y = level, .text = text});
   }
@@ -223,14 +223,15 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   const double of_bar = figure.columns == 4 ? 0.5 : 0;  // its number, below it [cm]
   // Frames and what they carry have one scale, so that they can be compared.
   std::vector<Drawn> drawn;
-  double low = 0, one_cm = 0, scale = INFINITY;  // [length], [length], [length per unit]
+  double low = 0, high = 0, one_cm = 0, scale = INFINITY;  // [length], but of scale [length per unit]
   for (const FrameForces* frame : frames) {
     drawn.push_back(drawn_of(run, carried, *frame));
     low = std::min(low, -0.22 * drawn.back().top);  // with room for the bar
+    high = std::max(high, drawn.back().high());
   }
   for (const Drawn& one : drawn) {
     if (one.most() > 0) scale = std::min(scale, one.reach / one.most());
-    one_cm = std::max({one_cm, (one.high() - low) / (height - of_bar), (one.right + 2.3 * one.reach) / width});
+    one_cm = std::max({one_cm, (high - low) / (height - of_bar), (one.right + 2.3 * one.reach) / width});
   }
   if (std::isinf(scale)) scale = 0;
   const double bar = 0.77 * low;
@@ -243,7 +244,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     const Diagram diagram(carried, *frame, scale);
     const double beside = (one_cm * width - right) / 2;  // for numbers too
     Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
-                .y = {.from = low, .to = options.narrow ? one.high() : low + height * one_cm, .numbers = false},
+                .y = {.from = low, .to = options.narrow ? one.high() : high, .numbers = false},
                 .height = options.narrow ? (one.high() - low) / one_cm : height,
                 .to_scale = true};
     Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
@@ -265,8 +266,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     };
     Panel instant = panel;
     if (figure.panels.empty()) {  // said once
-      const std::optional<double> middle = of_bar > 0 ? std::optional(right / 2) : std::nullopt;
-      add_scale(instant, scale / factor, one_cm, unit, bar, middle);
+      add_scale(instant, scale / factor, one_cm, unit, bar, of_bar > 0 ? right / 2 : not_known);
     }
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
                     word(options, "at {}", seconds_text(frame->time));
@@ -278,13 +278,13 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
 
     panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
     if (has_impacts) {
-      for (const FrameForces::Forces* one : {&frame->most_without_contact, &frame->least_without_contact}) {
+      for (const FrameForces::Forces* of : {&frame->most_without_contact, &frame->least_without_contact}) {
         panel.curves.push_back(
-            diagram.outline(*one, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
+            diagram.outline(*of, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
       }
     }
-    for (const FrameForces::Forces* one : {&frame->most, &frame->least}) {
-      panel.curves.push_back(diagram.outline(*one, {.width = 0.9, .complete = true}));
+    for (const FrameForces::Forces* of : {&frame->most, &frame->least}) {
+      panel.curves.push_back(diagram.outline(*of, {.width = 0.9, .complete = true}));
     }
     named(panel, largest);
     figure.panels.push_back(std::move(panel));

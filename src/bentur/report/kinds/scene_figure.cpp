@@ -165,6 +165,8 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
       curve.label = run.problem.buildings[shape.item].name;
       curve.in_legend = false;
       curve.width = 1.5;
+      // Neighbours are distinct in grey, as their curves are.
+      if (shape.role == SceneRole::column && shape.item % 2 == 1) curve.line = Line::dashed;
     }
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);
     panel.curves.push_back(std::move(curve));

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
@@ -64,12 +64,8 @@ Panel panel_of(const Sensitivity& found, const OfGap& gap, const FigureOptions& 
       const double part = found.elasticity(*peak, gap.numbers[count - 1 - k].first);
       if (std::isnan(part)) continue;
       const double place = static_cast<double>(k) + shift;
-      panel.curves.push_back({.label = is_named ? "" : word(options, label),
-                              .x = {std::min(0.0, part), std::max(0.0, part)},
-                              .y = {place - thick / 2, place - thick / 2},
-                              .top = {place + thick / 2, place + thick / 2},
-                              .tone = tone});
-      is_named = true;
+      panel.curves.push_back(bar(std::min(0.0, part), std::max(0.0, part), place, thick, tone));
+      if (!std::exchange(is_named, true)) panel.curves.back().label = word(options, label);
     }
   };
   const bool are_two = gap.needed != nullptr && gap.force != nullptr;

@@ -226,8 +226,16 @@ Figure force_history_figure(const HistoryPlace& place, const FigureOptions& opti
     for (double& one : forces) one *= factor;
     const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
     if (*least >= -round_off * *most) panel.y.from = 0;
-    constexpr double above = 1.15;  // room for the number at the peak
+    const double above = 1 / (1 - 0.5 / panel.height);  // room for the number at the peak
     panel.y.least = {0, above * *most};
+  }
+  const auto shows_one_mark = [](const Panel& panel) {
+    const Curve& curve = panel.curves.front();
+    return curve.line == Line::none && curve.x.size() == 1;
+  };
+  if (figure.panels.size() > 1 && shows_one_mark(figure.panels.back())) {  // which the first has as well
+    figure.panels.front().x.label = figure.panels.back().x.label;
+    figure.panels.pop_back();
   }
   return figure;
 }
@@ -236,9 +244,13 @@ void name_value(std::vector<Panel>& panels, double x, double y, const std::strin
   const auto shows = [&](const Panel& panel) { return x >= *panel.x.from && x <= *panel.x.to; };
   const auto found = std::find_if(panels.rbegin(), panels.rend(), shows);
   if (found == panels.rend()) return;
-  const bool is_early = x < (*found->x.from + *found->x.to) / 2;
+  constexpr double edge = 0.15;  // of the panel, where a value in the middle has no room
+  const double part = (x - *found->x.from) / (*found->x.to - *found->x.from);
   const std::string shown = text.starts_with("-") ? "−" + text.substr(1) : text;
-  found->texts.push_back({x, y, shown, is_early ? PlaceText::Side::right : PlaceText::Side::left});
+  found->texts.push_back({x, y, shown,
+                          part < edge       ? PlaceText::Side::right
+                          : part > 1 - edge ? PlaceText::Side::left
+                                            : PlaceText::Side::above});
 }
 
 void add_peak(Curve& samples, double peak) {

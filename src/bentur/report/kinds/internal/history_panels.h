@@ -71,7 +71,7 @@ struct HistoryPanels {
                                           const std::vector<double>& time, const std::vector<double>& force,
                                           const std::string& label, double factor);
 
-/// Writes a value at its place, in the last panel that shows it, on the side where there is more room.
+/// Writes a value above its place, in the last panel that shows it, or beside it where that is near an end.
 void name_value(std::vector<Panel>& panels, double x, double y, const std::string& text);
 
 /// Samples pass a peak by: puts the largest size that was found of a curve [its y] between them, where the parabola

@@ -132,6 +132,7 @@ class PlanPicture {
                   .width = 1.5,
                   .complete = true,
                   .in_legend = false};
+      if (has_centres() && b % 2 == 1) curve.line = Line::dashed;  // distinct in grey, as curves are
       for (const std::vector<PlanPoint>& line : seen_parts(ring, above)) {
         if (!curve.x.empty()) add(curve, PlanPoint::Constant(not_known));
         for (const PlanPoint& at : line) add(curve, at);
