@@ -265,9 +265,9 @@ class PlanPicture {
   std::string label_of(Tone tone, double most) {
     if (!labelled_.insert(tone).second) return {};
     const std::string_view form = has_forces() ? "F" : "F s";
-    const std::string half = shown_value(run_, most / 2, form);
-    return tone == Tone::red ? word(options_, "hardest impact {} to {}", half, shown_value(run_, most, form))
-                             : word(options_, "hardest impact up to {}", half);
+    return tone == Tone::red ? word(options_, "hardest impact {} to {}", number(most / 2 * shown_factor(run_, form)),
+                                    shown_value(run_, most, form))
+                             : word(options_, "hardest impact up to {}", shown_value(run_, most / 2, form));
   }
 
   void add_centres() {
