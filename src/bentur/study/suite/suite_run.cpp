@@ -218,10 +218,8 @@ StoryColumn verdicts_of(const SuiteRun& run) {
 /// texts where there is none.
 StoryColumn not_modelled_in(const SuiteRun& run) {
   StoryColumn column{.label = "column.suite.not_modelled"};
-  if (std::none_of(run.records.begin(), run.records.end(),
-                   [](const SuiteRecordRun& one) { return one.is_not_modelled(); })) {
-    return column;
-  }
+  const auto lacks = [](const SuiteRecordRun& one) { return one.is_not_modelled(); };
+  if (std::none_of(run.records.begin(), run.records.end(), lacks)) return column;
   for (const SuiteRecordRun& one : run.records) {
     std::string& text = column.texts.emplace_back("–");
     for (const Statement& said : one.statements) {
