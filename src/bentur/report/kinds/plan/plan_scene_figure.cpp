@@ -450,7 +450,7 @@ std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions&
 }  // namespace
 
 Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
-  constexpr double wide = 12;  // [cm]
+  constexpr double wide = 12, height = 6.4;  // [cm]
   const bool is_wide = options.width >= wide;
   Figure figure = scene_figure(run, options);
   figure.title = "The buildings from above where they meet, and the opening of the gap";
@@ -461,7 +461,7 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
     figure.columns = 2;
     figure.shares = {1.2, 1};
     figure.panels.front().rows = count;
-    figure.panels.front().height = 7.5;
+    figure.panels.front().height = height;
   }
   for (Panel& opening : openings) {
     if (&opening != &openings.front()) {  // the legend of the first serves
@@ -469,7 +469,7 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
       for (RuleLine& rule : opening.rules) rule.label = "";
       opening.events.label = "";
     }
-    opening.height = is_wide ? 7.5 / count - 0.4 : 3;
+    opening.height = is_wide ? height / count - 0.4 : 3;
     figure.panels.push_back(std::move(opening));
   }
   return figure;
