@@ -76,7 +76,7 @@ PageSection sensitivity_section(const std::optional<Sensitivity>& found, const C
       const auto path = paths.find(words);
       titles.push_back(path == paths.end() ? words : path->second);
       const std::string& of_value = units[words];
-      if (!of_value.empty()) shown.columns.at(1).cells[row] += "\u00A0" + of_value;  // beside its name
+      if (!of_value.empty()) shown.columns.at(1).cells[row] += " " + of_value;
     }
     content += element("h3", shown.heading) + table_of(shown, "", std::move(titles));
   }
