@@ -318,6 +318,13 @@ levels = [0.1, 0.3, 0.6]
         pages = len(re.findall(rb"/MediaBox \[", printed.read_bytes()))
         self.assertGreater(pages, 3)
         self.assertLessEqual(pages, 12)
+        self.opened(page, A4 - 106)  # between the margins
+        self.browser.call("Emulation.setEmulatedMedia", media="print")
+        letters = """Math.min(...[...document.querySelectorAll('td, th, small')].map((one) =>
+            one.offsetParent && one.textContent.trim() ? parseFloat(getComputedStyle(one).fontSize) : Infinity))"""
+        self.assertGreaterEqual(self.js(letters) * 72 / 96, 7 - 0.01)
+        self.assertLessEqual(self.js("document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
+        self.browser.call("Emulation.setEmulatedMedia", media="")
 
     def test_letters_of_figures_have_seven_points_on_paper(self):
         """A page's width and a column's, one opening figure and two, frames and many houses."""
