@@ -690,7 +690,7 @@ class List(Reports):
             for sign in 1, -1:
                 self.js(f"document.querySelectorAll('#impact-list .sorter')[{number}].click()")
                 order = self.js(f"document.querySelectorAll('#impact-list th')[{number}].getAttribute('aria-sort')")
-                values = [value for value in self.column(number) if value != "–"]
+                values = [value.replace("−", "-") for value in self.column(number) if value != "–"]
                 try:
                     values = list(map(float, values))
                 except ValueError:
