@@ -14,8 +14,10 @@
 #include "bentur/report/files/figure_files.h"
 #include "bentur/report/files/figure_json.h"
 #include "bentur/report/files/picture.h"
+#include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/studies/file_kinds.h"
+#include "cases/suite.h"
 #include "commands.h"
 #include "output/picture.h"
 #include "session.h"
@@ -28,7 +30,7 @@ struct PlotArguments {
   std::vector<std::string> at;
   std::string method = fragility_methods().front();
   FigureOptions options;
-  double from = NAN, to = NAN, elevation = NAN;
+  double from = NAN, to = NAN, elevation = NAN, width = NAN;
   int gap = -1;
   bool list = false, force = false;
 };
@@ -54,10 +56,23 @@ FigureOptions options_of(const PlotArguments& arguments) {
   return options;
 }
 
-void list_kinds(const NetcdfReader& results) {
+void list_kinds(const std::vector<FigureKind>& kinds) {
   std::string text;
-  for (const FigureKind& kind : figure_kinds(results)) text += fmt::format("{:<20}{}\n", kind.name, kind.shows);
+  for (const FigureKind& kind : kinds) text += fmt::format("{:<20}{}\n", kind.name, kind.shows);
   print(text);
+}
+
+/// The figure, as wide as is asked for; where it cannot be, this is said.
+Figure drawn(const MakeFigure& make, const PlotArguments& arguments) {
+  const FigureOptions options = options_of(arguments);
+  const std::optional<double> width = given(arguments.width);
+  if (!width) return make(options);
+  Figure figure = figure_of_width(make, options, *width);
+  if (figure.width > *width) {
+    message(fmt::format("{} is {:.3g} cm wide and not {:.3g} cm: its panels belong beside one another", arguments.kind,
+                        figure.width, *width));
+  }
+  return figure;
 }
 
 /// A figure that the user describes.
@@ -69,6 +84,7 @@ void draw_own(const PlotArguments& arguments) {
     figure = figure_from_json(*text, file.string(), diagnostics);
   }
   if (!figure) throw Failure(diagnostics, arguments.language);
+  figure->width = given(arguments.width).value_or(figure->width);
   if (!arguments.kind.empty() || arguments.list) {
     throw Failure(exit_bad_input, fmt::format("bentur plot: {} is one figure, without kinds", file.string()));
   }
@@ -80,20 +96,35 @@ void draw_own(const PlotArguments& arguments) {
   }
 }
 
-/// Of a case with a suite the spectra of its records.
+/// Of a case with a suite what each record needs, which is run for that, or the spectra of its records.
 void draw_suite(const PlotArguments& arguments) {
   const Loaded loaded = load(arguments.results, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   const auto& suite = loaded.c.excitation.suite;
   if (!suite) {
     throw Failure(exit_bad_input,
                   "bentur plot: a case has results to draw once bentur run -o DIR has made them; "
-                  "without a run it has the figure \"suite\" of excitation.kind = \"suite\"");
+                  "without a run it has figures of excitation.kind = \"suite\"");
   }
-  if (arguments.list)
-    return print(fmt::format("{:<20}{}\n", "suite", "spectra of the records, their mean, the target"));
-  if (arguments.kind != "suite") throw Failure(exit_bad_input, "bentur plot: a suite has the figure \"suite\" alone");
-  write_picture(arguments.output.empty() ? "suite.svg" : arguments.output,
-                suite_figure(*suite, loaded.c.units, options_of(arguments)),
+  if (arguments.list) return list_kinds(figure_kinds(SuiteRun{}));
+  std::optional<SuiteRun> run;
+  if (arguments.kind != "suite") {
+    const std::vector<FigureKind> kinds = figure_kinds(SuiteRun{});
+    if (std::none_of(kinds.begin(), kinds.end(), [&](const FigureKind& one) { return one.name == arguments.kind; })) {
+      throw Failure(exit_bad_input, fmt::format("bentur plot: a suite has no figure \"{}\"; --list shows those it has",
+                                                arguments.kind));
+    }
+    run = run_records(loaded, true, arguments.language);
+  }
+  const auto make = [&](const FigureOptions& options) {
+    return run ? make_figure(*run, arguments.kind, options) : suite_figure(*suite, loaded.c.units, options);
+  };
+  std::optional<Figure> figure;
+  try {
+    figure = drawn(make, arguments);
+  } catch (const NoFigure& error) {
+    throw Failure(exit_bad_input, std::string("bentur plot: ") + error.what());
+  }
+  write_picture(arguments.output.empty() ? arguments.kind + ".svg" : arguments.output, *figure,
                 {.inputs = loaded.files, .force = arguments.force});
 }
 
@@ -109,11 +140,12 @@ void run(const PlotArguments& arguments) {
   std::optional<Figure> figure;
   try {
     const NetcdfReader results{file};
-    if (arguments.list) return list_kinds(results);
+    if (arguments.list) return list_kinds(figure_kinds(results));
     if (arguments.kind.empty()) {
       throw Failure(exit_bad_input, "bentur plot: KIND is required; --list shows what these results can give");
     }
-    figure = make_figure(results, arguments.kind, options_of(arguments));
+    figure =
+        drawn([&](const FigureOptions& options) { return make_figure(results, arguments.kind, options); }, arguments);
   } catch (const Failure&) {
     throw;
   } catch (const std::runtime_error& error) {  // no such figure, or results that cannot be read
@@ -192,7 +224,9 @@ void add_plot_command(CLI::App& app) {
                       "of a fragility: as in bentur fragility; default \"impacts > 0\"");
   command->add_option("--method", arguments->method, "of a fragility: as in bentur fragility; default likelihood")
       ->check(CLI::IsMember(fragility_methods()));
-  command->add_option("--width", arguments->options.width, "of the figure [cm]; default 8.8, a journal's column")
+  command
+      ->add_option("--width", arguments->width,
+                   "of the figure [cm]; default 8.8, a journal's column, or 17, a page, for panels beside one another")
       ->check(finite())
       ->check(CLI::Range(5.0, 60.0));
   command->add_option("--lang", arguments->language, "language of the figure: en or id")

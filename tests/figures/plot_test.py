@@ -228,6 +228,12 @@ class Plot(Figures):
         self.assertAlmostEqual(rows[0][0], 2, delta=0.0051)
         self.assertAlmostEqual(rows[-1][0], 3, delta=0.0051)
         self.assertTrue((self.folder / "a.pdf").read_bytes().startswith(b"%PDF"))
+        # As wide as is asked for, also what stands on a page's width else.
+        for width, pixels in ((8.8, "332.6"), (14, "529.13")):
+            for kind in "forces", "envelope", "displacement":
+                told = self.bentur(0, "plot", results, kind, "--width", width, "-o", f"{kind}.svg", "--force").stderr
+                self.assertNotIn("cm wide", told)
+                self.assertIn(f'width="{pixels}"', (self.folder / f"{kind}.svg").read_text())
         self.assertIn("100, 200, 300", self.bentur(2, "plot", results, "opening", "--elevation", 150).stderr)
         self.assertIn("gap 3", self.bentur(2, "plot", results, "opening", "--gap", 3).stderr)
         self.assertIn("--from", self.bentur(2, "plot", results, "opening", "--from", 3, "--to", 2).stderr)
@@ -285,6 +291,8 @@ class Own(Figures):
         self.bentur(0, "plot", "own.json")
         self.assertLessEqual({"Stiffness [kN/m]", "Force [kN]", "mine", "limit"}, {*self.texts(self.folder / "own.svg")})
         self.assertEqual(blocks(self.folder / "own.py"), [[[0, 0], [1, 1], [2, 4]]])
+        self.bentur(0, "plot", "own.json", "--width", 14, "--force")
+        self.assertIn('width="529.13"', (self.folder / "own.svg").read_text())
 
     def test_mistakes_are_told_and_nothing_is_drawn(self):
         self.figure(curvse=[])

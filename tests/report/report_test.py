@@ -307,7 +307,7 @@ levels = [0.1, 0.3, 0.6]
         self.assertEqual({(round(float(w)), round(float(h))) for w, h in boxes}, {(595, 842)})
 
     def test_a_block_of_thirty_houses_prints_on_twelve_pages(self):
-        """With the needs of all gaps, all floors and entries of the case, and the hardest hundred impacts."""
+        """With the needs of all gaps, all floors and entries of the case, and the hardest sixty impacts."""
         page = self.report(self.block(30))
         self.opened(page, PHONE)
         beyond = "[...document.querySelectorAll('.gaps, #sensitivity table')].map((one) => one.scrollWidth - one.parentElement.clientWidth)"
@@ -318,6 +318,13 @@ levels = [0.1, 0.3, 0.6]
         pages = len(re.findall(rb"/MediaBox \[", printed.read_bytes()))
         self.assertGreater(pages, 3)
         self.assertLessEqual(pages, 12)
+        self.opened(page, A4 - 106)  # between the margins
+        self.browser.call("Emulation.setEmulatedMedia", media="print")
+        letters = """Math.min(...[...document.querySelectorAll('td, th, small')].map((one) =>
+            one.offsetParent && one.textContent.trim() ? parseFloat(getComputedStyle(one).fontSize) : Infinity))"""
+        self.assertGreaterEqual(self.js(letters) * 72 / 96, 7 - 0.01)
+        self.assertLessEqual(self.js("document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
+        self.browser.call("Emulation.setEmulatedMedia", media="")
 
     def test_letters_of_figures_have_seven_points_on_paper(self):
         """A page's width and a column's, one opening figure and two, frames and many houses."""
@@ -683,7 +690,7 @@ class List(Reports):
             for sign in 1, -1:
                 self.js(f"document.querySelectorAll('#impact-list .sorter')[{number}].click()")
                 order = self.js(f"document.querySelectorAll('#impact-list th')[{number}].getAttribute('aria-sort')")
-                values = [value for value in self.column(number) if value != "–"]
+                values = [value.replace("−", "-") for value in self.column(number) if value != "–"]
                 try:
                     values = list(map(float, values))
                 except ValueError:

@@ -320,6 +320,20 @@ class Suites(unittest.TestCase):
         self.assertIn("NOT met" if code["too_narrow"] else ">met<", row)
         self.told("plot", file, "suite", "-o", self.folder / "suite.svg")
         self.assertIn("target", (self.folder / "suite.svg").read_text())
+        self.needs_are_drawn(file)
+
+    def needs_are_drawn(self, file):
+        """What each record needs, the largest told, in the figure and in the report."""
+        self.told("plot", file, "gap-needed", "-o", self.folder / "needs.svg")
+        drawn = (self.folder / "needs.svg").read_text()
+        records = self.gap(file)["studied"][0]["gaps"][0]["records"]
+        self.assertIn(f"largest {max(one['gap_needed'] for one in records):.4g} m under ", drawn)
+        self.assertIn("given: 0.05 m", drawn)
+        values = {float(value) for line in (self.folder / "needs-data.csv").read_text().splitlines()
+                  for value in re.findall(r"[-+.\de]+", line) if re.fullmatch(r"[\d.]+(e[-+]?\d+)?", value)}
+        for one in records:
+            self.assertLess(min(abs(value - one["gap_needed"]) for value in values), 1e-6 * one["gap_needed"])
+        self.assertIn("has no figure", self.told("plot", file, "needs", status=2))
 
     def pairs(self, count):
         """Records along x, and others of another period along y."""
@@ -391,6 +405,7 @@ class Suites(unittest.TestCase):
         self.assertIn("0.05", self.told("remedy", file))
         self.assertIn("suite", self.told("check", file))
         self.told("plot", file, "suite", "-o", self.folder / "suite.svg")
+        self.needs_are_drawn(file)
         file.write_text(file.read_text() + '\n[project]\nname = "Hotel"\n')
         for language, words in (("en", "counts"), ("id", "dipakai")):
             report = self.folder / f"{language}.html"

@@ -68,10 +68,9 @@ Figure figure_of(const RunResults& run, const std::string& kind, const FigureOpt
   return make_figure(run, kind, options);
 }
 
-/// Of all records of a suite there is one figure.
+/// Of all records of a suite together.
 Figure figure_of(const SuiteRun& run, const std::string& kind, const FigureOptions& options, const val&) {
-  if (kind != "suite") throw InvalidParameter("figure", kind, "must be \"suite\"");
-  return suite_figure(*run.c.excitation.suite, run.c.units, options);
+  return make_figure(run, kind, options);
 }
 
 /// Of buildings in plan no other widths are asked for.

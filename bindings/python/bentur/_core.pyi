@@ -80,7 +80,7 @@ class Run:
         self,
         kind: str,
         language: str,
-        width: float,
+        width: float | None,
         start: float | None,
         end: float | None,
         gap: int | None,

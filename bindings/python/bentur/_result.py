@@ -324,7 +324,7 @@ class Result:
         kind: str = "overview",
         *,
         language: str = "en",
-        width: float = 8.8,
+        width: float | None = None,
         start: float | None = None,
         end: float | None = None,
         gap: int | None = None,
@@ -334,7 +334,7 @@ class Result:
 
         :param kind: one of :attr:`figures`.
         :param language: ``"en"`` or ``"id"``.
-        :param width: of the figure [cm]; 8.8 is a journal's column, 17 a page.
+        :param width: of the figure [cm]; else 8.8, a journal's column, or 17, a page, for panels beside one another.
         :param start: of histories: first time [s].
         :param end: of histories: last time [s].
         :param gap: counted from 0; else the one that is hit hardest.
@@ -346,7 +346,7 @@ class Result:
             self._drawn_from.figure_svg(
                 _arguments.text("kind", kind),
                 _arguments.text("language", language),
-                _arguments.positive("width", width),
+                None if width is None else _arguments.positive("width", width),
                 None if start is None else number("start", start),
                 None if end is None else number("end", end),
                 None if gap is None else _arguments.whole("gap", gap, 0),

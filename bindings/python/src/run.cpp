@@ -26,6 +26,7 @@
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
@@ -285,20 +286,21 @@ std::vector<std::pair<std::string, std::string>> kinds_of(PyRun& run) {
 }
 
 /// @throws ValueError naming what the run can give.
-std::string drawn(PyRun& run, const std::string& kind, const std::string& language, double width,
+std::string drawn(PyRun& run, const std::string& kind, const std::string& language, std::optional<double> width,
                   std::optional<double> start, std::optional<double> end, std::optional<std::size_t> gap,
                   std::optional<double> elevation) {
   FigureOptions options;
   options.say = figure_words(language);
   options.language = language;
-  options.width = width;
   options.from = start;
   options.to = end;
   options.gap = gap;
   options.elevation = elevation;
+  const auto make = [&](const FigureOptions& with) {
+    return run.plan ? make_figure(plan_with_figures(run), kind, with) : make_figure(with_figures(run), kind, with);
+  };
   try {
-    return figure_svg(run.plan ? make_figure(plan_with_figures(run), kind, options)
-                               : make_figure(with_figures(run), kind, options));
+    return figure_svg(width ? figure_of_width(make, options, *width) : make(options));
   } catch (const NoFigure& error) {
     throw py::value_error(error.what());
   }

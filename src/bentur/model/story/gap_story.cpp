@@ -65,7 +65,7 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     abs.numbers.push_back(one->abs);
     srss.numbers.push_back(one->srss);
     ddc.numbers.push_back(shown(one->ddc));
-    verdict.texts.emplace_back(judgement_word(value));
+    verdict.texts.emplace_back(judged_word(value, judged, facts.is_cut));
     governs.texts.emplace_back(is_governing ? "gap.governs" : "");
     const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];
     kind.texts.emplace_back(floor == nullptr                    ? "gap.contact"

@@ -105,6 +105,32 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
   return item;
 }
 
+const char* judged_word(Sufficiency value, const Judgement& judged, bool is_cut) {
+  if (value != Sufficiency::unknown) return judgement_word(value);
+  const char* const left = is_cut ? "gap.not_known.cut" : "gap.not_known.left";
+  for (const Reason& reason : judged.reasons) {
+    switch (reason.kind) {
+      case Reason::Kind::collapse:
+        return "gap.not_known.collapse";
+      case Reason::Kind::drift:
+        return "gap.not_known.drift";
+      case Reason::Kind::capacity:
+        return "gap.not_known.capacity";
+      case Reason::Kind::phase:
+        return "gap.not_known.phase";
+      case Reason::Kind::doubt:
+        return "gap.not_known.doubt";
+      case Reason::Kind::motion_left:
+        return left;
+      case Reason::Kind::not_looked_at:
+        return "gap.not_known.not_looked_at";
+      default:  // it says too small, of another level
+        break;
+    }
+  }
+  return left;  // beside what falls short at other levels
+}
+
 void tell_judgement(const GapView& view, Index gap, const std::function<void(Statement)>& hit,
                     std::vector<Statement>& statements) {
   const Judgement& judged = view.gaps.at(static_cast<std::size_t>(gap)).judgement;
@@ -191,7 +217,7 @@ namespace {
 
 constexpr std::size_t most_lines = 12;  ///< of a table; of more gaps it has the worst alone
 
-/// Of a gap that is not short of what it needs why it is not enough, as a word of the catalogue.
+/// Of a gap that is too small, though not short of what it needs, why, as a word of the catalogue.
 std::string why_not_short(const Judgement& judged) {
   if (judged.reasons.empty()) return "–";
   switch (judged.reasons.front().kind) {
@@ -202,7 +228,7 @@ std::string why_not_short(const Judgement& judged) {
     case Reason::Kind::rule:
       return "row.rule";
     default:
-      return judged.value == Sufficiency::unknown ? "gap.not_known" : "–";
+      return "–";
   }
 }
 
@@ -241,7 +267,7 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     const GoverningNeed need = governing_need(facts).value_or(GoverningNeed{});
     if (judgement.value == Sufficiency::too_small) table.marked.push_back(name.texts.size());
     name.texts.push_back(gap_name(view.problem, static_cast<Index>(g)));
-    verdict.texts.emplace_back(judgement_word(judgement.value));
+    verdict.texts.emplace_back(judged_word(judgement.value, judgement, view.is_cut));
     given.numbers.push_back(need.at.width);
     needed.numbers.push_back(need.given.needed.value_or(not_known));
     reversed.numbers.push_back(need.reversed.needed.value_or(not_known));

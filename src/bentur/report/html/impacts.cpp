@@ -32,9 +32,10 @@ Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, s
                      element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
                          Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
                      "class=\"screen\"");
-  if (listed > rows_in_print) {
-    content += element("p", say("impacts.print", {{"n", std::to_string(rows_in_print)}, {"all", std::to_string(all)}}),
-                       "class=\"print\"");
+  if (listed > impacts_in_print) {
+    content +=
+        element("p", say("impacts.print", {{"n", std::to_string(impacts_in_print)}, {"all", std::to_string(all)}}),
+                "class=\"print\"");
   }
   content += table.markup(fmt::format("id=\"impact-list\" data-sorted=\"{}\"", sorted)) +
              element("p", Html::text(say("impacts.restitution")), "class=\"note\"");

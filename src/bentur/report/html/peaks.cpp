@@ -31,7 +31,8 @@ std::string numbered(const std::vector<std::string>& names) {
   for (std::size_t b = 0; b < names.size(); ++b) {
     const std::string& name = names[b];
     const std::size_t word = name.find_last_not_of("0123456789") + 1;
-    if (name.substr(word) == std::to_string(b + 1)) continue;  // which House 7 is need not be said
+    const bool is_a_word = word == 0 || name[word - 1] == ' ';              // which House 1.7 has not
+    if (is_a_word && name.substr(word) == std::to_string(b + 1)) continue;  // which House 7 is need not be said
     text += fmt::format("{}{}\u00A0{}", text.empty() ? "" : ", ", b + 1, name);
   }
   return text;

@@ -11,9 +11,12 @@ namespace {
 
 /// A number of a case in the words of its keys: "Annex, Frame: Storey heights 6" is
 /// building[1].frame.storey_heights[5]. In plan the width of a gap is called as it is beside the name of the gap.
-std::string number_in_words(const std::string& path, const Case& c, const Words& say) {
+/// @param unit of its value, where it has one
+std::string number_in_words(const std::string& path, const Case& c, const Words& say, std::string& unit) {
+  unit.clear();
   if (constexpr std::string_view width = ": width"; path.ends_with(width)) {
     const Key* const key = case_keys().find("gap")->table->find("width");
+    unit = c.units.length;
     return path.substr(0, path.size() - width.size()) + ": " + label_text(key->label, say);
   }
   std::string error, text;
@@ -35,6 +38,7 @@ std::string number_in_words(const std::string& path, const Case& c, const Words&
       text += (text.empty() ? "" : i == 2 ? ", " : ": ") + label_text(key->label, say);
     }
     keys = key->table;
+    if (keys == nullptr) unit = unit_of(*key, c.units);
   }
   return text.empty() ? path : text;
 }
@@ -45,27 +49,34 @@ PageSection sensitivity_section(const std::optional<Sensitivity>& found, const C
                                 const std::string& language) {
   if (!found) return {"sensitivity", {}, {}};
   Sensitivity told = *found;
-  std::map<std::string, std::string> paths;  // by their words
+  std::map<std::string, std::string> paths, units;  // by their words
+  std::string unit;
   for (CaseNumber& number : told.numbers) {
-    const std::string words = number_in_words(number.path, c, say);
+    const std::string words = number_in_words(number.path, c, say, unit);
     if (paths.try_emplace(words, number.path).second) number.path = words;  // two numbers have not the same
+    units.try_emplace(number.path, unit);
   }
-  for (auto& [path, why] : told.left_out) path = number_in_words(path, c, say);
+  for (auto& [path, why] : told.left_out) path = number_in_words(path, c, say, unit);
   const Story story = sensitivity_story(told);
   Html sentences;
   for (const SaidStatement& one : said(story.statements, say)) sentences += element("li", one.text);
   Html content = element("p", say("sensitivity.lead"), "class=\"lead\"") + element("ul", sentences);
   try {
-    content += opening_figure([&](const FigureOptions& drawn) { return sensitivity_figure(told, drawn); },
-                              say("figure.sensitivity"), language);
+    const Html figure = opening_figure([&](const FigureOptions& drawn) { return sensitivity_figure(told, drawn); },
+                                       say("figure.sensitivity"), language);
+    const bool is_single = sensitivity_figure(told, {}).panels.size() == 1;
+    content += is_single ? element("div", figure, "class=\"single\"") : figure;
   } catch (const NoFigure&) {  // of buildings alone there is a table
   }
   for (const StoryTable& table : story.tables) {
-    const SaidTable shown = said(table, say);
+    SaidTable shown = said(table, say);
     std::vector<std::string> titles;
-    for (const std::string& words : shown.columns.front().cells) {
+    for (std::size_t row = 0; row < shown.columns.front().cells.size(); ++row) {
+      const std::string& words = shown.columns.front().cells[row];
       const auto path = paths.find(words);
       titles.push_back(path == paths.end() ? words : path->second);
+      const std::string& of_value = units[words];
+      if (!of_value.empty()) shown.columns.at(1).cells[row] += " " + of_value;
     }
     content += element("h3", shown.heading) + table_of(shown, "", std::move(titles));
   }

@@ -76,6 +76,15 @@ Html worst_picture(const SuiteRun& run, const html::Report& report, const std::s
                   : picture_of(c, make_problem(c, run.problem.buildings), caption, language);
 }
 
+Html needs_picture(const SuiteRun& run, const html::Report& report, const std::string& language) {
+  try {
+    return html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, "gap-needed", drawn); },
+                                report.say("figure.gap-needed"), language);
+  } catch (const NoFigure&) {
+    return {};
+  }
+}
+
 PageSection suite_runs_section(const html::Report& report) {
   return {"runs", report.say("heading.peaks"), suite_tables(report, "suite_runs", "")};
 }
@@ -107,11 +116,10 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
   const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(
       {{"suite", "the spectra"}},
-      [&](const std::string&, const FigureOptions& drawn) {
-        return suite_figure(*run.c.excitation.suite, run.c.units, drawn);
-      },
-      "figure.", options.language);
+      [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(run, kind, drawn); }, "figure.",
+      options.language);
   html::PageSection verdict = html::verdict_section(report);
+  verdict.content += needs_picture(run, report, options.language);
   verdict.content += worst_picture(run, report, options.language);
   html::PageBody body{
       .header = html::title_block(report, title, say("suite.by", {{"version", options.version}})),

@@ -173,11 +173,15 @@ Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, con
   options.say = figure_words(language);
   options.language = language;
   Html drawn;
+  std::string part;
   for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
     options.width = width;
-    drawn += element("div", Html::markup(figure_element(make(options), caption)), fmt::format("class=\"{}\"", name));
+    const Figure figure = make(options);
+    part = figure.part;
+    drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
   }
-  return element("figure", drawn + element("figcaption", caption + "."), "class=\"overview\"");
+  const std::string below = caption + "." + (part.empty() ? "" : " " + part + ".");
+  return element("figure", drawn + element("figcaption", below), "class=\"overview\"");
 }
 
 }  // namespace bentur::html

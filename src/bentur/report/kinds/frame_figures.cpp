@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "bentur/core/not_known.h"
@@ -101,20 +100,21 @@ class Diagram {
 };
 
 /// What a round number is drawn as, about a centimetre, below the frame. @param scale [length per unit shown]
-/// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there
-void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level,
-               const std::optional<double>& middle) {
+/// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there;
+/// not_known: of others
+void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level, double middle) {
   if (!(scale > 0)) return;
   const double value = round_125(one_cm / scale);
   const double length = scale * value, cap = 0.1 * one_cm;
-  const double from = middle ? *middle - length / 2 : 0, end = from + length;
+  const bool is_below = !std::isnan(middle);
+  const double from = is_below ? middle - length / 2 : 0, end = from + length;
   panel.curves.push_back({.x = {from, from, not_known, from, end, not_known, end, end},
                           .y = {level - cap, level + cap, not_known, level, level, not_known, level - cap, level + cap},
                           .width = 0.9,
                           .complete = true});
   const std::string text = number(value) + " " + unit;
-  if (middle) {
-    panel.texts.push_back({.x = *middle, .y = level - cap, .text = text, .side = PlaceText::Side::below});
+  if (is_below) {
+    panel.texts.push_back({.x = middle, .y = level - cap, .text = text, .side = PlaceText::Side::below});
   } else {
     panel.texts.push_back({.x = end, .y = level, .text = text});
   }
@@ -159,6 +159,39 @@ std::string member_text(const FigureOptions& options, const Carried& carried, co
   return hinge_name(options.say, {member.of_beam, member.level, member.number, end});
 }
 
+/// A frame and the forces that its diagrams have to show.
+struct Drawn {
+  const FrameForces* frame = nullptr;
+  double right = 0, top = 0;  ///< how far its members reach [length]
+  double reach = 0;           ///< of its largest force, a third of its shortest bay or storey [length]
+  LargestForce then = {}, largest = {}, alone = {};
+
+  [[nodiscard]] double most() const {
+    return std::max({std::abs(then.value), std::abs(largest.value), std::abs(alone.value)});
+  }
+  [[nodiscard]] double high() const { return top + 1.15 * reach; }
+};
+
+Drawn drawn_of(const RunResults& run, const Carried& carried, const FrameForces& frame) {
+  const StructuralModel& model = run.problem.buildings[frame.building].model;
+  const auto [right, top] = extent_of(frame);
+  double shortest = INFINITY;  // bay or storey
+  for (const FrameMember& member : frame.members) {
+    if (member.of_beam) shortest = std::min(shortest, member.length());
+  }
+  for (Eigen::Index f = model.first_storey(); f < model.floors(); ++f) {
+    shortest = std::min(shortest, model.storey_heights[f]);
+  }
+  Drawn drawn{.frame = &frame, .right = right, .top = top, .reach = shortest / 3};
+  drawn.then.take(carried, frame, frame.instant);
+  for (const FrameForces::Forces* one : {&frame.most, &frame.least}) drawn.largest.take(carried, frame, *one);
+  if (run.response.impacts.empty()) return drawn;
+  for (const FrameForces::Forces* one : {&frame.most_without_contact, &frame.least_without_contact}) {
+    drawn.alone.take(carried, frame, *one);
+  }
+  return drawn;
+}
+
 Figure frame_figure(const RunResults& run, const FigureOptions& options, const Carried& carried) {
   const std::vector<Eigen::Index> shown = shown_buildings(run, options);
   std::vector<const FrameForces*> frames;
@@ -187,40 +220,37 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   const double width = figure.width / figure.columns - between;
   const double factor = shown_factor(run, carried.form);
   const std::string unit = shown_unit(run, carried.form);
+  const double of_bar = figure.columns == 4 ? 0.5 : 0;  // its number, below it [cm]
+  // Frames and what they carry have one scale, so that they can be compared.
+  std::vector<Drawn> drawn;
+  double low = 0, high = 0, one_cm = 0, scale = INFINITY;  // [length], but of scale [length per unit]
   for (const FrameForces* frame : frames) {
+    drawn.push_back(drawn_of(run, carried, *frame));
+    low = std::min(low, -0.22 * drawn.back().top);  // with room for the bar
+    high = std::max(high, drawn.back().high());
+  }
+  for (const Drawn& one : drawn) {
+    if (one.most() > 0) scale = std::min(scale, one.reach / one.most());
+    one_cm = std::max({one_cm, (high - low) / (height - of_bar), (one.right + 2.3 * one.reach) / width});
+  }
+  if (std::isinf(scale)) scale = 0;
+  const double bar = 0.77 * low;
+  low -= of_bar * one_cm;
+  for (const Drawn& one : drawn) {
+    const FrameForces* const frame = one.frame;
     const Building& building = run.problem.buildings[frame->building];
-    const double right = extent_of(*frame).right, top = extent_of(*frame).top;
-    double shortest = INFINITY;  // bay or storey
-    for (const FrameMember& member : frame->members) {
-      if (member.of_beam) shortest = std::min(shortest, member.length());
-    }
-    for (Eigen::Index f = building.model.first_storey(); f < building.model.floors(); ++f) {
-      shortest = std::min(shortest, building.model.storey_heights[f]);
-    }
-    const double reach = shortest / 3;
-    LargestForce then, largest, alone;
-    then.take(carried, *frame, frame->instant);
-    for (const FrameForces::Forces* one : {&frame->most, &frame->least}) largest.take(carried, *frame, *one);
-    for (const FrameForces::Forces* one : {&frame->most_without_contact, &frame->least_without_contact}) {
-      if (has_impacts) alone.take(carried, *frame, *one);
-    }
-    const auto scaled = [&](double most) { return Diagram(carried, *frame, most > 0 ? reach / most : 0); };
-    const Diagram of_instant = scaled(std::abs(then.value));
-    const double all = std::max(std::abs(largest.value), std::abs(alone.value));
-    const Diagram of_all = scaled(all);
-    const double of_bar = figure.columns == 4 ? 0.5 : 0;  // its number, below it [cm]
-    const double high = top + 1.15 * reach;
-    const double one_cm = std::max((high + 0.22 * top) / (height - of_bar), (right + 2.3 * reach) / width);
-    const double low = -0.22 * top - of_bar * one_cm;
+    const auto [right, top] = std::pair(one.right, one.top);
+    const LargestForce &then = one.then, &largest = one.largest, &alone = one.alone;
+    const Diagram diagram(carried, *frame, scale);
     const double beside = (one_cm * width - right) / 2;  // for numbers too
     Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
-                .y = {.from = low, .to = high, .numbers = false},
-                .height = height,
+                .y = {.from = low, .to = options.narrow ? one.high() : high, .numbers = false},
+                .height = options.narrow ? (one.high() - low) / one_cm : height,
                 .to_scale = true};
     Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
     for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
       for (const double station : {0.0, 1.0}) {
-        const auto [x, y] = of_all.at(n, station, 0);
+        const auto [x, y] = diagram.at(n, station, 0);
         members.x.push_back(x);
         members.y.push_back(y);
       }
@@ -228,38 +258,35 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       members.y.push_back(not_known);
     }
     panel.curves.push_back(std::move(members));
-    const auto named = [&](Panel& of, const Diagram& diagram, const LargestForce& one) {
-      if (one.member < 0) return;
-      const auto [x, y] = diagram.at(one.member, carried.stations()[one.station], one.value);
+    const auto named = [&](Panel& of, const LargestForce& force) {
+      if (force.member < 0) return;
+      const auto [x, y] = diagram.at(force.member, carried.stations()[force.station], force.value);
       of.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
-      add_beside(of, x, y, number(factor * std::abs(one.value)) + " " + unit, one_cm);
-    };
-    const std::optional<double> middle = of_bar > 0 ? std::optional(right / 2) : std::nullopt;
-    const auto add_bar = [&](Panel& of, double most) {
-      if (most > 0) add_scale(of, reach / (factor * most), one_cm, unit, -0.17 * top, middle);
+      add_beside(of, x, y, number(factor * std::abs(force.value)) + " " + unit, one_cm);
     };
     Panel instant = panel;
-    add_bar(instant, std::abs(then.value));
+    if (figure.panels.empty()) {  // said once
+      add_scale(instant, scale / factor, one_cm, unit, bar, of_bar > 0 ? right / 2 : not_known);
+    }
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
                     word(options, "at {}", seconds_text(frame->time));
     instant.curves.push_back(
-        of_instant.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
-    instant.curves.push_back(of_instant.outline(frame->instant, {.width = 0.9, .complete = true}));
-    named(instant, of_instant, then);
+        diagram.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
+    instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
+    named(instant, then);
     figure.panels.push_back(std::move(instant));
 
     panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
-    add_bar(panel, all);
     if (has_impacts) {
-      for (const FrameForces::Forces* one : {&frame->most_without_contact, &frame->least_without_contact}) {
+      for (const FrameForces::Forces* of : {&frame->most_without_contact, &frame->least_without_contact}) {
         panel.curves.push_back(
-            of_all.outline(*one, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
+            diagram.outline(*of, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
       }
     }
-    for (const FrameForces::Forces* one : {&frame->most, &frame->least}) {
-      panel.curves.push_back(of_all.outline(*one, {.width = 0.9, .complete = true}));
+    for (const FrameForces::Forces* of : {&frame->most, &frame->least}) {
+      panel.curves.push_back(diagram.outline(*of, {.width = 0.9, .complete = true}));
     }
-    named(panel, of_all, largest);
+    named(panel, largest);
     figure.panels.push_back(std::move(panel));
     if (largest.member < 0) continue;
     figure.finding += (figure.finding.empty() ? "" : "; ") + building.name + ": " +

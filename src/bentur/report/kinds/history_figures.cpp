@@ -138,12 +138,15 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
   if (const NearestFloor* inside = asked_inside(run, options)) return inside_displacement(run, *inside, options);
   const Eigen::Index i = chosen_point(run, options);
   const ContactPoint& point = run.problem.points[i];
-  const auto curve = [&](Eigen::Index b, Eigen::Index floor) {
-    return Curve{.label = run.problem.buildings[b].name,
-                 .x = course_of(run).time,
-                 .y = row_of(course_of(run).displacement[b], run.problem.buildings[b].model.floor_at_or_above(floor)),
-                 .tone = building_tone(b),
-                 .line = b == point.left ? Line::solid : Line::dashed};
+  const auto curve = [&](Eigen::Index b, Eigen::Index node) {
+    const Eigen::Index floor = run.problem.buildings[b].model.floor_at_or_above(node);
+    Curve one{.label = run.problem.buildings[b].name,
+              .x = course_of(run).time,
+              .y = row_of(course_of(run).displacement[b], floor),
+              .tone = building_tone(b),
+              .line = b == point.left ? Line::solid : Line::dashed};
+    if (run.response.course.time.empty()) add_peak(one, run.response.buildings[b].displacement(floor));
+    return one;
   };
   const std::vector<Building>& buildings = run.problem.buildings;
   const bool of_two_that_move = !buildings[point.left].is_rigid() && !buildings[point.right].is_rigid();

@@ -12,6 +12,7 @@
 #include "bentur/model/suite/suite.h"
 #include "bentur/report/figures/figure.h"
 #include "bentur/study/fragility/ida_results.h"
+#include "bentur/study/suite/suite_run.h"
 
 namespace bentur {
 
@@ -91,6 +92,11 @@ struct SpectrumCurves {
 
 /// Of a suite the spectra of its records as they are scaled and their mean, against the target, over the band.
 [[nodiscard]] Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOptions& options = {});
+
+/// The kinds of figure that the runs of a suite give: "suite", its spectra, and "gap-needed", what each record needs of
+/// a gap beside what is given. @throws NoFigure when there is no such kind, or no gap where anything is needed.
+[[nodiscard]] std::vector<FigureKind> figure_kinds(const SuiteRun& run);
+[[nodiscard]] Figure make_figure(const SuiteRun& run, const std::string& kind, const FigureOptions& options = {});
 
 /// What happens at other widths of a gap.
 struct GapCurve {

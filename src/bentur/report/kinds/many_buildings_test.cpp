@@ -242,6 +242,7 @@ TEST(ManyBuildings, HaveAKeyOfNumbersUnlessTheirNamesEndWithThem) {
   EXPECT_EQ(html::numbered({"House 2", "House 1"}), "1\u00A0House 2, 2\u00A0House 1");
   EXPECT_EQ(html::numbered({"Bank", "12"}), "1\u00A0Bank, 2\u00A012");
   EXPECT_EQ(html::numbered({"House 1", "House 2"}), "");
+  EXPECT_EQ(html::numbered({"House 1.1", "House 1.2"}), "1\u00A0House 1.1, 2\u00A0House 1.2");
 }
 
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
@@ -259,10 +260,21 @@ TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
   EXPECT_TRUE(std::count(shown.begin(), shown.end(), worst) == 1 &&
               std::count(shown.begin(), shown.end(), worst + 1) == 1);
   EXPECT_GT(shown.size(), 6U);
-  const std::string part = std::to_string(shown.size()) + " of " + std::to_string(row().problem.buildings.size());
+  const std::string part =
+      "Shown are " + std::to_string(shown.size()) + " of " + std::to_string(row().problem.buildings.size());
   EXPECT_TRUE(make_figure(row(), "envelope").part.starts_with(part));
   EXPECT_TRUE(make_figure(row(), "amplification").finding.starts_with(part));
-  EXPECT_EQ(make_figure(row(), "force").part, "");
+  // Of one place it says which, where that is not at the worst gap.
+  const std::vector<Impact>& impacts = row().response.impacts;
+  const auto hardest = std::max_element(impacts.begin(), impacts.end(),
+                                        [](const Impact& a, const Impact& b) { return a.peak_force < b.peak_force; });
+  const Eigen::Index struck = row().problem.points[hardest->point].gap;
+  const std::string place = "Shown is " + gap_name(row().problem, struck) +
+                            ", with the hardest impact; the worst gap is " + gap_name(row().problem, worst);
+  EXPECT_EQ(make_figure(row(), "force").part, struck == worst ? "" : place);
+  FigureOptions of_worst;
+  of_worst.gap = static_cast<std::size_t>(worst);
+  EXPECT_EQ(make_figure(row(), "force", of_worst).part, "");
   // So what a figure finds largest is the largest of all.
   const auto [key, kind] = std::pair("amplification", "amplification");
   double largest = 0;

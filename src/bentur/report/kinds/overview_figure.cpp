@@ -63,24 +63,23 @@ struct GapBar {
   const char* name;
   double value = 0;
   Tone tone = Tone::grey;
+  bool is_hollow = false;
 };
 
 /// Where it falls short the most: given, needed, and, where that is known of some gap, needed the other way round.
 std::vector<GapBar> bars_of(const GapFacts& facts) {
   const GoverningNeed found = governing_need(facts).value_or(GoverningNeed{});
-  const auto needed = [](const char* name, const GoverningNeed::OneWay& one) {
-    return GapBar{name, one.needed.value_or(NAN), one.is_short ? Tone::red : Tone::black};
+  const auto needed = [](const char* name, const GoverningNeed::OneWay& one, bool is_hollow) {
+    return GapBar{name, one.needed.value_or(NAN), one.is_short ? Tone::red : Tone::black, is_hollow};
   };
-  return {{"given", found.at.width}, needed("needed", found.given), needed("reversed", found.reversed)};
+  return {{"given", found.at.width}, needed("needed", found.given, false), needed("reversed", found.reversed, true)};
 }
 
 /// From 0 on, `thick` in places of the axis of names; nothing of what is not known.
 void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
   if (std::isnan(of.value)) return;
-  panel.curves.push_back({.x = {0, of.value},
-                          .y = {place - thick / 2, place - thick / 2},
-                          .top = {place + thick / 2, place + thick / 2},
-                          .tone = of.tone});
+  panel.curves.push_back(of.is_hollow ? hollow_bar(0, of.value, place, thick, of.tone)
+                                      : bar(0, of.value, place, thick, of.tone));
 }
 
 /// Each bar by its name and value, the given gap uppermost.
@@ -164,8 +163,8 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   figure.panels.push_back(gap_panel(run, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
-    figure.panels.front().height = 5;
-    for (std::size_t below : {1, 2}) figure.panels[below].height = 2.8;
+    figure.panels.front().height = 3.4;
+    for (std::size_t below : {1, 2}) figure.panels[below].height = 2;
   } else if (is_wide) {
     constexpr double height = 7, frames = 12.5;  // about [cm]
     const double left = std::clamp(height * aspect, 4.5, 8.0);

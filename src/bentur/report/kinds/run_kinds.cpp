@@ -134,6 +134,12 @@ const RunKind run_kinds[] = {
     {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure},
 };
 
+/// Whether a kind shows one place between two buildings.
+bool is_of_a_place(const std::string& kind) {
+  constexpr std::string_view all[] = {"overview", "scene", "displacement", "opening", "force", "impact", "loop"};
+  return std::find(std::begin(all), std::end(all), kind) != std::end(all);
+}
+
 /// Whether a kind shows buildings beside one another, of many a part.
 bool is_of_buildings(const std::string& kind) {
   constexpr std::string_view all[] = {"forces",       "envelope",    "amplification", "drift",    "modes",
@@ -169,12 +175,19 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
     if (kind != one.name) continue;
     Figure figure = one.make(run, options);
     figure.title = figure_title(options.language, caption_key(kind, false), std::move(figure.title));
+    if (is_of_a_place(kind) && !options.gap && !options.elevation && asked_inside(run, options) == nullptr &&
+        !run.problem.points.empty()) {
+      const Eigen::Index point = chosen_point(run, options);
+      figure.part =
+          place_text(gap_names(run.problem), judged_gaps(run), static_cast<std::size_t>(run.problem.points[point].gap),
+                     hardest_impact(run, point) != nullptr, options);
+    }
     if (is_of_buildings(kind) && !options.gap && !options.elevation) {
       const std::size_t shown = shown_buildings(run, options).size(), all = run.problem.buildings.size();
       if (shown < all) {
-        figure.part =
-            word(options, "{} of {} buildings: at the hardest impact, named by the verdict, beside too small a gap",
-                 std::to_string(shown), std::to_string(all));
+        figure.part = word(
+            options, "Shown are {} of {} buildings: those of the hardest impact, of the verdict and of the worst gaps",
+            std::to_string(shown), std::to_string(all));
         figure.finding = figure.part + (figure.finding.empty() ? "" : "; " + figure.finding);
       }
     }

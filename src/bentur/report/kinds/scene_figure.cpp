@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
@@ -158,6 +159,12 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
   }
   constexpr double points = 72 / 2.54 / 0.75;  // widths to a centimetre
   const double storey = scene.storey / tall * height * points;
+  std::vector<bool> dashed;  // every second one that moves, so that neighbours are distinct in grey, as their curves
+  bool is_second = false;
+  for (const Building& building : run.problem.buildings) {
+    dashed.push_back(is_second && !building.is_rigid());
+    is_second = building.is_rigid() ? is_second : !is_second;
+  }
   for (const SceneShape& shape : scene.shapes) {
     Curve curve = curve_of(shape, places);
     if (shape.role == SceneRole::ground) curve.width = 1.8;
@@ -165,6 +172,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
       curve.label = run.problem.buildings[shape.item].name;
       curve.in_legend = false;
       curve.width = 1.5;
+      if (shape.role == SceneRole::column && dashed[shape.item]) curve.line = Line::dashed;
     }
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);
     panel.curves.push_back(std::move(curve));

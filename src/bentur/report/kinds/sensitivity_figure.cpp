@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
 namespace bentur {
@@ -54,7 +55,8 @@ std::vector<OfGap> gaps_of(const Sensitivity& found) {
   return gaps;
 }
 
-Panel panel_of(const Sensitivity& found, const OfGap& gap, const FigureOptions& options) {
+/// @param room of a name above its bars [cm]
+Panel panel_of(const Sensitivity& found, const OfGap& gap, double room, const FigureOptions& options) {
   Panel panel{.title = gap.name, .x = {.label = with_unit(word(options, "Change for 1 % more of the number"), "%")}};
   const std::size_t count = gap.numbers.size();
   const auto add = [&](const SensitivePeak* peak, Tone tone, const char* label, double shift) {
@@ -64,12 +66,8 @@ Panel panel_of(const Sensitivity& found, const OfGap& gap, const FigureOptions& 
       const double part = found.elasticity(*peak, gap.numbers[count - 1 - k].first);
       if (std::isnan(part)) continue;
       const double place = static_cast<double>(k) + shift;
-      panel.curves.push_back({.label = is_named ? "" : word(options, label),
-                              .x = {std::min(0.0, part), std::max(0.0, part)},
-                              .y = {place - thick / 2, place - thick / 2},
-                              .top = {place + thick / 2, place + thick / 2},
-                              .tone = tone});
-      is_named = true;
+      panel.curves.push_back(bar(std::min(0.0, part), std::max(0.0, part), place, thick, tone));
+      if (!std::exchange(is_named, true)) panel.curves.back().label = word(options, label);
     }
   };
   const bool are_two = gap.needed != nullptr && gap.force != nullptr;
@@ -88,7 +86,7 @@ Panel panel_of(const Sensitivity& found, const OfGap& gap, const FigureOptions& 
   for (std::size_t k = 0; k < count; ++k) {
     panel.texts.push_back({.x = *panel.x.from,
                            .y = static_cast<double>(k) + above,
-                           .text = found.numbers[gap.numbers[count - 1 - k].first].path});
+                           .text = cut_to(found.numbers[gap.numbers[count - 1 - k].first].path, room)});
   }
   panel.rules.push_back({.at = 0, .vertical = true, .tone = Tone::black});
   panel.height = 0.4 + 0.85 * static_cast<double>(count);
@@ -100,8 +98,13 @@ Panel panel_of(const Sensitivity& found, const OfGap& gap, const FigureOptions& 
 Figure sensitivity_figure(const Sensitivity& found, const FigureOptions& options) {
   const std::vector<OfGap> gaps = gaps_of(found);
   if (gaps.empty()) throw NoFigure("no derivative of a gap is known");
-  Figure figure{.title = "By how much peaks change for 1 % more of a number", .width = options.width};
-  for (const OfGap& gap : gaps) figure.panels.push_back(panel_of(found, gap, options));
+  constexpr double wide = 12, margins = 0.9;  // [cm]
+  Figure figure{.title = "By how much peaks change for 1 % more of a number",
+                .columns = options.width >= wide ? static_cast<int>(gaps.size()) : 1,
+                .width = options.width,
+                .shared_legend = true};
+  const double room = options.width / figure.columns - margins;  // of a name [cm]
+  for (const OfGap& gap : gaps) figure.panels.push_back(panel_of(found, gap, room, options));
   const auto& [most, size] = gaps.front().numbers.front();
   figure.finding = word(options, "the most with {}: {} %", found.numbers[most].path, fmt::format("{:.2g}", size));
   return figure;

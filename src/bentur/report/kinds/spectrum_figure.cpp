@@ -22,14 +22,14 @@ double value_at(const SpectrumCurves& curves, const std::vector<double>& values,
   return values[i - 1] + part * (values[i] - values[i - 1]);
 }
 
-constexpr double around = 5;  // times the periods of the buildings
+constexpr double span_of_marks = 5;  // times the periods of the buildings
 
 /// Shows what lies around the buildings' periods, with those of the modes that are marked.
 void show_around_marks(SpectrumCurves& curves) {
   double least = INFINITY, most = 0;
   for (const SpectrumMark& mark : curves.marks) {
-    least = std::min(least, mark.period / around);
-    most = std::max(most, mark.period * around);
+    least = std::min(least, mark.period / span_of_marks);
+    most = std::max(most, mark.period * span_of_marks);
     for (const double period : mark.periods) least = std::min(least, 0.8 * period);
   }
   const double from = std::max(curves.periods.front(), least), to = std::min(curves.periods.back(), most);
@@ -187,7 +187,7 @@ Figure design_spectrum_figure(const Case& c, const Problem& problem, const Spect
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const auto period = first_period(problem.buildings[b]);
     if (!period) continue;
-    last = std::max(last, around * *period);
+    last = std::max(last, span_of_marks * *period);
     SpectrumMark mark{problem.buildings[b].name, *period, b};
     const SpectralModes& modes = spectral.modes[b];
     constexpr Eigen::Index most_modes = 3;

@@ -1,6 +1,11 @@
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
@@ -12,7 +17,117 @@ namespace {
 
 constexpr double share_of_target = 0.9;  // that codes ask of the mean [-]
 
+/// By how much the record that needs most of a gap needs more than is given; less than all where nothing is known.
+double lack_of(const SuiteRun& run, std::size_t gap) {
+  double most = -INFINITY;
+  for (const SuiteRecordRun& one : run.records) {
+    if (gap < one.needed.size() && one.judged[gap].is_facing()) {
+      most = std::max(most, one.needed[gap] - one.judged[gap].width);
+    }
+  }
+  return most;
+}
+
+/// What each record needs of a gap, by the tone of what is judged of it, the first record uppermost.
+Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& options) {
+  const std::string& length = run.c.units.length;
+  const std::vector<SuiteRecord>& records = run.c.excitation.suite->records;
+  const std::vector<std::string> names = gap_names(run.problem);
+  const std::size_t count = run.records.size();
+  Panel panel{.title = names.size() > 1 ? names[gap] : "",
+              .x = {.label = with_unit(word(options, "Gap needed"), length), .from = 0},
+              .height = 0.6 + 0.36 * static_cast<double>(count)};
+  panel.y.names.resize(count);
+  std::vector<double> values;
+  for (const SuiteRecordRun& one : run.records) {
+    values.push_back(gap < one.needed.size() && std::isfinite(one.needed[gap]) ? one.needed[gap] : NAN);
+  }
+  const std::vector<std::string> numbers = column(values);  // with digits alike
+  Curve unmodelled{.label = word(options, "contact not modelled"),
+                   .tone = Tone::black,
+                   .line = Line::none,
+                   .mark = Mark::cross,
+                   .complete = true};
+  std::set<Sufficiency> named;
+  double given = NAN, most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const SuiteRecordRun& one = run.records[i];
+    const double place = static_cast<double>(count - 1 - i);
+    panel.y.names[count - 1 - i] = records[i].name();
+    if (std::isnan(values[i])) {
+      const bool falls = gap < one.needed.size() && std::isinf(one.needed[gap]);
+      panel.texts.push_back({.x = 0, .y = place, .text = word(options, falls ? "a building collapses" : "not known")});
+      continue;
+    }
+    given = one.judged[gap].width;
+    most = std::max({most, given, values[i]});
+    const Sufficiency judged = without_rules(one.judged[gap].judgement);
+    panel.curves.push_back(bar(0, values[i], place, 0.6, tone_of(judged)));
+    if (named.insert(judged).second) panel.curves.back().label = Words(options.language)(judgement_word(judged));
+    panel.texts.push_back({.x = values[i], .y = place, .text = numbers[i] + " " + length});
+    if (!one.is_not_modelled()) continue;
+    unmodelled.x.push_back(0.97 * values[i]);
+    unmodelled.y.push_back(place);
+  }
+  if (std::isnan(given)) throw NoFigure("no record has been run to its end, or no floors face one another");
+  if (!unmodelled.x.empty()) panel.curves.push_back(std::move(unmodelled));
+  panel.curves.push_back({.label = word(options, "given") + ": " + number(given) + " " + length,  // over the bars
+                          .x = {given, given},
+                          .y = {-0.5, static_cast<double>(count) - 0.5},
+                          .line = Line::dashed,
+                          .width = 1.4});
+  constexpr double of_names = 2.5, of_numbers = 1.8;  // beside the bars [cm]
+  panel.x.to = most / (1 - of_numbers / (options.width - of_names));
+  return panel;
+}
+
+Figure needs_figure(const SuiteRun& run, const FigureOptions& options) {
+  const std::size_t gaps = gap_names(run.problem).size();
+  if (options.gap && *options.gap >= gaps) throw NoFigure("there is no such gap: gaps are counted from 0");
+  std::vector<std::size_t> shown(gaps);
+  std::iota(shown.begin(), shown.end(), std::size_t{0});
+  std::stable_sort(shown.begin(), shown.end(),
+                   [&](std::size_t a, std::size_t b) { return lack_of(run, a) > lack_of(run, b); });
+  if (shown.empty()) throw NoFigure("the case has no gap");
+  const std::size_t gap = options.gap.value_or(shown.front());
+  Figure figure{.title = "What each record needs to stay apart without contact, the larger of both directions",
+                .panels = {needs_panel(run, gap, options)},
+                .width = options.width,
+                .shared_legend = true};
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const auto needed = [&](std::size_t record) {
+      const std::vector<double>& all = run.records[record].needed;
+      return gap < all.size() && !std::isnan(all[gap]) ? all[gap] : -1;
+    };
+    if (needed(i) > needed(worst)) worst = i;
+  }
+  const SuiteRecordRun& most = run.records[worst];
+  const std::string& length = run.c.units.length;
+  figure.finding = word(
+      options, "largest {} under {}, given {}",
+      std::isinf(most.needed[gap]) ? word(options, "a building collapses") : number(most.needed[gap]) + " " + length,
+      run.c.excitation.suite->records[worst].name(), number(most.judged[gap].width) + " " + length);
+  if (gaps > 1 && !options.gap) figure.part = word(options, "the most critical of {} gaps", std::to_string(gaps));
+  return figure;
+}
+
 }  // namespace
+
+std::vector<FigureKind> figure_kinds(const SuiteRun& /*run*/) {
+  return {{"gap-needed", "gap that each record needs, beside the gap given"},
+          {"suite", "spectra of the records, their mean, the target"}};
+}
+
+Figure make_figure(const SuiteRun& run, const std::string& kind, const FigureOptions& options) {
+  if (kind == "gap-needed") {
+    Figure figure = needs_figure(run, options);
+    figure.title = figure_title(options.language, "figure.gap-needed", std::move(figure.title));
+    return figure;
+  }
+  if (kind == "suite") return suite_figure(*run.c.excitation.suite, run.c.units, options);
+  refuse_figure(kind, "a suite", figure_kinds(run));
+}
 
 Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOptions& options) {
   const auto in_g = [&](std::vector<double> values) {
@@ -23,7 +138,7 @@ Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOpti
   const auto [first, last] = suite.target.band();
   Panel panel{.x = {.label = word(options, "Period T [s]"), .from = first, .to = last, .logarithmic = true},
               .y = {.label = with_unit("Sa", "g"), .from = 0},
-              .height = 5.5,
+              .height = 4.6,
               .names_at_ends = true};
   for (const SuiteRecord& record : suite.records) {
     panel.curves.push_back({.label = panel.curves.empty() ? word(options, "each record") : "",

@@ -73,11 +73,12 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
   return result;
 }
 
-/// The gap that a run needs somewhere, in both ways of the motion; infinite where a building falls without contact.
+/// The gap that a run needs at some of these levels, in both ways of the motion; infinite where a building falls
+/// without contact.
 /// @param row the run, of buildings in plan row_of() it
-double needed_both_ways(const RunResults& row) {
+double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation>& levels) {
   if (row.response.collapse_no_contact) return std::numeric_limits<double>::infinity();
-  const LevelSeparation largest = largest_of(separations(row.problem, row.response));
+  const LevelSeparation largest = largest_of(levels);
   return std::max(largest.gap_needed, largest.gap_needed_reversed.value_or(0));
 }
 
@@ -85,20 +86,15 @@ double needed_both_ways(const RunResults& row) {
 constexpr std::string_view told_in_tables[] = {"impacts",          "peak_force", "gap_needed",
                                                "peak_drift_ratio", "ductility",  "column_demand_capacity"};
 
-/// Whether floors meet under a record where no contact is modelled, so that its impacts and forces are not known.
-bool is_not_modelled(const SuiteRecordRun& one) {
-  return std::any_of(one.statements.begin(), one.statements.end(),
-                     [](const Statement& said) { return said.kind == "unmodelled"; });
-}
-
 /// Counts as such; of records whose contact is not modelled that word, no mean, and no less than the largest of others.
 void tell_in_words(const SuiteRun& run, bool are_counts, StoryColumn& column) {
   const std::size_t count = run.records.size();
-  const bool lacks = std::any_of(run.records.begin(), run.records.end(), is_not_modelled);
+  const bool lacks = std::any_of(run.records.begin(), run.records.end(),
+                                 [](const SuiteRecordRun& one) { return one.is_not_modelled(); });
   if (!are_counts && !lacks) return;
   for (std::size_t i = 0; i < column.numbers.size(); ++i) {
     const double value = column.numbers[i];
-    if (std::isnan(value) && i < count && is_not_modelled(run.records[i])) {
+    if (std::isnan(value) && i < count && run.records[i].is_not_modelled()) {
       const std::vector<Statement>& said = run.records[i].statements;
       const bool some =
           std::any_of(said.begin(), said.end(), [](const Statement& one) { return one.kind.starts_with("pounding"); });
@@ -218,6 +214,26 @@ StoryColumn verdicts_of(const SuiteRun& run) {
   return column;
 }
 
+/// Of each record the floor that goes deepest into what no contact is modelled with: its building and level; without
+/// texts where there is none.
+StoryColumn not_modelled_in(const SuiteRun& run) {
+  StoryColumn column{.label = "column.suite.not_modelled"};
+  const auto lacks = [](const SuiteRecordRun& one) { return one.is_not_modelled(); };
+  if (std::none_of(run.records.begin(), run.records.end(), lacks)) return column;
+  for (const SuiteRecordRun& one : run.records) {
+    std::string& text = column.texts.emplace_back("–");
+    for (const Statement& said : one.statements) {
+      if (said.kind != "unmodelled" || text != "–") continue;
+      for (const StoryValue& value : said.values) {
+        if (value.name == "building") text = std::get<std::string>(value.value);
+      }
+      text += ", " + number(said.level.value_or(0)) + " " + run.c.units.length;
+    }
+  }
+  column.texts.resize(run.records.size() + 2);
+  return column;
+}
+
 bool ended_in_time(const SuiteRecordRun& one) { return one.status == Status::done; }
 
 std::string refusal_of(const Case& c, const Problem& problem, const Effort& effort) {
@@ -236,12 +252,17 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
               SuiteRecordRun& result) {
   std::vector<double> row(size);
   fill_row(all, run.view(), row);
+  const RunResults& as_one_row = as_row(run);
+  const std::vector<LevelSeparation> levels = separations(as_one_row.problem, as_one_row.response);
+  for (Eigen::Index gap = 0; gap < gap_count(as_one_row.problem); ++gap) {
+    result.needed.push_back(needed_both_ways(as_one_row, of_gap(levels, gap)));
+  }
   for (const RowPart& part : parts) {
-    result.values.push_back(part.name == "gap_needed" ? needed_both_ways(as_row(run)) : reduced(part, row));
+    result.values.push_back(part.name == "gap_needed" ? needed_both_ways(as_one_row, levels) : reduced(part, row));
   }
   result.statements = run_story(run).statements;
   result.judged = told_judgements(run);
-  if (!is_not_modelled(result)) return;
+  if (!result.is_not_modelled()) return;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string_view key = parts[i].quantity->key;
     if (key == "impacts" || key == "peak_force") result.values[i] = NAN;
@@ -249,6 +270,11 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
 }
 
 }  // namespace
+
+bool SuiteRecordRun::is_not_modelled() const {
+  return std::any_of(statements.begin(), statements.end(),
+                     [](const Statement& said) { return said.kind == "unmodelled"; });
+}
 
 bool SuiteRun::all_ran() const {
   return is_whole() && std::none_of(records.begin(), records.end(),
@@ -393,6 +419,7 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   StoryTable table{.kind = "suite_runs", .columns = {std::move(name)}};
   for (const std::string_view key : told_in_tables) table.columns.push_back(column_of(run, key));
   std::erase_if(table.columns, [](const StoryColumn& one) { return one.texts.empty() && one.numbers.empty(); });
+  if (StoryColumn column = not_modelled_in(run); !column.texts.empty()) table.columns.push_back(std::move(column));
   if (gap_count(run.problem) == 1) table.columns.push_back(verdicts_of(run));
   told.tables.push_back(std::move(table));
   for (StoryTable& one : screening_tables(run.c, run.problem, run.plan ? &*run.plan : nullptr)) {

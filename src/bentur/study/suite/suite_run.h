@@ -26,6 +26,12 @@ struct SuiteRecordRun {
   std::vector<double> values;              ///< one per quantity; NaN: not known. A gap needed is that of both ways
   std::vector<Statement> statements = {};  ///< run_story() of it
   std::vector<ToldJudgement> judged = {};  ///< per gap
+  /// Per gap what it needs somewhere, the larger of both ways of the motion [length]; infinite where a building falls
+  /// without contact.
+  std::vector<double> needed = {};
+
+  /// Whether floors meet where no contact is modelled, so that impacts and forces are not known.
+  [[nodiscard]] bool is_not_modelled() const;
 };
 
 /// The runs of a case's suite, in short; case_of_record() gives one of them in full.

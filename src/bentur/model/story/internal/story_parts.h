@@ -67,6 +67,9 @@ void tell_judgement(const GapView& view, Eigen::Index gap, const std::function<v
 /// A reason as an item of a statement: the word {why} and what fills it.
 [[nodiscard]] std::vector<StoryValue> reason_item(const GapView& view, Eigen::Index gap, const Reason& reason);
 
+/// judgement_word() of a gap or a level of it, and of what is not known in short why, for a table.
+[[nodiscard]] const char* judged_word(Sufficiency value, const Judgement& judged, bool is_cut);
+
 /// What the rules ask, which of them ask for more than is given, which understate, which say nothing and why.
 void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
 /// Whether those rules of [code] that depend on it are taken across a property line and for floors that are aligned,

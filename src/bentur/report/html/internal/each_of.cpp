@@ -25,12 +25,19 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
   if (all_.size() <= most_open) return content;
   const std::vector<std::pair<std::string, std::string>> count = {{"count", std::to_string(all_.size())}};
   Html printed;
-  for (const HtmlTable& table : printed_) {
-    constexpr std::size_t most = 160;  // rows, of some two pages
+  for (HtmlTable table : printed_) {
+    constexpr std::size_t most = 160;         // rows, of some two pages
+    constexpr std::size_t most_columns = 14;  // with letters that can be read
     const std::size_t rows = table.rows();
     if (rows == 0) continue;
     if (rows > most) {
       printed += element("p", say("appendix.cut", {{"shown", std::to_string(most)}, {"all", std::to_string(rows)}}));
+    }
+    const std::size_t columns = table.columns();
+    if (columns > most_columns) {
+      printed += element(
+          "p", say("appendix.narrow", {{"shown", std::to_string(most_columns)}, {"all", std::to_string(columns)}}));
+      table.cut_columns(most_columns);
     }
     printed += table.markup("", most);
   }

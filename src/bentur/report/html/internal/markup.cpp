@@ -5,10 +5,17 @@
 #include <utility>
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/figures/internal/text.h"
 #include "bentur/report/utf8.h"
 
 namespace bentur::html {
 namespace {
+
+/// With a minus sign in place of a hyphen.
+std::string shown_number(const std::string& cell) {
+  const bool is_negative = cell.size() > 1 && cell[0] == '-' && (cell[1] == '.' || (cell[1] >= '0' && cell[1] <= '9'));
+  return is_negative ? "\u2212" + cell.substr(1) : cell;
+}
 
 constexpr const char* no_unit = "\xC2\xA0";  // a space that keeps the line
 
@@ -89,7 +96,9 @@ Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
                     std::string(is_heading ? "scope=\"col\"" : "") + (column.numeric ? "" : " class=\"t\""));
   }
   Html body;
-  const bool as_cards = attributes.find("cards") != std::string_view::npos;  // on a phone, each cell with its heading
+  // On a phone each cell has its heading.
+  const bool as_cards =
+      attributes.find("cards") != std::string_view::npos || attributes.find("gaps") != std::string_view::npos;
   for (std::size_t row = 0; row < std::min(rows(), most); ++row) {
     Html line;
     for (const Column& column : columns_) {
@@ -97,8 +106,12 @@ Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
       if (&column == &columns_.front() && row < titles_.size()) {
         attributes_of_cell += " title=\"" + Html::text(titles_[row]).str() + "\"";
       }
-      if (as_cards) attributes_of_cell += " data-head=\"" + Html::text(column.name).str() + "\"";
-      line += element("td", column.cells.at(row), attributes_of_cell);
+      if (as_cards)
+        attributes_of_cell +=
+            " data-head=\"" +
+            Html::text(column.unit.empty() ? column.name : with_unit(column.name, column.unit)).str() + "\"";
+      line +=
+          element("td", column.numeric ? shown_number(column.cells.at(row)) : column.cells.at(row), attributes_of_cell);
     }
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
     body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,9 @@ class HtmlTable {
   /// Adds the rows of another one, each with the name of what it is of in the first column; cells without a column
   /// there stay empty.
   void join(const std::string& name, const HtmlTable& other);
+  /// Without what stands behind so many columns.
+  void cut_columns(std::size_t most) { columns_.resize(std::min(columns_.size(), most)); }
+  [[nodiscard]] std::size_t columns() const { return columns_.size(); }
   [[nodiscard]] std::size_t rows() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
   /// In a box of its own, which scrolls where the page is narrow; nothing of none. @param most rows
   [[nodiscard]] Html markup(std::string_view attributes = "", std::size_t most = -1) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/words.h"
 
 namespace bentur::html {
@@ -38,31 +39,9 @@ void spread(Figure& figure) {
   beside.numbers = beside.numbers || figure.panels.back().x.numbers;
 }
 
-/// The panels one below another, each with the labels and numbers that those of neighbours served for.
-Figure stacked(Figure figure) {
-  const auto columns = static_cast<std::size_t>(figure.columns);
-  const auto takes_more = [](const Panel& one) { return one.rows > 1 || one.across > 1; };
-  if (columns < 2 || std::any_of(figure.panels.begin(), figure.panels.end(), takes_more)) return figure;
-  const auto take = [](Axis& axis, const Axis& other) {
-    if (axis.label.empty()) axis.label = other.label;
-    axis.numbers = axis.numbers || other.numbers;
-  };
-  const std::size_t count = figure.panels.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    Panel& panel = figure.panels[i];
-    if (panel.to_scale) continue;
-    take(panel.y, figure.panels[i - i % columns].y);
-    take(panel.x, figure.panels[i + (count - 1 - i) / columns * columns].x);
-  }
-  figure.columns = 1;
-  figure.shares = {};
-  figure.width = column_width;
-  return figure;
-}
-
 }  // namespace
 
-std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const MakeFigure& make,
+std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const MakeKind& make,
                                      const std::string& family, const std::string& language) {
   const Words say(language);
   std::vector<PageFigure> figures;
@@ -82,10 +61,8 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       bound_height(figure, is_wide ? 8.7 : 6.5);
       figures.push_back({.caption = caption, .svg = figure_element(figure, caption), .wide = is_wide});
       if (!is_wide) continue;
-      FigureOptions narrow = options;
-      narrow.narrow = true;
-      Figure slim = narrowest.width < figure.width ? narrowest : make(kind.name, narrow);
-      if (slim.width >= figure.width) slim = stacked(std::move(slim));
+      const auto made = [&](const FigureOptions& with) { return make(kind.name, with); };
+      Figure slim = narrowest.width < figure.width ? narrowest : narrow_figure(made, options);
       bound_height(slim, 15);  // of a telephone's screen, of whose width it is
       if (slim.width < figure.width) figures.back().slim = figure_element(slim, caption);
     } catch (const NoFigure&) {  // this one has nothing to show

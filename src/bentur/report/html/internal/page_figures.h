@@ -16,11 +16,11 @@ struct PageFigure {
   std::string slim = {};  ///< the same for a telephone, where it can be drawn so
 };
 
-using MakeFigure = std::function<Figure(const std::string& kind, const FigureOptions& options)>;
+using MakeKind = std::function<Figure(const std::string& kind, const FigureOptions& options)>;
 
 /// Every figure that tells something of some results, in the order in which a page shows them.
 /// @param family of captions in texts.toml: "figure.", "figure.sweep."
-[[nodiscard]] std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const MakeFigure& make,
+[[nodiscard]] std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const MakeKind& make,
                                                    const std::string& family, const std::string& language);
 
 }  // namespace bentur::html

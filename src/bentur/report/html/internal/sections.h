@@ -39,7 +39,7 @@ struct Report {
 };
 
 /// Of a long list; report.css hides the others there.
-constexpr std::size_t rows_in_print = 100;
+constexpr std::size_t rows_in_print = 100, impacts_in_print = 60;
 
 /// For each gap: whether, where, how often and how hard the buildings collide, and the gap they need.
 [[nodiscard]] PageSection verdict_section(const Report& report);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
@@ -225,8 +226,16 @@ Figure force_history_figure(const HistoryPlace& place, const FigureOptions& opti
     for (double& one : forces) one *= factor;
     const auto [least, most] = std::minmax_element(forces.begin(), forces.end());
     if (*least >= -round_off * *most) panel.y.from = 0;
-    constexpr double above = 1.15;  // room for the number at the peak
+    const double above = 1 / (1 - 0.5 / panel.height);  // room for the number at the peak
     panel.y.least = {0, above * *most};
+  }
+  const auto shows_one_mark = [](const Panel& panel) {
+    const Curve& curve = panel.curves.front();
+    return curve.line == Line::none && curve.x.size() == 1;
+  };
+  if (figure.panels.size() > 1 && shows_one_mark(figure.panels.back())) {  // which the first has as well
+    figure.panels.front().x.label = figure.panels.back().x.label;
+    figure.panels.pop_back();
   }
   return figure;
 }
@@ -235,9 +244,38 @@ void name_value(std::vector<Panel>& panels, double x, double y, const std::strin
   const auto shows = [&](const Panel& panel) { return x >= *panel.x.from && x <= *panel.x.to; };
   const auto found = std::find_if(panels.rbegin(), panels.rend(), shows);
   if (found == panels.rend()) return;
-  const bool is_early = x < (*found->x.from + *found->x.to) / 2;
+  constexpr double edge = 0.15;  // of the panel, where a value in the middle has no room
+  const double part = (x - *found->x.from) / (*found->x.to - *found->x.from);
   const std::string shown = text.starts_with("-") ? "−" + text.substr(1) : text;
-  found->texts.push_back({x, y, shown, is_early ? PlaceText::Side::right : PlaceText::Side::left});
+  found->texts.push_back({x, y, shown,
+                          part < edge       ? PlaceText::Side::right
+                          : part > 1 - edge ? PlaceText::Side::left
+                                            : PlaceText::Side::above});
+}
+
+void add_peak(Curve& samples, double peak) {
+  const auto& [x, y] = std::tie(samples.x, samples.y);
+  const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto largest = std::max_element(y.begin(), y.end(), size);
+  if (largest == y.end() || !(peak > std::abs(*largest))) return;
+  double furthest = 0, instant = 0;
+  std::size_t place = 0;  // of the sample before it
+  for (std::size_t i = 1; i + 1 < y.size(); ++i) {
+    const double sign = y[i] < 0 ? -1 : 1, before = sign * y[i - 1], at = sign * y[i], after = sign * y[i + 1];
+    const double bend = 2 * at - before - after;
+    if (at < before || at < after || !(bend > 0)) continue;
+    const double part = (after - before) / (2 * bend);  // of a step, from −1/2 to 1/2
+    const double vertex = at + (after - before) * part / 4;
+    if (vertex <= furthest) continue;
+    furthest = vertex;
+    instant = x[i] + part * (part < 0 ? x[i] - x[i - 1] : x[i + 1] - x[i]);
+    place = part < 0 ? i - 1 : i;
+  }
+  if (furthest == 0) return;
+  const double signed_peak = y[place] + y[place + 1] < 0 ? -peak : peak;
+  const auto behind = static_cast<std::ptrdiff_t>(place) + 1;
+  samples.x.insert(samples.x.begin() + behind, instant);
+  samples.y.insert(samples.y.begin() + behind, signed_peak);
 }
 
 void name_peaks(const std::vector<Panel*>& panels, const std::vector<Curve>& curves,

@@ -71,8 +71,12 @@ struct HistoryPanels {
                                           const std::vector<double>& time, const std::vector<double>& force,
                                           const std::string& label, double factor);
 
-/// Writes a value at its place, in the last panel that shows it, on the side where there is more room.
+/// Writes a value above its place, in the last panel that shows it, or beside it where that is near an end.
 void name_value(std::vector<Panel>& panels, double x, double y, const std::string& text);
+
+/// Samples pass a peak by: puts the largest size that was found of a curve [its y] between them, where the parabola
+/// through three of them goes furthest; nothing where they hold it.
+void add_peak(Curve& samples, double peak);
 
 /// Writes the largest value of each curve above or below it, in the last panel that shows that, with room for it; not
 /// where another curve goes further there. @param text of a value

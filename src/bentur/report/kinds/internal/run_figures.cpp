@@ -179,6 +179,30 @@ Mark mark_of(std::size_t index) {
   return marks[index % 6];
 }
 
+Curve bar(double from, double to, double place, double thick, Tone tone) {
+  const double low = place - thick / 2, high = place + thick / 2;
+  return {.x = {from, to}, .y = {low, low}, .top = {high, high}, .tone = tone};
+}
+
+Curve hollow_bar(double from, double to, double place, double thick, Tone tone) {
+  const double low = place - thick / 2, high = place + thick / 2;
+  return {.x = {from, to, to, from, from}, .y = {low, low, high, high, low}, .tone = tone, .complete = true};
+}
+
+Tone tone_of(Sufficiency value) {
+  return value == Sufficiency::too_small ? Tone::red : value == Sufficiency::unknown ? Tone::amber : Tone::teal;
+}
+
+std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged, std::size_t gap,
+                       bool is_hit, const FigureOptions& options) {
+  const std::vector<std::size_t> order = worst_first(judged);
+  if (gaps.size() < 2 || order.front() == gap) return {};
+  return is_hit ? word(options, "Shown is {}, with the hardest impact; the worst gap is {}", gaps.at(gap),
+                       gaps.at(order.front()))
+                : word(options, "Shown is {}, which come closest; the worst gap is {}", gaps.at(gap),
+                       gaps.at(order.front()));
+}
+
 void leave_to_neighbour(Axis& axis) {
   axis.label = "";
   axis.numbers = false;

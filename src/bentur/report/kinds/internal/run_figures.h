@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/kinds/kinds.h"
 
@@ -103,6 +104,16 @@ template <class AnyRun>
 /// Of a figure with more beside one another than a column has room for: a page for a column [cm]. What is as wide as a
 /// page stays, so that its letters stay as large as they are asked for.
 constexpr double broad(double width) { return width >= page_width ? width : width * page_width / column_width; }
+/// A bar from one value to another, `thick` around its place; or its outline alone, so that it is distinct in grey from
+/// one beside it of the same tone.
+[[nodiscard]] Curve bar(double from, double to, double place, double thick, Tone tone);
+[[nodiscard]] Curve hollow_bar(double from, double to, double place, double thick, Tone tone);
+/// The tone of what is judged of a gap.
+[[nodiscard]] Tone tone_of(Sufficiency value);
+/// Of more than two buildings: between which a figure is that shows one place, the hardest impact or the closest
+/// approach, where that is not the gap that the verdict puts first. @param gap shown @param judged all
+[[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
+                                     std::size_t gap, bool is_hit, const FigureOptions& options);
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
 /// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.

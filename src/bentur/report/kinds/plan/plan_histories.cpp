@@ -145,12 +145,14 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
   struct Quantity {
     std::string label;
     const std::vector<Eigen::MatrixXd>& list;
+    Eigen::VectorXd PlanPeaks::*peaks;
     double factor;
     std::string unit;
   };
-  const Quantity quantities[] = {{with_unit(word(options, "Displacement x"), length), histories.x, 1, length},
-                                 {with_unit(word(options, "Displacement y"), length), histories.y, 1, length},
-                                 {word(options, "Rotation θ [mrad]"), histories.rotation, to_mrad, "mrad"}};
+  const Quantity quantities[] = {
+      {with_unit(word(options, "Displacement x"), length), histories.x, &PlanPeaks::x, 1, length},
+      {with_unit(word(options, "Displacement y"), length), histories.y, &PlanPeaks::y, 1, length},
+      {word(options, "Rotation θ [mrad]"), histories.rotation, &PlanPeaks::rotation, to_mrad, "mrad"}};
   const auto moves = [&](const Quantity& quantity) {
     const auto is_moved = [&](int side) {
       const auto [b, floor] = side_at(run, point, side);
@@ -174,6 +176,9 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
                         .y = times(row_of(quantity.list[b], floor), quantity.factor),
                         .tone = building_tone(b),
                         .line = side == 0 ? Line::solid : Line::dashed});
+      if (run.response.course.time.empty()) {
+        add_peak(curves.back(), quantity.factor * (run.response.buildings[b].*quantity.peaks)(floor));
+      }
       const auto most = std::max_element(curves.back().y.begin(), curves.back().y.end(),
                                          [](double a, double c) { return std::abs(a) < std::abs(c); });
       if (*most == 0) continue;
@@ -254,6 +259,42 @@ Figure opening_figure(const PlanRun& run, const FigureOptions& options) {
   return figure;
 }
 
+/// The peak of each impact at some places, in one panel: what is known where courses are not.
+Figure peaks_figure(const PlanRun& run, const FigureOptions& options, const std::vector<Index>& points) {
+  const Index hardest = points.front();
+  const HistoryPlace place = place_of(run, hardest, options);
+  const TimeWindow shown = asked_window(place, options);
+  const double factor = shown_factor(run, "F");
+  Panel panel{.title = gap_name(run.problem, gap_at(run, hardest)) + ", " + level_text(run, hardest, options),
+              .x = {.label = word(options, "Time t [s]"), .from = shown.from, .to = shown.to},
+              .y = {.label = with_unit(word(options, "Peak force of each impact"), shown_unit(run, "F")), .from = 0},
+              .height = 3.4};
+  double most = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Curve peaks{.label = along_text(run, points[i]),
+                .tone = i == 0 ? Tone::black : Tone::teal,
+                .line = Line::none,
+                .mark = mark_of(i),
+                .complete = true};
+    for (const Impact& impact : run.response.impacts) {
+      const double when = impact.peak_force_time;
+      if (impact.point != points[i] || when < shown.from || when > shown.to) continue;
+      peaks.x.push_back(when);
+      peaks.y.push_back(factor * impact.peak_force);
+      most = std::max(most, peaks.y.back());
+    }
+    if (!peaks.x.empty()) panel.curves.push_back(std::move(peaks));
+  }
+  if (panel.curves.empty()) throw NoFigure("no contact force between --from and --to");
+  constexpr double above = 1.2;  // room for the number at the peak
+  panel.y.least = {0, above * most};
+  Figure figure{.panels = {std::move(panel)}, .width = options.width};
+  const PointSummary& found = run.response.points[hardest];
+  name_value(figure.panels, found.peak_force_time.value_or(0), factor * found.peak_force,
+             shown_value(run, found.peak_force, "F"));
+  return figure;
+}
+
 Figure force_figure(const PlanRun& run, const FigureOptions& options) {
   const Index hardest = chosen_point(run, options);
   if (!(run.response.points[hardest].peak_force > 0)) {
@@ -266,12 +307,15 @@ Figure force_figure(const PlanRun& run, const FigureOptions& options) {
   });
   constexpr std::size_t most = 2;
   points.resize(std::min(points.size(), most));
+  const PlanHistories& course = run.response.course;
   Figure figure{.width = options.width};
+  if (course.time.empty()) {
+    figure = peaks_figure(run, options, points);
+    points.clear();
+  }
   for (const Index point : points) {
-    const PlanHistories& course = run.response.course;
-    const std::vector<double> force = course.time.empty() ? std::vector<double>() : row_of(course.force, point);
     Figure one =
-        force_history_figure(place_of(run, point, options), options, course.time, force,
+        force_history_figure(place_of(run, point, options), options, course.time, row_of(course.force, point),
                              with_unit(word(options, "Contact force F"), shown_unit(run, "F")), shown_factor(run, "F"));
     const PointSummary& found = run.response.points[point];
     name_value(one.panels, found.peak_force_time.value_or(0), shown_factor(run, "F") * found.peak_force,
@@ -299,8 +343,8 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
   const Index other = point == beside.front() ? beside.back() : beside.front();
   const std::string& length = run.c.units.length;
   Figure figure{.title = "Orbits of the edges at both ends of the stretch, seen from above",
-                .columns = 2,
-                .width = broad(options.width)};
+                .columns = options.narrow ? 1 : 2,
+                .width = options.narrow ? options.width : broad(options.width)};
   PlanPoint reach = PlanPoint::Zero();
   reach[gap.stretch.across] = 1.05 * gap.stretch.width;
   for (const int side : {0, 1}) {
@@ -363,7 +407,11 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
     panel.x.from = -(panel.x.to = reach.x()).value();
     panel.y.from = -(panel.y.to = reach.y()).value();
   }
-  for (std::size_t i = 1; i < figure.panels.size(); ++i) leave_to_neighbour(figure.panels[i].y);
+  if (options.narrow) {
+    figure.panels.front().x.label = "";
+  } else {
+    for (std::size_t i = 1; i < figure.panels.size(); ++i) leave_to_neighbour(figure.panels[i].y);
+  }
   // Lengths alike both ways.
   const PanelPlace frame = placed_figure(figure, "").panels.front();
   for (Panel& panel : figure.panels) panel.height *= frame.width / frame.height * reach.y() / reach.x();

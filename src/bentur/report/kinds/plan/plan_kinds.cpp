@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/report/kinds/internal/kind_table.h"
@@ -111,6 +112,13 @@ Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOpti
     if (kind != one.name) continue;
     Figure figure = one.make(run, options);
     figure.title = figure_title(options.language, caption_key(kind, true), std::move(figure.title));
+    constexpr std::string_view of_a_place[] = {"overview", "scene", "displacement", "opening", "orbit", "force"};
+    const bool is_of_one = std::find(std::begin(of_a_place), std::end(of_a_place), kind) != std::end(of_a_place);
+    if (is_of_one && !options.gap && !options.elevation) {
+      const Eigen::Index point = chosen_point(run, options);
+      figure.part = place_text(gap_names(run.problem), judged_gaps(run), contact_at(run.problem, point).gap,
+                               run.response.points[point].impacts > 0, options);
+    }
     return figure;
   }
   const std::vector<std::string> of_rows = row_figure_names();

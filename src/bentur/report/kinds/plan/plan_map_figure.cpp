@@ -9,6 +9,7 @@
 #include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
 
@@ -44,10 +45,6 @@ class BlockMap {
   }
 
  private:
-  static Tone tone_of(Sufficiency value) {
-    return value == Sufficiency::too_small ? Tone::red : value == Sufficiency::unknown ? Tone::amber : Tone::teal;
-  }
-
   /// So that they are told apart in grey too.
   static Line line_of(Sufficiency value) {
     return value == Sufficiency::too_small ? Line::solid : value == Sufficiency::unknown ? Line::dashed : Line::dotted;

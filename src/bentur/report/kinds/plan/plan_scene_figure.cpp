@@ -132,6 +132,7 @@ class PlanPicture {
                   .width = 1.5,
                   .complete = true,
                   .in_legend = false};
+      if (has_centres() && b % 2 == 1) curve.line = Line::dashed;  // distinct in grey, as curves are
       for (const std::vector<PlanPoint>& line : seen_parts(ring, above)) {
         if (!curve.x.empty()) add(curve, PlanPoint::Constant(not_known));
         for (const PlanPoint& at : line) add(curve, at);
@@ -264,7 +265,9 @@ class PlanPicture {
   std::string label_of(Tone tone, double most) {
     if (!labelled_.insert(tone).second) return {};
     const std::string_view form = has_forces() ? "F" : "F s";
-    return word(options_, "impacts ≤ {}", shown_value(run_, tone == Tone::red ? most : most / 2, form));
+    return tone == Tone::red ? word(options_, "hardest impact {} to {}", number(most / 2 * shown_factor(run_, form)),
+                                    shown_value(run_, most, form))
+                             : word(options_, "hardest impact up to {}", shown_value(run_, most / 2, form));
   }
 
   void add_centres() {
@@ -447,7 +450,7 @@ std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions&
 }  // namespace
 
 Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
-  constexpr double wide = 12;  // [cm]
+  constexpr double wide = 12, height = 6.4;  // [cm]
   const bool is_wide = options.width >= wide;
   Figure figure = scene_figure(run, options);
   figure.title = "The buildings from above where they meet, and the opening of the gap";
@@ -458,7 +461,7 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
     figure.columns = 2;
     figure.shares = {1.2, 1};
     figure.panels.front().rows = count;
-    figure.panels.front().height = 7.5;
+    figure.panels.front().height = height;
   }
   for (Panel& opening : openings) {
     if (&opening != &openings.front()) {  // the legend of the first serves
@@ -466,7 +469,7 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
       for (RuleLine& rule : opening.rules) rule.label = "";
       opening.events.label = "";
     }
-    opening.height = is_wide ? 7.5 / count - 0.4 : 3;
+    opening.height = is_wide ? height / count - 0.4 : 3;
     figure.panels.push_back(std::move(opening));
   }
   return figure;

@@ -1,0 +1,40 @@
+// Figures are as wide as is asked for, and no letter of them is smaller for it.
+#include "bentur/report/kinds/figure_width.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/drawn_run.h"
+#include "tests/support/hinged_case.h"
+#include "tests/support/plan_run.h"
+
+namespace bentur {
+namespace {
+
+template <class Run>
+void expect_widths(const Run& run, int least_broad) {
+  int broad = 0;
+  for (const FigureKind& kind : figure_kinds(run)) {
+    const auto make = [&](const FigureOptions& options) { return make_figure(run, kind.name, options); };
+    const Figure usual = make({});
+    broad += usual.width > column_width ? 1 : 0;
+    for (const double width : {6.0, column_width, 14.0, page_width}) {
+      const Figure figure = figure_of_width(make, {}, width);
+      EXPECT_DOUBLE_EQ(figure.width, width) << kind.name;
+      EXPECT_EQ(figure.finding, usual.finding) << kind.name;
+      EXPECT_FALSE(figure_svg(figure).empty()) << kind.name;
+      if (width <= column_width && !figure.panels.front().to_scale) {
+        EXPECT_FALSE(figure.panels.back().x.label.empty()) << kind.name << ": no neighbour has it";
+      }
+    }
+  }
+  EXPECT_GE(broad, least_broad) << "a page's width, where nothing else is asked for";
+}
+
+TEST(FigureWidth, IsWhatIsAskedForOfARow) { expect_widths(test::drawn_run(test::hinged), 1); }
+
+TEST(FigureWidth, IsWhatIsAskedForOfAPlan) { expect_widths(test::plan_run(test::twisting_pair()), 2); }
+
+}  // namespace
+}  // namespace bentur
