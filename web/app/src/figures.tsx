@@ -1,6 +1,6 @@
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { curve } from "./case";
+import { curve, gap } from "./case";
 import { drawn, point, pointed, see, span } from "./drawing";
 import { main } from "./animation";
 import { png, save } from "./save";
@@ -153,7 +153,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
         <output class="tip" hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>
         {drag && <i class="pulled" style={{ top: percent(drag.from.panel.top), height: percent(drag.from.panel.height), left: drag.from.x < drag.to.x ? left(drag.from) : left(drag.to), width: `calc(${drag.from.x < drag.to.x ? left(drag.to) : left(drag.from)} - ${drag.from.x < drag.to.x ? left(drag.from) : left(drag.to)})` }} />}
       </div>
-      <figcaption>{caption} <Files kind={kind} caption={caption} /></figcaption>
+      <figcaption>{(kind !== "gap-curve" && shown?.caption) || caption} <Files kind={kind} caption={caption} /></figcaption>
     </figure>
   );
 }
@@ -162,8 +162,8 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
 export function Figures({ now }: { now: Result }) {
   const { points, gaps, units, figures, plan } = now.overview;
   const hasCurve = curve.value.length > 1 && !plan && !isStill(now.overview); // of buildings in plan no other widths are simulated
-  const levels = points.map((one, i) => ({ ...one, i })) // in plan there are several points of one
-    .filter((one) => points.findIndex(({ gap, elevation }) => gap === one.gap && elevation === one.elevation) === one.i);
+  const levels = points.map((one, i) => ({ ...one, i })) // of the gap that is chosen; in plan there are several points of one
+    .filter((one) => one.gap === gap.value && points.findIndex(({ gap, elevation }) => gap === one.gap && elevation === one.elevation) === one.i);
   return (
     <section id="figures" data-curve={hasCurve ? curveDone.value : 0}>
       <h2>{say("figures")}</h2>
