@@ -469,7 +469,7 @@ test("other units are the same buildings, and back again the same text", async (
     });
     assert.match(await page.textContent(".gap-slider output"), /^2 mm$/);
     assert.match(await page.textContent(".verdict"), /37 times.*\d.kN at level 3000.mm/);
-    assert.match(await page.textContent("#impacts"), /Peak force ▼ kN/);
+    assert.match(await page.textContent("#impacts"), /Peak force\u00a0▼ kN/);
     // The hardest comes first; a heading sorts by its column, and once more the other way.
     const column = (n) => page.$$eval(`#impacts tbody td:nth-child(${n})`, (all) => all.map((one) => Number(one.textContent)));
     const isSorted = (all, way) => all.length > 10 && all.every((one, i) => i === 0 || way * (one - all[i - 1]) >= 0);

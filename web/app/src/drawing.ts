@@ -21,7 +21,7 @@ let fresh = new Set<string>();
 const LETTERS = 1.15; // larger than on paper
 const TELEPHONE = 600; // [px] up to which panels stand one below another
 /** Beside histories what is of one place: where a run has several gaps, of the one that is chosen. */
-const ofPlace = ["impact", "loop", "scene", "friction-cone", "floor-spectrum"];
+const ofPlace = ["impact", "loop", "scene", "friction-cone"];
 const CENTIMETRE = 96 / 2.54; // [px]
 
 /** What a kind is drawn by; nothing where it cannot be. */

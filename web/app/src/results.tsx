@@ -95,7 +95,17 @@ export function Verdict() {
 
 const LISTED = 200;
 
-interface Column { head: string; unit?: string; of: (one: ImpactRow) => number | string; shown?: (one: ImpactRow) => string }
+/** Numbers of one column alike: so many decimals that the largest has four digits, and none that is zero in all. */
+function alike(values: (number | null)[]): (value: number | null) => string {
+  const known = values.filter((one): one is number => one !== null && Number.isFinite(one));
+  const most = Math.max(0, ...known.map(Math.abs));
+  if (most === 0 || most < 1e-4 || most >= 1e7) return number;
+  let decimals = Math.max(0, 3 - Math.floor(Math.log10(most)));
+  while (decimals > 0 && known.every((one) => one.toFixed(decimals).endsWith("0"))) decimals -= 1;
+  return (value) => (value === null ? "–" : value.toFixed(decimals).replace("-", "−"));
+}
+
+interface Column { head: string; unit?: string; of: (one: ImpactRow) => number | string | null }
 
 /** What is listed of impacts; numbers begin with the largest, but for what counts them. */
 function columnsOf({ gaps, units, forceUnit }: Overview): Column[] {
@@ -108,14 +118,14 @@ function columnsOf({ gaps, units, forceUnit }: Overview): Column[] {
     { head: say("impact.start"), unit: "s", of: (one) => one[2] },
     { head: say("impact.duration"), unit: "ms", of: (one) => 1000 * (one[3] - one[2]) },
     { head: say("impact.speed"), unit: `${units.length}/s`, of: (one) => one[5] },
-    { head: say("impact.ratio"), of: (one) => one[6] ?? -1, shown: (one) => number(one[6]) },
+    { head: say("impact.ratio"), of: (one) => one[6] },
   ];
 }
 
 /** The hardest first, by speed where the law of contact has no force; a heading sorts by its own column, and once more the
  *  other way. */
 function order(impacts: ImpactRow[], of: Column["of"], descends: boolean): ImpactRow[] {
-  const compare = (a: string | number, b: string | number) => (typeof a === "string" ? a.localeCompare(String(b), undefined, { numeric: true }) : a - Number(b));
+  const compare = (a: ReturnType<Column["of"]>, b: ReturnType<Column["of"]>) => (typeof a === "string" ? a.localeCompare(String(b), undefined, { numeric: true }) : (a ?? -1) - Number(b ?? -1));
   return [...impacts].sort((a, b) => (descends ? -1 : 1) * compare(of(a), of(b)) || b[5] - a[5] || a[7] - b[7]);
 }
 
@@ -124,6 +134,7 @@ export function Impacts({ now }: { now: Result }) {
   const [{ by, descends }, sort] = useState({ by: 1, descends: true });
   const columns = columnsOf(now.overview);
   const sorted = useMemo(() => order(impacts, columns[by].of, descends), [impacts, by, descends]);
+  const shown = useMemo(() => columns.map(({ of }) => alike(impacts.map((one) => { const value = of(one); return typeof value === "number" ? value : null; }))), [impacts]);
   if (impactCount === 0) return <section id="impacts"><h2>{say("impacts")}</h2><p>{say("impact.none")}</p></section>;
   const isText = (k: number) => typeof columns[k].of(impacts[0]) === "string";
   const choose = (k: number) => sort({ by: k, descends: k === by ? !descends : k !== 0 && !isText(k) && columns[k].unit !== "s" });
@@ -137,12 +148,12 @@ export function Impacts({ now }: { now: Result }) {
       <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
         <table class="cards">
           <thead><tr>{columns.map(({ head, unit }, k) => <th scope="col" key={k} class={isText(k) ? "t" : ""} aria-sort={k === by ? (descends ? "descending" : "ascending") : undefined}>
-            <button type="button" onClick={() => choose(k)}>{head}{k === by && <span aria-hidden="true"> {descends ? "▼" : "▲"}</span>}</button>{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
+            <button type="button" onClick={() => choose(k)}>{head}{k === by && <span aria-hidden="true">{`\u00a0${descends ? "▼" : "▲"}`}</span>}</button>{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
           <tbody>{sorted.slice(0, LISTED).map((one) => (
-            <tr key={one[7]} class={one[4] === force && force > 0 ? "marked" : ""}>{columns.map(({ head, unit, of, shown }, k) =>
+            <tr key={one[7]} class={one[4] === force && force > 0 ? "marked" : ""}>{columns.map(({ head, unit, of }, k) =>
               <td key={k} class={isText(k) ? "t" : ""} data-head={head} data-unit={unit}>{k === 0
                 ? <button type="button" aria-label={say("impact.show", { n: one[7] })} onClick={() => show(one[7])}>{one[7]}</button>
-                : shown ? shown(one) : isText(k) ? of(one) : number(of(one) as number)}</td>)}</tr>))}</tbody>
+                : isText(k) ? of(one) : shown[k](of(one) as number | null)}</td>)}</tr>))}</tbody>
         </table>
       </div>
       {impactCount > LISTED && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}{impactCount > impacts.length && ` ${say("impact.cut", { n: impacts.length })}`}</p>}

@@ -1,7 +1,7 @@
 // A gap as the case has it, and the text of the same case with another width of it: of a row the numbers of the gap, in
 // plan, where a gap is as wide as footprints stand apart, the corners of the buildings that move.
 import type { GapOverview } from "./solver";
-import { apply, leaf, type Outline, put, widths } from "./toml";
+import { apply, type Leaf, leaf, type Outline, put, widths } from "./toml";
 
 /** `put` gives the text with another width, `most` is the widest that it can be, where `met` is in the way of those that
  *  move, `moves` says who moves of many, `clearance` beyond which width that of the plan grows with it. */
@@ -23,16 +23,18 @@ const plain = (value: number) => Number(value.toPrecision(12));
 
 const STILL = 0.998; // part of a clearance up to which two are a pair, round-off and all
 
-/** The clearance that was widened last, and what it was before, to which it goes back with the gap. */
-let widened = { to: NaN, from: NaN };
+/** The clearance that was widened last, and what was written before, which comes back with the gap. */
+let widened = { to: NaN, from: { value: NaN, text: "" } };
 
-/** The clearance with which two so far apart are a pair: the one there was, or the next number of four digits. */
-function clearanceFor(now: number, width: number): number {
-  const from = widened.to === now ? widened.from : now;
-  if (width <= STILL * from) return from;
+const clearanceBefore = ({ value, text }: Leaf) => (widened.to === value ? widened.from : { value: value as number, text });
+
+/** The clearance with which two so far apart are a pair, as it is written: the one there was, or the next number of four digits. */
+function clearanceFor(now: Leaf, width: number): string {
+  const from = clearanceBefore(now);
+  if (width <= STILL * from.value) return from.text;
   const grain = 10 ** (Math.floor(Math.log10(width / STILL)) - 3);
   widened = { to: plain(grain * Math.ceil(width / STILL / grain)), from };
-  return widened.to;
+  return decimalOf(widened.to);
 }
 
 function betweenFootprints(found: Outline | null, overview: GapOverview, names: string[]): Slot | null {
@@ -48,12 +50,11 @@ function betweenFootprints(found: Outline | null, overview: GapOverview, names: 
   const growing = typeof clearance?.value === "number" && !isNamed ? clearance : undefined;
   return {
     width: plain(Math.max(0, width)), most: until ? overview.width + STILL * until.way : Infinity, met: until ? names[until.building] : "",
-    moves: all.length > 1 ? all.map(({ building }) => names[building]) : [], clearance: growing ? growing.value as number : Infinity,
+    moves: all.length > 1 ? all.map(({ building }) => names[building]) : [], clearance: growing ? clearanceBefore(growing).value : Infinity,
     put: (text, next) => {
       const grain = 10 ** (Math.floor(Math.log10(Math.max(next, 1e-9))) - 3), way = grain * Math.round(next / grain) - width;
       const edits = places.map(({ axis, at }) => ({ range: at!.range, made: decimalOf(plain((at!.value as number) + by[axis] * way)) }));
-      const wide = growing ? clearanceFor(growing.value as number, width + way) : NaN;
-      if (growing && wide !== growing.value) edits.push({ range: growing.range, made: decimalOf(wide) });
+      if (growing) edits.push({ range: growing.range, made: clearanceFor(growing, width + way) });
       return apply(text, edits);
     },
   };
