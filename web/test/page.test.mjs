@@ -115,6 +115,7 @@ test("every case of the page gives the command line's numbers", async () => {
       await page.locator("#gap").press("End");
       await solved(page);
       assert.equal(await page.textContent(".brief"), "No pounding");
+      assert.deepEqual(await page.$$eval(".verdict > [data-kind]", (all) => all.map((one) => one.dataset.kind)), ["no_pounding", "gap_enough"]);
     }
   }).finally(() => rmSync(folder, { recursive: true }));
 });
@@ -767,6 +768,9 @@ test("what stands beside errors, or while work takes its time, is said to be of 
     assert.equal(await stale(), 0);
     assert.equal(await colour(), alarm);
     await write(page, lasting("-1.0"), "errors");
+    const last = page.locator(".drawn").last(); // what was not in sight before is not drawn, which is said
+    await last.scrollIntoViewIfNeeded();
+    assert.equal(await last.locator("svg").count() === 0, /once the case can be computed/.test(await last.textContent()));
     for (const place of [".bar", ".verdicts", "#take"]) assert.match(await page.textContent(`${place} .stale-note`), /of “Eight and six storeys.*Gap 0\.05 m/, place);
     for (const section of ["#figures", "#impacts", "#compare"]) { // the bar stays in sight
       await page.locator(section).evaluate((one) => one.scrollIntoView());

@@ -147,7 +147,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
       <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(null); pull(null); pointed.value = null; }}
         onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
         onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>
-        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : <p class="blank note" lang="en">{made?.error}</p>}
+        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : made?.error !== undefined ? <p class="blank note" lang="en">{made.error}</p> : <p class="blank note">{stale.value && say("figures.wait")}</p>}
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         {overTime && shown?.panels.map((panel, i) => <i key={`hair${i}`} class="hair" hidden ref={(node) => { hairs.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         <output class="tip" hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>

@@ -48,7 +48,7 @@ function Statements({ overview }: { overview: Overview }) {
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
   const pounds = told.some(isGrave), isOpen = pounds && !told.some((one) => toneOf(one) === " grave");
   const isKnown = !headed(overview.statements).filter((one) => one.badge && one.kind !== "rules_short")[0]?.open; // else what it needs is part of the answer
-  const isFolded = (one: Said) => !one.badge && (one.shown !== "sentence" || (one.severity === "finding" && isKnown));
+  const isFolded = (one: Said) => !one.badge && (one.shown !== "sentence" || (one.severity === "finding" && isKnown && pounds));
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   const ranked = overview.gaps.map((_, i) => i).filter((i) => told.some((one) => ofGap(one) && one.gap === i)).sort((a, b) => rank(a) - rank(b));
@@ -151,7 +151,7 @@ export function Impacts({ now }: { now: Result }) {
             <button type="button" onClick={() => choose(k)}>{head}{k === by && <span aria-hidden="true">{`\u00a0${descends ? "▼" : "▲"}`}</span>}</button>{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
           <tbody>{sorted.slice(0, LISTED).map((one) => (
             <tr key={one[7]} class={one[4] === force && force > 0 ? "marked" : ""}>{columns.map(({ head, unit, of }, k) =>
-              <td key={k} class={isText(k) ? "t" : ""} data-head={head} data-unit={unit}>{k === 0
+              <td key={k} class={isText(k) ? "t long" : ""} data-head={head} data-unit={unit}>{k === 0
                 ? <button type="button" aria-label={say("impact.show", { n: one[7] })} onClick={() => show(one[7])}>{one[7]}</button>
                 : isText(k) ? of(one) : shown[k](of(one) as number | null)}</td>)}</tr>))}</tbody>
         </table>
@@ -173,7 +173,7 @@ export function Comparison({ now }: { now: Result }) {
   const other = pinned.value;
   const heads = [nameOf("gap", "width"), say("impacts"), say("curve.force"), say("compare.needed"), say("curve.amplification")];
   const row = (what: "now" | "pinned", one: Result) =>
-    <tr><th scope="row" class="t">{say(what)}: {one.overview.title || "–"}</th>{compared(one, now.overview).map((cell, i) => <td key={i} data-head={heads[i]}>{cell}</td>)}</tr>;
+    <tr><th scope="row" class="t long">{say(what)}: {one.overview.title || "–"}</th>{compared(one, now.overview).map((cell, i) => <td key={i} data-head={heads[i]}>{cell}</td>)}</tr>;
   return (
     <section id="compare">
       <h2>{say("compare")}</h2>

@@ -4,6 +4,8 @@ import type { PagePart, Result } from "./solver";
 import { isStill } from "./still";
 import { say } from "./texts";
 
+const HALF = 21; // letters that half a telephone's screen has
+
 /** Gives the cells of tables their headings, for screens on which a row is a card. */
 function giveHeads(part: HTMLElement | null) {
   for (const table of part?.querySelectorAll("table") ?? []) {
@@ -15,6 +17,7 @@ function giveHeads(part: HTMLElement | null) {
       heads.forEach((head, k) => {
         const cell = row.children[k] as HTMLElement, unit = head.querySelector("small")?.textContent?.trim();
         cell.dataset.head = (head.firstChild?.textContent ?? "").trim();
+        cell.classList.toggle("long", cell.classList.contains("t") && cell.dataset.head.length + cell.textContent!.length > HALF);
         if (unit) cell.dataset.unit = unit;
       });
     }
