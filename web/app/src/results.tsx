@@ -1,3 +1,4 @@
+import { Fragment } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import { main } from "./animation";
 import { gap, progress, result, slow } from "./case";
@@ -58,7 +59,7 @@ function Statements({ overview }: { overview: Overview }) {
     const each = overview.gaps[i], mine = told.filter((said) => ofGap(said) && said.gap === i);
     const badges = badgesOf(overview, i);
     return <details key={i} data-gap={each.name} open={i === gap.value}>
-      <summary>{each.name}{badges.size > 0 && ":"}{[...badges].map(([badge, tone]) => <span key={badge} class={`badge${tone}`}> {badge}</span>)}</summary>
+      <summary>{each.name}{badges.size > 0 && ":"}{[...badges].map(([badge, tone]) => <Fragment key={badge}> <span class={`badge${tone}`}>{badge}</span></Fragment>)}</summary>
       <Sentences all={mine} under={[...badges.keys()]} />
     </details>;
   };
