@@ -155,7 +155,7 @@ std::optional<double> way_to(const std::vector<Edge>& front, const std::vector<E
       const double tiny = 1e-9 * (other.across[1] - other.across[0]);
       if (high - low <= tiny) continue;  // they pass
       const double way = std::min(other.along_at(low) - mine.along_at(low), other.along_at(high) - mine.along_at(high));
-      if (way >= -tiny && !(least < way)) least = std::max(0.0, way);
+      if (way >= -tiny && (!least || way < *least)) least = std::max(0.0, way);
     }
   }
   return least;
