@@ -209,6 +209,32 @@ test("the still that is given away looks as the picture does", async () => {
   });
 });
 
+/** A house that stands round another, 20 mm and 30 mm from it: wider than both together that gap cannot become. */
+const court = `title = "A court"
+[units]
+length = "m"
+force = "kN"
+[plan]
+clearance = 0.025
+contact = { law = "linear", stiffness = 4e5 }
+[[building]]
+name = "Round"
+damping = 0.05
+plan = { polygon = [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [20.05, 20.0], [20.05, 5.0], [10.0, 5.0], [10.0, 20.0], [0.0, 20.0]], storey_heights = [3.0], masses = [400.0] }
+rigidity = { centre = [15.0, 8.0], x = 8e4, y = 8e4, torsion = 8e6 }
+[[building]]
+name = "Inner"
+damping = 0.05
+plan = { corner = [10.02, 6.0], size = [10.0, 12.0], storey_heights = [3.0], masses = [100.0] }
+rigidity = { centre = [5.0, 6.0], x = 2e4, y = 2e4, torsion = 1e6 }
+[excitation]
+kind = "harmonic"
+period = 0.5
+displacement_amplitude = 0.03
+[analysis]
+duration = 2.0
+`;
+
 test("the slider of a gap moves the building beyond it, as far as anything is needed, and the clearance with it", async () => {
   await inPlan(async (page) => {
     const slide = async (width) => {
@@ -241,6 +267,9 @@ test("the slider of a gap moves the building beyond it, as far as anything is ne
       await solved(page);
     }
     assert.equal(await page.inputValue(editor), text);
+    await put(page, court);
+    assert.match(await page.textContent("[data-moves]"), /It ends at 0\.0499\d* m: there they would meet Round, which stays\./);
+    assert.ok(Number(await page.getAttribute("#gap", "max")) < 0.05);
   });
 });
 
