@@ -193,7 +193,7 @@ test("of buildings in plan the page has what the command line has", () => {
   const all = JSON.parse(one.overview("id"));
   assert.deepEqual(all.gaps.map(({ name, width }) => [name, Number(width.toFixed(9))]), [["Walled | Frame", 0.04]]);
   assert.deepEqual(all.points.map(({ elevation, along }) => [elevation, along]), [[3.5, "y = 0 m"], [3.5, "y = 18 m"], [6.7, "y = 0 m"], [6.7, "y = 18 m"]]);
-  assert.deepEqual(all.impacts.map(([, elevation, , , , , , along]) => [elevation, along]).filter(([elevation]) => elevation === 3.5), [[3.5, "y = 18 m"]]);
+  assert.deepEqual(all.impacts.map(([, elevation, , , , , , , along]) => [elevation, along]).filter(([elevation]) => elevation === 3.5), [[3.5, "y = 18 m"]]);
   assert.ok(Math.abs(all.amplification - 0.06088 / 0.05921) < 2e-4);
   assert.deepEqual(all.figures.map(({ kind }) => kind), ["overview", "scene", "displacement", "opening", "orbit", "force", "friction-cone", "floor-spectrum"]);
   assert.match(all.figures[0].caption, /dari atas/);

@@ -94,21 +94,30 @@ test("the file has at most 4 MB and shows a first result", async () => {
 });
 
 test("every case of the page gives the command line's numbers", async () => {
+  const folder = mkdtempSync(`${tmpdir()}/bentur-`);
   await on(async (page) => {
     await solved(page);
-    for (const [id, path] of Object.entries({ frames: "examples/two-frames-si", monograph: "examples/m12-el-centro", row: "examples/row-of-three", moat: "examples/isolated-moat", yielding: "examples/yielding-pair" })) {
+    // The first under the whole of its record, so that there is a gap for it that is known to be enough.
+    const whole = `${folder}/whole.toml`;
+    writeFileSync(whole, readFileSync(`${source}/examples/two-frames-si.toml`, "utf8").replace("duration = 20.0", "").replace("../data", `${source}/data`));
+    for (const [id, path] of Object.entries({ frames: whole, monograph: "m12-el-centro", row: "row-of-three", moat: "isolated-moat", yielding: "yielding-pair" })) {
       await page.click(`[data-case="${id}"]`);
       await solved(page);
       assert.doesNotMatch(await page.textContent("#motion h2"), /\d ?(mm|cm|m)\b/, id); // the width of its gap, which the slider changes
       const mine = JSON.parse(await download(page, "summary"));
-      const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["run", "--json", `${source}/${path}.toml`]));
+      const theirs = JSON.parse(execFileSync(process.env.BENTUR, ["run", "--json", id === "frames" ? path : `${source}/examples/${path}.toml`]));
       const unlike = (key) => /^\/case|\/wall_time$|\/energy_residual$|^\/excitation\/file$/.test(key);
       const found = difference(mine, theirs, "", unlike);
       assert.ok(found.size < 1e-9, `${id} ${found.path} ${found.size}`);
       const values = difference(mine, theirs, "", (key) => unlike(key) || isLoose(key));
       assert.ok(values.size < (id === "yielding" ? 1e-11 : 1e-12), `${id} ${values.path} ${values.size}`);
+      if (id !== "frames") continue;
+      await page.locator("#gap").press("End");
+      await solved(page);
+      assert.equal(await page.textContent(".brief"), "No pounding");
+      assert.deepEqual(await page.$$eval(".verdict > [data-kind]", (all) => all.map((one) => one.dataset.kind)), ["no_pounding", "gap_enough"]);
     }
-  });
+  }).finally(() => rmSync(folder, { recursive: true }));
 });
 
 test("a mistake shows its message at its line, and goes when it is mended", async () => {
@@ -461,9 +470,18 @@ test("other units are the same buildings, and back again the same text", async (
     });
     assert.match(await page.textContent(".gap-slider output"), /^2 mm$/);
     assert.match(await page.textContent(".verdict"), /37 times.*\d.kN at level 3000.mm/);
-    assert.match(await page.textContent("#impacts"), /Peak force kN/);
+    assert.match(await page.textContent("#impacts"), /Peak force\u00a0▼ kN/);
+    // The hardest comes first; a heading sorts by its column, and once more the other way.
+    const column = (n) => page.$$eval(`#impacts tbody td:nth-child(${n})`, (all) => all.map((one) => Number(one.textContent)));
+    const isSorted = (all, way) => all.length > 10 && all.every((one, i) => i === 0 || way * (one - all[i - 1]) >= 0);
+    assert.ok(isSorted(await column(2), -1));
+    await page.click("#impacts th:nth-child(5) button");
+    assert.ok(isSorted(await column(5), 1) && isSorted(await column(1), 1));
+    await page.click("#impacts th:nth-child(5) button");
+    assert.ok(isSorted(await column(5), -1));
+    await page.click("#impacts th:nth-child(2) button");
     const largest = Math.max(...after.gaps[0].points.map((point) => point.peak_force)) / 1e3; // in kN, as the verdict has it
-    const shown = await page.$$eval("#impacts tbody td:nth-child(3)", (all) => all.map((one) => Number(one.textContent)));
+    const shown = await page.$$eval("#impacts tbody td:nth-child(2)", (all) => all.map((one) => Number(one.textContent)));
     assert.ok(Math.abs(Math.max(...shown) - largest) < 1e-3 * largest, `${Math.max(...shown)} ${largest}`);
     assert.match(await download(page, "impacts"), /,peak_force \[N\],/); // files keep the units of the case
     const field = page.getByRole("spinbutton", { name: "Gap mm", exact: true });
@@ -588,7 +606,7 @@ test("hostile texts give a message and the page goes on", async () => {
       "endless name": `title = "${"x".repeat(900000)}"`,
       "deep": `x = ${"[".repeat(50000)}`,
       "long list": `x = ${ones(300000)}`,
-      "huge numbers": good.replace("duration = 20.0", "duration = 1e300"),
+      "huge numbers": good.replace("# duration = 20.0", "duration = 1e300"),
       "markup": good.replaceAll('"Tower"', JSON.stringify(name)).replace("width = 0.05", "width = -1"),
     })) {
       await page.evaluate(() => {
@@ -660,7 +678,7 @@ async function held(page) {
   }
   await page.evaluate(() => { window.held = true; });
   const good = await page.inputValue(editor);
-  return (duration) => good.replace("duration = 20.0", `duration = ${duration}`);
+  return (duration) => good.replace("# duration = 20.0", `duration = ${duration}`);
 }
 async function letGo(page) {
   await page.evaluate(() => {
@@ -750,6 +768,9 @@ test("what stands beside errors, or while work takes its time, is said to be of 
     assert.equal(await stale(), 0);
     assert.equal(await colour(), alarm);
     await write(page, lasting("-1.0"), "errors");
+    const last = page.locator(".drawn").last(); // what was not in sight before is not drawn, which is said
+    await last.scrollIntoViewIfNeeded();
+    assert.equal(await last.locator("svg").count() === 0, /once the case can be computed/.test(await last.textContent()));
     for (const place of [".bar", ".verdicts", "#take"]) assert.match(await page.textContent(`${place} .stale-note`), /of “Eight and six storeys.*Gap 0\.05 m/, place);
     for (const section of ["#figures", "#impacts", "#compare"]) { // the bar stays in sight
       await page.locator(section).evaluate((one) => one.scrollIntoView());
@@ -773,7 +794,7 @@ test("what only a coarse run could give is dimmed and said to be that", async ()
     // With a little more memory each time: at some limit the run at once is within it, and the one with all samples is not.
     let said = "";
     for (let memory = 1; memory < 100 && !/coarse/.test(said); memory = Math.ceil(1.2 * memory)) {
-      await page.fill(editor, text.replace(/^duration = .*$/m, `$&\nlimits = { memory = ${memory} }`));
+      await page.fill(editor, text.replace(/^# duration = .*$/m, `$&\nlimits = { memory = ${memory} }`));
       await page.waitForFunction(() => ["errors", "fine"].includes(document.querySelector("main").dataset.solved));
       await page.waitForTimeout(700); // the run with all samples follows
       said = await note.count() > 0 ? await note.textContent() : "";
@@ -787,19 +808,43 @@ test("what only a coarse run could give is dimmed and said to be that", async ()
   });
 });
 
-test("the badges begin with the gravest of the whole run, whatever gap is chosen", async () => {
+test("the badges of a whole run and of the gap that is looked at stand apart, what is known before what is not", async () => {
   await onFresh(async (page) => {
     await page.evaluate(() => document.querySelector('[data-case="row"]').click());
     await solved(page);
     const row = await page.inputValue(editor);
     // The first gap is enough for this motion, not for the reversed one; the second one is beyond all doubt but for the end of the run.
     await write(page, row.replace(/^width = .*$/m, "width = 0.15").replace(/^width = \[.*$/m, "width = 5.0"));
-    const badges = () => page.$$eval(".brief .badge", (all) => all.map((one) => one.textContent));
-    for (const chosen of [0, 1]) {
+    const badges = (where) => page.$$eval(`${where} .badge`, (all) => all.map((one) => [one.textContent, one.className]));
+    for (const [chosen, own] of [["Too small", "badge grave"], ["Not known", "badge open"]].entries()) { // what is not known is not red
       await page.selectOption(".gap-slider select", String(chosen));
-      assert.equal((await badges())[0], "Too small");
+      assert.match(await page.textContent(".brief"), /^All 2 gaps:/);
+      assert.deepEqual(await badges(".brief"), [["Too small", "badge grave"]]);
+      assert.deepEqual(await badges(".head p:first-child"), [own]);
+      const name = await page.locator(".gap-slider select option:checked").textContent();
+      assert.deepEqual(await page.$$eval(".verdict details[data-gap][open]", (all) => all.map((one) => one.dataset.gap)), [name]);
+      for (const kind of ["displacement", "opening"]) { // and figures are of it
+        await page.locator(`[data-figure="${kind}"]`).scrollIntoViewIfNeeded();
+        await page.waitForFunction(([at, pair]) => document.querySelector(`[data-figure="${at}"] svg`)?.textContent.includes(pair), [kind, name]);
+      }
     }
-    assert.deepEqual(await page.$$eval(".brief .badge", (all) => all.map((one) => one.className)), ["badge grave", "badge open"], "what is not known is not red");
+    // A case that comes in is looked at where it is worst.
+    await write(page, (await page.inputValue(editor)).replace("width = 0.15", "width = 5.0").replace("width = 5.0", "width = 0.15"));
+    const turned = row.replace(/^width = .*$/m, "width = 5.0");
+    await page.setInputFiles(".cases input[type=file]", { name: "turned.toml", mimeType: "text/plain", buffer: Buffer.from(turned) });
+    await stands(page, turned);
+    await solved(page);
+    assert.equal(await page.inputValue(".gap-slider select"), "1");
+    assert.equal(await page.locator(".verdict details[data-gap]").first().getAttribute("data-gap"), await page.locator(".gap-slider select option:checked").textContent());
+    // Rules find a gap too small of which the motion, cut off, does not know enough.
+    await page.evaluate(() => document.querySelector('[data-case="frames"]').click());
+    await solved(page);
+    await write(page, (await page.inputValue(editor)).replace("# duration", "duration").replace("width = 0.05", "width = 0.22"));
+    const both = [["Too small by rules", "badge grave"], ["Not known", "badge open"]];
+    assert.deepEqual(await badges(".brief"), both);
+    assert.deepEqual(await badges(".verdict"), both);
+    const said = await page.$$eval(".verdict > [data-kind]", (all) => all.map((one) => one.dataset.kind));
+    assert.deepEqual(said, ["rules_short", "not_known", "gap_need"]);
   });
 });
 
@@ -981,7 +1026,7 @@ test("what is pinned is compared in the units that there are now", async () => {
       await solved(page);
     }
     const rows = await page.$$eval("#compare tbody tr", (all) => all.map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent)));
-    assert.match(rows[0].join(), /^50.mm,45,\d+.kN,191.mm,/);
+    assert.match(rows[0].join(), /^50.mm,51,\d+.kN,191.mm,/);
     assert.deepEqual(rows[1], rows[0]); // the same case
     assert.match(await page.textContent(".motions > :last-child h3"), /Eight and six storeys.* 0\.05 m$/);
   });
@@ -1337,6 +1382,11 @@ test("what is pressed is large enough for a finger", async () => {
       assert.deepEqual(small, [], `${width} × ${height}`);
     });
     assert.ok(await page.locator("#impacts td button").count() > 10);
+    // On a telephone each number has its heading, and what is not shown there is not cut.
+    await page.setViewportSize({ width: 390, height: 844 });
+    const bare = await page.$$eval("#impacts tbody td, #compare tbody td, #tables .cards tbody td", (all) => all.filter((cell) => cell.checkVisibility() && cell.textContent !== "")
+      .filter((cell) => { const box = cell.getBoundingClientRect(); return getComputedStyle(cell, "::before").content.length < 4 || box.right > innerWidth || cell.scrollWidth > cell.clientWidth + 1; }).map((cell) => cell.outerHTML));
+    assert.deepEqual(bare.slice(0, 3), []);
   });
 });
 
@@ -1361,8 +1411,8 @@ test("errors are told in the page's language, what is English is marked", async 
     await solved(page);
     const good = await page.inputValue(editor);
     await page.selectOption("#language", "id");
-    await write(page, good.replace("duration = 20.0", "duration = -1"), "errors");
-    const line = good.split("\n").findIndex((one) => one.startsWith("duration")) + 1;
+    await write(page, good.replace("# duration = 20.0", "duration = -1"), "errors");
+    const line = good.split("\n").findIndex((one) => one.startsWith("# duration")) + 1;
     const said = page.locator(".errors li");
     assert.equal((await said.textContent()).replace(/analysis.*/, "").trim(), `Baris ${line}, kolom 12 Durasi:`);
     assert.match(await said.textContent(), /analysis\.duration = -1, harus > 0$/);

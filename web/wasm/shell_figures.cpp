@@ -43,6 +43,7 @@ FigureOptions options_of(const std::string& language, const val& wanted) {
   options.language = language;
   options.choose = true;
   options.width = number(wanted["width"]).value_or(column_width);
+  options.narrow = wanted["narrow"].isTrue();
   options.from = number(wanted["from"]);
   options.to = number(wanted["to"]);
   options.elevation = number(wanted["elevation"]);
@@ -118,9 +119,12 @@ val Studio::draw(const std::string& kind, const std::string& language, const val
     const Figure figure = plan_run_    ? figure_of(*plan_run_, kind, options, wanted)
                           : suite_run_ ? figure_of(*suite_run_, kind, options, wanted)
                                        : figure_of(*run_, kind, options, wanted);
-    const std::string caption = Words(language)(caption_key(kind, plan_run_.has_value()));
+    const std::string key = caption_key(kind, plan_run_.has_value());
+    std::string caption = Words(language)(key + (figure.lacks.empty() ? "" : ".without_" + figure.lacks));
+    if (!figure.part.empty()) caption += ". " + figure.part;
     const PlacedFigure placed = placed_figure(figure, caption);
     drawn.set("svg", placed.svg);
+    drawn.set("caption", caption);
     drawn.set("width", figure.width);
     val panels = val::array();
     for (std::size_t i = 0; i < placed.panels.size(); ++i) {

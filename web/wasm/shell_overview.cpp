@@ -82,15 +82,20 @@ Json gap_overview(const Problem& problem, Eigen::Index gap, const GoverningLevel
   return gap_overview(gap_name(problem, gap), found.width, found.gap_needed, facts, say);
 }
 
-/// What moves where a gap in plan becomes wider by one: each building with the corner of its footprint, along `by`.
+/// What moves where a gap in plan becomes wider by one: each building with the corner of its footprint, along `by`;
+/// `until` they meet one that stays, after so long a `way`.
 Json movers_of(const PlanProblem& problem, std::size_t gap) {
-  Json movers = Json::array();
-  for (const Eigen::Index b : buildings_beyond(problem, gap)) {
+  Json movers = Json::array(), until;
+  const std::vector<Eigen::Index> beyond = buildings_beyond(problem, gap);
+  if (const auto met = first_in_the_way(problem, gap, beyond)) {
+    until = {{"building", met->building}, {"way", met->way}};
+  }
+  for (const Eigen::Index b : beyond) {
     const PlanPoint& corner = problem.buildings[b].model.footprint.corner;
     movers.push_back({{"building", b}, {"corner", {corner.x(), corner.y()}}});
   }
   const PlanPoint& n = problem.gaps[gap].stretch.n;
-  return {{"all", movers}, {"by", {n.x(), n.y()}}};
+  return {{"all", movers}, {"by", {n.x(), n.y()}}, {"until", until}};
 }
 
 /// What is to be said, in words, the gravest first. @param gaps by name
@@ -127,14 +132,25 @@ Json buildings_of(const RunResults& run) {
   return buildings;
 }
 
+/// What is listed of an impact, by its number among all from 0.
+Json impact_of(const Impact& one, Eigen::Index number, Eigen::Index gap, double elevation, double force) {
+  const std::optional<double> e = one.restitution();
+  return {gap,
+          elevation,
+          one.start,
+          one.end,
+          force * one.peak_force,
+          one.closing_speed,
+          e ? number_or_null(*e) : Json(),
+          number + 1};
+}
+
 Json impacts_of(const RunResults& run, const ShownUnits& shown) {
   Json impacts = Json::array();
-  for (const Impact& one : run.response.impacts) {
-    if (impacts.size() == most_impacts) break;
+  for (const Eigen::Index k : listed_impacts(run.response.impacts)) {
+    const Impact& one = run.response.impacts[k];
     const ContactPoint& point = run.problem.points[one.point];
-    const std::optional<double> e = one.restitution();
-    impacts.push_back({point.left, point.elevation, one.start, one.end, shown.force * one.peak_force, one.closing_speed,
-                       e ? number_or_null(*e) : Json()});
+    impacts.push_back(impact_of(one, k, point.left, point.elevation, shown.force));
   }
   return impacts;
 }
@@ -211,12 +227,11 @@ Json plan_overview(const PlanRun& run, const Words& say) {
   const ShownUnits shown = shown_units(run);
   double force = 0;
   for (const PointSummary& point : run.response.points) force = std::max(force, point.peak_force);
-  for (const Impact& one : run.response.impacts) {
-    if (impacts.size() == most_impacts) break;
-    const std::optional<double> e = one.restitution();
-    impacts.push_back({points[one.point]["gap"], points[one.point]["elevation"], one.start, one.end,
-                       shown.force * one.peak_force, one.closing_speed, e ? number_or_null(*e) : Json(),
-                       points[one.point]["along"]});
+  for (const Eigen::Index k : listed_impacts(run.response.impacts)) {
+    const Impact& one = run.response.impacts[k];
+    const PlanContactPlace place = contact_at(problem, one.point);
+    impacts.push_back(impact_of(one, k, static_cast<Eigen::Index>(place.gap), place.contact->elevation, shown.force));
+    impacts.back().push_back(along_text(run, one.point));
   }
   Json all = overview_of(run.c.title, run.c.units, problem.duration, gaps, names, run_story(run), say);
   all["spectral"] = false;

@@ -7,7 +7,7 @@ import { language } from "./texts";
 export const drawn = signal<Record<string, Drawn>>({});
 /** The part of the time that histories show [s]; all of it where there is none. */
 export const span = signal<[number, number] | null>(null);
-/** The contact point that histories are of, by its number; the one that is hit hardest where there is none. */
+/** The contact point that histories are of, by its number; the one of the gap that is hit hardest where there is none. */
 export const point = signal<number | null>(null);
 
 /** The time that is pointed at in one of the histories [s], for a line through all of them. */
@@ -19,21 +19,25 @@ const inSight = new Map<string, number>();
 let fresh = new Set<string>();
 
 const LETTERS = 1.15; // larger than on paper
+const TELEPHONE = 600; // [px] up to which panels stand one below another
+/** Beside histories what is of one place: where a run has several gaps, of the one that is chosen. */
+const ofPlace = ["impact", "loop", "scene", "friction-cone"];
 const CENTIMETRE = 96 / 2.54; // [px]
 
 /** What a kind is drawn by; nothing where it cannot be. */
 export function wanted(kind: string, pixels: number): Wanted | null {
-  const width = Math.max(6, pixels / CENTIMETRE / LETTERS);
+  const width = Math.max(6, pixels / CENTIMETRE / LETTERS), narrow = pixels > 0 && pixels <= TELEPHONE;
   if (kind === "gap-curve") {
     const all = curve.value;
     if (all.length < 2) return null;
-    return { width, curve: { gap: gap.value, widths: all.map((one) => one.width), forces: all.map((one) => one.force), amplifications: all.map((one) => one.amplification) } };
+    return { width, narrow, curve: { gap: gap.value, widths: all.map((one) => one.width), forces: all.map((one) => one.force), amplifications: all.map((one) => one.amplification) } };
   }
   const now = result.value;
   const figure = now?.overview.figures.find((one) => one.kind === kind);
   const [from, to] = (figure?.overTime && span.value) || [];
   const place = point.value === null ? undefined : now?.overview.points[point.value];
-  return { width, from, to, gap: place?.gap, elevation: place?.elevation };
+  const isOfGap = now && now.overview.gaps.length > 1 && (figure?.overTime || ofPlace.includes(kind)) && now.overview.points.some((one) => one.gap === gap.value);
+  return { width, narrow, from, to, gap: place?.gap ?? (isOfGap ? gap.value : undefined), elevation: place?.elevation };
 }
 
 /** Every kind in sight, for a run to be drawn by at once. */
@@ -88,6 +92,7 @@ export function beginDrawing() {
   effect(() => {
     void span.value;
     void point.value;
+    void gap.value;
     void curve.value;
     fresh = new Set(); // what is out of sight was drawn by what was chosen before
     untracked(drawInSight);

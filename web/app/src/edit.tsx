@@ -3,8 +3,11 @@ import { batch } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { found, gap, inPlan, result, text } from "./case";
 import { recordName } from "./cases";
+import { point } from "./drawing";
+import { Badges, badgesOf } from "./heads";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
-import { type CaseError, type Files, type Key, type Node, schema } from "./solver";
+import type { Slot } from "./slot";
+import { type CaseError, type Files, type GapOverview, type Key, type Node, schema } from "./solver";
 import { addFiles, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, slot, travel, type, width } from "./state";
 import { canRedo, canUndo } from "./steps";
 import { count, type Part } from "./storeys";
@@ -290,33 +293,52 @@ export function listenToKeys() {
   });
 }
 
+/** Which gap the slider and the figures are of. */
+function GapChoice({ gaps }: { gaps: GapOverview[] }) {
+  return <select aria-label={say("gap.which")} value={gap.value} onChange={(event) => batch(() => { gap.value = Number(event.currentTarget.value); point.value = null; })}>
+    {gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select>;
+}
+
+/** Who moves with a gap in plan, what grows, and where that ends. */
+function Moves({ place, span, unit }: { place: Slot; span: number; unit: string }) {
+  const said = [
+    place.moves.length > 6 ? say("gap.moves.many", { n: place.moves.length }) : place.moves.length > 0 && say("gap.moves", { names: place.moves.join(", ") }),
+    span > place.clearance && say("gap.clearance", { width: `${number(place.clearance)} ${unit}` }),
+    span >= place.most && say("gap.met", { width: `${number(place.most)} ${unit}`, name: place.met }),
+  ].filter(Boolean);
+  return said.length > 0 ? <p class="marks" data-moves>{said.join(" ")}</p> : null;
+}
+
 /** The slider that everything starts with; beside what it is of stand the children. */
 export function GapSlider({ children }: { children: ComponentChildren }) {
   const overview = result.value?.overview;
   const one = overview?.gaps[gap.value];
   const most = useRef<{ key: string; value: number }>({ key: "", value: 0 });
   const place = slot.value;
-  if (!overview || !one || !place || one.needed === null) return <div class="head">{children}<p><Travel /></p></div>;
-  const key = `${gap.value}|${loads.value}|${one.name}|${overview.units.length}`;
+  const several = overview !== undefined && overview.gaps.length > 1, ofOne = several && <Badges all={badgesOf(overview, gap.value)} />;
+  if (!overview || !one || !place || one.needed === null) {
+    return <div class="head"><p>{several && <>{nameOf("gap", "width")} <GapChoice gaps={overview.gaps} />{ofOne}</>}</p>{children}<p><Travel /></p></div>;
+  }
+  const key = `${one.name}|${loads.value}|${overview.units.length}`;
   const marks = one.marks ?? [], furthest = Math.max(width.value, one.needed, ...marks.map(({ at }) => at));
-  if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Math.min(place.most, Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2))) };
-  const isNear = (one: number, other: number) => one - other < 0.06 * most.current.value; // as wide as a number on a telephone
+  if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2)) };
+  const span = Math.min(most.current.value, place.most), share = (at: number) => Math.min(1, at / span);
+  const isNear = (one: number, other: number) => one - other < 0.06 * span; // as wide as a number on a telephone
   // Numbers of marks that stand together stand above the first of them.
   const numbers = marks.map(({ at }, i) => i > 0 && isNear(at, marks[i - 1].at) ? "" : marks.map((_, k) => k + 1)
     .filter((k) => k > i && marks.slice(i + 1, k).every((one, n) => isNear(one.at, marks[i + n].at))).join(" "));
-  const span = most.current.value, share = (at: number) => Math.min(1, at / span), several = overview.gaps.length > 1;
   return (
     <div class="gap-slider" style={{ "--at": share(one.needed), "--now": share(width.value) }}>
       <div class="head">
         <p><label for="gap">{several ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></label>
-          {several && <select aria-label={say("gap.which")} value={gap.value} onChange={(event) => { gap.value = Number(event.currentTarget.value); }}>{overview.gaps.map((each, i) => <option key={i} value={i} selected={i === gap.value}>{each.name}</option>)}</select>}</p>
+          {several && <GapChoice gaps={overview.gaps} />}{ofOne}</p>
         {children}
       </div>
       <div class="track"><Travel /><div>
         <input id="gap" type="range" min="0" max={span} step={span / 400} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(place.put(text.value, event.currentTarget.valueAsNumber), "gap")} />
         <div class="needed">{marks.map(({ at, name }, i) => at <= span && <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
-        {place.moves.length > 0 && <p class="marks">{place.moves.length > 6 ? say("gap.moves.many", { n: place.moves.length }) : say("gap.moves", { names: place.moves.join(", ") })}</p>}
-        {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} </span>)} {overview.units.length}</p>}
+        {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} {overview.units.length}</span>)}</p>}
+        <Moves place={place} span={most.current.value} unit={overview.units.length} />
       </div></div>
     </div>
   );

@@ -1,6 +1,6 @@
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
-import { curve } from "./case";
+import { curve, gap } from "./case";
 import { drawn, point, pointed, see, span } from "./drawing";
 import { main } from "./animation";
 import { png, save } from "./save";
@@ -147,13 +147,13 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
       <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(null); pull(null); pointed.value = null; }}
         onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
         onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>
-        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : <p class="blank note" lang="en">{made?.error}</p>}
+        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : made?.error !== undefined ? <p class="blank note" lang="en">{made.error}</p> : <p class="blank note">{stale.value && say("figures.wait")}</p>}
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         {overTime && shown?.panels.map((panel, i) => <i key={`hair${i}`} class="hair" hidden ref={(node) => { hairs.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         <output class="tip" hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>
         {drag && <i class="pulled" style={{ top: percent(drag.from.panel.top), height: percent(drag.from.panel.height), left: drag.from.x < drag.to.x ? left(drag.from) : left(drag.to), width: `calc(${drag.from.x < drag.to.x ? left(drag.to) : left(drag.from)} - ${drag.from.x < drag.to.x ? left(drag.from) : left(drag.to)})` }} />}
       </div>
-      <figcaption>{caption} <Files kind={kind} caption={caption} /></figcaption>
+      <figcaption>{(kind !== "gap-curve" && shown?.caption) || caption} <Files kind={kind} caption={caption} /></figcaption>
     </figure>
   );
 }
@@ -162,8 +162,8 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
 export function Figures({ now }: { now: Result }) {
   const { points, gaps, units, figures, plan } = now.overview;
   const hasCurve = curve.value.length > 1 && !plan && !isStill(now.overview); // of buildings in plan no other widths are simulated
-  const levels = points.map((one, i) => ({ ...one, i })) // in plan there are several points of one
-    .filter((one) => points.findIndex(({ gap, elevation }) => gap === one.gap && elevation === one.elevation) === one.i);
+  const levels = points.map((one, i) => ({ ...one, i })) // of the gap that is chosen; in plan there are several points of one
+    .filter((one) => one.gap === gap.value && points.findIndex(({ gap, elevation }) => gap === one.gap && elevation === one.elevation) === one.i);
   return (
     <section id="figures" data-curve={hasCurve ? curveDone.value : 0}>
       <h2>{say("figures")}</h2>

@@ -1,7 +1,10 @@
+import { Fragment } from "preact";
+import { useMemo, useState } from "preact/hooks";
 import { main } from "./animation";
 import { gap, progress, result, slow } from "./case";
+import { Badges, badgesOf, headed, isGrave, toneOf } from "./heads";
 import { nameOf } from "./schema";
-import { type GapOverview, type Overview, type Result, type Said, schema } from "./solver";
+import { type GapOverview, type ImpactRow, type Overview, type Result, type Said, schema } from "./solver";
 import { cancel, pinned, rough, stale } from "./state";
 import { number, say } from "./texts";
 
@@ -20,20 +23,14 @@ export function Stale({ word = "stale" }: { word?: "stale" | "take.stale" }) {
   return <p class="stale-note">{stale.value ? say(word, { name: caseOf(result.value.overview) }) : say("rough")}</p>;
 }
 
-const grave = ["danger", "warning"];
-/** Where a statement stands among others, the gravest first: by severity, and of those alike what the verdict says in a sentence. */
-const gravity = (one: Said) => 2 * (grave.includes(one.severity) ? grave.indexOf(one.severity) : grave.length) + (one.shown === "sentence" ? 0 : 1);
-const isGrave = (one: Said) => grave.includes(one.severity);
-const toneOf = (one: Said) => one.open ? " open" : isGrave(one) ? " grave" : " fine";
-
 const namesBoth = (gap: string, text: string) => gap.split(" | ").every((building) => text.includes(building));
 
-/** Statements one below the other; a badge stands once above those that have it, `under` one already. In a row each that is
- *  of one gap begins with its name, where `gaps` are given. */
-function Sentences({ all, gaps = [], under = "" }: { all: Said[]; gaps?: GapOverview[]; under?: string }) {
-  let badge = under;
+/** Statements one below the other; a badge stands once above those that have it, unless they are `under` it already. In a
+ *  row each that is of one gap begins with its name, where `gaps` are given. */
+function Sentences({ all, gaps = [], under = [] }: { all: Said[]; gaps?: GapOverview[]; under?: string[] }) {
+  let badge = "";
   return <>{all.map((one, i) => {
-    const shown = one.badge && one.badge !== badge ? (badge = one.badge) : "";
+    const shown = one.badge && one.badge !== badge && !under.includes(one.badge) ? (badge = one.badge) : "";
     return <div key={i} data-kind={one.kind} data-shown={one.shown}>
       {shown && <p class={`badge${toneOf(one)}`}>{shown}</p>}
       <p class={one.lead ? "lead" : ""}>{gaps.length > 1 && one.gap !== null && !namesBoth(gaps[one.gap].name, one.text) ? `${gaps[one.gap].name}: ` : ""}{one.lead && <strong>{one.lead}</strong>}{one.text.slice(one.lead.length)}</p>
@@ -48,21 +45,22 @@ const mostInSight = 10; // gaps, as a report's table has the worst of them
  *  unless nothing else is to be told. */
 function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
-  const told = overview.statements.filter((one) => one.severity !== "remark");
+  const told = headed(overview.statements).filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
-  const isFolded = (one: Said) => one.shown !== "sentence" || (one.severity === "finding" && !one.badge);
-  const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
   const pounds = told.some(isGrave), isOpen = pounds && !told.some((one) => toneOf(one) === " grave");
+  const isKnown = !headed(overview.statements).filter((one) => one.badge && one.kind !== "rules_short")[0]?.open; // else what it needs is part of the answer
+  const isFolded = (one: Said) => !one.badge && (one.shown !== "sentence" || (one.severity === "finding" && isKnown && pounds));
+  const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   const ranked = overview.gaps.map((_, i) => i).filter((i) => told.some((one) => ofGap(one) && one.gap === i)).sort((a, b) => rank(a) - rank(b));
-  const isInSight = (i: number) => ranked.indexOf(i) < mostInSight || (!overview.plan && i === gap.value);
+  const isInSight = (i: number) => ranked.indexOf(i) < mostInSight || i === gap.value;
   const inSight = ranked.filter(isInSight), others = ranked.filter((i) => !isInSight(i));
   const one = (i: number) => {
     const each = overview.gaps[i], mine = told.filter((said) => ofGap(said) && said.gap === i);
-    const badge = mine.find((said) => said.badge);
-    return <details key={i} data-gap={each.name} open={overview.plan ? i === ranked[0] : i === gap.value}>
-      <summary>{each.name}{badge && <>: <span class={`badge${toneOf(badge)}`}>{badge.badge}</span></>}</summary>
-      <Sentences all={mine} under={badge?.badge} />
+    const badges = badgesOf(overview, i);
+    return <details key={i} data-gap={each.name} open={i === gap.value}>
+      <summary>{each.name}{badges.size > 0 && ":"}{[...badges].map(([badge, tone]) => <Fragment key={badge}> <span class={`badge${tone}`}>{badge}</span></Fragment>)}</summary>
+      <Sentences all={mine} under={[...badges.keys()]} />
     </details>;
   };
   return (
@@ -70,7 +68,7 @@ function Statements({ overview }: { overview: Overview }) {
       <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
       {inSight.map(one)}
       {others.length > 0 && <details data-others={others.length}>
-        <summary>{say("verdict.gaps", { n: others.length })}</summary>
+        <summary>{others.length === 1 ? say("verdict.gap") : say("verdict.gaps", { n: others.length })}</summary>
         {others.map(one)}
       </details>}
       {folded.length > 0 && <details open={!pounds}><summary>{say("verdict.more")}</summary><Sentences all={folded} gaps={overview.gaps} /></details>}
@@ -78,12 +76,11 @@ function Statements({ overview }: { overview: Overview }) {
   );
 }
 
-/** The verdict's badges in one line: the gravest of the whole run first, then those of the gap that is looked at. */
+/** The badges of the whole run in one line, the gravest first; of several gaps it says so, as each has its own. */
 export function Brief() {
-  const badged = (result.value?.overview.statements ?? []).filter((one) => one.badge).sort((a, b) => gravity(a) - gravity(b));
-  const all = badged.filter((one, i) => i === 0 || one.gap === null || one.gap === gap.value || one.severity === "danger");
-  const badges = new Map(all.map((one) => [one.badge, toneOf(one)]));
-  return <p class="brief" aria-hidden="true">{[...badges].map(([badge, tone]) => <span key={badge} class={`badge${tone}`}>{badge}</span>)}</p>;
+  const overview = result.value?.overview;
+  if (!overview) return <p class="brief" />;
+  return <p class="brief" aria-hidden="true">{overview.gaps.length > 1 && <span>{say("verdict.all", { n: overview.gaps.length })}</span>}<Badges all={badgesOf(overview, null)} /></p>;
 }
 
 export function Verdict() {
@@ -99,26 +96,68 @@ export function Verdict() {
 
 const LISTED = 200;
 
+/** Numbers of one column alike: so many decimals that the largest has four digits, and none that is zero in all. */
+function alike(values: (number | null)[]): (value: number | null) => string {
+  const known = values.filter((one): one is number => one !== null && Number.isFinite(one));
+  const most = Math.max(0, ...known.map(Math.abs));
+  if (most === 0 || most < 1e-4 || most >= 1e7) return number;
+  let decimals = Math.max(0, 3 - Math.floor(Math.log10(most)));
+  while (decimals > 0 && known.every((one) => one.toFixed(decimals).endsWith("0"))) decimals -= 1;
+  return (value) => (value === null ? "–" : value.toFixed(decimals).replace("-", "−"));
+}
+
+interface Column { head: string; unit?: string; of: (one: ImpactRow) => number | string | null }
+
+/** What is listed of impacts; numbers begin with the largest, but for what counts them. */
+function columnsOf({ gaps, units, forceUnit }: Overview): Column[] {
+  const place = (one: ImpactRow) => [gaps[one[0]]?.name, one[8]].filter(Boolean).join(", ");
+  return [
+    { head: say("impact.number"), of: (one) => one[7] },
+    { head: say("curve.force"), unit: forceUnit, of: (one) => one[4] },
+    { head: nameOf("gap", "width"), of: place },
+    { head: say("history.point"), unit: units.length, of: (one) => one[1] },
+    { head: say("impact.start"), unit: "s", of: (one) => one[2] },
+    { head: say("impact.duration"), unit: "ms", of: (one) => 1000 * (one[3] - one[2]) },
+    { head: say("impact.speed"), unit: `${units.length}/s`, of: (one) => one[5] },
+    { head: say("impact.ratio"), of: (one) => one[6] },
+  ];
+}
+
+/** The hardest first, by speed where the law of contact has no force; a heading sorts by its own column, and once more the
+ *  other way. */
+function order(impacts: ImpactRow[], of: Column["of"], descends: boolean): ImpactRow[] {
+  const compare = (a: ReturnType<Column["of"]>, b: ReturnType<Column["of"]>) => (typeof a === "string" ? a.localeCompare(String(b), undefined, { numeric: true }) : (a ?? -1) - Number(b ?? -1));
+  return [...impacts].sort((a, b) => (descends ? -1 : 1) * compare(of(a), of(b)) || b[5] - a[5] || a[7] - b[7]);
+}
+
 export function Impacts({ now }: { now: Result }) {
-  const { impacts, units, forceUnit, gaps, impactCount } = now.overview;
+  const { impacts, impactCount, force } = now.overview;
+  const [{ by, descends }, sort] = useState({ by: 1, descends: true });
+  const columns = columnsOf(now.overview);
+  const sorted = useMemo(() => order(impacts, columns[by].of, descends), [impacts, by, descends]);
+  const shown = useMemo(() => columns.map(({ of }) => alike(impacts.map((one) => { const value = of(one); return typeof value === "number" ? value : null; }))), [impacts]);
   if (impactCount === 0) return <section id="impacts"><h2>{say("impacts")}</h2><p>{say("impact.none")}</p></section>;
+  const isText = (k: number) => typeof columns[k].of(impacts[0]) === "string";
+  const choose = (k: number) => sort({ by: k, descends: k === by ? !descends : k !== 0 && !isText(k) && columns[k].unit !== "s" });
+  const show = (number: number) => {
+    main?.showImpact(main.impacts[impacts.findIndex((one) => one[7] === number)]);
+    document.getElementById("motion")?.scrollIntoView();
+  };
   return (
     <section id="impacts">
       <h2>{say("impacts")}</h2>
       <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
-        <table>
-          <thead><tr>
-            <th scope="col">{say("impact.number")}</th><th scope="col" class="t">{nameOf("gap", "width")}</th><th scope="col">{say("curve.force")} <small>{forceUnit}</small></th><th scope="col">{say("history.point")} <small>{units.length}</small></th>
-            <th scope="col">{say("impact.start")} <small>s</small></th><th scope="col">{say("impact.duration")} <small>ms</small></th><th scope="col">{say("impact.speed")} <small>{units.length}/s</small></th><th scope="col">{say("impact.ratio")}</th>
-          </tr></thead>
-          <tbody>{impacts.slice(0, LISTED).map((one, k) => (
-            <tr key={k} class={Math.abs(one[4] - now.overview.force) === 0 && one[4] > 0 ? "marked" : ""}>
-              <td><button type="button" aria-label={say("impact.show", { n: k + 1 })} onClick={() => { main?.showImpact(main.impacts[k]); document.getElementById("motion")?.scrollIntoView(); }}>{k + 1}</button></td>
-              <td class="t">{[gaps[one[0]]?.name, one[7]].filter(Boolean).join(", ")}</td><td>{number(one[4])}</td><td>{number(one[1])}</td><td>{number(one[2])}</td><td>{number(1000 * (one[3] - one[2]))}</td><td>{number(one[5])}</td><td>{number(one[6])}</td>
-            </tr>))}</tbody>
+        <table class="cards">
+          <thead><tr>{columns.map(({ head, unit }, k) => <th scope="col" key={k} class={isText(k) ? "t" : ""} aria-sort={k === by ? (descends ? "descending" : "ascending") : undefined}>
+            <button type="button" onClick={() => choose(k)}>{head}{k === by && <span aria-hidden="true">{`\u00a0${descends ? "▼" : "▲"}`}</span>}</button>{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
+          <tbody>{sorted.slice(0, LISTED).map((one) => (
+            <tr key={one[7]} class={one[4] === force && force > 0 ? "marked" : ""}>{columns.map(({ head, unit, of }, k) =>
+              <td key={k} class={isText(k) ? "t long" : ""} data-head={head} data-unit={unit}>{k === 0
+                ? <button type="button" aria-label={say("impact.show", { n: one[7] })} onClick={() => show(one[7])}>{one[7]}</button>
+                : isText(k) ? of(one) : shown[k](of(one) as number | null)}</td>)}</tr>))}</tbody>
         </table>
       </div>
-      {impactCount > LISTED && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}</p>}
+      {impactCount > LISTED && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}{impactCount > impacts.length && ` ${say("impact.cut", { n: impacts.length })}`}</p>}
     </section>
   );
 }
@@ -135,7 +174,7 @@ export function Comparison({ now }: { now: Result }) {
   const other = pinned.value;
   const heads = [nameOf("gap", "width"), say("impacts"), say("curve.force"), say("compare.needed"), say("curve.amplification")];
   const row = (what: "now" | "pinned", one: Result) =>
-    <tr><th scope="row" class="t">{say(what)}: {one.overview.title || "–"}</th>{compared(one, now.overview).map((cell, i) => <td key={i}>{cell}</td>)}</tr>;
+    <tr><th scope="row" class="t long">{say(what)}: {one.overview.title || "–"}</th>{compared(one, now.overview).map((cell, i) => <td key={i} data-head={heads[i]}>{cell}</td>)}</tr>;
   return (
     <section id="compare">
       <h2>{say("compare")}</h2>
@@ -144,7 +183,7 @@ export function Comparison({ now }: { now: Result }) {
         {other && <button type="button" onClick={() => { pinned.value = null; }}>{say("unpin")}</button>}
       </p>
       {other && <>
-        <div class="wide" tabIndex={0} role="region" aria-label={say("compare")}><table><thead><tr><th scope="col" class="t">{say("variant")}</th>{heads.map((head) => <th scope="col" key={head}>{head}</th>)}</tr></thead>
+        <div class="wide" tabIndex={0} role="region" aria-label={say("compare")}><table class="cards"><thead><tr><th scope="col" class="t">{say("variant")}</th>{heads.map((head) => <th scope="col" key={head}>{head}</th>)}</tr></thead>
           <tbody>{row("now", now)}{row("pinned", other)}</tbody></table></div>
       </>}
     </section>

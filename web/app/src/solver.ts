@@ -11,9 +11,9 @@ export interface PanelPlace {
   curves: { label: string; x: Float64Array; y: Float64Array }[];
 }
 /** `width` in cm. */
-export interface Drawn { svg: string; width: number; panels: PanelPlace[]; error?: string }
+export interface Drawn { svg: string; caption: string; width: number; panels: PanelPlace[]; error?: string }
 export interface Wanted {
-  width: number; from?: number; to?: number; gap?: number; elevation?: number;
+  width: number; narrow: boolean; from?: number; to?: number; gap?: number; elevation?: number;
   curve?: { gap: number; widths: number[]; forces: number[]; amplifications: number[] };
 }
 export type Draw = [kind: string, wanted: Wanted][];
@@ -26,10 +26,10 @@ export interface Histories {
   buildings: Record<string, Float64Array[]>[];
 }
 /** `marks`: widths beside the one needed, of the motion reversed and of rules. `movers`: in plan the buildings that move where
- *  it becomes wider, with the corners that they were run with, and along which direction. */
+ *  it becomes wider, with the corners that they were run with, along which direction, and whom they meet after how much. */
 export interface GapOverview {
   name: string; width: number; needed: number | null; marks?: { at: number; name: string }[];
-  movers?: { all: { building: number; corner: [number, number] }[]; by: [number, number] };
+  movers?: { all: { building: number; corner: [number, number] }[]; by: [number, number]; until: { building: number; way: number } | null };
 }
 export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; rank: number | null; badge: string; open: boolean; lead: string; shown: "sentence" | "row" | "table"; text: string }
 export interface BuildingOverview {
@@ -38,8 +38,9 @@ export interface BuildingOverview {
 }
 /** What does not tell something of the run is there as a file alone. */
 export interface FigureOverview { kind: string; caption: string; tells: boolean; overTime: boolean }
-/** [gap, elevation, start, end, peak force, closing speed, restitution, in plan where along the stretch] */
-export type ImpactRow = [number, number, number, number, number, number, number | null, string?];
+/** [gap, elevation, start, end, peak force, closing speed, restitution, which of all it is from 1, in plan where along the
+ *  stretch] */
+export type ImpactRow = [number, number, number, number, number, number, number | null, number, string?];
 /** Forces are in `forceUnit`, in which all people are told of the run; `units` are those of the case and of its files. */
 export interface Overview {
   title: string; version: string; duration: number; spectral: boolean; plan: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];

@@ -4,7 +4,7 @@ import { before, chosen, curve, files, found, gap, live, progress, result, slow,
 import { cases, records } from "./cases";
 import { take as takeDrawn, wanted, wantedNow } from "./drawing";
 import { forget, keep } from "./kept";
-import { type Answer, type CaseError, type Files, type Placed, type Result, Solver, type Take } from "./solver";
+import { type Answer, type CaseError, type Files, type Overview, type Placed, type Result, Solver, type Take } from "./solver";
 import { record, step } from "./steps";
 import { isStill } from "./still";
 import { grown, type Part, withoutPoints, withPoints } from "./storeys";
@@ -86,6 +86,26 @@ function place() {
 
 let settle = 0, curveText = "", curveFiles: Files = [];
 let seen = -1; // the number of the case whose results are there
+let came = 0, looked = -1; // `loads` as a case came in last, and as the gap to look at was found for it
+
+/** The gap that its story has as the worst, or that the gravest that is said is of. */
+function worstOf({ statements }: Overview): number {
+  const ofGap = statements.filter((one) => one.gap !== null);
+  return (ofGap.find((one) => one.rank === 1) ?? ofGap[0])?.gap ?? 0;
+}
+
+/** Which gap of a run is looked at: of a case that has just come the worst, else the one that was, by its name, as another
+ *  width may bring another order. */
+function gapOf(next: Overview, loaded: number): number {
+  const name = result.value?.overview.gaps[gap.value]?.name;
+  if (looked < came && loaded >= came) {
+    looked = loaded;
+    return worstOf(next);
+  }
+  if (next.gaps[gap.value]?.name === name) return gap.value;
+  const same = next.gaps.findIndex((one) => one.name === name);
+  return same >= 0 ? same : gap.value < next.gaps.length && next.gaps.length === result.value?.overview.gaps.length ? gap.value : worstOf(next);
+}
 
 /** Runs the text: roughly sampled at once, finely when nothing has changed for a moment. */
 function run(fine: boolean) {
@@ -102,12 +122,12 @@ function run(fine: boolean) {
       batch(() => {
         answered.value = number;
         errors.value = [];
+        gap.value = gapOf(answer.overview, loaded);
         result.value = answer;
         solvedText.value = wanted;
         takeDrawn(answer.drawn, first);
         seen = loaded;
         solvedWith.value = used;
-        if (gap.value >= answer.overview.gaps.length) gap.value = 0;
         if (chosen.value === record) chosen.value = answer.overview.suite?.record ?? 0; // a suite may have fewer than before
       });
       if (text.value === wanted && files.value === used && chosen.value === record) {
@@ -203,8 +223,7 @@ export function load(given: string) {
   if (next === text.value) return;
   batch(() => {
     text.value = next;
-    loads.value += 1;
-    gap.value = 0;
+    came = loads.value += 1;
     chosen.value = 0;
     curve.value = [];
     problem.value = null;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,9 +44,18 @@ struct PlanContactPlace {
 /// Those that an owner has in a building.
 [[nodiscard]] std::vector<QuantityPlace> places_in(const PlanProblem& problem, Owner owner, Eigen::Index building);
 
-/// Who moves where a gap becomes wider and all else keeps its place, as far as that can be: R of the joint, and all
-/// that are joined to it by gaps beyond the joint without L, ascending.
+/// Who moves where a gap becomes wider and all else keeps its place, as far as that can be: R of the joint, and beyond
+/// the joint all but L that are joined to one that moves by a gap, or that it would meet, however far off; ascending.
 [[nodiscard]] std::vector<Eigen::Index> buildings_beyond(const PlanProblem& problem, std::size_t gap);
+
+/// A building that does not move, which those that do meet after so long a way [length].
+struct InTheWay {
+  Eigen::Index building = 0;
+  double way = 0;
+};
+/// The first of them where `movers` go away from a gap across it; nothing where they meet none.
+[[nodiscard]] std::optional<InTheWay> first_in_the_way(const PlanProblem& problem, std::size_t gap,
+                                                       const std::vector<Eigen::Index>& movers);
 
 /// The gaps of a problem by name, in their order.
 [[nodiscard]] std::vector<std::string> gap_names(const PlanProblem& problem);

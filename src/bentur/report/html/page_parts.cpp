@@ -1,7 +1,6 @@
 #include "bentur/report/html/page_parts.h"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "bentur/report/html/internal/animation.h"
@@ -15,13 +14,13 @@ html::Report part_of(const RunResults& results, const Words& say) {
   return {results.view(), results.c, results.problem, results.response, say, {}, {}};
 }
 
-std::vector<Eigen::Index> first_of(const std::vector<Impact>& impacts) {
-  std::vector<Eigen::Index> listed(std::min(impacts.size(), most_impacts));
-  std::iota(listed.begin(), listed.end(), Eigen::Index{0});
+}  // namespace
+
+std::vector<Eigen::Index> listed_impacts(const std::vector<Impact>& impacts) {
+  std::vector<Eigen::Index> listed = html::hardest_impacts(impacts);
+  std::sort(listed.begin(), listed.end());
   return listed;
 }
-
-}  // namespace
 
 std::vector<PagePart> html::parts(const std::vector<PageSection>& sections) {
   std::vector<PagePart> all;
@@ -33,11 +32,11 @@ std::vector<PagePart> html::parts(const std::vector<PageSection>& sections) {
 
 std::string motion_json(const RunResults& results, const std::string& language) {
   const Words say(language);
-  return html::animation_json(part_of(results, say), first_of(results.response.impacts));
+  return html::animation_json(part_of(results, say), listed_impacts(results.response.impacts));
 }
 
 std::string motion_json(const PlanRun& run, const std::string& language) {
-  return html::plan_animation_json(run, Words(language), first_of(run.response.impacts));
+  return html::plan_animation_json(run, Words(language), listed_impacts(run.response.impacts));
 }
 
 std::vector<PagePart> table_parts(const RunResults& results, const std::string& language) {

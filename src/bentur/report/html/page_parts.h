@@ -13,8 +13,10 @@ namespace bentur {
 
 /// Impacts that a page lists; where there are more, it says so.
 constexpr std::size_t most_impacts = 1500;
+/// Which of a run's impacts a page lists: the hardest, in the order in which they begin.
+[[nodiscard]] std::vector<Eigen::Index> listed_impacts(const std::vector<Impact>& impacts);
 
-/// What motion.js draws, with its words in that language: the buildings in motion and the first impacts, by start.
+/// What motion.js draws, with its words in that language: the buildings in motion and the listed_impacts().
 /// The response must have histories.
 /// @throws InvalidParameter for an unknown language.
 [[nodiscard]] std::string motion_json(const RunResults& results, const std::string& language);
