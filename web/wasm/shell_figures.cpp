@@ -6,6 +6,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/html/page_parts.h"
+#include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
 #include "shell.h"
@@ -116,9 +117,12 @@ val Studio::draw(const std::string& kind, const std::string& language, const val
   try {
     if (!run_ && !plan_run_ && !suite_run_) return drawn;
     const FigureOptions options = options_of(language, wanted);
-    const Figure figure = plan_run_    ? figure_of(*plan_run_, kind, options, wanted)
-                          : suite_run_ ? figure_of(*suite_run_, kind, options, wanted)
-                                       : figure_of(*run_, kind, options, wanted);
+    const MakeFigure make = [&](const FigureOptions& with) {
+      return plan_run_    ? figure_of(*plan_run_, kind, with, wanted)
+             : suite_run_ ? figure_of(*suite_run_, kind, with, wanted)
+                          : figure_of(*run_, kind, with, wanted);
+    };
+    const Figure figure = options.narrow ? narrow_figure(make, options) : make(options);
     const std::string key = caption_key(kind, plan_run_.has_value());
     std::string caption = Words(language)(key + (figure.lacks.empty() ? "" : ".without_" + figure.lacks));
     if (!figure.part.empty()) caption += ". " + figure.part;
