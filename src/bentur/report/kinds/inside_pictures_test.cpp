@@ -12,9 +12,9 @@
 namespace bentur {
 namespace {
 
-/// The roof of five storeys beside the columns of eight; their first floors alone are near one level, and stay apart.
-const RunResults& unmodelled() {
-  static const RunResults run = test::drawn_run(R"(
+/// The roof of five storeys beside the columns of eight; their first floors alone are near one level.
+RunResults five_beside_eight(const std::string& width) {
+  return test::drawn_run(R"(
 units = { length = "m", force = "kN" }
 excitation = { kind = "record", file = "../data/el-centro-1940-ns.csv", unit = "g" }
 analysis = { duration = 10.0 }
@@ -28,9 +28,13 @@ damping = 0.05
 generic = { storeys = 5, storey_height = 3.5, floor_mass = 185.0, period = 0.43, stiffness_ratio = 30 }
 [[gap]]
 between = ["High", "Low"]
-width = 0.03
 contact = { law = "linear", stiffness = 1e6 }
-)");
+width = )" + width);
+}
+
+/// Those first floors stay apart.
+const RunResults& unmodelled() {
+  static const RunResults run = five_beside_eight("0.03");
   return run;
 }
 
@@ -62,6 +66,19 @@ TEST(InsidePictures, TheStillNamesTheFloorAndHatchesIt) {
     EXPECT_GT(right - left, 20 * 0.0714);  // as much as displacements are magnified
   }
   EXPECT_NE(make_figure(unmodelled(), "scene").finding.find(roof_inside), std::string::npos);
+}
+
+/// Where first floors collide, too, the still is of an impact: it says what it does not show.
+TEST(InsidePictures, AnImpactElsewhereHidesNoFloorInside) {
+  const RunResults run = five_beside_eight("0.005");
+  ASSERT_FALSE(run.response.impacts.empty());
+  ASSERT_TRUE(run.figures.nearest && run.figures.nearest->closes);
+  for (const char* kind : {"scene", "overview"}) {
+    const Figure figure = make_figure(run, kind);
+    EXPECT_NE(figure.panels.front().title.find("impact"), std::string::npos) << figure.panels.front().title;
+    EXPECT_NE(figure.part.find("inside High, contact not modelled, deepest at"), std::string::npos) << figure.part;
+  }
+  EXPECT_EQ(make_figure(unmodelled(), "scene").part, "");
 }
 
 /// The least opening is that of the continuous response, which the solver finds without any history.

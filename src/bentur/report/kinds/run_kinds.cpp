@@ -182,6 +182,12 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
           place_text(gap_names(run.problem), judged_gaps(run), static_cast<std::size_t>(run.problem.points[point].gap),
                      hardest_impact(run, point) != nullptr, options);
     }
+    if (kind == "scene" || kind == "overview") {
+      if (const std::string inside = inside_elsewhen(run, options); !inside.empty()) {
+        figure.part += (figure.part.empty() ? "" : ". ") + inside;
+        if (kind == "scene") figure.finding += "; " + inside;
+      }
+    }
     if (is_of_buildings(kind) && !options.gap && !options.elevation) {
       const std::size_t shown = shown_buildings(run, options).size(), all = run.problem.buildings.size();
       if (shown < all) {

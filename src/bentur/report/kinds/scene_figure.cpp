@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "bentur/core/not_known.h"
@@ -39,13 +40,27 @@ std::string instant_text(const RunResults& run, const SceneInstant& instant, con
                          : word(options, "closest, without contact"));
 }
 
-/// A band of hatches where a floor is inside what it faces.
-Curve hatches(const Scene& scene, const ScenePlaces& places, const NearestFloor& nearest) {
+/// How far a floor is inside what it faces at an instant [length], between two samples on the line through them; 0:
+/// it is not, or its opening is not known over time.
+double depth_at(const NearestFloor& nearest, double time) {
+  const auto after = std::lower_bound(nearest.time.begin(), nearest.time.end(), time);
+  if (after == nearest.time.end()) return 0;
+  const auto i = static_cast<std::size_t>(after - nearest.time.begin());
+  double opening = nearest.opening[i];
+  if (i > 0) {
+    const double part = (*after - time) / (*after - nearest.time[i - 1]);
+    opening += part * (nearest.opening[i - 1] - opening);
+  }
+  return std::max(0.0, -opening);
+}
+
+/// A band of hatches where a floor is inside what it faces. @param inside how far [length]
+Curve hatches(const Scene& scene, const ScenePlaces& places, const NearestFloor& nearest, double inside) {
   const bool of_left = nearest.floor_of == nearest.left;
   const double offset = of_left ? scene.breadths[nearest.floor_of] : 0;
   const auto [end, z] =
       places({nearest.elevation, {{.building = nearest.floor_of, .row = nearest.floor, .offset = offset}}});
-  const double depth = -scene.magnification * nearest.least_opening, tall = 0.22 * scene.storey;
+  const double depth = scene.magnification * inside, tall = 0.22 * scene.storey;
   const double left = of_left ? end - depth : end;
   Curve curve{.tone = Tone::red, .width = 0.9, .complete = true};
   constexpr int lines = 7;
@@ -127,6 +142,14 @@ std::string inside_text(const RunResults& run, const NearestFloor& nearest, cons
               shown_value(run, nearest.elevation, "L"), depth, faced);
 }
 
+std::string inside_elsewhen(const RunResults& run, const FigureOptions& options) {
+  const std::optional<NearestFloor>& nearest = run.figures.nearest;
+  if (!nearest || !nearest->closes || chosen_instant(run, options).nearest != nullptr) return {};
+  return word(
+      options, "At another instant: {}",
+      word(options, "{}, deepest at {}", inside_text(run, *nearest, options), seconds_text(nearest->least_time)));
+}
+
 Panel scene_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options, double height) {
   const Scene scene = scene_of(run.problem, run.response);
   const SceneMotion rest = at_rest(*instant.histories), now = motion_at(*instant.histories, instant.column);
@@ -183,7 +206,10 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     panel.curves.push_back({.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle});
   }
   if (instant.nearest != nullptr && instant.nearest->closes) {
-    panel.curves.push_back(hatches(scene, places, *instant.nearest));
+    panel.curves.push_back(hatches(scene, places, *instant.nearest, -instant.nearest->least_opening));
+  } else if (const std::optional<NearestFloor>& other = run.figures.nearest; other && other->closes) {
+    const double inside = depth_at(*other, instant.time);
+    if (inside > 0) panel.curves.push_back(hatches(scene, places, *other, inside));
   }
   for (const Impact& impact : run.response.impacts) {
     if (!instant.impact || impact.start > instant.time || impact.end < instant.time) continue;
