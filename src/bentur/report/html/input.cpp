@@ -93,10 +93,10 @@ Html modes_table(const Building& building, const Report& report) {
             first_modes(properties.participation));
   table.add(say("column.effective_mass"), "%", first_modes(100 * properties.effective_mass_fraction));
   table.add(say("column.cumulative_mass"), "%", first_modes(100 * cumulative));
-  Html content = element("h4", say("heading.modes")) + table.markup();
+  Html content = element("h4", say("heading.modes")) + table.markup("class=\"modes\"");
   if (shown < properties.periods.size()) {
     content += element("p", say("input.modes_more", {{"n", std::to_string(properties.periods.size() - shown)}}),
-                       "class=\"note\"");
+                       "class=\"note modes\"");
   }
   return content;
 }
@@ -330,7 +330,7 @@ PageSection input_section(const Report& report) {
       }
       each.add(derived.heading, echo(*key.table, one, report, derived.rows) + derived.tables);
     }
-    content += each.markup(say, "appendix.entries");
+    content += each.markup(say, entries_key(say, key.name));
   }
   return {"input", say("heading.input"), content};
 }

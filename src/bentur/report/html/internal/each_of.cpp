@@ -45,8 +45,16 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
     const std::string heading = say(std::string(what) + ".printed", count);
     printed = element("div", element("h3", heading) + printed, "class=\"print joined\"");
   }
+  if (const std::string paper = std::string(what) + ".paper"; say.has(paper)) {
+    content = element("p", say(paper), "class=\"print\"") + content;
+  }
   return printed + element("details", element("summary", say(what, count)) + content, "class=\"appendix\"") +
          Html::markup("\n");
+}
+
+std::string entries_key(const Words& say, std::string_view key) {
+  const std::string all = "appendix.entries", of_key = all + "." + std::string(key);
+  return say.has(of_key) ? of_key : all;
 }
 
 }  // namespace bentur::html

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,8 @@ class EachOf {
   /// @param of its name there; empty: the same
   void add(const std::string& name, Html content, const std::vector<HtmlTable>& printed = {},
            const std::string& of = {});
-  /// @param what key of the text that counts them, "89 gaps, each by itself"; its ".printed" heads what is on paper
+  /// @param what key of the text that counts them, "89 gaps, each by itself"; its ".printed" heads what is on paper,
+  /// its ".paper", where there is one, says what paper lacks
   [[nodiscard]] Html markup(const Words& say, std::string_view what) const;
   /// The same of what others say in short: of few each is folded away, too, but for paper.
   [[nodiscard]] Html folded(const Words& say, std::string_view what) const;
@@ -28,5 +30,8 @@ class EachOf {
   std::vector<std::pair<std::string, Html>> all_;
   std::vector<HtmlTable> printed_;  ///< of all
 };
+
+/// The text that counts the parts of a case under a key, for EachOf.
+[[nodiscard]] std::string entries_key(const Words& say, std::string_view key);
 
 }  // namespace bentur::html

@@ -55,7 +55,7 @@ class PlanInput {
         if (is_building) told += given_planes(static_cast<Index>(i), planes) + modes(static_cast<Index>(i));
         each.add(heading, told);
       }
-      content += each.markup(say_, "appendix.entries");
+      content += each.markup(say_, entries_key(say_, key.name));
     }
     return {"input", say_("heading.input"), content};
   }
@@ -120,7 +120,7 @@ class PlanInput {
     table.add(say_("column.damping"), "%", damping);
     table.add(say_("plan.mass_x"), "%", mass_x);
     table.add(say_("plan.mass_y"), "%", mass_y);
-    return element("h4", say_("heading.modes")) + table.markup();
+    return element("h4", say_("heading.modes")) + table.markup("class=\"modes\"");
   }
 
   /// Without round-off [%].
