@@ -85,14 +85,17 @@ std::vector<std::vector<std::string>> rows_of(const Statement& statement, const 
   return rows;
 }
 
-/// Bytes of the first sentence of a text; of a long one those of its first clauses.
+/// Bytes of the first sentence of a text; of a long one those of its first clauses, not within brackets.
 std::size_t first_sentence(std::string_view text) {
   constexpr std::size_t most = 180;
   const std::size_t stop = text.find(". ");
   const std::size_t end = stop == std::string_view::npos ? text.size() : stop + 1;
   std::size_t lead = end;
   for (std::size_t at = end; lead > most && at > 0; --at) {
-    const bool ends_clause = std::string_view(",;:").find(text[at - 1]) != std::string_view::npos;
+    const std::string_view before = text.substr(0, at);
+    const bool is_bracketed =
+        std::count(before.begin(), before.end(), '(') > std::count(before.begin(), before.end(), ')');
+    const bool ends_clause = !is_bracketed && std::string_view(",;:").find(text[at - 1]) != std::string_view::npos;
     if (at <= most && ends_clause && at < text.size() && text[at] == ' ') lead = at;
   }
   return lead;
