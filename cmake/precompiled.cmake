@@ -14,8 +14,6 @@ foreach(precompiled IN LISTS all)
     <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers> <numeric>
     <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>
     <Eigen/Core> <fmt/format.h>)
-endforeach()
-foreach(precompiled IN LISTS all)
   bentur_compile_options(${precompiled})
 endforeach()
 bentur_optimise_lightly(bentur_precompiled_lightly)

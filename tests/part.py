@@ -21,5 +21,10 @@ def part_of_tests(tests, of):
     return unittest.TestSuite(by_name[name] for name in part(by_name, of))
 
 
+def part_under_sanitizers(tests, of):
+    """All tests of a suite; where every start of the program takes long (BENTUR_SANITIZED=1) every OF-th of them."""
+    return part_of_tests(tests, of) if os.environ.get("BENTUR_SANITIZED") == "1" else tests
+
+
 if __name__ == "__main__":
     print("\n".join(part(sys.stdin.read().splitlines(), int(sys.argv[1]))))

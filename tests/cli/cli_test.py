@@ -28,7 +28,7 @@ import unittest
 from collections import Counter
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
-from part import part_of_tests
+from part import part_under_sanitizers
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
@@ -2057,8 +2057,7 @@ class Completion(CommandLine):
 
 
 def load_tests(loader, tests, pattern):
-    """All tests; under the sanitizers, where every start of the program takes long, a ninth of them."""
-    return part_of_tests(tests, 9) if SANITIZED else tests
+    return part_under_sanitizers(tests, 9)
 
 
 if __name__ == "__main__":

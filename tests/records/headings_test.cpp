@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <random>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "bentur/core/units.h"
 #include "bentur/io/records/record_files.h"
+#include "tests/support/random_numbers.h"
 #include "tests/support/record_file.h"
 
 namespace bentur {
@@ -222,12 +222,7 @@ Drawn drawn(unsigned seed, Wrong wrong) {
 class RandomHeadings : public test::RecordFile {
  protected:
   static std::pair<unsigned, unsigned> seeds() {
-    unsigned first = 1, count = 1000;
-    if (const char* text = std::getenv("BENTUR_RANDOM_HEADINGS")) {
-      char* end = nullptr;
-      first = static_cast<unsigned>(std::strtoul(text, &end, 10));
-      if (*end == ':') count = static_cast<unsigned>(std::strtoul(end + 1, nullptr, 10));
-    }
+    const auto [first, count] = test::seeds_of("BENTUR_RANDOM_HEADINGS", {1, 1000}, {1, 1000});
     return {first, first + count};
   }
 };

@@ -16,11 +16,10 @@ import tempfile
 import unittest
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
-from part import part_of_tests
+from part import part_under_sanitizers
 
 BENTUR = os.environ["BENTUR"]
 SOURCE = pathlib.Path(os.environ["BENTUR_SOURCE"])
-SANITIZED = os.environ.get("BENTUR_SANITIZED") == "1"
 CASES = SOURCE / "tests" / "reported" / "cases"
 
 
@@ -209,8 +208,7 @@ class WhatAnEngineerReads(Reported):
 
 
 def load_tests(loader, tests, pattern):
-    """All tests; under the sanitizers, where every start of the program takes long, a sixth of them."""
-    return part_of_tests(tests, 6) if SANITIZED else tests
+    return part_under_sanitizers(tests, 6)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ except ImportError:
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
 import shared_folder
-from part import part_of_tests
+from part import part_under_sanitizers
 from shared_folder import SHARED
 
 BENTUR = os.environ["BENTUR"]
@@ -485,8 +485,7 @@ class Suites(unittest.TestCase):
 
 
 def load_tests(loader, tests, pattern):
-    """All tests; under the sanitizers, where every start of the program takes long, a sixth of them."""
-    return part_of_tests(tests, 6) if SANITIZED else tests
+    return part_under_sanitizers(tests, 6)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ import time
 import unittest
 
 sys.path.insert(0, os.path.join(os.environ["BENTUR_SOURCE"], "tests"))
-from part import part_of_tests
+from part import part_under_sanitizers
 import shared_folder
 from shared_folder import SHARED
 
@@ -509,8 +509,7 @@ class Interrupted(Sweep):
 
 
 def load_tests(loader, tests, pattern):
-    """All tests; under the sanitizers, where every run takes long, a third of them."""
-    return part_of_tests(tests, 3) if os.environ.get("BENTUR_SANITIZED") == "1" else tests
+    return part_under_sanitizers(tests, 3)
 
 
 if __name__ == "__main__":

@@ -62,9 +62,13 @@ PageSection sensitivity_section(const std::optional<Sensitivity>& found, const C
   for (const SaidStatement& one : said(story.statements, say)) sentences += element("li", one.text);
   Html content = element("p", say("sensitivity.lead"), "class=\"lead\"") + element("ul", sentences);
   try {
-    const Html figure = opening_figure([&](const FigureOptions& drawn) { return sensitivity_figure(told, drawn); },
-                                       say("figure.sensitivity"), language);
-    const bool is_single = sensitivity_figure(told, {}).panels.size() == 1;
+    bool is_single = false;
+    const auto make = [&](const FigureOptions& drawn) {
+      Figure one = sensitivity_figure(told, drawn);
+      is_single = one.panels.size() == 1;
+      return one;
+    };
+    const Html figure = opening_figure(make, say("figure.sensitivity"), language);
     content += is_single ? element("div", figure, "class=\"single\"") : figure;
   } catch (const NoFigure&) {  // of buildings alone there is a table
   }

@@ -134,12 +134,6 @@ const RunKind run_kinds[] = {
     {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure},
 };
 
-/// Whether a kind shows one place between two buildings.
-bool is_of_a_place(const std::string& kind) {
-  constexpr std::string_view all[] = {"overview", "scene", "displacement", "opening", "force", "impact", "loop"};
-  return std::find(std::begin(all), std::end(all), kind) != std::end(all);
-}
-
 /// Whether a kind shows buildings beside one another, of many a part.
 bool is_of_buildings(const std::string& kind) {
   constexpr std::string_view all[] = {"forces",       "envelope",    "amplification", "drift",    "modes",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -73,8 +74,7 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
   return result;
 }
 
-/// The gap that a run needs at some of these levels, in both ways of the motion; infinite where a building falls
-/// without contact.
+/// The gap that a run needs at these levels, in both ways of the motion; infinite where one falls without contact.
 /// @param row the run, of buildings in plan row_of() it
 double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation>& levels) {
   if (row.response.collapse_no_contact) return std::numeric_limits<double>::infinity();
@@ -86,11 +86,16 @@ double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation
 constexpr std::string_view told_in_tables[] = {"impacts",          "peak_force", "gap_needed",
                                                "peak_drift_ratio", "ductility",  "column_demand_capacity"};
 
+bool is_of_unmodelled(const Statement& said) { return said.kind == "unmodelled"; }
+
+bool any_is_not_modelled(const SuiteRun& run) {
+  return std::any_of(run.records.begin(), run.records.end(), std::mem_fn(&SuiteRecordRun::is_not_modelled));
+}
+
 /// Counts as such; of records whose contact is not modelled that word, no mean, and no less than the largest of others.
 void tell_in_words(const SuiteRun& run, bool are_counts, StoryColumn& column) {
   const std::size_t count = run.records.size();
-  const bool lacks = std::any_of(run.records.begin(), run.records.end(),
-                                 [](const SuiteRecordRun& one) { return one.is_not_modelled(); });
+  const bool lacks = any_is_not_modelled(run);
   if (!are_counts && !lacks) return;
   for (std::size_t i = 0; i < column.numbers.size(); ++i) {
     const double value = column.numbers[i];
@@ -214,21 +219,18 @@ StoryColumn verdicts_of(const SuiteRun& run) {
   return column;
 }
 
-/// Of each record the floor that goes deepest into what no contact is modelled with: its building and level; without
-/// texts where there is none.
+/// Building and level of the floor that each record's verdict first names as not modelled; without texts: there is
+/// none.
 StoryColumn not_modelled_in(const SuiteRun& run) {
   StoryColumn column{.label = "column.suite.not_modelled"};
-  const auto lacks = [](const SuiteRecordRun& one) { return one.is_not_modelled(); };
-  if (std::none_of(run.records.begin(), run.records.end(), lacks)) return column;
+  if (!any_is_not_modelled(run)) return column;
   for (const SuiteRecordRun& one : run.records) {
     std::string& text = column.texts.emplace_back("–");
-    for (const Statement& said : one.statements) {
-      if (said.kind != "unmodelled" || text != "–") continue;
-      for (const StoryValue& value : said.values) {
-        if (value.name == "building") text = std::get<std::string>(value.value);
-      }
-      text += ", " + number(said.level.value_or(0)) + " " + run.c.units.length;
-    }
+    const auto said = std::find_if(one.statements.begin(), one.statements.end(), is_of_unmodelled);
+    if (said == one.statements.end()) continue;
+    for (const StoryValue& value : said->values)
+      if (value.name == "building") text = std::get<std::string>(value.value);
+    text += ", " + number(said->level.value_or(0)) + " " + run.c.units.length;
   }
   column.texts.resize(run.records.size() + 2);
   return column;
@@ -272,8 +274,7 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
 }  // namespace
 
 bool SuiteRecordRun::is_not_modelled() const {
-  return std::any_of(statements.begin(), statements.end(),
-                     [](const Statement& said) { return said.kind == "unmodelled"; });
+  return std::any_of(statements.begin(), statements.end(), is_of_unmodelled);
 }
 
 bool SuiteRun::all_ran() const {

@@ -20,4 +20,10 @@ std::string plain_text(std::string_view text) {
 
 std::string with_unit(const std::string& label, const std::string& unit) { return label + " [" + unit + "]"; }
 
+std::string signed_text(std::string text) {
+  const bool is_negative = text.size() > 1 && text[0] == '-' && (text[1] == '.' || (text[1] >= '0' && text[1] <= '9'));
+  if (is_negative) text.replace(0, 1, "−");
+  return text;
+}
+
 }  // namespace bentur

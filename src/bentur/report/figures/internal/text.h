@@ -11,4 +11,7 @@ namespace bentur {
 /// "Force F [kgf]".
 [[nodiscard]] std::string with_unit(const std::string& label, const std::string& unit);
 
+/// "−0.4": a number with the sign for minus; another text as it is.
+[[nodiscard]] std::string signed_text(std::string text);
+
 }  // namespace bentur

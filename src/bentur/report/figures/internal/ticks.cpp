@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bentur/core/number_text.h"
+#include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
 
 namespace bentur {
@@ -26,12 +27,6 @@ double round_step(double step) {
 int exponent_of(double largest) {
   if (!(largest > 0) || (largest >= 1e-3 && largest < 1e5)) return 0;
   return 3 * static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
-}
-
-/// "−0.4": with the sign for minus.
-std::string signed_text(std::string text) {
-  if (text.starts_with("-")) text.replace(0, 1, "−");
-  return text;
 }
 
 /// Of the number digit · 10^exponent of a logarithmic axis.

@@ -11,12 +11,6 @@
 namespace bentur::html {
 namespace {
 
-/// With a minus sign in place of a hyphen.
-std::string shown_number(const std::string& cell) {
-  const bool is_negative = cell.size() > 1 && cell[0] == '-' && (cell[1] == '.' || (cell[1] >= '0' && cell[1] <= '9'));
-  return is_negative ? "\u2212" + cell.substr(1) : cell;
-}
-
 constexpr const char* no_unit = "\xC2\xA0";  // a space that keeps the line
 
 }  // namespace
@@ -106,12 +100,12 @@ Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
       if (&column == &columns_.front() && row < titles_.size()) {
         attributes_of_cell += " title=\"" + Html::text(titles_[row]).str() + "\"";
       }
-      if (as_cards)
-        attributes_of_cell +=
-            " data-head=\"" +
-            Html::text(column.unit.empty() ? column.name : with_unit(column.name, column.unit)).str() + "\"";
+      if (as_cards) {
+        const std::string heading = column.unit.empty() ? column.name : with_unit(column.name, column.unit);
+        attributes_of_cell += " data-head=\"" + Html::text(heading).str() + "\"";
+      }
       line +=
-          element("td", column.numeric ? shown_number(column.cells.at(row)) : column.cells.at(row), attributes_of_cell);
+          element("td", column.numeric ? signed_text(column.cells.at(row)) : column.cells.at(row), attributes_of_cell);
     }
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
     body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");

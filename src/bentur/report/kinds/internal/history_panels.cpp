@@ -246,8 +246,7 @@ void name_value(std::vector<Panel>& panels, double x, double y, const std::strin
   if (found == panels.rend()) return;
   constexpr double edge = 0.15;  // of the panel, where a value in the middle has no room
   const double part = (x - *found->x.from) / (*found->x.to - *found->x.from);
-  const std::string shown = text.starts_with("-") ? "−" + text.substr(1) : text;
-  found->texts.push_back({x, y, shown,
+  found->texts.push_back({x, y, signed_text(text),
                           part < edge       ? PlaceText::Side::right
                           : part > 1 - edge ? PlaceText::Side::left
                                             : PlaceText::Side::above});

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bentur/report/kinds/kinds.h"
@@ -31,6 +34,13 @@ std::vector<FigureKind> kinds_of(const Table& table, const Run& run) {
     if (kind.is_there(run)) kinds.push_back({kind.name, kind.shows, kind.tells(run), kind.over_time});
   }
   return kinds;
+}
+
+/// Whether a kind shows one place between two buildings.
+inline bool is_of_a_place(const std::string& kind) {
+  constexpr std::string_view all[] = {"overview", "scene", "displacement", "opening",
+                                      "orbit",    "force", "impact",       "loop"};
+  return std::find(std::begin(all), std::end(all), kind) != std::end(all);
 }
 
 template <class Table>

@@ -112,9 +112,7 @@ Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOpti
     if (kind != one.name) continue;
     Figure figure = one.make(run, options);
     figure.title = figure_title(options.language, caption_key(kind, true), std::move(figure.title));
-    constexpr std::string_view of_a_place[] = {"overview", "scene", "displacement", "opening", "orbit", "force"};
-    const bool is_of_one = std::find(std::begin(of_a_place), std::end(of_a_place), kind) != std::end(of_a_place);
-    if (is_of_one && !options.gap && !options.elevation) {
+    if (is_of_a_place(kind) && !options.gap && !options.elevation) {
       const Eigen::Index point = chosen_point(run, options);
       figure.part = place_text(gap_names(run.problem), judged_gaps(run), contact_at(run.problem, point).gap,
                                run.response.points[point].impacts > 0, options);
