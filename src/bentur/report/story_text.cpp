@@ -90,13 +90,13 @@ std::size_t first_sentence(std::string_view text) {
   constexpr std::size_t most = 180;
   const std::size_t stop = text.find(". ");
   const std::size_t end = stop == std::string_view::npos ? text.size() : stop + 1;
+  if (end <= most) return end;
   std::size_t lead = end;
-  for (std::size_t at = end; lead > most && at > 0; --at) {
-    const std::string_view before = text.substr(0, at);
-    const bool is_bracketed =
-        std::count(before.begin(), before.end(), '(') > std::count(before.begin(), before.end(), ')');
-    const bool ends_clause = !is_bracketed && std::string_view(",;:").find(text[at - 1]) != std::string_view::npos;
-    if (at <= most && ends_clause && at < text.size() && text[at] == ' ') lead = at;
+  int depth = 0;
+  for (std::size_t at = 0; at < most; ++at) {
+    depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+    const bool ends_clause = depth <= 0 && std::string_view(",;:").find(text[at]) != std::string_view::npos;
+    if (ends_clause && at + 1 < text.size() && text[at + 1] == ' ') lead = at + 1;
   }
   return lead;
 }
