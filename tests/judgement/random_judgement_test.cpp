@@ -71,7 +71,7 @@ GroundMotion scaled(GroundMotion motion, double factor) {
 }
 
 struct Judged {
-  long cases = 0, gaps = 0, enough = 0, small = 0, unknown = 0, twins = 0, at_need = 0;
+  long cases = 0, gaps = 0, enough = 0, small = 0, unknown = 0, twins = 0, at_need = 0, asked_more = 0;
 };
 
 /// Whether a run of the same with another motion meets somewhere; of one that does not end in its time nothing is said.
@@ -105,7 +105,7 @@ void examine_gap(const RunResults& run, Eigen::Index gap, const JudgedGap& one, 
 std::set<std::string> said(const Story& story) {
   std::set<std::string> kinds;
   for (Statement one : story.statements) {
-    if (one.severity == Severity::remark || one.kind.starts_with("rules")) continue;
+    if (one.severity == Severity::remark || one.kind.starts_with("rules") || one.kind == "asked_more") continue;
     if (one.kind == "pga_along") one.kind = "pga";
     kinds.insert(one.gap ? fmt::format("{} of gap {}", one.kind, *one.gap) : one.kind);
   }
@@ -141,6 +141,20 @@ void examine_twin(const Case& c, const RunResults& given, const std::vector<Judg
   }
   if (motion_left) return;
   EXPECT_EQ(said(run_story(run)), said(run_story(given)));
+}
+
+/// Where rules of thumb ask for more than a gap that is not found too small otherwise, a sentence says so.
+void examine_rules(const Story& story, const std::vector<JudgedGap>& judged, Judged& tally) {
+  const auto says = [&](const char* kind, std::size_t g) {
+    return std::any_of(story.statements.begin(), story.statements.end(), [&](const Statement& one) {
+      return one.kind == kind && one.gap == static_cast<Eigen::Index>(g);
+    });
+  };
+  for (std::size_t g = 0; g < judged.size(); ++g) {
+    const bool more = judged[g].judgement.value != Sufficiency::too_small && says("rules_short", g);
+    tally.asked_more += more ? 1 : 0;
+    EXPECT_EQ(says("asked_more", g), more) << "gap " << g;
+  }
 }
 
 void examine_judgements(unsigned seed, Judged& tally) {
@@ -187,6 +201,7 @@ void examine_judgements(unsigned seed, Judged& tally) {
       EXPECT_FALSE(one.kind == Reason::Kind::contact || one.kind == Reason::Kind::unmodelled) << word_of(one);
     }
   }
+  examine_rules(run_story(run), judged, tally);
   if (seed % 2 == 1)
     examine_twin(c, run, judged, tally);  // rows of every kind have struck columns, which plans have not
 }
@@ -206,6 +221,7 @@ TEST_P(RandomJudgements, NeverSayEnoughWhereBuildingsMeet) {
   EXPECT_GT(tally.enough, 0.1 * count);
   EXPECT_GT(tally.small, 0.2 * count);
   EXPECT_GT(tally.twins, 0.02 * count);
+  EXPECT_GT(tally.asked_more, 0.1 * count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, RandomJudgements, testing::Range(0U, parts_of_judgements));

@@ -2,7 +2,7 @@ import { Fragment } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import { main } from "./animation";
 import { gap, progress, result, slow } from "./case";
-import { Badges, badgesOf, headed, isGrave, toneOf } from "./heads";
+import { Badges, badgesOf, isGrave, toneOf } from "./heads";
 import { nameOf } from "./schema";
 import { type GapOverview, type ImpactRow, type Overview, type Result, type Said, schema } from "./solver";
 import { cancel, pinned, rough, stale } from "./state";
@@ -45,10 +45,10 @@ const mostInSight = 10; // gaps, as a report's table has the worst of them
  *  unless nothing else is to be told. */
 function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
-  const told = headed(overview.statements).filter((one) => one.severity !== "remark");
+  const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
   const pounds = told.some(isGrave), isOpen = pounds && !told.some((one) => toneOf(one) === " grave");
-  const isKnown = !headed(overview.statements).filter((one) => one.badge && one.kind !== "rules_short")[0]?.open; // else what it needs is part of the answer
+  const isKnown = !overview.statements.find((one) => one.badge)?.open; // else what it needs is part of the answer
   const isFolded = (one: Said) => !one.badge && (one.shown !== "sentence" || (one.severity === "finding" && isKnown && pounds));
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
   const folded = told.filter((one) => !ofGap(one) && isFolded(one));

@@ -288,17 +288,18 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
   const std::string& length = facts.c.units.length;
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   Statement all{.kind = "rules", .gap = gap, .buildings = buildings_of(facts.problem, gap)};
-  Statement too_close = all, too_small = all, silent = all;
+  Statement too_close = all, too_small = all, silent = all, more = all;
   too_close.kind = "rules_short";
+  more.kind = "asked_more";
   too_small.kind = "rules_understate";
   silent.kind = "rules_silent";
-  if (!judged_of(facts, gap).is_enough()) {
-    all.kind = "rules_less";
-  }
+  const Sufficiency judged = judged_of(facts, gap).value;
+  if (judged != Sufficiency::enough) all.kind = "rules_less";
+  if (judged == Sufficiency::unknown) more.severity = Severity::warning;
   for (const RuleFinding& found : findings_of(facts, levels, gap)) {
     const StoryValue title = text_of("rule", found.title);
     // Rules of thumb do not decide.
-    const bool decides = find_code_rule(found.rule) != nullptr || !judged_of(facts, gap).is_enough();
+    const bool decides = find_code_rule(found.rule) != nullptr || judged != Sufficiency::enough;
     if (found.is_short && decides) too_close.severity = Severity::warning;
     const bool understates = found.lacks && facts.response != nullptr;
     if (found.at) {
@@ -314,9 +315,11 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
       too_small.items.push_back({title, value_in("gap", found.most, length), value_in("lacks", *found.lacks, length)});
     }
   }
+  if (judged != Sufficiency::too_small) more.items = too_close.items;  // else it is too small by what decides
   tell_levels_once(too_close);
+  tell_levels_once(more);
   tell_levels_once(all);
-  for (Statement* const statement : {&too_close, &all, &too_small, &silent}) {
+  for (Statement* const statement : {&more, &too_close, &all, &too_small, &silent}) {
     if (!statement->items.empty()) statements.push_back(std::move(*statement));
   }
   tell_assumed(facts.c.code, static_cast<std::size_t>(gap), statements);

@@ -25,7 +25,7 @@ enum class Severity {
 /// Whether a verdict with such a statement is a warning.
 [[nodiscard]] inline bool is_grave(Severity severity) { return severity <= Severity::warning; }
 /// Whether a statement of this kind says that something is not known, which is no danger yet.
-[[nodiscard]] inline bool is_open(std::string_view kind) { return kind.ends_with("not_known"); }
+[[nodiscard]] inline bool is_open(std::string_view kind) { return kind.ends_with("not_known") || kind == "asked_more"; }
 
 /// What fills a {name} in the text of a statement.
 struct StoryValue {
