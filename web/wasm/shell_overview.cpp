@@ -8,7 +8,6 @@
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/version.h"
-#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_row.h"
@@ -51,18 +50,16 @@ Json list(const Eigen::VectorXd& values) {
   return all;
 }
 
-/// Of a gap by a spectrum.
-GoverningLevel governing(const SpectralGaps& spectral, Eigen::Index gap) {
-  std::vector<LevelSeparation> levels = spectral.levels;
-  std::erase_if(levels, [&](const LevelSeparation& one) { return one.level.gap != gap; });
-  return governing_level(levels, 0).value_or(GoverningLevel{});
-}
-
-/// The widths that a slider marks: what the motion needs in the other direction, and what rules ask at most, ascending.
-Json marks_of(const GapFacts& facts, const Words& say) {
+/// Of a gap what a slider shows: the width needed, the larger of both directions of the motion, and as marks,
+/// ascending, what the other direction needs and what rules ask at most.
+Json gap_overview(const std::string& name, double width, const GapFacts& facts, const Words& say) {
+  const GoverningNeed need = governing_need(facts).value_or(GoverningNeed{});
+  const auto of_gap = [&](const std::optional<double>& here) { return here ? need.at.of_gap(*here) : not_known; };
+  const double given = of_gap(need.given.needed), reversed = of_gap(need.reversed.needed);
+  const bool is_reversed = reversed > given || std::isnan(given);
   std::vector<std::pair<double, std::string>> marks;
-  if (const auto need = governing_need(facts); need && need->reversed.needed) {
-    marks.emplace_back(*need->reversed.needed, say("records.reversed"));
+  if (!std::isnan(given) && !std::isnan(reversed)) {
+    marks.emplace_back(std::min(given, reversed), say(is_reversed ? "records.as_given" : "records.reversed"));
   }
   for (const RuleFinding& one : facts.rules) {
     if (one.at && std::isfinite(one.most)) marks.emplace_back(one.most, one.title);
@@ -70,16 +67,17 @@ Json marks_of(const GapFacts& facts, const Words& say) {
   std::sort(marks.begin(), marks.end());
   Json all = Json::array();
   for (const auto& [at, name] : marks) all.push_back({{"at", at}, {"name", name}});
-  return all;
+  return {{"name", name},
+          {"width", width},
+          {"needed", number_or_null(is_reversed ? reversed : given)},
+          {"marks", std::move(all)}};
 }
 
-Json gap_overview(const std::string& name, double width, double needed, const GapFacts& facts, const Words& say) {
-  return {{"name", name}, {"width", width}, {"needed", number_or_null(needed)}, {"marks", marks_of(facts, say)}};
-}
-
-Json gap_overview(const Problem& problem, Eigen::Index gap, const GoverningLevel& found, const GapFacts& facts,
-                  const Words& say) {
-  return gap_overview(gap_name(problem, gap), found.width, found.gap_needed, facts, say);
+/// Of a row, whose gap may be of another width at each level: the width where it falls short the most.
+Json gap_overview(const Problem& problem, const Gap& gap, const std::vector<JudgedGap>& judged, const Words& say) {
+  const GapFacts& facts = judged.at(static_cast<std::size_t>(gap.number)).facts;
+  return gap_overview(gap_name(problem, gap.number), governing_need(facts).value_or(GoverningNeed{}).at.width, facts,
+                      say);
 }
 
 /// What moves where a gap in plan becomes wider by one: each building with the corner of its footprint, along `by`;
@@ -211,9 +209,7 @@ Json plan_overview(const PlanRun& run, const Words& say) {
   Json gaps = Json::array(), buildings = Json::array(), points = Json::array(), impacts = Json::array();
   const std::vector<JudgedGap> judged = judged_gaps(run);
   for (std::size_t g = 0; g < names.size(); ++g) {
-    const auto found = governing_level(run, g);
-    gaps.push_back(gap_overview(names[g], problem.gaps[g].stretch.width, found ? found->gap_needed : not_known,
-                                judged.at(g).facts, say));
+    gaps.push_back(gap_overview(names[g], problem.gaps[g].stretch.width, judged.at(g).facts, say));
     gaps.back()["movers"] = movers_of(problem, g);
   }
   for (const PlanBuilding& building : problem.buildings) {
@@ -262,8 +258,7 @@ std::string Studio::overview(const std::string& language) const {
     if (spectral_) {
       const std::vector<JudgedGap> judged = judged_gaps(*case_, *problem_, *spectral_);
       for (const Gap& gap : gaps_of(*problem_)) {
-        gaps.push_back(
-            gap_overview(*problem_, gap.number, governing(*spectral_, gap.number), judged.at(gap.number).facts, say));
+        gaps.push_back(gap_overview(*problem_, gap, judged, say));
       }
       Json all = overview_of(case_->title, case_->units, problem_->duration, gaps, names_of(*problem_),
                              spectral_story(*case_, *problem_, *spectral_), say);
@@ -274,8 +269,7 @@ std::string Studio::overview(const std::string& language) const {
     const RunResults& run = *run_;
     const std::vector<JudgedGap> judged = judged_gaps(run);
     for (const Gap& gap : gaps_of(run.problem)) {
-      gaps.push_back(gap_overview(run.problem, gap.number, gap_outcome(run.problem, run.response, gap.number).governing,
-                                  judged.at(gap.number).facts, say));
+      gaps.push_back(gap_overview(run.problem, gap, judged, say));
     }
     Json points = Json::array();
     for (const ContactPoint& point : run.problem.points) {

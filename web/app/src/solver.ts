@@ -25,7 +25,7 @@ export interface Histories {
   /** By what is told of floors, of a row displacement, drift and shear. */
   buildings: Record<string, Float64Array[]>[];
 }
-/** `marks`: widths beside the one needed, of the motion reversed and of rules. `movers`: in plan the buildings that move where
+/** `needed`: the larger of both directions of the motion. `marks`: widths beside it, of the other direction and of rules. `movers`: in plan the buildings that move where
  *  it becomes wider, with the corners that they were run with, along which direction, and whom they meet after how much. */
 export interface GapOverview {
   name: string; width: number; needed: number | null; marks?: { at: number; name: string }[];

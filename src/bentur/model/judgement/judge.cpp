@@ -188,8 +188,7 @@ Judgement judge(const GapFacts& facts) {
 
 std::optional<GoverningNeed> governing_need(const GapFacts& facts) {
   const auto lacks = [&](const LevelFacts& level) {
-    const std::optional<double>& need = level.given.need ? level.given.need : level.reversed.need;
-    return need.value_or(0) - level.at.width;
+    return std::max(level.given.need.value_or(0), level.reversed.need.value_or(0)) - level.at.width;
   };
   const auto worst = std::max_element(facts.levels.begin(), facts.levels.end(),
                                       [&](const LevelFacts& a, const LevelFacts& b) { return lacks(a) <= lacks(b); });

@@ -181,6 +181,10 @@ TEST(Judge, OfSeveralLevelsTheWorst) {
   EXPECT_EQ(governing->at.elevation, 6);
   EXPECT_TRUE(governing->given.is_short);
   EXPECT_FALSE(governing->reversed.is_short);
+  facts.levels[0].reversed.need = 0.058;  // 0.008 more, by the motion reversed
+  EXPECT_EQ(governing_need(facts)->at.elevation, facts.levels[0].at.elevation);
+  EXPECT_TRUE(governing_need(facts)->reversed.is_short);
+  facts.levels[0].reversed.need.reset();
   facts.levels[0].given.impacts = 2;
   facts.levels[0].given.peak_force = 5;
   facts.levels[1].given.impacts = 4;
