@@ -322,7 +322,7 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
   const key = `${one.name}|${loads.value}|${overview.units.length}`;
   const marks = one.marks ?? [], furthest = Math.max(width.value, one.needed, ...marks.map(({ at }) => at));
   if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2)) };
-  const span = Math.min(most.current.value, place.most), step = 10 ** Math.floor(Math.log10(span / 200)), share = (at: number) => Math.min(1, at / span);
+  const span = Math.min(most.current.value, place.most), step = 10 ** Math.floor(Math.log10(span / 60)), share = (at: number) => Math.min(1, at / span);
   const isNear = (one: number, other: number) => one - other < 0.06 * span; // as wide as a number on a telephone
   // Numbers of marks that stand together stand above the first of them.
   const numbers = marks.map(({ at }, i) => i > 0 && isNear(at, marks[i - 1].at) ? "" : marks.map((_, k) => k + 1)
