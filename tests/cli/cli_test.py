@@ -947,6 +947,16 @@ class Modes(CommandLine):
 
 
 class Gap(CommandLine):
+    def test_several_gaps_have_one_sentence_of_rules_and_the_larger_need(self):
+        for example in "row-of-three", "plan/crossroads":
+            text = " ".join(self.done("gap", SOURCE / f"examples/{example}.toml").stdout.split("What else is known")[0].split())
+            self.assertEqual(text.count("would be less than this motion needs"), 1)
+            gaps = json.loads(self.done("gap", SOURCE / f"examples/{example}.toml", "--json").stdout)["gaps"]
+            short = {way: max(p[way] - p["width"] for gap in gaps for p in gap["points"])
+                     for way in ("gap_needed", "gap_needed_reversed")}
+            says = "the same motion reversed would need" in text
+            self.assertEqual(says, short["gap_needed_reversed"] > short["gap_needed"], example)
+
     def test_table_and_json(self):
         case = self.written("m12-el-centro")
         text = self.done("gap", case).stdout

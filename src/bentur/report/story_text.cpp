@@ -189,6 +189,7 @@ SaidTable said(const StoryTable& table, const Words& say) {
                                                               : text);
       }
     }
+    for (const std::size_t row : column.at_most) shown.cells.at(row).insert(0, "≤ ");
     result.are_numbers.push_back(column.texts.empty() || column.are_counts);
     result.columns.push_back(std::move(shown));
   }

@@ -62,6 +62,8 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     needed.numbers.push_back(facts_of_level.given.need ? shown(one->gap_needed) : not_known);
     const std::optional<double>& other = facts_of_level.reversed.need;
     reversed.numbers.push_back(other ? shown(*other) : not_known);
+    if (is_bound(facts, level, facts_of_level.given.need)) needed.at_most.push_back(needed.numbers.size() - 1);
+    if (is_bound(facts, level, other)) reversed.at_most.push_back(reversed.numbers.size() - 1);
     abs.numbers.push_back(one->abs);
     srss.numbers.push_back(one->srss);
     ddc.numbers.push_back(shown(one->ddc));
@@ -292,6 +294,7 @@ void tell_rules(const GapView& facts, Eigen::Index gap, std::vector<Statement>& 
   too_close.kind = "rules_short";
   more.kind = "asked_more";
   too_small.kind = "rules_understate";
+  too_small.values = {text_of("more", "")};
   silent.kind = "rules_silent";
   const Sufficiency judged = judged_of(facts, gap).value;
   if (judged != Sufficiency::enough) all.kind = "rules_less";

@@ -271,6 +271,8 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     given.numbers.push_back(need.at.width);
     needed.numbers.push_back(need.given.needed.value_or(not_known));
     reversed.numbers.push_back(need.reversed.needed.value_or(not_known));
+    if (is_bound(view, need.at, need.given.needed)) needed.at_most.push_back(needed.numbers.size() - 1);
+    if (is_bound(view, need.at, need.reversed.needed)) reversed.at_most.push_back(reversed.numbers.size() - 1);
     const bool is_short = need.given.is_short || need.reversed.is_short;
     lacks.numbers.push_back(is_short ? lacking(need) : not_known);
     long count = 0;

@@ -102,6 +102,20 @@ void tell_worst_masses(const GapView& facts, Eigen::Index gap, const std::vector
 
 }  // namespace
 
+bool is_bound(const GapView& facts, const FacingLevel& level, const std::optional<double>& need) {
+  return facts.plan != nullptr && need && *need > 0 && *need == level.width;
+}
+
+void tell_bounds(const GapView& facts, std::vector<Statement>& statements) {
+  const auto has_bound = [&](const LevelFacts& level) {
+    return is_bound(facts, level.at, level.given.need) || is_bound(facts, level.at, level.reversed.need);
+  };
+  const bool some = std::any_of(facts.gaps.begin(), facts.gaps.end(), [&](const JudgedGap& one) {
+    return std::any_of(one.facts.levels.begin(), one.facts.levels.end(), has_bound);
+  });
+  if (some) statements.push_back({.kind = "needs_at_most", .severity = Severity::remark});
+}
+
 void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
   const std::vector<LevelSeparation> levels = of_gap(facts.levels, gap);
   const auto found = governing_level(levels, facts.scale(gap));

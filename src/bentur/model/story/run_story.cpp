@@ -292,19 +292,46 @@ void leave_to_tables(std::optional<Index> worst, std::vector<Statement>& stateme
       "rules_short",   "rules_silent",       "reversed_alone",          "reversed_enough"};
   for (Statement& one : statements) {
     if (one.severity == Severity::danger) continue;
+    const bool is_reversed = one.kind.starts_with("reversed_");
+    // Where the motion reversed needs the more, of many gaps that of the worst one.
+    if (is_reversed && is_grave(one.severity) && one.shown == Shown::sentence && (!worst || one.gap == worst)) continue;
     if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
-    if (one.kind == "rules_understate") one.shown = Shown::table;              // a note of the rules' rows
-    if (worst && one.kind.starts_with("reversed_")) one.shown = Shown::table;  // which has it of every gap
+    if (one.kind == "rules_understate") one.shown = Shown::table;  // a note of the rules' rows
+    if (worst && is_reversed) one.shown = Shown::table;            // which has it of every gap
     if (worst && one.gap && (*one.gap != *worst || one.kind.starts_with("pounding"))) one.shown = Shown::table;
   }
 }
 
-/// What the tables of a gap's levels and rules have.
-void leave_to_gap_tables(std::vector<Statement>& statements) {
+/// How much the rule that understates the most lacks.
+double most_lacking(const Statement& statement) {
+  double most = 0;
+  for (const auto& item : statement.items) {
+    for (const StoryValue& value : item) {
+      if (value.name == "lacks") most = std::max(most, std::get<double>(value.value));
+    }
+  }
+  return most;
+}
+
+/// What the tables of a gap's levels and rules have. @param many of many gaps one sentence has the worst of its kind
+void leave_to_gap_tables(bool many, std::vector<Statement>& statements) {
   for (Statement& one : statements) {
     const bool is_level = one.kind.starts_with("reversed_") && one.shown == Shown::row;
     if (is_level || one.kind.starts_with("rules")) one.shown = Shown::table;
-    if (one.kind == "rules_understate") one.shown = Shown::sentence;
+    if (one.kind == "rules_understate") one.shown = many ? Shown::table : Shown::sentence;
+  }
+  if (!many) return;
+  Statement* worst = nullptr;
+  long others = -1;
+  for (Statement& one : statements) {
+    if (one.kind != "rules_understate") continue;
+    ++others;
+    if (worst == nullptr || most_lacking(one) > most_lacking(*worst)) worst = &one;
+  }
+  if (worst == nullptr) return;
+  worst->shown = Shown::sentence;
+  if (others > 0) {
+    worst->values = {word_of("more", "story.rules_understate_more"), count_of("others", others)};
   }
 }
 
@@ -350,6 +377,7 @@ Story story_of(const AnyRun& run) {
   tell_yielding(run, told.statements);
   story::tell_hinges(run, told);
   tell_links(run.problem, run.response.links, shown_units(run), run.c.units.length, told.statements);
+  tell_bounds(view, told.statements);
   tell_motion(run, told.statements);
   tell_what_is_modelled(told.statements);
   tell_hardest(told.statements);
@@ -377,12 +405,13 @@ Story story_of_gaps(const AnyRun& run) {
   for (std::size_t g = 0; g < view.gaps.size(); ++g) tell_gap(run, view, g, told.statements);
   for (StoryTable& one : tables_of(view)) told.tables.push_back(std::move(one));
   if constexpr (is_in_plan<AnyRun>) tell_pairs_without_contact(run, told.statements);
+  tell_bounds(view, told.statements);
   tell_motion(run, told.statements);
   tell_what_is_modelled(told.statements);
   tell_hardest(told.statements);
   leave_to_tables(worst, told.statements);
   rank_gaps(view, told.statements);
-  leave_to_gap_tables(told.statements);
+  leave_to_gap_tables(worst.has_value(), told.statements);
   tell_remarks(run, told);
   return told;
 }

@@ -68,13 +68,14 @@ struct Statement {
 
 /// A column of a table: numbers, names, or words of the catalogue.
 struct StoryColumn {
-  std::string label;                    ///< key of its heading, or where the catalogue has none the heading itself
-  std::string unit = {};                ///< empty: none
-  std::vector<double> numbers = {};     ///< NaN: there is none
-  std::vector<std::string> texts = {};  ///< in place of numbers
-  bool are_words = false;               ///< the texts are keys of the catalogue, or empty
-  bool are_counts = false;              ///< the texts are counts and shares, set as numbers are
-  int digits = 4;                       ///< of the largest number
+  std::string label;                      ///< key of its heading, or where the catalogue has none the heading itself
+  std::string unit = {};                  ///< empty: none
+  std::vector<double> numbers = {};       ///< NaN: there is none
+  std::vector<std::string> texts = {};    ///< in place of numbers
+  bool are_words = false;                 ///< the texts are keys of the catalogue, or empty
+  bool are_counts = false;                ///< the texts are counts and shares, set as numbers are
+  int digits = 4;                         ///< of the largest number
+  std::vector<std::size_t> at_most = {};  ///< rows of which the number is an upper bound, shown with ≤
 };
 
 struct StoryTable {

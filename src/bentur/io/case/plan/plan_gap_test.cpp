@@ -272,6 +272,48 @@ TEST(PlanGaps, SayWhereAFloorMeetsAnEdge) {
   EXPECT_THROW((void)row_of(run), InvalidParameter);
 }
 
+/// Corner to corner they touch where both edges close; the motion is along x alone, so that along y there is no need.
+TEST(PlanGaps, KnowOfEdgesThatNeverCloseTogetherOnlyABound) {
+  const auto bounds = [](const std::string& corner) {
+    const PlanRun run = test::told_plan_run(with_piece(R"(
+[units]
+length = "m"
+force = "kN"
+[plan]
+clearance = 0.1
+contact = { law = "linear", stiffness = 4e5 }
+[[building]]
+name = "A"
+damping = 0.05
+plan = { corner = [0, 0], size = [10, 10], storey_heights = [3], masses = [100] }
+rigidity = { centre = [5, 5], x = 4e4, y = 4e4, torsion = 2e6 }
+[[building]]
+name = "B"
+damping = 0.05
+plan = { corner = [10.03, CORNER], size = [10, 10], storey_heights = [3], masses = [100] }
+rigidity = { centre = [5, 5], x = 9e4, y = 9e4, torsion = 4e6 }
+[excitation]
+kind = "harmonic"
+period = 0.3
+displacement_amplitude = 0.02
+[analysis]
+duration = 2
+)",
+                                                       "CORNER", corner));
+    const Story story = gap_story(run);
+    std::vector<std::size_t> rows;
+    for (const StoryTable& table : story.tables) {
+      for (const StoryColumn& column : table.columns) {
+        if (column.label == "column.simulated") rows.insert(rows.end(), column.at_most.begin(), column.at_most.end());
+      }
+    }
+    EXPECT_EQ(story_tells(story, "needs_at_most"), !rows.empty());
+    return rows;
+  };
+  EXPECT_FALSE(bounds("10.03").empty());
+  EXPECT_TRUE(bounds("0").empty());
+}
+
 /// What is unusual of levels that meet, as of rows.
 TEST(PlanGaps, AreRemarkedOnAsThoseOfRows) {
   const auto remarked = [](const std::string& text, const std::string& key) {

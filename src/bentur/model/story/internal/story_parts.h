@@ -60,6 +60,10 @@ template <class... Values>
 [[nodiscard]] const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation, bool cut);
 /// The gap needed and given where it falls short the most, in this motion and the reversed one, or by the spectrum.
 void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements);
+/// Whether a need is known only as no more than what is given: in plan where edges never all close at once, (P-6).
+[[nodiscard]] bool is_bound(const GapView& facts, const FacingLevel& level, const std::optional<double>& need);
+/// What such needs are, once for all gaps.
+void tell_bounds(const GapView& facts, std::vector<Statement>& statements);
 /// What is said first of a gap: that its buildings collide, that it is too small, that this is not known and why, or
 /// that they stay apart. @param hit tells of contact in the run; it is called where there is some
 void tell_judgement(const GapView& view, Eigen::Index gap, const std::function<void(Statement)>& hit,
