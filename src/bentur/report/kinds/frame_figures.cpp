@@ -99,13 +99,6 @@ class Diagram {
   double scale_;
 };
 
-/// The largest of 1, 2 and 5 times a power of ten that is not above a positive value.
-double at_most_125(double value) {
-  const double decade = std::pow(10, std::floor(std::log10(value)));
-  constexpr double round_off = 1 + 1e-9;
-  return decade * (5 * decade <= value * round_off ? 5 : 2 * decade <= value * round_off ? 2 : 1);
-}
-
 /// What a round number is drawn as, below the frame: the largest that some force drawn to this scale reaches.
 /// @param scale [length per unit shown] @param most the largest of these forces, as it is shown
 /// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there;

@@ -22,6 +22,7 @@
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/plan/plan_animation.h"
+#include "bentur/report/scene/names.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -295,7 +296,11 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   if (!run.response.points.empty()) {
     std::vector<std::string> names;
     for (const PlanBuilding& building : run.problem.buildings) names.push_back(building.name);
-    motion = html::motion_section(say, run.c.units.length, html::numbered(names), html::MotionView::plan);
+    const std::vector<std::string> in_short = short_names(names);
+    const bool are_said = std::equal(names.begin(), names.end(), in_short.begin(),
+                                     [](const auto& name, const auto& one) { return name.ends_with(one); });
+    motion =
+        html::motion_section(say, run.c.units.length, are_said ? "" : html::numbered(names), html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
   html::PageBody body{

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bentur {
+
+/// What buildings are called where there is little room: their names without the words with which all of them begin,
+/// "5.5" of House 5.5; where even these are long, or two are alike, their numbers from 1.
+[[nodiscard]] std::vector<std::string> short_names(const std::vector<std::string>& names);
+
+}  // namespace bentur
