@@ -44,6 +44,7 @@ inline constexpr Tone building_tones[] = {Tone::blue,  Tone::orange, Tone::green
 
 constexpr double column_width = 8.8;  ///< of a journal [cm]
 constexpr double page_width = 17;     ///< [cm]
+constexpr double page_height = 22;    ///< what a figure of many panels is no higher than [cm]
 
 /// The texts of figures in another language, given the English ones; empty: these.
 using FigureWords = std::function<std::string(std::string_view)>;

@@ -237,8 +237,11 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   for (const FrameForces* frame : frames) {
     storeys = std::max(storeys, run.problem.buildings[frame->building].model.floors());
   }
-  const double height = figure.width * (options.narrow ? 1 : column_width / page_width) *
-                        std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
+  constexpr double title = 0.8;  // with what is free between two rows [cm]
+  const auto columns = static_cast<std::size_t>(figure.columns), rows = (2 * frames.size() + columns - 1) / columns;
+  const double height = std::min(figure.width * (options.narrow ? 1 : column_width / page_width) *
+                                     std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95),
+                                 page_height / static_cast<double>(rows) - title);
   constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
   const double width = figure.width / figure.columns - between;
   const double factor = shown_factor(run, carried.form);
