@@ -68,7 +68,9 @@ TEST(ManyBuildings, HaveTheirNamesBelowThemAndNotInTheLegend) {
       std::vector<double> ends(3, -INFINITY);  // of what stands already in each line, or beside it where it is upright
       for (std::size_t i = 0; i < placed.x.labels.size(); ++i) {
         const auto& [at, text] = placed.x.labels[i];
-        EXPECT_EQ(text, row().problem.buildings[i].name);
+        const std::string& name = row().problem.buildings[i].name;
+        const bool is_short = text == std::to_string(i + 1) && name.ends_with(text) && placed.x.lines == 1;
+        EXPECT_TRUE(text == name || is_short) << text;
         const double middle = placed.left + along(placed.x, at) * (placed.right - placed.left);
         const double half = (placed.x.upright ? 0.85 * line_height : text_width(text)) / 2;
         double& end = ends.at(i % static_cast<std::size_t>(placed.x.lines));

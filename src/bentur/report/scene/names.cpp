@@ -30,4 +30,9 @@ std::vector<std::string> short_names(const std::vector<std::string>& names) {
   return all;
 }
 
+bool are_parts_of(const std::vector<std::string>& in_short, const std::vector<std::string>& names) {
+  return std::equal(names.begin(), names.end(), in_short.begin(), in_short.end(),
+                    [](const std::string& name, const std::string& one) { return name.ends_with(one); });
+}
+
 }  // namespace bentur

@@ -9,4 +9,7 @@ namespace bentur {
 /// "5.5" of House 5.5; where even these are long, or two are alike, their numbers from 1.
 [[nodiscard]] std::vector<std::string> short_names(const std::vector<std::string>& names);
 
+/// Whether short names are such parts of names, and no numbers in their place, which would have to be explained.
+[[nodiscard]] bool are_parts_of(const std::vector<std::string>& in_short, const std::vector<std::string>& names);
+
 }  // namespace bentur

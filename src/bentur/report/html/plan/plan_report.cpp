@@ -296,9 +296,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   if (!run.response.points.empty()) {
     std::vector<std::string> names;
     for (const PlanBuilding& building : run.problem.buildings) names.push_back(building.name);
-    const std::vector<std::string> in_short = short_names(names);
-    const bool are_said = std::equal(names.begin(), names.end(), in_short.begin(),
-                                     [](const auto& name, const auto& one) { return name.ends_with(one); });
+    const bool are_said = are_parts_of(short_names(names), names);
     motion =
         html::motion_section(say, run.c.units.length, are_said ? "" : html::numbered(names), html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
