@@ -44,6 +44,7 @@ inline constexpr Tone building_tones[] = {Tone::blue,  Tone::orange, Tone::green
 
 constexpr double column_width = 8.8;  ///< of a journal [cm]
 constexpr double page_width = 17;     ///< [cm]
+constexpr double page_height = 22;    ///< what a figure of many panels is no higher than [cm]
 
 /// The texts of figures in another language, given the English ones; empty: these.
 using FigureWords = std::function<std::string(std::string_view)>;
@@ -102,12 +103,15 @@ struct HeatMap {
 
 /// One axis of a panel.
 struct Axis {
-  std::string label = {};                    ///< with symbol and unit; empty: that of a neighbouring panel serves
+  /// With symbol and unit; empty: that of a neighbouring panel serves. That of one panel for a row of three or more
+  /// whose axes have numbers stands below the middle of the row.
+  std::string label = {};
   std::optional<double> from = {}, to = {};  ///< where the axis ends; by default round numbers beyond the data
   bool logarithmic = false;
   /// Of the places 0, 1, 2, …, where these are not numbers; of a picture to scale below it, at `places`.
   std::vector<std::string> names = {};
-  std::string number = "number";    ///< what its label calls the numbers that stand for names without room
+  std::vector<std::string> short_names = {};  ///< below a picture, where the names have no room in one line
+  std::string number = "number";              ///< what its label calls the numbers that stand for names without room
   std::vector<double> places = {};  ///< where its numbers stand if there is room for all; else round numbers do
   bool numbers = true;              ///< has numbers; else those of a neighbouring panel serve
   /// What an axis without ends of its own shows at least, so that round-off does not look like a finding.

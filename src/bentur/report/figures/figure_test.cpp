@@ -375,6 +375,25 @@ TEST(Layout, AUnitStaysWithItsNumber) {
   }
 }
 
+/// Of four side by side one has the label for all: below the middle of the row, in one line, though it is broader than
+/// a panel. Of axes that differ each has its own below it.
+TEST(Layout, ALabelForAllOfARowStandsBelowItsMiddle) {
+  Figure figure;
+  figure.columns = 4;
+  figure.width = page_width;
+  for (int i = 0; i < 4; ++i) figure.panels.push_back(simple("").panels.front());
+  for (Panel& panel : figure.panels) panel.x.label = "";
+  figure.panels[2].x.label = "Amplification of the largest displacement by contact [-]";
+  Layout placing = layout(figure);
+  EXPECT_NEAR(placing.panels[2].x_label_x, (placing.panels.front().left + placing.panels.back().right) / 2, 1e-9);
+  EXPECT_EQ(placing.panels[2].x_label.size(), 1U);
+  figure.panels[0].x.label = figure.panels[2].x.label = "Time [s]";
+  placing = layout(figure);
+  for (const int i : {0, 2}) {
+    EXPECT_NEAR(placing.panels[i].x_label_x, (placing.panels[i].left + placing.panels[i].right) / 2, 1e-9) << i;
+  }
+}
+
 TEST(Layout, NumbersOfAnAxisDoNotTouch) {
   for (double high = 0.00011; high < 1e8; high *= 2.3) {
     Panel panel;

@@ -12,6 +12,7 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/report/html/report.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/suite_report.h"
 #include "bentur/study/suite/suite_hand_in.h"
@@ -300,7 +301,18 @@ TEST(HandIn, OfASuiteTheHardestImpactIsDrawn) {
   const std::string page = suite_report_html(run, gaps.value(), {.version = "0"});
   const std::string drawn = page.substr(page.find("class=\"overview\""));
   EXPECT_TRUE(holds(page, "The hardest impact of all records, under "));
+  EXPECT_TRUE(holds(page, "DDC is not evaluated for Office | Hotel: links tie the buildings"));
   EXPECT_TRUE(holds(drawn, ": peak " + number_of("force") + " kN")) << number_of("force");
+}
+
+/// Lines across the spectra are the first periods, with whose they are.
+TEST(HandIn, SpectraOfASuiteNameThePeriodsOfTheBuildings) {
+  const Case c = case_of(case_to_hand_in("two-real-buildings/record", ""), "/examples/two-real-buildings/");
+  const std::vector<RuleLine> rules = suite_figure(*c.excitation.suite, c.units, {}).panels.front().rules;
+  ASSERT_EQ(rules.size(), 2U);
+  EXPECT_EQ(rules[0].label, "T₁ of Office");
+  EXPECT_EQ(rules[1].label, "T₁ of Hotel");
+  EXPECT_NE(rules[0].line, rules[1].line);
 }
 
 TEST(HandIn, WhatARecordDoesNotTellCountsAsNotMet) {

@@ -75,6 +75,12 @@ std::vector<double> first_modes(const Eigen::VectorXd& values) {
   return {values.begin(), values.begin() + std::min(values.size(), most_modes)};
 }
 
+/// "√t", "√(kgf·s²/cm)".
+std::string root_unit(const std::string& unit) {
+  const bool is_one = unit.find_first_of("·/") == std::string::npos;
+  return is_one ? "√" + unit : "√(" + unit + ")";
+}
+
 Html modes_table(const Building& building, const Report& report) {
   const Words& say = report.say;
   const ModalProperties properties = modal_properties(building);
@@ -89,8 +95,7 @@ Html modes_table(const Building& building, const Report& report) {
   table.add(say("column.period"), "s", first_modes(properties.periods));
   table.add(say("column.frequency"), "Hz", first_modes(properties.periods.cwiseInverse()));
   table.add(say("column.damping"), "%", first_modes(100 * damping));
-  table.add(say("column.participation"), "(" + mass_unit(report.c.units) + ")^½",
-            first_modes(properties.participation));
+  table.add(say("column.participation"), root_unit(mass_unit(report.c.units)), first_modes(properties.participation));
   table.add(say("column.effective_mass"), "%", first_modes(100 * properties.effective_mass_fraction));
   table.add(say("column.cumulative_mass"), "%", first_modes(100 * cumulative));
   Html content = element("h4", say("heading.modes")) + table.markup("class=\"modes\"");

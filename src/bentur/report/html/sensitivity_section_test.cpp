@@ -58,6 +58,7 @@ TEST(SensitivitySection, ItsPictureHasTheNumbersThatAGapChangesMostWith) {
   // Of both peaks a bar from zero to the elasticity.
   std::vector<double> ends, expected;
   for (const Curve& bar : panel.curves) {
+    if (bar.top.empty()) continue;  // the axis
     EXPECT_TRUE(bar.x.front() == 0 || bar.x.back() == 0);
     ends.push_back(bar.x.front() + bar.x.back());
   }
@@ -67,6 +68,18 @@ TEST(SensitivitySection, ItsPictureHasTheNumbersThatAGapChangesMostWith) {
       const auto number = std::find_if(found.numbers.begin(), found.numbers.end(),
                                        [&](const CaseNumber& one) { return one.path == text.text; });
       expected.push_back(found.elasticity(peak, static_cast<std::size_t>(number - found.numbers.begin())));
+    }
+  }
+  // The axis is beside bars alone, so that it strikes through no name.
+  const auto axis =
+      std::find_if(panel.curves.begin(), panel.curves.end(), [](const Curve& one) { return one.top.empty(); });
+  ASSERT_NE(axis, panel.curves.end());
+  EXPECT_TRUE(panel.rules.empty());
+  const PanelPlace place = placed_figure(figure, "").panels.front();
+  const double high = 0.15 * (96 / 2.54) * (place.y.second - place.y.first) / place.height;  // half a name
+  for (std::size_t i = 0; i + 1 < axis->y.size(); i += 3) {
+    for (const PlaceText& text : panel.texts) {
+      EXPECT_TRUE(text.y - high >= axis->y[i + 1] || text.y + high <= axis->y[i]) << text.text;
     }
   }
   std::sort(ends.begin(), ends.end());

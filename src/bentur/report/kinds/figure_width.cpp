@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bentur/report/figures/internal/layout.h"
+
 namespace bentur {
 namespace {
 
@@ -30,6 +32,20 @@ Figure stacked(Figure figure, double width) {
 
 }  // namespace
 
+void bound_height(Figure& figure, double most) {
+  constexpr double least = 1.7;  // of a frame [cm]
+  for (int tries = 0; tries < 4; ++tries) {
+    const double excess = layout(figure).height - most;
+    double frames = 0;  // of all rows
+    for (const Panel& panel : figure.panels) frames += panel.to_scale ? 0 : panel.height / figure.columns;
+    if (!(excess > 0) || !(frames > 0)) return;
+    for (Panel& panel : figure.panels) {
+      if (panel.to_scale || panel.height <= least) continue;
+      panel.height = std::max(least, panel.height * std::max(0.3, 1 - excess / frames));
+    }
+  }
+}
+
 Figure narrow_figure(const MakeFigure& make, FigureOptions options) {
   options.narrow = true;
   Figure figure = make(options);
@@ -40,11 +56,14 @@ Figure figure_of_width(const MakeFigure& make, FigureOptions options, double wid
   constexpr double round_off = 1e-9, of_two_columns = 12;  // [cm], room for two panels side by side [cm]
   options.width = width;
   Figure figure = make(options);
-  if (figure.width <= width + round_off) return figure;
-  if (width < of_two_columns) return narrow_figure(make, options);
-  options.width = width * column_width / page_width;  // of which a broad figure makes the whole
-  figure = make(options);
-  figure.width = width;  // but for round-off
+  if (figure.width > width + round_off && width < of_two_columns) {
+    figure = narrow_figure(make, options);
+  } else if (figure.width > width + round_off) {
+    options.width = width * column_width / page_width;  // of which a broad figure makes the whole
+    figure = make(options);
+    figure.width = width;  // but for round-off
+  }
+  bound_height(figure, page_height);
   return figure;
 }
 

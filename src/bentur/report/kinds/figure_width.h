@@ -14,7 +14,10 @@ using MakeFigure = std::function<Figure(const FigureOptions& options)>;
 [[nodiscard]] Figure narrow_figure(const MakeFigure& make, FigureOptions options);
 
 /// A figure `width` [cm] wide, which asks for no more than that even where it has panels beside one another; broader
-/// only where these belong together.
+/// only where these belong together. It is no higher than a page.
 [[nodiscard]] Figure figure_of_width(const MakeFigure& make, FigureOptions options, double width);
+
+/// Makes frames that are no pictures lower, as far as can be read, so that the figure is at most so high [cm].
+void bound_height(Figure& figure, double most);
 
 }  // namespace bentur

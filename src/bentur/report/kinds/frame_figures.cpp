@@ -99,12 +99,14 @@ class Diagram {
   double scale_;
 };
 
-/// What a round number is drawn as, about a centimetre, below the frame. @param scale [length per unit shown]
+/// What a round number is drawn as, below the frame: the largest that some force drawn to this scale reaches.
+/// @param scale [length per unit shown] @param most the largest of these forces, as it is shown
 /// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there;
 /// not_known: of others
-void add_scale(Panel& panel, double scale, double one_cm, const std::string& unit, double level, double middle) {
+void add_scale(Panel& panel, double scale, double most, double one_cm, const std::string& unit, double level,
+               double middle) {
   if (!(scale > 0)) return;
-  const double value = round_125(one_cm / scale);
+  const double value = at_most_125(most);
   const double length = scale * value, cap = 0.1 * one_cm;
   const bool is_below = !std::isnan(middle);
   const double from = is_below ? middle - length / 2 : 0, end = from + length;
@@ -163,8 +165,10 @@ std::string member_text(const FigureOptions& options, const Carried& carried, co
 struct Drawn {
   const FrameForces* frame = nullptr;
   double right = 0, top = 0;  ///< how far its members reach [length]
-  double reach = 0;           ///< of its largest force, a third of its shortest bay or storey [length]
+  double reach = 0;           ///< of its largest force [length]
   LargestForce then = {}, largest = {}, alone = {};
+  double scale = 0;  ///< of its forces [length per unit]
+  bool is_of_own_scale = false;
 
   [[nodiscard]] double most() const {
     return std::max({std::abs(then.value), std::abs(largest.value), std::abs(alone.value)});
@@ -182,7 +186,8 @@ Drawn drawn_of(const RunResults& run, const Carried& carried, const FrameForces&
   for (Eigen::Index f = model.first_storey(); f < model.floors(); ++f) {
     shortest = std::min(shortest, model.storey_heights[f]);
   }
-  Drawn drawn{.frame = &frame, .right = right, .top = top, .reach = shortest / 3};
+  // A third of the shortest bay or storey; of a tall frame more, so that it can be seen.
+  Drawn drawn{.frame = &frame, .right = right, .top = top, .reach = std::max(shortest / 3, 0.04 * top)};
   drawn.then.take(carried, frame, frame.instant);
   for (const FrameForces::Forces* one : {&frame.most, &frame.least}) drawn.largest.take(carried, frame, *one);
   if (run.response.impacts.empty()) return drawn;
@@ -190,6 +195,24 @@ Drawn drawn_of(const RunResults& run, const Carried& carried, const FrameForces&
     drawn.alone.take(carried, frame, *one);
   }
   return drawn;
+}
+
+/// Frames and what they carry have one scale, so that they can be compared; but what would be too small to be read has
+/// its own. @returns the largest force
+double choose_scales(std::vector<Drawn>& drawn) {
+  constexpr double too_small = 0.1;  // of the largest
+  double most = 0, scale = INFINITY;
+  for (const Drawn& one : drawn) most = std::max(most, one.most());
+  for (Drawn& one : drawn) {
+    if (!(one.most() > 0)) continue;
+    one.scale = one.reach / one.most();
+    one.is_of_own_scale = one.most() < too_small * most;
+    if (!one.is_of_own_scale) scale = std::min(scale, one.scale);
+  }
+  for (Drawn& one : drawn) {
+    if (one.most() > 0 && !one.is_of_own_scale) one.scale = scale;
+  }
+  return most;
 }
 
 Figure frame_figure(const RunResults& run, const FigureOptions& options, const Carried& carried) {
@@ -214,38 +237,41 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   for (const FrameForces* frame : frames) {
     storeys = std::max(storeys, run.problem.buildings[frame->building].model.floors());
   }
-  const double height = figure.width * (options.narrow ? 1 : column_width / page_width) *
-                        std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95);
+  constexpr double title = 0.8;  // with what is free between two rows [cm]
+  const auto columns = static_cast<std::size_t>(figure.columns), rows = (2 * frames.size() + columns - 1) / columns;
+  const double height = std::min(figure.width * (options.narrow ? 1 : column_width / page_width) *
+                                     std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95),
+                                 page_height / static_cast<double>(rows) - title);
   constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
   const double width = figure.width / figure.columns - between;
   const double factor = shown_factor(run, carried.form);
   const std::string unit = shown_unit(run, carried.form);
-  const double of_bar = figure.columns == 4 ? 0.5 : 0;  // its number, below it [cm]
-  // Frames and what they carry have one scale, so that they can be compared.
+  constexpr double number_and_bar = 1.1;                                  // below the frame [cm]
+  const double below = number_and_bar + (figure.columns == 4 ? 0.5 : 0);  // where the bar's number is below it [cm]
   std::vector<Drawn> drawn;
-  double low = 0, high = 0, one_cm = 0, scale = INFINITY;  // [length], but of scale [length per unit]
+  double high = 0, one_cm = 0;  // [length]
   for (const FrameForces* frame : frames) {
     drawn.push_back(drawn_of(run, carried, *frame));
-    low = std::min(low, -0.22 * drawn.back().top);  // with room for the bar
     high = std::max(high, drawn.back().high());
   }
   for (const Drawn& one : drawn) {
-    if (one.most() > 0) scale = std::min(scale, one.reach / one.most());
-    one_cm = std::max({one_cm, (high - low) / (height - of_bar), (one.right + 2.3 * one.reach) / width});
+    one_cm = std::max({one_cm, high / (height - below), (one.right + 2.3 * one.reach) / width});
   }
-  if (std::isinf(scale)) scale = 0;
-  const double bar = 0.77 * low;
-  low -= of_bar * one_cm;
+  const double most = choose_scales(drawn);
+  const double low = -below * one_cm, bar = -0.85 * one_cm;
+  const auto first = std::find_if(drawn.begin(), drawn.end(), [](const Drawn& one) { return !one.is_of_own_scale; });
+  const bool own_height = figure.columns < 4;  // of each row
+  const std::string own_scale = ", " + word(options, "own scale");
   for (const Drawn& one : drawn) {
     const FrameForces* const frame = one.frame;
     const Building& building = run.problem.buildings[frame->building];
     const auto [right, top] = std::pair(one.right, one.top);
     const LargestForce &then = one.then, &largest = one.largest, &alone = one.alone;
-    const Diagram diagram(carried, *frame, scale);
+    const Diagram diagram(carried, *frame, one.scale);
     const double beside = (one_cm * width - right) / 2;  // for numbers too
     Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
-                .y = {.from = low, .to = options.narrow ? one.high() : high, .numbers = false},
-                .height = options.narrow ? (one.high() - low) / one_cm : height,
+                .y = {.from = low, .to = own_height ? one.high() : high, .numbers = false},
+                .height = own_height ? (one.high() - low) / one_cm : height,
                 .to_scale = true};
     Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
     for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
@@ -265,18 +291,20 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       add_beside(of, x, y, number(factor * std::abs(force.value)) + " " + unit, one_cm);
     };
     Panel instant = panel;
-    if (figure.panels.empty()) {  // said once
-      add_scale(instant, scale / factor, one_cm, unit, bar, of_bar > 0 ? right / 2 : not_known);
+    if (one.is_of_own_scale || &one == &*first) {  // that of all others is said once
+      add_scale(instant, one.scale / factor, factor * (one.is_of_own_scale ? one.most() : most), one_cm, unit, bar,
+                figure.columns == 4 ? right / 2 : not_known);
     }
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
-                    word(options, "at {}", seconds_text(frame->time));
+                    word(options, "at {}", seconds_text(frame->time)) + (one.is_of_own_scale ? own_scale : "");
     instant.curves.push_back(
         diagram.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
     instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
     named(instant, then);
     figure.panels.push_back(std::move(instant));
 
-    panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
+    panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run") +
+                  (one.is_of_own_scale ? own_scale : "");
     if (has_impacts) {
       for (const FrameForces::Forces* of : {&frame->most_without_contact, &frame->least_without_contact}) {
         panel.curves.push_back(

@@ -152,7 +152,7 @@ TEST(FrameForces, PicturesDrawThemToOneScale) {
   const Figure figure = make_figure(run, "frame-moment");
   ASSERT_EQ(figure.panels.size(), 2 * run.figures.frames.size());
   const PanelPlace first = placed_figure(figure, "").panels.front();
-  double scale = 0, fullest = 0;  // the second of the room that a frame has for its largest
+  double scale = 0, largest = 0, fullest = 0;  // the last of the room that a frame has for its largest
   for (std::size_t f = 0; f < run.figures.frames.size(); ++f) {
     const FrameForces& frame = run.figures.frames[f];
     const std::vector<Curve>& curves = figure.panels[2 * f].curves;
@@ -184,6 +184,7 @@ TEST(FrameForces, PicturesDrawThemToOneScale) {
       }
     }
     EXPECT_GT(scale, 0);
+    largest = std::max({largest, most, alone});
     fullest = std::max(fullest, scale * std::max(most, alone) / (shortest / 3));
     const PanelPlace place = placed_figure(figure, "").panels[2 * f];
     const double one_cm = 96 / 2.54 * (place.x.second - place.x.first) / place.width;
@@ -193,12 +194,46 @@ TEST(FrameForces, PicturesDrawThemToOneScale) {
         << figure.finding;
   }
   EXPECT_NEAR(fullest, 1, 1e-9);
-  // A bar below the first frame is as long as the number beside it is drawn, about a centimetre.
+  // A bar below the first frame is as long as the number beside it is drawn, which some moment reaches.
   const PlaceText& bar = figure.panels.front().texts.front();
   EXPECT_NEAR(bar.x, scale * std::stod(bar.text), 1e-9) << bar.text;
   EXPECT_TRUE(bar.text.ends_with(" kN·m") && bar.y < 0);
-  const double drawn_cm = bar.x * first.width / (first.x.second - first.x.first) / (96 / 2.54);
-  EXPECT_TRUE(drawn_cm > 0.6 && drawn_cm < 1.6) << drawn_cm;
+  EXPECT_LE(std::stod(bar.text), largest);
+  EXPECT_GT(std::stod(bar.text), largest / 2.5);
+}
+
+/// Diagrams of forces of less than a tenth of another building's have a scale of their own, which the titles say, with
+/// a bar that some force of that building reaches; all others have one.
+TEST(FrameForces, SmallOnesHaveTheirOwnScale) {
+  std::string text = supported;
+  const std::size_t second = text.find("name = \"Bearings\"");
+  for (const char* const part :
+       {"0.3, depth = 0.4, density = 2.5 }]\nbeams", "0.3, depth = 0.4, density = 2.5 }]\nfloor"}) {
+    const std::size_t at = text.find(part, second);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 16, "0.1, depth = 0.1");
+  }
+  text.replace(text.find("calibrate_period = 0.5\n"), 23, "");
+  text.replace(text.find("[40.0, 40.0, 30.0]", second), 18, "[1.0, 1.0, 1.0]");
+  const RunResults run = test::drawn_run(text);
+  ASSERT_EQ(run.figures.frames.size(), 2U);
+  double most[] = {0, 0};
+  for (const FrameForces& frame : run.figures.frames) {
+    most[frame.building] = std::max(frame.most.moments.maxCoeff(), -frame.least.moments.minCoeff());
+  }
+  ASSERT_LT(most[1], 0.1 * most[0]);
+  const Figure figure = make_figure(run, "frame-moment");
+  ASSERT_EQ(figure.panels.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(figure.panels[i].title.ends_with(", own scale"), i >= 2) << figure.panels[i].title;
+    if (i % 2 == 1) continue;
+    ASSERT_EQ(figure.panels[i].texts.size(), 2U) << "a bar of each scale";
+    const double value = std::stod(figure.panels[i].texts.front().text);
+    EXPECT_TRUE(value <= most[i / 2] && value > most[i / 2] / 2.5) << value << " of " << most[i / 2];
+  }
+  for (const Panel& panel : make_figure(test::drawn_run(supported), "frame-moment").panels) {
+    EXPECT_FALSE(panel.title.ends_with(", own scale")) << panel.title;
+  }
 }
 
 /// On a telephone one below another, as wide as it is.
@@ -228,8 +263,9 @@ TEST(FrameForces, SpectraOfFloorsAreDrawnInG) {
   EXPECT_NE(figure.finding.find("times that without contact"), std::string::npos);
 }
 
-/// The number of a diagram stands within its picture, on none of its lines, as the picture is drawn.
-TEST(FrameForces, NumbersLieOnNoLine) {
+/// The number of a diagram stands within its picture, on none of its lines, as the picture is drawn; beside its dot, or
+/// joined to it by a line.
+TEST(FrameForces, NumbersLieOnNoLineAndAtTheirDots) {
   const RunResults run = test::drawn_run(test::hinged);
   int looked_at = 0;
   for (const char* const kind : {"frame-moment", "frame-shear", "frame-axial"}) {
@@ -255,6 +291,16 @@ TEST(FrameForces, NumbersLieOnNoLine) {
               << kind << ", panel " << i << ": " << text.text;
         }
       }
+      const auto is_dot = [](const Curve& curve) { return curve.mark == Mark::disc; };
+      const auto dot = std::find_if(panel.curves.begin(), panel.curves.end(), is_dot);
+      ASSERT_NE(dot, panel.curves.end());
+      const double across = std::abs(right(dot->x[0]) - right(text.x)), along = std::abs(up(dot->y[0]) - up(text.y));
+      const bool is_beside = (across < half + 0.3 * a_cm && along < 0.15 * a_cm) ||
+                             (across < 0.8 * half + 0.06 * a_cm && along < 0.5 * a_cm);
+      const bool is_joined = std::any_of(panel.curves.begin(), panel.curves.end(), [&](const Curve& curve) {
+        return curve.x.size() == 2 && curve.x[0] == dot->x[0] && curve.y[0] == dot->y[0];
+      });
+      EXPECT_TRUE(is_beside || is_joined) << kind << ", panel " << i << ": " << text.text;
       ++looked_at;
     }
   }

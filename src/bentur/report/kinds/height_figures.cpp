@@ -140,15 +140,24 @@ void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Ind
 }
 
 /// More curves than can be followed in one frame have one each, side by side at one scale, whose titles name them; of
-/// more than six half of them below the others, if that leaves none over.
+/// more than six half of them below the others, if that leaves none over; narrow ones two side by side, or as many as
+/// it takes for the figure to be no higher than a page.
 void set_apart(Figure& figure, bool narrow) {
   constexpr std::size_t most_together = 3;
   const std::size_t count = figure.panels.front().curves.size();
   const bool are_alike = std::all_of(figure.panels.begin(), figure.panels.end(),
                                      [&](const Panel& one) { return one.curves.size() == count; });
   if (count <= most_together || !are_alike) return;
-  const std::size_t columns = narrow ? 2 : count > 6 && count % 2 == 0 ? count / 2 : count;
-  const std::size_t rows = (count + columns - 1) / columns;
+  constexpr double highest = 5, beside = 1.5;  // of a frame [cm], of its title and numbers [cm]
+  constexpr std::size_t most_narrow = 4;
+  const auto rows_of = [&](std::size_t columns) { return figure.panels.size() * ((count + columns - 1) / columns); };
+  std::size_t columns = narrow ? 2 : count > 6 && count % 2 == 0 ? count / 2 : count;
+  const auto are_high = [&] { return static_cast<double>(rows_of(columns)) * (highest + beside) > page_height; };
+  while (narrow && columns < most_narrow && are_high()) ++columns;
+  const std::size_t rows = rows_of(columns);
+  const double most_high = std::max(2.0, std::min(highest, page_height / static_cast<double>(rows) - beside));
+  const std::size_t last = (count - 1) / columns * columns;  // the first of the last row
+  const std::size_t labelled = std::min(last + columns / 2, count - 1);
   std::vector<Panel> panels;
   for (const Panel& all : figure.panels) {
     double from = all.rules.front().at, to = from;
@@ -166,10 +175,10 @@ void set_apart(Figure& figure, bool narrow) {
       one.curves.front().line = Line::solid;
       one.x.from = from == 0 ? 0 : from - margin;
       one.x.to = to + margin;
-      if (i != count - columns + columns / 2) one.x.label = "";
-      if (figure.panels.size() * rows > 1) one.height = std::min(one.height, 5.0);
+      if (i != labelled) one.x.label = "";
+      if (rows > 1) one.height = std::min(one.height, most_high);
       one.y = figure.panels.front().y;
-      if (i % columns != 0) leave_to_neighbour(one.y);
+      if (panels.size() % columns != 0) leave_to_neighbour(one.y);
       panels.push_back(std::move(one));
     }
   }

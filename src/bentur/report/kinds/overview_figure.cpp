@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
@@ -95,6 +96,10 @@ void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& optio
         std::isnan(one.value) ? word(options, "not known") : numbers[at] + " " + run.c.units.length;
     panel.y.names.push_back(word(options, one.name) + ": " + value);
     add_bar(panel, one, static_cast<double>(k), 0.6);
+  }
+  const std::optional<GoverningNeed> found = governing_need(judged_gaps(run).front().facts);
+  if (found && (found->given.needed || found->reversed.needed)) {
+    panel.title = word(options, "needed at level {}", shown_value(run, found->at.elevation, "L"));
   }
   panel.height = 1.8;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/layout.h"
@@ -103,6 +104,7 @@ TEST(Overview, BarsAreGivenAndNeeded) {
   EXPECT_EQ(ends_of_bars(bars),
             (std::vector<double>{level.width, level.gap_needed, level.gap_needed_reversed.value()}));
   EXPECT_EQ(bars.y.names, (std::vector<std::string>{"reversed: 0.06682 m", "needed: 0.04946 m", "given: 0.03000 m"}));
+  EXPECT_EQ(bars.title, "needed at level " + number(level.elevation) + " m");
   const RunResults row = example_run("row-of-three");
   std::vector<double> expected;
   for (Eigen::Index gap = 0; gap < 2; ++gap) {
@@ -120,6 +122,7 @@ TEST(Overview, HasNoBarFromAPartOfTheFacts) {
   const Panel bars = overview(pair).panels.back();
   EXPECT_EQ(ends_of_bars(bars), std::vector<double>{0.03});
   EXPECT_EQ(bars.y.names[1], "needed: not known");
+  EXPECT_EQ(bars.title, "");
 }
 
 /// However long the names of the bars are, with which the frame above them is in line.

@@ -12,6 +12,7 @@
 #include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
+#include "bentur/report/scene/names.h"
 
 namespace bentur {
 namespace {
@@ -180,6 +181,8 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     panel.x.names.push_back(run.problem.buildings[b].name);
     panel.x.places.push_back((ends[b].first + ends[b].second) / 2);
   }
+  const std::vector<std::string> in_short = short_names(panel.x.names);
+  if (are_parts_of(in_short, panel.x.names)) panel.x.short_names = in_short;
   constexpr double points = 72 / 2.54 / 0.75;  // widths to a centimetre
   const double storey = scene.storey / tall * height * points;
   std::vector<bool> dashed;  // every second one that moves, so that neighbours are distinct in grey, as their curves

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
@@ -88,7 +89,13 @@ Panel panel_of(const Sensitivity& found, const OfGap& gap, double room, const Fi
                            .y = static_cast<double>(k) + above,
                            .text = cut_to(found.numbers[gap.numbers[count - 1 - k].first].path, room)});
   }
-  panel.rules.push_back({.at = 0, .vertical = true, .tone = Tone::black});
+  Curve zero{.width = 0.7, .complete = true, .in_legend = false};  // beside the bars alone: names stand over it
+  for (std::size_t k = 0; k < count; ++k) {
+    const double place = static_cast<double>(k), half = 1.2 * thick;
+    zero.x.insert(zero.x.end(), {0, 0, not_known});
+    zero.y.insert(zero.y.end(), {place - half, place + half, not_known});
+  }
+  panel.curves.push_back(std::move(zero));
   panel.height = 0.4 + 0.85 * static_cast<double>(count);
   return panel;
 }

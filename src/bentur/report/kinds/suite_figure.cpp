@@ -165,8 +165,19 @@ Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOpti
                             .line = Line::dotted});
   }
   panel.curves.push_back({.label = word(options, "mean"), .x = periods, .y = mean, .width = 1.8});
-  for (const SuitePeriods& one : suite.buildings) {
-    panel.rules.push_back({.at = one.first, .vertical = true, .line = Line::dotted});
+  constexpr std::size_t most_named = 4;  // of the buildings
+  const bool are_named = suite.buildings.size() <= most_named;
+  for (std::size_t i = 0; i < suite.buildings.size(); ++i) {
+    constexpr Line lines[] = {Line::dotted, Line::dash_dot, Line::dashed, Line::solid};
+    const SuitePeriods& one = suite.buildings[i];
+    RuleLine rule{.at = one.first, .vertical = true, .line = Line::dotted};
+    if (are_named) {
+      rule.label = word(options, "T₁ of {}", one.name);
+      rule.line = lines[i];
+    } else if (i == 0) {
+      rule.label = word(options, "T₁ of the buildings");
+    }
+    panel.rules.push_back(std::move(rule));
   }
   double least_ratio = mean.front() / target.front();
   for (std::size_t i = 0; i < mean.size(); ++i) least_ratio = std::min(least_ratio, mean[i] / target[i]);

@@ -149,6 +149,8 @@ std::vector<PlanPoint> PlanScene::outline(const std::vector<PlanPoint>& corners)
     std::vector<double> parts;  // of the edge, where a line begins or ends
     for (const Line& line : lines_) {
       const double start = line.n.dot(from), way = line.n.dot(to) - start;
+      constexpr double round_off = 1e-9;
+      if (std::abs(way) >= (1 - round_off) * (to - from).norm()) continue;  // longer and as straight
       for (const double at : {line.from, line.to}) {
         const double part = (at - start) / way;
         if (part > 0 && part < 1) parts.push_back(part);

@@ -49,7 +49,9 @@ class PlanScene {
   [[nodiscard]] const PlanPoint& lower() const { return lower_; }
   [[nodiscard]] const PlanPoint& upper() const { return upper_; }
   /// The edges of each ring of a footprint, that of its lower left corner first, round and back, with every point at
-  /// which a line of a gap begins or ends.
+  /// which a line of a gap begins or ends that crosses an edge obliquely: others are longer for it, no more. Straight
+  /// edges stay straight when the footprint turns; a contact along one is then off it by what the magnified gaps across
+  /// it turn.
   [[nodiscard]] std::vector<std::vector<PlanPoint>> outlines(const Footprint& footprint) const;
 
  private:

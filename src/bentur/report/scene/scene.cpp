@@ -376,6 +376,13 @@ double round_125(double value) {
   return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
 }
 
+double at_most_125(double value) {
+  constexpr double round_off = 1 + 1e-9;
+  const double power = std::pow(10.0, std::floor(std::log10(value * round_off)));
+  const double digit = value * round_off / power;
+  return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
+}
+
 const char* role_name(SceneRole role) {
   constexpr const char* names[] = {"ground", "soil", "bearing", "spring", "damper", "yielding",
                                    "cable",  "link", "wall",    "column", "slab"};

@@ -88,6 +88,8 @@ struct Scene {
 
 /// A number that people can say, such as a magnification: 1, 2 or 5 times a power of ten, the nearest.
 [[nodiscard]] double round_125(double value);
+/// The largest of these that is not above a positive value, for the bar of a scale.
+[[nodiscard]] double at_most_125(double value);
 
 /// The response must have histories.
 [[nodiscard]] Scene scene_of(const Problem& problem, const Response& response);

@@ -10,6 +10,7 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/model/run_results.h"
+#include "bentur/report/scene/names.h"
 #include "bentur/report/scene/plan_scene.h"
 #include "tests/support/kinds_case.h"
 #include "tests/support/plan_run.h"
@@ -252,6 +253,25 @@ TEST(PlanScene, CentresOfABuildingKnownByItsModesAreOfMassAlone) {
   EXPECT_EQ(std::count_if(centres.begin(), centres.end(), of_first), 2);
   EXPECT_TRUE(std::none_of(centres.begin(), centres.end(),
                            [&](const PlanCentre& one) { return of_first(one) && one.of_rigidity; }));
+}
+
+TEST(SceneNames, AreShortWhereTheyBeginAlike) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(short_names({"House 5.5", "House 5.6", "House 12.1"}), (Names{"5.5", "5.6", "12.1"}));
+  EXPECT_EQ(short_names({"East", "North", "Workshop"}), (Names{"East", "North", "Workshop"}));
+  EXPECT_EQ(short_names({"Block A wing 1", "Block A wing 2", "Block A yard"}), (Names{"wing 1", "wing 2", "yard"}));
+  EXPECT_EQ(short_names({"Town hall", "Town hall of the old"}), (Names{"1", "2"})) << "one is long";
+  EXPECT_EQ(short_names({"A 1", "A 1"}), (Names{"1", "2"})) << "two are alike";
+  EXPECT_EQ(short_names({"House", "House 2"}), (Names{"House", "House 2"}));
+  EXPECT_EQ(short_names({"Tower"}), Names{"Tower"});
+  EXPECT_TRUE(short_names({}).empty());
+}
+
+TEST(Scene, BarsOfScalesAreNoLongerThanWhatTheyAreOf) {
+  for (const auto& [value, bar] : std::vector<std::pair<double, double>>{
+           {1642, 1000}, {9999, 5000}, {2, 2}, {0.0499, 0.02}, {0.05, 0.05}, {1, 1}, {100 * (1 - 1e-12), 100}}) {
+    EXPECT_NEAR(at_most_125(value), bar, 1e-12 * bar) << value;
+  }
 }
 
 }  // namespace

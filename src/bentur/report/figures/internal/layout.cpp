@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
@@ -103,12 +104,12 @@ Ticks ticks_of(const Panel& panel, bool is_upright, int most) {
   return ticks;
 }
 
-/// Whether two numbers of an axis of this length come too near to one another.
-bool is_crowded(const Ticks& ticks, double length) {
+/// Whether two numbers of an axis of this length come nearer to one another than is clear [cm].
+bool is_crowded(const Ticks& ticks, double length, double clear = 0.2) {
   for (std::size_t i = 1; i < ticks.labels.size(); ++i) {
     const auto& [at, text] = ticks.labels[i];
     const auto& [before, other] = ticks.labels[i - 1];
-    if ((along(ticks, at) - along(ticks, before)) * length < (text_width(text) + text_width(other)) / 2 + 0.2) {
+    if ((along(ticks, at) - along(ticks, before)) * length < (text_width(text) + text_width(other)) / 2 + clear) {
       return true;
     }
   }
@@ -265,8 +266,8 @@ class Arrangement {
     if (!is_crowded(asked, width)) placed.x = asked;
   }
 
-  /// Names below a picture of things, each below its own: in one line, in two or three by turns, or upright; where
-  /// there is no room even so, of every second, third, … alone.
+  /// Names below a picture of things, each below its own: in one line, in short where there are such names, in two or
+  /// three lines by turns, or upright; where there is no room even so, of every second, third, … alone.
   static void place_names(PlacedPanel& placed, double width) {
     const Axis& axis = placed.panel->x;
     constexpr double longest = 3;  // [cm]
@@ -275,23 +276,29 @@ class Arrangement {
     Ticks& x = placed.x;
     const double scale = std::max((x.to - x.from) / width, (placed.y.to - placed.y.from) / placed.panel->height);
     const double length = (x.to - x.from) / scale;  // of what is drawn [cm]
-    const auto labelled = [&](std::size_t stride) {
+    const auto labelled = [&](std::size_t stride, const std::vector<std::string>& names) {
       x.labels.clear();
-      for (std::size_t i = 0; i < count; i += stride)
-        x.labels.emplace_back(axis.places[i], cut_to(axis.names[i], longest));
+      for (std::size_t i = 0; i < count; i += stride) x.labels.emplace_back(axis.places[i], cut_to(names[i], longest));
     };
-    labelled(1);
-    const auto fit_in = [&](int lines) {
+    const auto fit_in = [&](int lines, double clear = 0.2) {
       for (int line = 0; line < lines; ++line) {
         Ticks of_line{.from = x.from, .to = x.to};
         for (auto i = static_cast<std::size_t>(line); i < count; i += static_cast<std::size_t>(lines)) {
           of_line.labels.push_back(x.labels[i]);
         }
-        if (is_crowded(of_line, length)) return false;
+        if (is_crowded(of_line, length, clear)) return false;
       }
       return true;
     };
-    for (x.lines = 1; x.lines <= 3; ++x.lines) {
+    x.lines = 1;
+    if (axis.short_names.size() == count) {
+      for (const std::vector<std::string>* const names : {&axis.names, &axis.short_names}) {
+        labelled(1, *names);
+        if (fit_in(1, 0.1)) return;
+      }
+    }
+    labelled(1, axis.names);
+    for (; x.lines <= 3; ++x.lines) {
       if (fit_in(x.lines)) return;
     }
     x.lines = 1;
@@ -300,7 +307,7 @@ class Arrangement {
       return (along(x, b.first) - along(x, a.first)) * length < 0.9 * line_height;
     };
     std::size_t stride = 1;
-    do labelled(stride++);
+    do labelled(stride++, axis.names);
     while (std::adjacent_find(x.labels.begin(), x.labels.end(), touch) != x.labels.end());
   }
 
@@ -342,7 +349,8 @@ class Arrangement {
                         text_width(panel.map ? scaled(panel.map->label, placed.scale) : "")});
       numbers = std::max(numbers, numbers_room(placed));
       const std::string label = plain_text(scaled(panel.x.label, placed.x, panel.x.number));
-      placed.x_label = lines_of(label, placed.cell_right - placed.cell_left - 2 * beside_label, 3);
+      const auto [from, to] = span_of_label(placed, begun);
+      placed.x_label = lines_of(label, to - from - 2 * beside_label, 3);
       below = std::max(below, 0.07 + line_height * static_cast<double>(placed.x_label.size()));
     }
     const double title = static_cast<double>(titles) * line_height;
@@ -356,9 +364,12 @@ class Arrangement {
       placed.x_label_y = placed.bottom - numbers - 0.03 - line_height / 2;
       double widest = 0;
       for (const std::string& text : placed.x_label) widest = std::max(widest, text_width(text));
-      const double middle = (placed.left + placed.right) / 2;
+      const auto [from, to] = span_of_label(placed, begun);
+      const bool is_of_row = from < placed.cell_left || to > placed.cell_right;
+      const double middle = is_of_row ? (result_.panels[begun.front()].left + result_.panels[begun.back()].right) / 2
+                                      : (placed.left + placed.right) / 2;
       const double room = widest / 2 + beside_label;
-      placed.x_label_x = std::max(placed.cell_left + room, std::min(middle, placed.cell_right - room));
+      placed.x_label_x = std::max(from + room, std::min(middle, to - room));
       placed.scale_label_x = placed.cell_right - 0.22;
     }
     const double bottom = -(depth_ + title + legend + 0.1 + frame);
@@ -371,6 +382,21 @@ class Arrangement {
       placed.bottom = bottom + std::max(0.0, numbers_room(placed) - numbers - below);
     }
     depth_ = -bottom + numbers + below + 0.1;
+  }
+
+  /// Along x, where the label of an axis may stand: below its panel, or of one alone below all panels of a row.
+  [[nodiscard]] std::pair<double, double> span_of_label(const PlacedPanel& placed,
+                                                        const std::vector<std::size_t>& row) const {
+    const auto is_other = [&](std::size_t i) {
+      const Panel& panel = *result_.panels[i].panel;
+      return panel.to_scale || panel.map || panel.rows > 1 || !panel.x.numbers ||
+             (&panel != placed.panel && !panel.x.label.empty());
+    };
+    constexpr std::size_t least = 3;
+    const bool is_alone =
+        row.size() >= least && !placed.panel->x.label.empty() && std::none_of(row.begin(), row.end(), is_other);
+    if (!is_alone) return {placed.cell_left, placed.cell_right};
+    return {result_.panels[row.front()].cell_left, result_.panels[row.back()].cell_right};
   }
 
   template <typename Condition>

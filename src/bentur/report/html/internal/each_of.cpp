@@ -1,5 +1,7 @@
 #include "bentur/report/html/internal/each_of.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace bentur::html {
@@ -36,7 +38,9 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
     const std::size_t columns = table.columns();
     if (columns > most_columns) {
       printed += element(
-          "p", say("appendix.narrow", {{"shown", std::to_string(most_columns)}, {"all", std::to_string(columns)}}));
+          "p", say("appendix.narrow", {{"shown", std::to_string(most_columns)},
+                                       {"all", std::to_string(columns)},
+                                       {"names", fmt::format("{}", fmt::join(table.names_from(most_columns), ", "))}}));
       table.cut_columns(most_columns);
     }
     printed += table.markup("", most);

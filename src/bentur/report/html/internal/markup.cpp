@@ -75,6 +75,14 @@ void HtmlTable::join(const std::string& name, const HtmlTable& other) {
   for (Column& column : columns_) column.cells.resize(all);
 }
 
+std::vector<std::string> HtmlTable::names_from(std::size_t first) const {
+  std::vector<std::string> names;
+  for (std::size_t i = first; i < columns_.size(); ++i) {
+    if (std::find(names.begin(), names.end(), columns_[i].name) == names.end()) names.push_back(columns_[i].name);
+  }
+  return names;
+}
+
 Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
   if (columns_.empty()) return {};
   const auto alignment = [](const Column& column) { return column.numeric ? "" : "class=\"t\""; };

@@ -56,6 +56,8 @@ class HtmlTable {
   void join(const std::string& name, const HtmlTable& other);
   /// Without what stands behind so many columns.
   void cut_columns(std::size_t most) { columns_.resize(std::min(columns_.size(), most)); }
+  /// What columns are of, from one on, counted from 0; each once.
+  [[nodiscard]] std::vector<std::string> names_from(std::size_t first) const;
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
   [[nodiscard]] std::size_t rows() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
   /// In a box of its own, which scrolls where the page is narrow; nothing of none. @param most rows

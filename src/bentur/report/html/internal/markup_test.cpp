@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "bentur/report/html/internal/each_of.h"
+
 namespace bentur::html {
 namespace {
 
@@ -36,6 +41,20 @@ TEST(Markup, TableEscapesNamesUnitsAndCells) {
   EXPECT_NE(markup.find("&lt;n&gt;<br><small>&lt;u&gt;</small>"), std::string::npos);
   EXPECT_NE(markup.find("<tr class=\"marked\"><td class=\"t\">&lt;c&gt;</td><td>1.5</td></tr>"), std::string::npos);
   EXPECT_EQ(facts({{"<a>", "<b>"}}).str().find("<a>"), std::string::npos);
+}
+
+/// Of a table that is too broad for paper it is said which columns are not there, each name once.
+TEST(EachOf, NamesTheColumnsThatPaperLacks) {
+  EachOf all;
+  for (int n = 0; n < 8; ++n) {
+    HtmlTable table;
+    for (int k = 0; k < 14; ++k) table.add("c" + std::to_string(k), "", std::vector<double>{1.0 * k});
+    table.add("Slides", "m", std::vector<double>{1});
+    table.add("Slides", "m", std::vector<double>{2});
+    all.add("Pair " + std::to_string(n), Html::text("whole"), {table});
+  }
+  const std::string page = all.markup(Words("en"), "appendix.contacts").str();
+  EXPECT_NE(page.find("On paper the first 14 of 17 columns, without: c13, Slides. "), std::string::npos) << page;
 }
 
 }  // namespace

@@ -2,28 +2,11 @@
 
 #include <algorithm>
 
-#include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/words.h"
 
 namespace bentur::html {
 namespace {
-
-/// Makes frames that are no pictures lower, as far as can be read, so that the figure is at most so high [cm]: on paper
-/// three of a column's width stand one below another, and two of a page's.
-void bound_height(Figure& figure, double most) {
-  constexpr double least = 1.7;  // of a frame [cm]
-  for (int tries = 0; tries < 4; ++tries) {
-    const double excess = layout(figure).height - most;
-    double frames = 0;  // of all rows
-    for (const Panel& panel : figure.panels) frames += panel.to_scale ? 0 : panel.height / figure.columns;
-    if (!(excess > 0) || !(frames > 0)) return;
-    for (Panel& panel : figure.panels) {
-      if (panel.to_scale || panel.height <= least) continue;
-      panel.height = std::max(least, panel.height * std::max(0.3, 1 - excess / frames));
-    }
-  }
-}
 
 /// More panels one below another than stand beside other figures: two side by side over a page's width.
 void spread(Figure& figure) {
@@ -58,6 +41,7 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       const Figure narrowest = figure;
       spread(figure);
       const bool is_wide = figure.width > column_width;
+      // On paper three of a column's width stand one below another, and two of a page's.
       bound_height(figure, is_wide ? 8.7 : 6.5);
       figures.push_back({.caption = caption, .svg = figure_element(figure, caption), .wide = is_wide});
       if (!is_wide) continue;

@@ -64,20 +64,28 @@ function benturPlan(data, buildings, svg, number) {
     return { left: Math.min(...x) - margin, right: Math.max(...x) + margin, top: Math.min(...y) - margin, bottom: Math.max(...y) + margin };
   }
 
-  /** Names within the footprints at rest, or numbers where names do not fit. @returns whether they do */
+  /**
+   * Names within the outlines at rest; where they do not all fit what the buildings are called in short, and of these
+   * what is too long smaller. @returns whether the names fit
+   */
   function name(pixel) {
     place = benturPlanPlaces(scene, magnification, rest);
-    let fit = true;
-    drawn.names.forEach((line, b) => {
-      const at = scene.outlines[b].map((point) => shown(b, 0, point));
-      const left = Math.min(...at.map(([x]) => x)), right = Math.max(...at.map(([x]) => x));
-      line.setAttribute("x", (left + right) / 2);
-      line.setAttribute("y", Math.min(...at.map(([, y]) => y)) + 22 * pixel);
-      line.textContent = buildings[b].name;
-      fit = fit && line.getComputedTextLength() < right - left - 8 * pixel;
+    const rooms = scene.names.map((ends, b) => {
+      const [[left, y], [right]] = ends.map((end) => shown(b, 0, end));
+      drawn.names[b].setAttribute("x", (left + right) / 2);
+      drawn.names[b].setAttribute("y", y + 5 * pixel);
+      return right - left - 8 * pixel;
     });
-    if (!fit) drawn.names.forEach((line, b) => { line.textContent = String(b + 1); });
-    return fit;
+    const written = (texts) => drawn.names.map((line, b) => {
+      line.removeAttribute("style");
+      line.textContent = texts[b];
+      return rooms[b] / Math.max(line.getComputedTextLength(), 1e-9);
+    });
+    if (written(buildings.map((one) => one.name)).every((part) => part > 1)) return true;
+    written(buildings.map((one) => one.short)).forEach((part, b) => {
+      if (part < 1) drawn.names[b].style.fontSize = `calc(${(14 * Math.max(part, 0.6)).toFixed(1)}px * var(--px))`;
+    });
+    return false;
   }
 
   function show(motion, now, pixel) {
@@ -156,8 +164,8 @@ function benturPlan(data, buildings, svg, number) {
     `${data.words.level} ${metres(points[point].elevation)}, ${points[point].along}`;
 
   /** What the table of openings holds: the places of the chosen level, of those that are one its contact points. */
-  function live(numbered) {
-    const gap = (point) => (numbered ? `${point.left + 1} | ${point.right + 1}` : pair(point));
+  function live(inShort) {
+    const gap = (point) => (inShort ? `${buildings[point.left].short} | ${buildings[point.right].short}` : pair(point));
     const rows = new Map();
     points.forEach((point, i) => {
       if (point.level !== level) return;

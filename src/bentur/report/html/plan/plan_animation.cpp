@@ -7,6 +7,8 @@
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/internal/motion_data.h"
+#include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/scene/names.h"
 #include "bentur/report/scene/plan_scene.h"
 
 namespace bentur::html {
@@ -75,6 +77,23 @@ Json seams_json(const PlanRun& run, const PlanScene& scene) {
   return seams;
 }
 
+/// Where the name of each building stands: both ends of a row within its outline.
+Json name_rows_json(const PlanRun& run, const PlanScene& scene) {
+  Json rows = Json::array();
+  const double height = (scene.upper() - scene.lower()).maxCoeff();
+  for (const PlanBuilding& building : run.problem.buildings) {
+    const PlanRings rings = scene.outlines(building.model.footprint);
+    NameRows within{.parts = {0.8, 0.2, 0.5}, .half_height = 0.02 * height};
+    PlaceText at = place_of_name(building.name, rings, within);
+    if (!(at.room > 0)) {  // of a narrow one
+      within.half_height = 0;
+      at = place_of_name(building.name, rings, within);
+    }
+    rows.push_back({point_json(scene, {at.x - at.room / 2, at.y}), point_json(scene, {at.x + at.room / 2, at.y})});
+  }
+  return rows;
+}
+
 Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<double>& levels, Index shown) {
   Json outlines = Json::array(), further = Json::array(), centres = Json::array(), marks = Json::array(),
        told = Json::array();
@@ -129,6 +148,7 @@ Json scene_json(const PlanRun& run, const PlanScene& scene, const std::vector<do
           {point_json(scene, stretch.on_edge(0, link.along)), point_json(scene, stretch.on_edge(1, link.along))}}});
   }
   return {{"outlines", outlines},
+          {"names", name_rows_json(run, scene)},
           {"rings", further},
           {"centres", centres},
           {"arm", arm_of(run.problem)},
@@ -207,6 +227,9 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
   const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
   const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
   const double arm = arm_of(run.problem);
+  std::vector<std::string> names;
+  for (const PlanBuilding& building : run.problem.buildings) names.push_back(building.name);
+  const std::vector<std::string> in_short = short_names(names);
   Json buildings = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
@@ -214,6 +237,7 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
     Eigen::MatrixXd exact;
     if (rows.size() > 0) exact = rows(Eigen::all, keys);
     Json one = {{"name", building.name},
+                {"short", in_short[b]},
                 {"tone", colour(building_tone(b)).name},
                 {"roof", 3 * (building.model.floors() - 1) + across}};
     one.update(samples_json(rows, sampling, exact));

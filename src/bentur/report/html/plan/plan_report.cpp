@@ -22,6 +22,7 @@
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/plan/plan_animation.h"
+#include "bentur/report/scene/names.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -295,7 +296,9 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   if (!run.response.points.empty()) {
     std::vector<std::string> names;
     for (const PlanBuilding& building : run.problem.buildings) names.push_back(building.name);
-    motion = html::motion_section(say, run.c.units.length, html::numbered(names), html::MotionView::plan);
+    const bool are_said = are_parts_of(short_names(names), names);
+    motion =
+        html::motion_section(say, run.c.units.length, are_said ? "" : html::numbered(names), html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
   html::PageBody body{

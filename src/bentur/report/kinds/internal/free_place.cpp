@@ -30,6 +30,14 @@ int met_by(const Panel& panel, const Box& box, const std::vector<Box>& texts) {
   return met;
 }
 
+/// Ways from a point along one axis at which a text is tried, and that at which it is right beside the point.
+std::vector<double> steps(double step, double beside) {
+  constexpr int reach = 24;  // steps each way
+  std::vector<double> all{-beside, beside};
+  for (int i = -reach; i <= reach; ++i) all.push_back(step * i);
+  return all;
+}
+
 }  // namespace
 
 void add_beside(Panel& panel, double x, double y, const std::string& text, double one_cm) {
@@ -40,14 +48,16 @@ void add_beside(Panel& panel, double x, double y, const std::string& text, doubl
   }
   struct Place {
     double x = 0, y = 0, far = 0;
+    double askew = 0;  // 0 right beside, above or below the point, 1 corner to corner [-]
+    double cost = 0;   // [length]
     int met = 0;
   };
   const double round_off = 1e-6 * one_cm;  // of places to the left and to the right as far, the first is taken
   Place best{.met = 1 << 30};
-  constexpr int reach = 24;  // steps each way
-  for (int i = -reach; i <= reach; ++i) {
-    for (int k = -reach; k <= reach; ++k) {
-      Place here{.x = x + half_width * i / 4, .y = y + half_height * k / 2};
+  const double near = 0.55 * clear * one_cm;  // from the point
+  for (const double across_by : steps(half_width / 4, half_width + near)) {
+    for (const double up_by : steps(half_height / 2, half_height + near)) {
+      Place here{.x = x + across_by, .y = y + up_by};
       const Box box = around(here.x, here.y, half_width, half_height);
       if (box.left < *panel.x.from || box.right > *panel.x.to || box.bottom < *panel.y.from || box.top > *panel.y.to) {
         continue;
@@ -56,13 +66,16 @@ void add_beside(Panel& panel, double x, double y, const std::string& text, doubl
       const double up = std::max(0.0, std::abs(here.y - y) - half_height);
       here.far = std::hypot(across, up);
       if (here.far < 0.5 * clear * one_cm) continue;  // on the point itself
-      if (best.met == 0 && here.far >= best.far - round_off) continue;
+      here.askew = std::min({std::abs(here.x - x) / half_width, std::abs(here.y - y) / half_height, 1.0});
+      here.cost = here.far + 0.5 * one_cm * here.askew * here.askew;
+      if (best.met == 0 && here.cost >= best.cost - round_off) continue;
       here.met = met_by(panel, box, texts);
-      if (here.met < best.met || (here.met == best.met && here.far < best.far - round_off)) best = here;
+      if (here.met < best.met || (here.met == best.met && here.cost < best.cost - round_off)) best = here;
     }
   }
   if (best.met == 1 << 30) best = {.x = x, .y = y};
-  if (best.far > 2 * clear * one_cm) {
+  constexpr double most_askew = 0.8;
+  if (best.far > 2 * clear * one_cm || best.askew > most_askew) {
     panel.curves.push_back({.x = {x, std::clamp(x, best.x - half_width, best.x + half_width)},
                             .y = {y, std::clamp(y, best.y - half_height, best.y + half_height)},
                             .width = 0.5,

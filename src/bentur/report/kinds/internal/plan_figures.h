@@ -27,10 +27,22 @@ namespace bentur {
 [[nodiscard]] std::string shown_unit(const PlanRun& run, std::string_view form);
 [[nodiscard]] double shown_factor(const PlanRun& run, std::string_view form);
 
-/// A name where rings of a picture, as far as none above covers them, leave it the most room along x, at one of these
-/// parts of their height; no room: none.
-[[nodiscard]] PlaceText place_of_name(const std::string& name, const PlanRings& rings,
-                                      const std::array<double, 3>& parts, const std::vector<PlanRings>& above = {});
+/// Where in a footprint its name may stand.
+struct NameRows {
+  std::array<double, 3> parts = {0.5, 0.85, 0.15};  ///< of its height, the best first
+  double half_height = 0;                           ///< of the name [length]
+};
+constexpr double high_name = 0.4;  ///< with room above and below it [cm]
+/// A name where rings of a picture, as far as none above covers them, leave it the most room along x, in one of these
+/// rows, so that it lies within them; no room: none.
+[[nodiscard]] PlaceText place_of_name(const std::string& name, const PlanRings& rings, const NameRows& rows,
+                                      const std::vector<PlanRings>& above = {});
+
+/// Of all buildings, whose rings these are: all names whole in one line, or where one has no room all of them in short.
+/// @param above of each building what may cover something of it; empty: nothing does
+[[nodiscard]] std::vector<PlaceText> places_of_names(const PlanProblem& problem, const std::vector<PlanRings>& rings,
+                                                     const NameRows& rows, double one_cm,
+                                                     const std::vector<std::vector<PlanRings>>& above = {});
 
 [[nodiscard]] Figure map_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure overview_figure(const PlanRun& run, const FigureOptions& options);

@@ -3,16 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/story/story.h"
+#include "bentur/report/figures/box.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/html/plan/plan_animation.h"
 #include "bentur/report/html/plan/plan_report.h"
+#include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/scene/plan_scene.h"
 #include "bentur/report/words.h"
 #include "tests/support/plan_run.h"
 
@@ -160,6 +165,117 @@ TEST(PlanMap, CourtsAreDrawn) {
   }
   const std::string data = html::plan_animation_json(run(), Words("en"), {});
   EXPECT_NE(data.find("\"rings\":[[],[[["), std::string::npos);
+}
+
+/// Whether a text of a picture lies within rings with all four corners of what it takes, and on none of their edges.
+bool is_within(const PlaceText& text, double one_cm, const PlanRings& rings) {
+  const double half = one_cm * text_width(text.text) / 2, high = 0.13 * one_cm;
+  const Box box{text.x - half, text.x + half, text.y - high, text.y + high};
+  for (const std::vector<PlanPoint>& ring : rings) {
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+      if (box.meets(ring[i].x(), ring[i].y(), ring[i + 1].x(), ring[i + 1].y())) return false;
+    }
+  }
+  return lies_in({text.x, text.y}, rings);
+}
+
+PlanRings closed(std::vector<PlanPoint> corners) {
+  corners.push_back(corners.front());
+  return {corners};
+}
+
+/// Letters of 20 m with legs of 6 m, and a court: the middle of none of them but of T is within.
+TEST(PlanNames, LieWithinOutlinesThatTurnInwards) {
+  const PlanRings l = closed({{0, 0}, {20, 0}, {20, 6}, {6, 6}, {6, 20}, {0, 20}});
+  const PlanRings u = closed({{0, 0}, {20, 0}, {20, 20}, {14, 20}, {14, 6}, {6, 6}, {6, 20}, {0, 20}});
+  const PlanRings t = closed({{7, 0}, {13, 0}, {13, 14}, {20, 14}, {20, 20}, {0, 20}, {0, 14}, {7, 14}});
+  PlanRings with_court = closed({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  with_court.push_back(closed({{5, 5}, {15, 5}, {15, 15}, {5, 15}}).front());
+  for (const PlanRings& rings : {l, u, t, with_court}) {
+    for (const NameRows& rows : {NameRows{.half_height = 0.5}, {.parts = {0.8, 0.2, 0.5}, .half_height = 0.5}}) {
+      const PlaceText name = place_of_name("Yard", rings, rows);
+      ASSERT_GT(name.room, 3);
+      EXPECT_TRUE(is_within(name, 1, rings)) << name.x << ", " << name.y;
+    }
+  }
+  EXPECT_EQ(place_of_name("Yard", closed({{0, 0}, {20, 0}, {20, 0.5}, {0, 0.5}}), {.half_height = 0.5}).room, 0);
+}
+
+/// As it is drawn, in a column, where those of the court and of the L have no room, and over a page.
+TEST(PlanMap, NamesLieWithinTheirOutlines) {
+  for (const double width : {column_width, page_width}) {
+    FigureOptions options;
+    options.width = width;
+    const Figure figure = make_figure(run(), "map", options);
+    const Panel& panel = figure.panels.front();
+    const PanelPlace place = placed_figure(figure, "").panels.front();
+    const double one_cm = 96 / 2.54 * (place.x.second - place.x.first) / place.width;
+    for (const PlanBuilding& building : run().problem.buildings) {
+      const auto is_it = [&](const PlaceText& one) { return one.text == building.name; };
+      const auto text = std::find_if(panel.texts.begin(), panel.texts.end(), is_it);
+      ASSERT_NE(text, panel.texts.end()) << building.name;
+      if (one_cm * text_width(text->text) > text->room) {  // is not drawn
+        EXPECT_TRUE(width == column_width && (building.name == "H2" || building.name == "H3")) << building.name;
+        continue;
+      }
+      PlanRings rings = building.model.footprint.all_rings();
+      for (std::vector<PlanPoint>& ring : rings) ring.push_back(ring.front());
+      EXPECT_TRUE(is_within(*text, one_cm, rings)) << building.name;
+    }
+  }
+}
+
+/// A bar as long as the number beside it says, and the axes of the case; both below the block.
+TEST(PlanMap, HasAScaleAndDirections) {
+  const Panel panel = make_figure(run(), "map").panels.front();
+  const auto text = [&](const auto& is_it) { return std::find_if(panel.texts.begin(), panel.texts.end(), is_it); };
+  const auto bar = text([](const PlaceText& one) { return one.text.ends_with(" m"); });
+  ASSERT_NE(bar, panel.texts.end());
+  const auto ends_there = [&](const Curve& one) { return !one.x.empty() && one.x.back() == bar->x; };
+  const auto curve = std::find_if(panel.curves.begin(), panel.curves.end(), ends_there);
+  ASSERT_NE(curve, panel.curves.end());
+  EXPECT_NEAR(bar->x - curve->x.front(), std::stod(bar->text), 1e-9);
+  const auto x = text([](const PlaceText& one) { return one.text == "x"; });
+  const auto y = text([](const PlaceText& one) { return one.text == "y"; });
+  ASSERT_TRUE(x != panel.texts.end() && y != panel.texts.end());
+  EXPECT_TRUE(x->x > y->x && y->y > x->y) << "arrows of a plan as it is drawn";
+  for (const auto& one : {bar, x, y}) EXPECT_LT(one->y, 0) << "below the lowest house";
+}
+
+/// Corners that meet are told apart by more than their colour.
+TEST(PlanMap, CornersDifferInSizeAndFill) {
+  const Panel panel = make_figure(run(), "map").panels.front();
+  std::set<Tone> tones;
+  std::set<std::pair<Mark, double>> marks;
+  for (const Curve& curve : panel.curves) {
+    const bool is_corner = curve.label.find(" | ") != std::string::npos && curve.mark != Mark::none;
+    if (!is_corner) continue;
+    tones.insert(curve.tone);
+    marks.insert({curve.mark, curve.mark_size});
+  }
+  EXPECT_GT(tones.size(), 1U);
+  EXPECT_EQ(marks.size(), tones.size());
+}
+
+/// What moves has names at the same places: within the outlines, and in the table beside it those of the texts.
+TEST(PlanMap, NamesInMotionAreThoseOfTheTexts) {
+  std::string text = block();
+  for (std::size_t at = 0; (at = text.find("name = \"H", at)) != std::string::npos; ++at)
+    text.insert(at + 9, "ouse 5.");
+  const PlanRun many = test::plan_run(text);
+  const auto data = nlohmann::json::parse(html::plan_animation_json(many, Words("en"), {}));
+  const PlanScene scene(many);
+  for (std::size_t b = 0; b < many.problem.buildings.size(); ++b) {
+    EXPECT_EQ(data["buildings"][b]["name"].get<std::string>(), "House 5." + std::to_string(b + 1));
+    EXPECT_EQ(data["buildings"][b]["short"].get<std::string>(), "5." + std::to_string(b + 1));
+    PlanRings rings = many.problem.buildings[b].model.footprint.all_rings();
+    for (std::vector<PlanPoint>& ring : rings) ring.push_back(ring.front());
+    const auto& row = data["scene"]["names"][b];
+    const PlanPoint left(row[0][0].get<double>(), row[0][1].get<double>());
+    const PlanPoint right(row[1][0].get<double>(), row[1][1].get<double>());
+    for (const double part : {0.01, 0.5, 0.99}) EXPECT_TRUE(lies_in(left + part * (right - left), rings)) << b;
+  }
+  EXPECT_EQ(plan_report_html(many, {.version = "0"}).find("1 House 5.1, 2 House 5.2"), std::string::npos);
 }
 
 }  // namespace

@@ -23,19 +23,19 @@ namespace {
 
 using Eigen::Index;
 
-struct Box {
+struct PlanBox {
   PlanPoint low, high;
 };
 
-Box box_of(const PlanRings& rings) {
-  Box box{rings.front().front(), rings.front().front()};
+PlanBox box_of(const PlanRings& rings) {
+  PlanBox box{rings.front().front(), rings.front().front()};
   for (const std::vector<PlanPoint>& ring : rings) {
     for (const PlanPoint& at : ring) box = {box.low.cwiseMin(at), box.high.cwiseMax(at)};
   }
   return box;
 }
 
-bool meet(const Box& a, const Box& b) {
+bool meet(const PlanBox& a, const PlanBox& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
@@ -146,14 +146,22 @@ class PlanPicture {
 
   /// In each footprint where it is broadest, above or below its centres where there are any.
   void add_names() {
+    NameRows rows{.half_height = 0.5 * high_name * length_of_cm()};
+    if (!has_centres()) {
+      std::vector<std::vector<PlanRings>> above;
+      for (Index b = 0; b < std::ssize(rings_); ++b) above.push_back(rings_above(b));
+      for (PlaceText& name : places_of_names(run_.problem, rings_, rows, length_of_cm(), above)) {
+        if (fits(name)) panel_.texts.push_back(std::move(name));
+      }
+      return;
+    }
+    rows.parts = {0.75, 0.25, 0.5};
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       const PlanBuilding& building = run_.problem.buildings[b];
-      PlaceText name =
-          place_of_name(building.name, rings_[b],
-                        has_centres() ? std::array{0.75, 0.25, 0.5} : std::array{0.5, 0.85, 0.15}, rings_above(b));
+      PlaceText name = place_of_name(building.name, rings_[b], rows, rings_above(b));
       if (fits(name)) {
         panel_.texts.push_back(std::move(name));
-      } else if (has_centres()) {
+      } else {
         for (Curve& curve : panel_.curves) curve.in_legend = curve.in_legend || curve.label == building.name;
       }
     }
@@ -161,17 +169,21 @@ class PlanPicture {
 
   /// Whether the words of a name have room for each of them, about.
   [[nodiscard]] bool fits(const PlaceText& name) const {
-    constexpr double margins = 0.6, wide = 12, share = 0.5;  // [cm], [cm], of a figure with panels side by side [-]
-    const double width = options_.width >= wide ? share * options_.width : options_.width - margins;
-    const PlanPoint size = scene_.upper() - scene_.lower();
-    const double scale = std::min(width / size.x(), panel_.height / size.y());  // cm to a length
     double longest = 0;
     for (std::size_t at = 0; at < name.text.size();) {
       const std::size_t end = std::min(name.text.find(' ', at), name.text.size());
       longest = std::max(longest, text_width(name.text.substr(at, end - at)));
       at = end + 1;
     }
-    return longest < scale * name.room;
+    return longest * length_of_cm() < name.room;
+  }
+
+  /// About.
+  [[nodiscard]] double length_of_cm() const {
+    constexpr double margins = 0.6, wide = 12, share = 0.5;  // [cm], [cm], of a figure with panels side by side [-]
+    const double width = options_.width >= wide ? share * options_.width : options_.width - margins;
+    const PlanPoint size = scene_.upper() - scene_.lower();
+    return std::max(size.x() / width, size.y() / panel_.height);
   }
 
   /// What the hardest blow at a contact was: its force, or where impacts take no time its impulse.
@@ -363,7 +375,7 @@ class PlanPicture {
   std::vector<Index> floors_;
   std::vector<Eigen::Vector3d> motions_;
   std::vector<PlanRings> rings_;  // of the floors, moved
-  std::vector<Box> boxes_;        // of these
+  std::vector<PlanBox> boxes_;    // of these
   std::set<Index> touching_;      // contacts
   std::set<Tone> labelled_;
   Panel panel_;
@@ -385,45 +397,6 @@ std::string instant_text(const PlanRun& run, const PlanInstant& instant, const F
 }
 
 }  // namespace
-
-PlaceText place_of_name(const std::string& name, const PlanRings& rings, const std::array<double, 3>& parts,
-                        const std::vector<PlanRings>& above) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const std::vector<PlanPoint>& ring : rings) {
-    for (const PlanPoint& at : ring) {
-      low = std::min(low, at.y());
-      high = std::max(high, at.y());
-    }
-  }
-  PlaceText placed{.text = name, .side = PlaceText::Side::middle};
-  for (const double part : parts) {
-    const double y = low + part * (high - low);
-    std::vector<double> crossings;
-    const auto cross = [&](const PlanRings& all) {
-      for (const std::vector<PlanPoint>& ring : all) {
-        for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-          const PlanPoint &from = ring[i], &to = ring[i + 1];
-          if ((from.y() > y) == (to.y() > y)) continue;
-          crossings.push_back(from.x() + (y - from.y()) / (to.y() - from.y()) * (to.x() - from.x()));
-        }
-      }
-    };
-    cross(rings);
-    std::for_each(above.begin(), above.end(), cross);
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-      const PlanPoint middle((crossings[i] + crossings[i + 1]) / 2, y);
-      const auto covers = [&](const PlanRings& one) { return lies_in(middle, one); };
-      if (!lies_in(middle, rings) || std::any_of(above.begin(), above.end(), covers)) continue;
-      const double room = 0.94 * (crossings[i + 1] - crossings[i]);
-      if (room < 1.05 * placed.room) continue;
-      placed.x = middle.x();
-      placed.y = y;
-      placed.room = room;
-    }
-  }
-  return placed;
-}
 
 Figure scene_figure(const PlanRun& run, const FigureOptions& options) {
   const PlanInstant instant = telling_instant(run.response, asked_points(run, options));
