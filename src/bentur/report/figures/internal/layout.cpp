@@ -428,7 +428,7 @@ std::vector<std::string> text_lines(const PlaceText& one, const PlacedPanel& pla
   if (!(one.room > 0)) return {one.text};
   const double room = one.room / (placed.x.to - placed.x.from) * (placed.right - placed.left);
   std::vector<std::string> lines = lines_of(plain_text(one.text), room, 3);
-  const auto is_wide = [](const std::string& line) { return line.ends_with("…"); };
+  const auto is_wide = [&](const std::string& line) { return line.ends_with("…") && line != one.text; };
   if (std::any_of(lines.begin(), lines.end(), is_wide)) lines.clear();
   return lines;
 }

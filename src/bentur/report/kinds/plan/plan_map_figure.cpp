@@ -3,6 +3,8 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "bentur/core/not_known.h"
@@ -10,6 +12,7 @@
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/scene/scene.h"
@@ -93,6 +96,10 @@ class BlockMap {
   void add_names() {
     const NameRows rows{.parts = {0.42, 0.85, 0.15}, .half_height = 0.5 * high_name * one_cm_};
     for (PlaceText& name : places_of_names(run_.problem, rings_, rows, one_cm_)) {
+      constexpr std::size_t least = 3;  // letters that tell one house from another
+      const std::string cut = cut_to(name.text, name.room / one_cm_);
+      const bool is_word = name.text.find(' ') == std::string::npos;  // which no second line makes narrower
+      if (is_word && cut.size() >= least + std::string_view("…").size()) name.text = cut;
       if (name.room > 0) panel_.texts.push_back(std::move(name));
     }
   }
