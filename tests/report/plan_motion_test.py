@@ -184,7 +184,7 @@ class PlanMotion(report_test.Reports):
             self.scrub(5.0)
             self.assertEqual(self.js(wall), at_rest)
             self.choose(1)
-            self.assertEqual({name.split(",")[0] for name in self.openings()}, {"1 | 2", "3 | 1"})
+            self.assertEqual({name.split(",")[0] for name in self.openings()}, {"Walled | Frame", "W | Walled"})
             self.clean(page)
 
     def test_corner_to_corner_has_one_opening_and_below_zero_only_in_contact(self):
@@ -207,8 +207,24 @@ class PlanMotion(report_test.Reports):
                     if tone != "marked":
                         self.assertGreater(float(value.replace("\N{MINUS SIGN}", "-")), -1e-4, (name, moment))
                 self.assertEqual({name.split(",")[0] for name, _, tone in rows if tone == "marked"},
-                                 {f"{point['left'] + 1} | {point['right'] + 1}" for point in data["points"]
-                                  if point["gap"] in under_way})
+                                 {" | ".join(data["buildings"][point[side]]["short"] for side in ("left", "right"))
+                                  for point in data["points"] if point["gap"] in under_way})
+
+    def test_names_lie_within_outlines_that_turn_inwards(self):
+        """Both ends of each, on a telephone of all but the small workshop; and no numbers in their place."""
+        page = self.report(SOURCE / "examples" / "plan" / "crossroads.toml")
+        for width in 1000, PHONE:
+            self.opened(page, width)
+            self.scrub(0.0)
+            names = self.js("""[...document.querySelectorAll('#stage .name')].map((name, b) => {
+              const { x, y, width, height } = name.getBBox(), path = document.querySelectorAll('#stage .footprint')[b];
+              return [name.textContent, [0.02, 0.5, 0.98].every((part) =>
+                path.isPointInFill(new DOMPoint(x + part * width, y + height / 2)))];
+            })""")
+            self.assertEqual([name for name, _ in names], ["Corner", "East", "North", "Workshop"])
+            for name, within in names[:3] if width == PHONE else names:
+                self.assertTrue(within, (name, width))
+            self.clean(page)
 
     def test_speaks_indonesian(self):
         page = self.report(PLAN, "--lang", "id")

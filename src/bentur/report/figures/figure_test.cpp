@@ -180,6 +180,7 @@ TEST(FigureSvg, TextsStandBesideTheirPlaces) {
   panel.texts = {{5, 5, "east", Side::right}, {5, 5, "west", Side::left}, {5, 5, "north", Side::above}};
   panel.texts.push_back({.x = 5, .y = 5, .text = "south", .side = Side::below});
   panel.texts.push_back({.x = 11, .y = 5, .text = "beyond"});
+  panel.texts.push_back({.x = 0, .y = 8, .text = "a peak at the edge", .side = Side::above});
   const std::string svg = figure_svg(figure);
   EXPECT_EQ(count(svg, "r=\"3.2\" class=\"fill-ink stroke-paper\""), 1U) << "twice as large";
   const auto place = [&](const std::string& text) {
@@ -193,6 +194,8 @@ TEST(FigureSvg, TextsStandBesideTheirPlaces) {
   EXPECT_LT(place("north").second, place("east").second - 6);
   EXPECT_GT(place("south").second, place("east").second + 6);
   EXPECT_EQ(count(svg, "beyond"), 0U);
+  const double half = text_width("a peak at the edge") / 2 * 96 / 2.54, left = placed_figure(figure, "").panels[0].left;
+  EXPECT_GE(place("a peak at the edge").first - half, left) << "numbers stand beside the frame";
   EXPECT_NE(figure_text(figure, "x").script.find("[5.0,5.0,\"north\",0,1,"), std::string::npos);
 }
 

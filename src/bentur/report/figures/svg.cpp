@@ -320,9 +320,15 @@ class Drawing {
   /// Clear of a mark there.
   void beside(const PlaceText& one, const std::vector<std::string>& lines, const Frame& frame,
               Tone tone = Tone::black) {
-    const double px = frame.x(one.x), py = frame.y(one.y);
+    double px = frame.x(one.x);
+    const double py = frame.y(one.y);
     if (!frame.holds(px, py)) return;
     using Side = PlaceText::Side;
+    if (one.side == Side::above || one.side == Side::below) {  // within the frame, beside which numbers stand
+      double half = 0;
+      for (const std::string& text : lines) half = std::max(half, x(text_width(text) / 2) + 1);
+      px = std::clamp(px, half, std::max(half, frame.width - half));
+    }
     const double right = one.side == Side::right ? clear : one.side == Side::left ? -clear : 0;
     const double down = one.side == Side::below ? clear + baseline : one.side == Side::above ? -clear - baseline : 0;
     const char* const anchor = one.side == Side::right ? "start" : one.side == Side::left ? "end" : "middle";

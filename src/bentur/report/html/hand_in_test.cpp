@@ -12,9 +12,9 @@
 
 #include "bentur/io/case/case_toml.h"
 #include "bentur/report/html/report.h"
-#include "bentur/report/kinds/kinds.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/suite_report.h"
+#include "bentur/report/kinds/kinds.h"
 #include "bentur/study/suite/suite_hand_in.h"
 
 namespace bentur {

@@ -64,7 +64,12 @@ Figure figure_of_width(const MakeFigure& make, FigureOptions options, double wid
     figure.width = width;  // but for round-off
   }
   bound_height(figure, page_height);
-  return figure;
+  if (width >= of_two_columns || layout(figure).height <= page_height + round_off) return figure;
+  Figure beside = make(options);  // where panels one below another take more than a page
+  if (beside.columns != 2) return figure;
+  beside.width = width;
+  bound_height(beside, page_height);
+  return layout(beside).height < layout(figure).height ? beside : figure;
 }
 
 }  // namespace bentur

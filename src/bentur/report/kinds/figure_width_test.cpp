@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "bentur/report/figures/internal/layout.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
 #include "tests/support/plan_run.h"
@@ -23,6 +24,9 @@ void expect_widths(const Run& run, int least_broad) {
       const Figure figure = figure_of_width(make, {}, width);
       EXPECT_DOUBLE_EQ(figure.width, width) << kind.name;
       EXPECT_EQ(figure.finding, usual.finding) << kind.name;
+      if (width >= column_width) {
+        EXPECT_LE(layout(figure).height, page_height + 0.01) << kind.name << ", " << width;
+      }
       EXPECT_FALSE(figure_svg(figure).empty()) << kind.name;
       if (width <= column_width && !figure.panels.front().to_scale) {
         EXPECT_FALSE(figure.panels.back().x.label.empty()) << kind.name << ": no neighbour has it";
