@@ -1,5 +1,5 @@
 import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion/motion.js";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { Overview } from "./solver";
 import { time } from "./state";
 import { language, say } from "./texts";
@@ -16,6 +16,8 @@ const followers = new Set<Motion>();
 export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
   const motion = useRef<Motion | null>(null);
+  // What stands in a drawing without room for names: of a plan a part of each, of a row numbers.
+  const shorts = useMemo(() => (JSON.parse(data).buildings as { short?: string }[]).map(({ short }, b) => short ?? String(b + 1)), [data]);
   const opening = `${say("history.opening")} [${overview.units.length}]`;
   useEffect(() => {
     const read = JSON.parse(data);
@@ -58,7 +60,7 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
           </div>
         </div>
       </div>
-      <p data-part="buildingKey" class="note">{overview.buildings.map(({ name }, b) => `${b + 1} ${name}`).join(", ")}</p>
+      <p data-part="buildingKey" class="note">{overview.buildings.map(({ name }, b) => `${shorts[b]} ${name}`).join(", ")}</p>
       <svg data-part="timeline" class="timeline" role="img" aria-label={say("motion.timeline")} />
       <div data-part="timeAxis" class="time-axis" aria-hidden="true" />
       <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("time")} />
