@@ -944,14 +944,19 @@ test("another record that does not say its unit asks for it", async () => {
   });
 });
 
-test("the slider marks what the reversed motion and the rules ask for, and reaches the largest", async () => {
+test("the slider has the larger need of both directions, marks the other one and what rules ask for, and reaches the largest", async () => {
   await on(async (page) => {
     await solved(page);
     await page.setInputFiles(".cases input[type=file]", `${source}/examples/hinged-frame.toml`);
     await page.waitForFunction((at) => document.querySelector(at).value.includes("moment_capacity"), editor);
     await solved(page);
     const shown = await page.textContent(".marks");
-    for (const one of ["reversed", "SRSS", "ABS"]) assert.ok(shown.includes(one), `${one}: ${shown}`);
+    for (const one of ["as given", "SRSS", "ABS"]) assert.ok(shown.includes(one), `${one}: ${shown}`);
+    const [gap] = JSON.parse(await download(page, "summary")).gaps, ends = [gap.gap_needed, gap.gap_needed_reversed];
+    assert.ok(ends[1] > ends[0], "the motion reversed needs more here");
+    const written = async (at) => Number(/[\d.]+/.exec(await page.textContent(at))[0]);
+    assert.ok(Math.abs(await written(".needed") / ends[1] - 1) < 1e-3);
+    assert.ok(Math.abs(await written(".marks") / ends[0] - 1) < 1e-3);
     const largest = Math.max(...[...shown.matchAll(/[\d.]+/g)].map(Number));
     assert.ok(Number(await page.locator("#gap").getAttribute("max")) > largest);
     assert.match(await page.locator("#gap").getAttribute("aria-valuetext"), / m$/);
