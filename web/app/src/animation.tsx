@@ -16,11 +16,11 @@ const followers = new Set<Motion>();
 export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
   const motion = useRef<Motion | null>(null);
+  const read = useMemo(() => JSON.parse(data), [data]);
   // What stands in a drawing without room for names: of a plan a part of each, of a row numbers.
-  const shorts = useMemo(() => (JSON.parse(data).buildings as { short?: string }[]).map(({ short }, b) => short ?? String(b + 1)), [data]);
+  const shorts = (read.buildings as { short?: string }[]).map(({ short }, b) => short ?? String(b + 1));
   const opening = `${say("history.opening")} [${overview.units.length}]`;
   useEffect(() => {
-    const read = JSON.parse(data);
     if (motion.current) {
       motion.current.update(read);
       return;
@@ -42,7 +42,7 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
       (parts.speed as HTMLSelectElement).value = "1";
       made.start();
     }
-  }, [data]);
+  }, [read]);
   useEffect(() => () => {
     motion.current?.pause();
     if (motion.current) followers.delete(motion.current);

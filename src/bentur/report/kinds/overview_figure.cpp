@@ -85,7 +85,8 @@ void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
 
 /// Each bar by its name and value, the given gap uppermost.
 void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& options) {
-  const std::vector<GapBar> bars = bars_of(judged_gaps(run).front().facts);
+  const GapFacts facts = judged_gaps(run).front().facts;
+  const std::vector<GapBar> bars = bars_of(facts);
   std::vector<double> values;
   for (const GapBar& one : bars) values.push_back(one.value);
   const std::vector<std::string> numbers = column(values);  // with digits alike
@@ -97,7 +98,7 @@ void add_one_gap(Panel& panel, const RunResults& run, const FigureOptions& optio
     panel.y.names.push_back(word(options, one.name) + ": " + value);
     add_bar(panel, one, static_cast<double>(k), 0.6);
   }
-  const std::optional<GoverningNeed> found = governing_need(judged_gaps(run).front().facts);
+  const std::optional<GoverningNeed> found = governing_need(facts);
   if (found && (found->given.needed || found->reversed.needed)) {
     panel.title = word(options, "needed at level {}", shown_value(run, found->at.elevation, "L"));
   }

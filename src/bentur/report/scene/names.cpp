@@ -7,6 +7,12 @@
 
 namespace bentur {
 
+std::vector<std::string> building_names(const PlanProblem& problem) {
+  std::vector<std::string> names;
+  for (const PlanBuilding& building : problem.buildings) names.push_back(building.name);
+  return names;
+}
+
 std::vector<std::string> short_names(const std::vector<std::string>& names) {
   constexpr std::size_t longest = 9;  // characters
   std::size_t shared = 0;             // of the names, behind a space

@@ -227,9 +227,7 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
   const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
   const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
   const double arm = arm_of(run.problem);
-  std::vector<std::string> names;
-  for (const PlanBuilding& building : run.problem.buildings) names.push_back(building.name);
-  const std::vector<std::string> in_short = short_names(names);
+  const std::vector<std::string> in_short = short_names(building_names(run.problem));
   Json buildings = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];

@@ -294,8 +294,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   html::PageSection motion;
   Html data;
   if (!run.response.points.empty()) {
-    std::vector<std::string> names;
-    for (const PlanBuilding& building : run.problem.buildings) names.push_back(building.name);
+    const std::vector<std::string> names = building_names(run.problem);
     const bool are_said = are_parts_of(short_names(names), names);
     motion =
         html::motion_section(say, run.c.units.length, are_said ? "" : html::numbered(names), html::MotionView::plan);

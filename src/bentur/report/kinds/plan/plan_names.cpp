@@ -77,8 +77,7 @@ PlaceText place_of_name(const std::string& name, const PlanRings& rings, const N
 std::vector<PlaceText> places_of_names(const PlanProblem& problem, const std::vector<PlanRings>& rings,
                                        const NameRows& rows, double one_cm,
                                        const std::vector<std::vector<PlanRings>>& above) {
-  std::vector<std::string> names;
-  for (const PlanBuilding& building : problem.buildings) names.push_back(building.name);
+  const std::vector<std::string> names = building_names(problem);
   std::vector<PlaceText> places;
   for (const std::vector<std::string>& texts : {names, short_names(names)}) {
     places.clear();
