@@ -111,15 +111,19 @@ Eigen::VectorXd floor_speed(const Histories& histories, const Problem& problem, 
 std::vector<double> floor_spectrum(double step, const Eigen::VectorXd& speed, const std::vector<double>& periods,
                                    double damping) {
   constexpr double to_a_period = 60;
-  std::vector<double> spectrum;
-  SampledMotion motion;
-  Index last = 0;
-  for (const double period : periods) {
+  const auto samples_of = [&](double period) {
     Index samples = 1;
     while (2 * to_a_period * static_cast<double>(samples) * step <= period) samples *= 2;
-    if (samples != last) motion = mean_acceleration(step, speed, samples);
-    last = samples;
-    spectrum.push_back(oscillator_peaks(motion, period, damping).pseudo_acceleration);
+    return samples;
+  };
+  std::vector<double> spectrum;
+  while (spectrum.size() < periods.size()) {  // those that have the same samples at once
+    const auto first = periods.begin() + std::ssize(spectrum);
+    const Index samples = samples_of(*first);
+    const auto end = std::find_if(first, periods.end(), [&](double period) { return samples_of(period) != samples; });
+    const std::vector<double> found =
+        pseudo_accelerations_at_samples(mean_acceleration(step, speed, samples), {first, end}, damping);
+    spectrum.insert(spectrum.end(), found.begin(), found.end());
   }
   return spectrum;
 }

@@ -40,8 +40,9 @@ struct FloorSpectra {
 /// however short it is. [length/s²]
 [[nodiscard]] SampledMotion mean_acceleration(double step, const Eigen::VectorXd& speed, Eigen::Index samples);
 
-/// The spectrum of that: of each period by the longest means that leave 60 or more to it, by which S_a falls 0.14 %
-/// short at most. Periods are 60 samples long or more.
+/// The spectrum of that: of each period by the longest means that leave 60 or more to it, by which S_a falls
+/// some 0.3 % short at most, half of it by the means and half by what lies between samples. Periods are 60 samples long
+/// or more.
 [[nodiscard]] std::vector<double> floor_spectrum(double step, const Eigen::VectorXd& speed,
                                                  const std::vector<double>& periods, double damping);
 

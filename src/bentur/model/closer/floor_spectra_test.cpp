@@ -53,7 +53,8 @@ TEST(FloorSpectra, AreThoseOfAnOscillatorThatStandsOnTheFloor) {
       const double found = floor_spectrum(5e-4, floor_speed(run.histories, alone, 1, 0), {period}, damping).front();
       const Response both = solve(beside_a_wall(law, period));
       const double expected = omega * omega * both.buildings[1].drift_ratio(1);
-      EXPECT_NEAR(found, expected, 3e-3 * expected) << law->name() << ", " << period;  // 0.14 %, and the last swing
+      EXPECT_NEAR(found, expected, 3e-3 * expected)
+          << law->name() << ", " << period;  // the means, what lies between samples
     }
   }
 }

@@ -31,6 +31,13 @@ struct OscillatorPeaks {
 [[nodiscard]] std::vector<OscillatorPeaks> response_spectrum(const SampledMotion& motion,
                                                              const std::vector<double>& periods, double damping_ratio);
 
+/// S_a of each period at the samples and after the last one alone, in a fifth of the time: short of that of
+/// response_spectrum() by (ω h)²/8 of A and the largest |a_g| together at most, for samples h apart.
+/// @throws InvalidParameter as oscillator_peaks()
+[[nodiscard]] std::vector<double> pseudo_accelerations_at_samples(const SampledMotion& motion,
+                                                                  const std::vector<double>& periods,
+                                                                  double damping_ratio);
+
 /// S_a of two components together: ω² max |(x, y)| [length/s²], over all t ≥ 0 and so over all directions, x and y each
 /// as (1) has it. The shorter record is zero after its end. Below the largest by less than 3·10⁻⁴ of it, as the path is
 /// looked at every 0.05 rad of the oscillator.

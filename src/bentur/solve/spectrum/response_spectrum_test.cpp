@@ -194,6 +194,41 @@ TEST(ResponseSpectrum, PeriodsAreEvenlySpacedOnALogarithmicScale) {
   EXPECT_EQ(response_spectrum(motion, periods, 0.05).size(), periods.size());
 }
 
+/// Four are followed side by side, and those of one are cut into more parts than those of another.
+TEST(ResponseSpectrum, OfManyPeriodsIsThatOfEachToTheBit) {
+  const SampledMotion motion = noise(0.02, 300, 8);
+  for (const double ratio : {0.0, 0.05, 0.7}) {
+    const std::vector<double> periods = logarithmic_periods(0.005, 6, 43);
+    const std::vector<OscillatorPeaks> all = response_spectrum(motion, periods, ratio);
+    ASSERT_EQ(all.size(), periods.size());
+    for (std::size_t i = 0; i < periods.size(); ++i) {
+      const OscillatorPeaks one = oscillator_peaks(motion, periods[i], ratio);
+      EXPECT_EQ(all[i].displacement, one.displacement) << periods[i];
+      EXPECT_EQ(all[i].pseudo_velocity, one.pseudo_velocity) << periods[i];
+      EXPECT_EQ(all[i].pseudo_acceleration, one.pseudo_acceleration) << periods[i];
+      EXPECT_EQ(all[i].absolute_acceleration, one.absolute_acceleration) << periods[i];
+    }
+  }
+  EXPECT_TRUE(response_spectrum(motion, {}, 0.05).empty());
+}
+
+/// Between samples x strays from its chord by h²/8 of the largest |ẍ|, which is A and the ground's together at most.
+TEST(ResponseSpectrum, AtSamplesFallsShortByWhatAStepBends) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const SampledMotion motion = noise(0.005, 800, seed);
+    const std::vector<double> periods = logarithmic_periods(60 * 0.005, 5, 25);
+    const std::vector<double> at_samples = pseudo_accelerations_at_samples(motion, periods, 0.05);
+    ASSERT_EQ(at_samples.size(), periods.size());
+    for (std::size_t i = 0; i < periods.size(); ++i) {
+      const OscillatorPeaks whole = oscillator_peaks(motion, periods[i], 0.05);
+      const double turn = 2 * pi / periods[i] * 0.005;
+      const double bend = turn * turn / 8 * (whole.absolute_acceleration + peak_acceleration(motion));
+      EXPECT_LE(at_samples[i], whole.pseudo_acceleration * (1 + round_off)) << seed << ", " << periods[i];
+      EXPECT_GE(at_samples[i], whole.pseudo_acceleration - bend) << seed << ", " << periods[i];
+    }
+  }
+}
+
 TEST(ResponseSpectrum, RefusesWhatCannotBe) {
   const SampledMotion motion = noise(0.02, 50, 6);
   EXPECT_THROW((void)oscillator_peaks(motion, 0, 0.05), InvalidParameter);
