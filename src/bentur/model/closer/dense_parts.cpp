@@ -18,25 +18,22 @@ MatrixXd by_member(const Eigen::VectorXd& moments) {
   return Eigen::Map<const MatrixXd>(moments.data(), stations, moments.size() / stations);
 }
 
-/// All three of some instants, one a column.
-struct AllForces {
-  MatrixXd moments, shears, axial;
+/// Raises the most and lowers the least of each row to those of more instants, a column each.
+void take(const MatrixXd& more, Eigen::VectorXd& most, Eigen::VectorXd& least) {
+  if (most.size() == 0) most = least = more.col(0);
+  for (const auto instant : more.colwise()) {
+    most = most.cwiseMax(instant);
+    least = least.cwiseMin(instant);
+  }
+}
 
-  AllForces(const MemberForces& of, const MatrixXd& sways, const MatrixXd& turned)
-      : moments(of.moments(sways, turned)), shears(of.shears(sways, turned)), axial(of.axial_forces(sways, turned)) {}
-};
-
-/// Raises extremes, the least ones with sign −1, to those of more instants.
-void raise(FrameForces::Forces& extremes, const AllForces& more, double sign) {
-  const auto take = [&](const MatrixXd& all, Eigen::VectorXd& so_far) {
-    Eigen::VectorXd here = sign * (sign * all).rowwise().maxCoeff();
-    so_far = so_far.size() == 0 ? here : Eigen::VectorXd(sign * (sign * so_far).cwiseMax(sign * here));
-  };
-  Eigen::VectorXd moments = extremes.moments.reshaped();
-  take(more.moments, moments);
-  extremes.moments = by_member(moments);
-  take(more.shears, extremes.shears);
-  take(more.axial, extremes.axial);
+void take(const MemberForces::Forces& more, FrameForces::Forces& most, FrameForces::Forces& least) {
+  Eigen::VectorXd highest = most.moments.reshaped(), lowest = least.moments.reshaped();
+  take(more.moments, highest, lowest);
+  most.moments = by_member(highest);
+  least.moments = by_member(lowest);
+  take(more.shears, most.shears, least.shears);
+  take(more.axial, most.axial, least.axial);
 }
 
 }  // namespace
@@ -56,18 +53,17 @@ Index column_at(const std::vector<double>& time, double at) {
 
 void take_extremes(const MemberForces& forces, const MatrixXd& sways, const MatrixXd& turned, bool touches,
                    FrameForces& found) {
-  constexpr Index block = 1000;  // instants in memory at a time
+  constexpr Index block = 100;  // instants at a time, so few that a processor has them at hand
   for (Index from = 0; from < sways.cols(); from += block) {
     const Index count = std::min(block, sways.cols() - from);
-    const AllForces all(forces, sways.middleCols(from, count), turned.middleCols(from, count));
-    raise(touches ? found.most : found.most_without_contact, all, 1);
-    raise(touches ? found.least : found.least_without_contact, all, -1);
+    const MemberForces::Forces all = forces.forces(sways.middleCols(from, count), turned.middleCols(from, count));
+    take(all, touches ? found.most : found.most_without_contact, touches ? found.least : found.least_without_contact);
   }
 }
 
 void take_instant(const MemberForces& forces, const MatrixXd& sways, const MatrixXd& turned,
                   const std::vector<double>& time, Index column, FrameForces& found) {
-  const AllForces then(forces, sways.col(column), turned.col(column));
+  const MemberForces::Forces then = forces.forces(sways.col(column), turned.col(column));
   found.members = forces.members();
   found.time = time[static_cast<std::size_t>(column)];
   found.instant = {by_member(then.moments), then.shears, then.axial};

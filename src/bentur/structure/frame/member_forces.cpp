@@ -117,36 +117,42 @@ MemberForces::MemberForces(const PlaneFrame& frame, const std::vector<HingePlace
   known << on_ends.leftCols(sways), on_ends.rightCols(turns);
   const MatrixXd ends = known - on_ends.middleCols(sways, rotations) * rotated;
 
-  constexpr Index places = std::size(stations);
-  MatrixXd moments(places * count, ends.cols()), shears(count, ends.cols());
-  MatrixXd axial = MatrixXd::Constant(count, ends.cols(), not_known);
+  const auto columns = std::count_if(members_.begin(), members_.end(), [](const auto& one) { return !one.of_beam; });
+  MatrixXd turning(2 * count, ends.cols()), axial = MatrixXd::Zero(columns, ends.cols());
   for (Index n = 0; n < count; ++n) {
-    const auto first = ends.row(4 * n + 1), second = ends.row(4 * n + 3);
-    for (Index k = 0; k < places; ++k) {
-      moments.row(places * n + k) = (1 - stations[k]) * first - stations[k] * second;
-    }
-    shears.row(n) = (members_[n].of_beam ? 1 : -1) / members_[n].length() * (first + second);
-  }
-  for (Index n = 0; n < count; ++n) {
-    if (members_[n].of_beam) continue;
-    axial.row(n).setZero();
-    for (Index m = 0; m < count; ++m) {
-      const FrameMember& beam = members_[m];
-      if (!beam.of_beam || beam.level < members_[n].level) continue;
-      if (beam.number == members_[n].number) axial.row(n) -= shears.row(m);
-      if (beam.number + 1 == members_[n].number) axial.row(n) += shears.row(m);
+    turning.middleRows(2 * n, 2) << ends.row(4 * n + 1), ends.row(4 * n + 3);
+    const FrameMember& beam = members_[n];
+    if (!beam.of_beam) continue;
+    const Eigen::RowVectorXd lifts = (ends.row(4 * n + 1) + ends.row(4 * n + 3)) / beam.length();
+    for (Index m = 0; m < columns; ++m) {
+      if (beam.level < members_[m].level) continue;
+      if (beam.number == members_[m].number) axial.row(m) -= lifts;
+      if (beam.number + 1 == members_[m].number) axial.row(m) += lifts;
     }
   }
-  for (const auto& [rows, to] : {std::pair(&moments, &moments_), {&shears, &shears_}, {&axial, &axial_}}) {
+  for (const auto& [rows, to] : {std::pair(&turning, &ends_), {&axial, &axial_}}) {
     to->of_sways = rows->leftCols(sways);
     to->of_hinges = rows->rightCols(turns);
   }
 }
 
-MatrixXd MemberForces::moments(const MatrixXd& sways, const MatrixXd& turned) const { return moments_(sways, turned); }
-MatrixXd MemberForces::shears(const MatrixXd& sways, const MatrixXd& turned) const { return shears_(sways, turned); }
-MatrixXd MemberForces::axial_forces(const MatrixXd& sways, const MatrixXd& turned) const {
-  return axial_(sways, turned);
+MemberForces::Forces MemberForces::forces(const MatrixXd& sways, const MatrixXd& turned) const {
+  constexpr Index places = std::size(stations);
+  const Index count = std::ssize(members_), instants = sways.cols();
+  const MatrixXd ends = ends_(sways, turned);
+  Forces found{MatrixXd(places * count, instants), MatrixXd(count, instants),
+               MatrixXd::Constant(count, instants, not_known)};
+  for (Index t = 0; t < instants; ++t) {
+    for (Index n = 0; n < count; ++n) {
+      const double first = ends(2 * n, t), second = ends(2 * n + 1, t);
+      for (Index k = 0; k < places; ++k) {
+        found.moments(places * n + k, t) = (1 - stations[k]) * first - stations[k] * second;
+      }
+      found.shears(n, t) = (members_[n].of_beam ? 1 : -1) / members_[n].length() * (first + second);
+    }
+  }
+  found.axial.topRows(axial_.of_sways.rows()) = axial_(sways, turned);
+  return found;
 }
 
 }  // namespace bentur

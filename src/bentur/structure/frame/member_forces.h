@@ -42,12 +42,13 @@ class MemberForces {
   /// Where along a member its moments are, as parts of its length [-].
   static constexpr double stations[] = {0, 0.25, 0.5, 0.75, 1};
 
-  /// Of each instant a column. @param sways of floors, then of nodes [length]; @param turned by hinges [rad]
-  /// Moments at the stations of members, one member after the other.
-  [[nodiscard]] Eigen::MatrixXd moments(const Eigen::MatrixXd& sways, const Eigen::MatrixXd& turned) const;
-  [[nodiscard]] Eigen::MatrixXd shears(const Eigen::MatrixXd& sways, const Eigen::MatrixXd& turned) const;
-  /// Of beams NaN.
-  [[nodiscard]] Eigen::MatrixXd axial_forces(const Eigen::MatrixXd& sways, const Eigen::MatrixXd& turned) const;
+  /// An instant a column.
+  struct Forces {
+    Eigen::MatrixXd moments;        ///< at the stations of members, one member after the other
+    Eigen::MatrixXd shears, axial;  ///< of members; axial of beams NaN
+  };
+  /// @param sways of floors, then of nodes [length]; @param turned by hinges [rad]; an instant a column
+  [[nodiscard]] Forces forces(const Eigen::MatrixXd& sways, const Eigen::MatrixXd& turned) const;
 
  private:
   struct Rows {
@@ -55,7 +56,8 @@ class MemberForces {
     [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& sways, const Eigen::MatrixXd& turned) const;
   };
   std::vector<FrameMember> members_;
-  Rows moments_, shears_, axial_;
+  Rows ends_;   ///< moments that act on both ends of members
+  Rows axial_;  ///< of columns, which come first
 };
 
 }  // namespace bentur

@@ -40,10 +40,10 @@ struct Diagram {
     const MemberForces forces(frame);
     const Eigen::MatrixXd none(0, 1);
     members = forces.members();
-    const Eigen::VectorXd all = forces.moments(y, none);
-    moments = Eigen::Map<const Eigen::MatrixXd>(all.data(), 5, std::ssize(members));
-    shears = forces.shears(y, none);
-    axial = forces.axial_forces(y, none);
+    const MemberForces::Forces all = forces.forces(y, none);
+    moments = Eigen::Map<const Eigen::MatrixXd>(all.moments.data(), 5, std::ssize(members));
+    shears = all.shears;
+    axial = all.axial;
   }
   /// What acts on an end of a member, clockwise: `second` of the top or right one.
   [[nodiscard]] double end(Index n, bool second) const { return second ? -moments(4, n) : moments(0, n); }
