@@ -163,8 +163,8 @@ Couplings couplings(const ModalSystem& system) {
 }  // namespace
 
 void ModalSystem::Block::Group::evaluate(const Coordinates& q, const Coordinates& v, const Coordinates& a,
-                                         Eigen::Ref<VectorXd> result) const {
-  result = at_rest;
+                                         Eigen::Ref<MatrixXd> result) const {
+  result.colwise() = at_rest;
   if (of_position.size() > 0) result.noalias() += of_position * q;
   if (of_speed.size() > 0) result.noalias() += of_speed * v;
   if (of_acceleration.size() > 0) result.noalias() += of_acceleration * a;

@@ -78,10 +78,10 @@ struct ModalSystem {
       bool has_peak = false;
       Outputs::Course course = Outputs::Course::none;
       [[nodiscard]] Eigen::Index count() const { return at_rest.size(); }
-      using Coordinates = Eigen::Ref<const Eigen::VectorXd>;
-      /// The outputs at an instant; `a` is not looked at where they have no part of it.
+      using Coordinates = Eigen::Ref<const Eigen::MatrixXd>;
+      /// The outputs at instants, a column each; `a` is not looked at where they have no part of it.
       void evaluate(const Coordinates& q, const Coordinates& v, const Coordinates& a,
-                    Eigen::Ref<Eigen::VectorXd> result) const;
+                    Eigen::Ref<Eigen::MatrixXd> result) const;
     };
     std::vector<Group> outputs;              ///< as Body::outputs
     std::optional<Eigen::MatrixXd> damping;  ///< full D where it is not diagonal

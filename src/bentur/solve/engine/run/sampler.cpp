@@ -8,6 +8,10 @@ namespace bentur::engine {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+namespace {
+constexpr Index together = 64;  // instants whose outputs are one product of matrices
+}
+
 Index sample_count(double duration, double step) {
   return static_cast<Index>(std::floor(duration / step + sample_slack)) + 1;
 }
@@ -22,6 +26,8 @@ Sampler::Sampler(const ModalSystem& system, const System& given, const std::vect
     std::vector<MatrixXd>& lists = outputs_.emplace_back();
     for (const auto& group : block.outputs) lists.emplace_back(MatrixXd::Zero(group.count(), count_));
   }
+  q_.resize(system.size, together);
+  v_ = a_ = q_;
   largest_q_.resize(system.blocks.size(), 0.0);
   largest_acceleration_ = largest_q_;
   samples_.ground_acceleration = MatrixXd::Zero(system.components(), count_);
@@ -52,14 +58,14 @@ void Sampler::take(const State& state, const std::vector<GroundInput>& inputs, c
   }
   for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
     const auto& block = system_->blocks[b];
-    const auto of = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.size); };
     const auto squared = [&](const Eigen::VectorXd& x) { return x.segment(block.begin, block.modes).squaredNorm(); };
     largest_q_[b] = std::max(largest_q_[b], squared(state.q));
     largest_acceleration_[b] = std::max(largest_acceleration_[b], squared(acceleration_));
-    for (std::size_t k = 0; k < block.outputs.size(); ++k) {
-      block.outputs[k].evaluate(of(state.q), of(state.v), of(acceleration_), outputs_[b][k].col(taken_));
-    }
   }
+  const Index waiting = taken_ - multiplied_;
+  q_.col(waiting) = state.q.head(q_.rows());
+  v_.col(waiting) = state.v.head(q_.rows());
+  a_.col(waiting) = acceleration_.head(q_.rows());
   for (Index point = 0; point < system_->points(); ++point) {
     const Index i = system_->opening(point);
     samples_.opening(point, taken_) = -offsets_[i] - system_->elements[i].relation.along(state.q);
@@ -73,9 +79,25 @@ void Sampler::take(const State& state, const std::vector<GroundInput>& inputs, c
     samples_.joint_force(i, taken_) = forces_(system_->joint(i));
   }
   ++taken_;
+  if (taken_ - multiplied_ == together) multiply();
+}
+
+void Sampler::multiply() {
+  const Index count = taken_ - multiplied_;
+  for (std::size_t b = 0; b < system_->blocks.size(); ++b) {
+    const auto& block = system_->blocks[b];
+    for (std::size_t k = 0; k < block.outputs.size(); ++k) {
+      auto result = outputs_[b][k].middleCols(multiplied_, count);
+      block.outputs[k].evaluate(q_.block(block.begin, 0, block.size, count),
+                                v_.block(block.begin, 0, block.size, count),
+                                a_.block(block.begin, 0, block.size, count), result);
+    }
+  }
+  multiplied_ = taken_;
 }
 
 void Sampler::finish(Solution& solution) {
+  if (taken_ > multiplied_) multiply();
   const auto cut = [this](MatrixXd& matrix) {
     if (taken_ < count_) matrix.conservativeResize(Eigen::NoChange, taken_);
   };

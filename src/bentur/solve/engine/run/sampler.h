@@ -32,6 +32,9 @@ class Sampler {
   void finish(Solution& solution);
 
  private:
+  /// Multiplies outputs of the instants that wait for it, many at a time.
+  void multiply();
+
   const ModalSystem* system_;
   const System* given_;
   std::vector<double> offsets_;
@@ -42,6 +45,8 @@ class Sampler {
   std::vector<double> largest_q_, largest_acceleration_;  ///< per body, squares of the norms over its modes
   State state_;
   Eigen::VectorXd forces_, acceleration_;
+  Eigen::Index multiplied_ = 0;  ///< of the samples taken
+  Eigen::MatrixXd q_, v_, a_;    ///< of those after them, a column each
 };
 
 }  // namespace bentur::engine
