@@ -3,7 +3,8 @@
 A table stands between two comments. `<!-- keys building.frame -->` is of the keys of a table; with `kind=record` after
 it of those that are for that word of `kind` alone, with `kind=` of those that are for all, with `law` of those that are
 for some. `<!-- words gap.contact law -->` is of the words of a key and what each needs. A way that begins with `study`
-is into a study. tests/python/keys_test.py finds tables that are not as they would be written.
+is into a study. docs/keys.md lists all of these keys with the places of their tables. tests/python/keys_test.py finds
+what is not as it would be written.
 """
 
 import json
@@ -89,6 +90,46 @@ def written(text, schemas):
     return BLOCK.sub(block, text)
 
 
+def slug(heading):
+    """The anchor of a heading, as Markdown's renderers make it."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def index(texts, schemas):
+    """docs/keys.md: each key of the tables in `texts`, by document, and those of [code], with where it is explained."""
+    places = {}
+    for document, text in texts.items():
+        heading = None
+        for line in re.finditer(r"^#+ (.*)$|<!-- keys ([^>]*?) -->", text, re.MULTILINE):
+            if line[1]:
+                heading = line[1]
+                continue
+            way, _, choice = line[2].partition(" ")
+            schema = schemas["study" if way == "study" else "case"]
+            if way == "study":
+                way, _, choice = choice.partition(" ")
+            for row in keys_table(table_at(schema, way), choice)[2:]:
+                key = row.split("`")[1]
+                places.setdefault(key, {})[f"{pathlib.Path(document).name}#{slug(heading)}"] = heading
+    for rule in table_at(schemas["case"], "code").values():
+        for key in rule.get("properties", {}):
+            places.setdefault(key, {})["separation-rules.md#code"] = "[code]"
+    lines = ["# Keys from A to Z", "", "All keys of case and study files, with the tables that explain them.", "",
+             "| key | explained under |", "|---|---|"]
+    for key, where in sorted(places.items()):
+        links = ", ".join("[" + heading.replace("`", "").replace("[", "\\[").replace("]", "\\]") + f"]({at})"
+                          for at, heading in where.items())
+        lines.append(f"| `{key}` | {links} |")
+    return "\n".join(lines) + "\n"
+
+
+INDEX = "docs/keys.md"
+
+
+def texts_of(root):
+    return {document: (root / document).read_text() for document in DOCUMENTS}
+
+
 def schemas_of(program):
     return {what: json.loads(subprocess.run([program, "schema", what], check=True, capture_output=True).stdout)
             for what in ("case", "study")}
@@ -103,6 +144,8 @@ def main(program, *documents):
         if new != text:
             (root / document).write_text(new)
             print(f"{document} written anew")
+    if not documents:
+        (root / INDEX).write_text(index(texts_of(root), schemas))
 
 
 if __name__ == "__main__":

@@ -191,3 +191,10 @@ def test_every_key_says_what_it_is(schemas):
 def test_tables_of_the_documents_are_what_the_schema_says(program, root, document):
     text = (root / document).read_text()
     assert key_tables.written(text, key_tables.schemas_of(program)) == text, "./dev keys writes them"
+
+
+def test_the_list_of_keys_leads_to_all_of_these_tables(program, root):
+    text = (root / key_tables.INDEX).read_text()
+    assert key_tables.index(key_tables.texts_of(root), key_tables.schemas_of(program)) == text, "./dev keys writes it"
+    for way in ("case-gaps.md#contact-laws", "studies.md#the-study-file", "separation-rules.md#code"):
+        assert way in text

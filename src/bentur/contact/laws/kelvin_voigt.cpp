@@ -17,8 +17,8 @@ using Release = KelvinVoigt::Release;
 const Key& release_choice() {
   static const Key choice =
       Key::choice("release", {"zero-force", "separation", "creep"}, {"End of contact", "Akhir kontak"},
-                  "when a contact ends: when the force has come down to zero, when the floors come apart, or as the "
-                  "first, and then the surface recovers")
+                  "when a contact ends: when its force is zero; when the floors separate; or when its force is zero, "
+                  "after which the surface recovers slowly")
           .called({{"zero force", "saat gaya nol"},
                    {"separation", "saat memisah"},
                    {"zero force, then the surface recovers", "saat gaya nol, lalu permukaan pulih"}})
