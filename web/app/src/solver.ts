@@ -41,11 +41,13 @@ export interface FigureOverview { kind: string; caption: string; tells: boolean;
 /** [gap, elevation, start, end, peak force, closing speed, restitution, which of all it is from 1, in plan where along the
  *  stretch] */
 export type ImpactRow = [number, number, number, number, number, number, number | null, number, string?];
+/** A column of the list of impacts as a report has it, the hardest impact first. */
+export interface ImpactColumn { head: string; unit: string; cells: string[]; numbers: boolean }
 /** Forces are in `forceUnit`, in which all people are told of the run; `units` are those of the case and of its files. */
 export interface Overview {
   title: string; version: string; duration: number; spectral: boolean; plan: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number; along?: string }[]; impacts: ImpactRow[];
-  impactCount: number; force: number; amplification: number; statements: Said[];
+  impactColumns: ImpactColumn[]; impactCount: number; force: number; amplification: number; statements: Said[];
   figures: FigureOverview[];
   /** Of a case with a suite its records by their files, and which one this is of, from 1; 0: all. */
   suite: { records: string[]; record: number } | null;

@@ -11,7 +11,7 @@ const en = {
   "motion.play": "Play", "motion.previous": "Previous impact", "motion.next": "Next impact", "motion.hardest": "Hardest impact", "motion.speed": "Speed",
   "motion.slow": "Slow at impacts", "motion.magnify": "Magnification", "motion.picture": "The buildings in motion, to scale, displacements magnified", "motion.timeline": "Roof displacements over time, impacts as ticks",
   "history.opening": "Opening", "history.point": "Level", "history.hardest": "hit hardest", "history.all": "All of the time", "history.hint": "Drag across to zoom, double-click for all; a click moves the buildings to that time.", time: "Time",
-  "impact.number": "No.", "impact.start": "Start", "impact.duration": "Duration", "impact.speed": "Closing speed", "impact.ratio": "Speed ratio", "impact.none": "No impact.", "impact.more": "The first {n} of {all} in this order.", "impact.cut": "Only the hardest {n} are sorted here; the CSV has all.", "impact.show": "Show impact {n}",
+  "impact.none": "No impact.", "impact.more": "The first {n} of {all} in this order.", "impact.cut": "Only the hardest {n} are sorted here; the CSV has all.", "impact.show": "Show impact {n}",
   "curve.force": "Peak force", "curve.amplification": "Amplification", "curve.note": "Peak contact force, and the largest displacement over that without contact, simulated at every gap.", "curve.progress": "{percent} % of the curve",
   "edit.form": "Form", "edit.text": "Case file", "edit.label": "Case file (TOML)", "errors.at": "Line {line}, column {column}", errors: "Errors",
   "form.add": "Add a neighbour known by little", "form.harmonic": "Harmonic ground motion", "form.elcentro": "El Centro 1940", "form.record": "Record file …", "form.none": "The form comes back when the text is valid TOML.", "form.more": "{n} more numbers: edit them in the case file.", "form.link": "Link {n}", "form.bays": "Bays", "form.more.of": "{what}: one more, {name}", "form.fewer.of": "{what}: one fewer, {name}",
@@ -41,7 +41,7 @@ const id: Record<keyof typeof en, string> = {
   "motion.play": "Putar", "motion.previous": "Benturan sebelumnya", "motion.next": "Benturan berikutnya", "motion.hardest": "Benturan terkeras", "motion.speed": "Kecepatan",
   "motion.slow": "Lambat saat benturan", "motion.magnify": "Pembesaran", "motion.picture": "Gedung bergerak, sesuai skala, perpindahan diperbesar", "motion.timeline": "Perpindahan atap terhadap waktu, benturan sebagai garis",
   "history.opening": "Bukaan", "history.point": "Elevasi", "history.hardest": "yang terkeras", "history.all": "Seluruh waktu", "history.hint": "Seret untuk memperbesar, klik ganda untuk semua; klik memindahkan gedung ke waktu itu.", time: "Waktu",
-  "impact.number": "No.", "impact.start": "Mulai", "impact.duration": "Lama", "impact.speed": "Kecepatan mendekat", "impact.ratio": "Rasio kecepatan", "impact.none": "Tidak ada benturan.", "impact.more": "{n} pertama dari {all} menurut urutan ini.", "impact.cut": "Hanya {n} yang terkeras diurutkan di sini; CSV memuat semuanya.", "impact.show": "Tunjukkan benturan {n}",
+  "impact.none": "Tidak ada benturan.", "impact.more": "{n} pertama dari {all} menurut urutan ini.", "impact.cut": "Hanya {n} yang terkeras diurutkan di sini; CSV memuat semuanya.", "impact.show": "Tunjukkan benturan {n}",
   "curve.force": "Gaya puncak", "curve.amplification": "Amplifikasi", "curve.note": "Gaya kontak puncak, dan perpindahan terbesar dibagi perpindahan tanpa kontak, dihitung pada setiap celah.", "curve.progress": "{percent} % dari kurva",
   "edit.form": "Formulir", "edit.text": "Berkas kasus", "edit.label": "Berkas kasus (TOML)", "errors.at": "Baris {line}, kolom {column}", errors: "Kesalahan",
   "form.add": "Tambah tetangga yang sedikit diketahui", "form.harmonic": "Gerakan tanah harmonik", "form.elcentro": "El Centro 1940", "form.record": "Berkas rekaman …", "form.none": "Formulir kembali bila teksnya TOML yang sah.", "form.more": "{n} angka lagi: ubah dalam berkas kasus.", "form.link": "Penghubung {n}", "form.bays": "Bentang", "form.more.of": "{what}: tambah satu, {name}", "form.fewer.of": "{what}: kurangi satu, {name}",
@@ -70,6 +70,12 @@ export function say(word: Word, values: Record<string, string | number> = {}): s
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => (name in values ? String(values[name]) : whole));
 }
 const RAISED = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" } as Record<string, string>;
+const FROM_RAISED = Object.fromEntries(Object.entries(RAISED).map(([digit, raised]) => [raised, digit]));
+/** What a number is that is written so; not one where it is none. */
+export function valueOf(written: string): number {
+  const [digits, power = "⁰"] = written.replace("−", "-").split(/\s×\s10/);
+  return Number(digits) * 10 ** Number([...power].map((one) => FROM_RAISED[one]).join(""));
+}
 /** Four significant digits, as everywhere in bentur: "−0.01995", "1.234 × 10⁻⁸". */
 export function number(value: number | null | undefined): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
