@@ -301,10 +301,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   html::PageSection motion;
   Html data;
   if (!run.response.points.empty()) {
-    const std::vector<std::string> names = building_names(run.problem);
-    const bool are_said = are_parts_of(short_names(names), names);
-    motion =
-        html::motion_section(say, run.c.units.length, are_said ? "" : html::numbered(names), html::MotionView::plan);
+    motion = html::motion_section(say, run.c.units.length, html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
   html::PageBody body{
