@@ -61,6 +61,17 @@ test("a case in plan that is opened gives the command line's words and numbers",
   });
 });
 
+test("on a telephone what stays in sight leaves the screen to what it is of", async () => {
+  await inPlan(async (page) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.waitForFunction(() => document.querySelector(".below .marks")); // which goes with the page
+    const high = await page.locator(".bar").evaluate((one) => one.offsetHeight);
+    assert.ok(high < 844 / 7, `${high}`);
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await page.waitForSelector(".bar .marks");
+  });
+});
+
 test("figures, tables and impacts are those of buildings in plan, without what only a row has", async () => {
   await inPlan(async (page) => {
     const kinds = await page.$$eval("[data-figure]", (all) => all.map((one) => one.dataset.figure));
