@@ -127,7 +127,12 @@ TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
   order.resize(5);
   std::sort(order.begin(), order.end(), std::greater<>());
   std::vector<std::string> expected;
-  for (const std::size_t gap : order) expected.push_back(gap_name(run.problem, static_cast<Eigen::Index>(gap)));
+  for (const std::size_t gap : order) {  // with the level at which each falls short the most
+    const auto need = governing_need(judged_gaps(run).at(gap).facts);
+    const bool is_known = need && need->given.needed;
+    expected.push_back(std::to_string(gap + 1) + " | " + std::to_string(gap + 2) +  // of House 1 | House 2
+                       (is_known ? ", " + number(need->at.elevation) + " m" : ""));
+  }
   FigureOptions options;
   options.width = page_width;
   std::vector<std::string> named = make_figure(run, "overview", options).panels.back().y.names;
