@@ -164,6 +164,16 @@ TEST(ManyBuildings, AGapThatIsNotShortSaysWhyItIsTooSmall) {
     }
   }
   EXPECT_GT(closed, 0);
+  // And what would do there, once no other gap closes.
+  int told = 0;
+  for (const Statement& one : story.statements) {
+    if (one.kind != "row_pushed") continue;
+    ++told;
+    EXPECT_EQ(lacks.texts.at(static_cast<std::size_t>(one.gap.value())), "row.collides");
+    EXPECT_EQ(std::get<double>(one.values.front().value), 0.01);
+    EXPECT_EQ(one.shown, Shown::row);
+  }
+  EXPECT_EQ(told, std::min(closed, 5));
 }
 
 /// The verdict begins with how many gaps are too small, how often they close, and the hardest impact of all.
