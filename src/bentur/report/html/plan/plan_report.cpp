@@ -239,20 +239,22 @@ std::string csv_of(const PlanRun& run, std::vector<Index> listed) {
 }  // namespace
 
 html::HtmlTable html::impact_table(const PlanRun& run, const std::vector<Index>& listed, const Words& say) {
-  const std::vector<std::string> names = gap_names(run.problem);
+  const std::vector<std::string> names = building_names(run.problem), in_short = short_names(names);
+  const std::vector<std::string>& called = are_parts_of(in_short, names) ? in_short : names;
   std::vector<std::string> numbers, gaps;
   std::vector<QuantityPlace> impacts;
   std::vector<Index> points;
   for (const Index k : listed) {
     const Index point = run.response.impacts.at(static_cast<std::size_t>(k)).point;
     numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(names.at(contact_at(run.problem, point).gap));
+    const PlanGap& gap = run.problem.gaps[contact_at(run.problem, point).gap];
+    gaps.push_back(called[gap.left] + " | " + called[gap.right]);
     impacts.push_back({k});
     points.push_back(point);
   }
   HtmlTable table, places;
   table.add("#", "", numbers);
-  if (names.size() > 1) table.add(say("column.gap"), "", gaps, false);
+  if (run.problem.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
   add_places(run, points, say, places);
   html::add_impacts(table, table_columns(Owner::impact, run, impacts, say.number()), places, say, true);
   return table;
