@@ -207,7 +207,7 @@ class PlanMotion(report_test.Reports):
                     if tone != "marked":
                         self.assertGreater(float(value.replace("\N{MINUS SIGN}", "-")), -1e-4, (name, moment))
                 self.assertEqual({name.split(",")[0] for name, _, tone in rows if tone == "marked"},
-                                 {" | ".join(data["buildings"][point[side]]["short"] for side in ("left", "right"))
+                                 {" | ".join(data["names"]["short"][point[side]] for side in ("left", "right"))
                                   for point in data["points"] if point["gap"] in under_way})
 
     def test_names_lie_within_outlines_that_turn_inwards(self):

@@ -475,10 +475,11 @@ test("other units are the same buildings, and back again the same text", async (
     const column = (n) => page.$$eval(`#impacts tbody td:nth-child(${n})`, (all) => all.map((one) => Number(one.textContent)));
     const isSorted = (all, way) => all.length > 10 && all.every((one, i) => i === 0 || way * (one - all[i - 1]) >= 0);
     assert.ok(isSorted(await column(2), -1));
-    await page.click("#impacts th:nth-child(5) button");
-    assert.ok(isSorted(await column(5), 1) && isSorted(await column(1), 1));
-    await page.click("#impacts th:nth-child(5) button");
-    assert.ok(isSorted(await column(5), -1));
+    await page.click("#impacts th:nth-child(4) button");
+    assert.match(await page.textContent("#impacts thead"), /Start\u00a0▲ s/);
+    assert.ok(isSorted(await column(4), 1) && isSorted(await column(1), 1));
+    await page.click("#impacts th:nth-child(4) button");
+    assert.ok(isSorted(await column(4), -1));
     await page.click("#impacts th:nth-child(2) button");
     const largest = Math.max(...after.gaps[0].points.map((point) => point.peak_force)) / 1e3; // in kN, as the verdict has it
     const shown = await page.$$eval("#impacts tbody td:nth-child(2)", (all) => all.map((one) => Number(one.textContent)));
@@ -725,6 +726,43 @@ test("work that takes long says so, also when other work is under way as it is a
     assert.equal(await page.getAttribute("main", "data-ms"), first); // it was said before there was any result of the other
     await letGo(page);
     await write(page, lasting("20.0"));
+  }, { slow: true });
+});
+
+test("a newer wish ends a run that has had its time, and the newest one is shown", async () => {
+  await onFresh(async (page) => {
+    const lasting = await held(page), asked = () => page.evaluate(() => window.asked);
+    await ask(page, lasting("19.0"));
+    const before = await asked();
+    await ask(page, lasting("18.0")); // waits: what is sampled coarsely mostly is there at once
+    await page.clock.runFor(1500);
+    assert.equal(await asked(), before);
+    await page.clock.runFor(500);
+    assert.equal(await asked(), before + 1);
+    assert.ok(await cancelButton(page).count() > 0);
+    await page.clock.runFor(2500);
+    await ask(page, lasting("17.0")); // ends the one that is old by then at once
+    assert.equal(await asked(), before + 2);
+    await letGo(page);
+    await page.waitForFunction(() => document.querySelector("#motion .scrub").max === "17");
+    await write(page, lasting("20.0"));
+  }, { slow: true });
+});
+
+test("a figure that is yet to be drawn says so, and the one before is dimmed", async () => {
+  await onFresh(async (page) => {
+    await page.locator('[data-figure="opening"]').evaluate((one) => one.scrollIntoView());
+    await page.waitForSelector('[data-figure="opening"]:not(.old) svg');
+    await held(page);
+    await page.selectOption("#figures select", { index: 2 });
+    await page.clock.runFor(1000);
+    const figure = page.locator('[data-figure="opening"].old');
+    assert.match(await figure.locator(".redrawn").textContent(), /being drawn/);
+    await page.waitForFunction(() => Number(getComputedStyle(document.querySelector('[data-figure="opening"] svg')).opacity) < 0.5);
+    assert.equal(await figure.locator(".redrawn").evaluate((one) => getComputedStyle(one).visibility), "visible");
+    await letGo(page);
+    await page.waitForSelector('[data-figure="opening"]:not(.old) svg');
+    assert.equal(await page.locator('[data-figure="opening"] .redrawn').count(), 0);
   }, { slow: true });
 });
 

@@ -61,6 +61,17 @@ test("a case in plan that is opened gives the command line's words and numbers",
   });
 });
 
+test("on a telephone what stays in sight leaves the screen to what it is of", async () => {
+  await inPlan(async (page) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.waitForFunction(() => document.querySelector(".below .marks")); // which goes with the page
+    const high = await page.locator(".bar").evaluate((one) => one.offsetHeight);
+    assert.ok(high < 844 / 7, `${high}`);
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await page.waitForSelector(".bar .marks");
+  });
+});
+
 test("figures, tables and impacts are those of buildings in plan, without what only a row has", async () => {
   await inPlan(async (page) => {
     const kinds = await page.$$eval("[data-figure]", (all) => all.map((one) => one.dataset.figure));
@@ -77,9 +88,11 @@ test("figures, tables and impacts are those of buildings in plan, without what o
     await page.click('[data-table="peaks"] summary');
     await page.waitForSelector('[data-table="peaks"] table'); // which is only made once it is open
     assert.match(await page.textContent('[data-table="peaks"]'), /north frame/);
-    const rows = await page.$$eval("#impacts tbody tr", (all) => all.map((row) => row.cells[2].textContent));
+    const columns = await page.$$eval("#impacts thead th", (all) => all.map((one) => one.textContent));
+    const rows = await page.$$eval("#impacts tbody tr", (all) => all.map((row) => [...row.cells].slice(2, 5).map((cell) => cell.textContent)));
+    assert.deepEqual(columns.slice(1, 5), ["Peak force\u00a0▼ kN", "Level m", "x m", "y m"]); // as a report has them
     assert.equal(rows.length, 7);
-    assert.equal(rows[0], "Walled | Frame, y = 18 m");
+    assert.deepEqual(rows[0], ["6.7", "12.02", "18"]);
     assert.equal((await page.$$("#impacts .marked")).length, 1);
     const heads = (await taken(page, '[data-take="histories"]')).split("\n")[0];
     for (const head of ["ground_acceleration 1 [m/s2]", "displacement_y Walled at 6.7 [m]", "rotation Frame at 3.5 [rad]", "force Walled | Frame at 6.7, y = 18 m [kN]"]) {

@@ -153,6 +153,15 @@ Json impacts_of(const RunResults& run, const ShownUnits& shown) {
   return impacts;
 }
 
+/// The list of impacts as a report has it.
+Json columns_of(const std::vector<PageColumn>& columns) {
+  Json all = Json::array();
+  for (const PageColumn& one : columns) {
+    all.push_back({{"head", one.heading}, {"unit", one.unit}, {"cells", one.cells}, {"numbers", one.are_numbers}});
+  }
+  return all;
+}
+
 /// Every figure that the run can give, with its caption; those that do not tell something of it are given away alone.
 template <class Run>
 Json kinds_of(const Run& run, const Words& say) {
@@ -235,6 +244,7 @@ Json plan_overview(const PlanRun& run, const Words& say) {
   all["buildings"] = buildings;
   all["points"] = points;
   all["impacts"] = impacts;
+  all["impactColumns"] = columns_of(impact_columns(run, say.language()));
   all["impactCount"] = run.response.impacts.size();
   all["force"] = shown.force * force;
   all["forceUnit"] = shown.units.force;
@@ -282,6 +292,7 @@ std::string Studio::overview(const std::string& language) const {
     all["buildings"] = buildings_of(run);
     all["points"] = points;
     all["impacts"] = impacts_of(run, shown);
+    all["impactColumns"] = columns_of(impact_columns(run, language));
     all["impactCount"] = run.response.impacts.size();
     all["force"] = shown.force * largest_force(run.response);
     all["forceUnit"] = shown.units.force;

@@ -52,7 +52,7 @@ std::string power_of_ten(int exponent) {
 
 std::string number(double value) { return without_zeros(with_decimals(value, decimals_for(std::abs(value)))); }
 
-std::vector<std::string> column(const std::vector<double>& values, int digits) {
+std::vector<std::string> column(const std::vector<double>& values, int digits, int of_least) {
   double largest = 0, least = INFINITY;
   for (const double value : values) {
     if (!std::isfinite(value) || value == 0) continue;
@@ -61,6 +61,8 @@ std::vector<std::string> column(const std::vector<double>& values, int digits) {
   }
   int most = decimals_for(largest);
   for (int fewer = 4 - digits; fewer > 0 && most > 0 && least > std::pow(10.0, 1 - most); --fewer) --most;
+  for (int more = 0; of_least > 0 && more < 2 && most >= 0 && least < std::pow(10.0, of_least - 1 - most); ++more)
+    ++most;
   int needed = 0;
   for (const double value : values) {  // no more decimals than some number uses: 100 200 300, 0.2 0.25
     const std::string text = without_zeros(with_decimals(value, most));

@@ -18,7 +18,8 @@ namespace bentur {
 
 /// Numbers of one column with equally many decimals, as many as leave the largest at most four significant digits, or
 /// as few as asked for unless one of them would vanish. A value that does not exist (NaN) becomes a dash.
-[[nodiscard]] std::vector<std::string> column(const std::vector<double>& values, int digits = 4);
+/// @param of_least significant digits that the smallest has at least, for which there are two decimals more at most
+[[nodiscard]] std::vector<std::string> column(const std::vector<double>& values, int digits = 4, int of_least = 0);
 
 /// The finite number that a text is, from its first character to its last.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);

@@ -40,6 +40,8 @@ TEST(NumberText, AColumnHasEquallyManyDecimals) {
   EXPECT_EQ(column({0.1480, 0.0004}, 3), (Cells{"0.1480", "0.0004"}));
   EXPECT_EQ(column({5297, 471.2}, 3), (Cells{"5297", "471"}));
   EXPECT_EQ(column({1, std::numeric_limits<double>::quiet_NaN()}), (Cells{"1", "–"}));
+  EXPECT_EQ(column({0.0132, 0.00017}, 4, 2), (Cells{"0.01320", "0.00017"}));
+  EXPECT_EQ(column({954, 0.0031}, 4, 2), (Cells{"954.000", "0.003"})) << "two decimals more at most";
 }
 
 TEST(NumberText, ANumberIsTheWholeText) {

@@ -156,6 +156,7 @@ void add_quantity(const Quantity& quantity);
 struct TableColumn {
   std::string label, unit;
   std::vector<std::string> cells;
+  std::vector<double> values = {};  ///< of which column() makes the cells; empty: they are words, or made otherwise
 };
 /// A column for each quantity of this owner that has a label and is of this table, with a cell for each place. Of
 /// buildings in plan what none of the places has is left out, and round-off is shown as 0.

@@ -57,10 +57,12 @@ TableColumn column_of(const Quantity& quantity, std::vector<double> values, cons
     for (std::size_t i = 0; i < cells.size(); ++i) {
       cells[i] = std::isnan(values[i]) ? "–" : fmt::format("{:.{}f}", values[i], *quantity.decimals);
     }
+    values.clear();
   }
   const std::string_view unit = quantity.shown_unit;
   return {std::string(quantity.label[language]),
-          unit.empty() ? unit_text(quantity.units, shown.units) : std::string(unit), std::move(cells)};
+          unit.empty() ? unit_text(quantity.units, shown.units) : std::string(unit), std::move(cells),
+          std::move(values)};
 }
 
 }  // namespace

@@ -182,6 +182,7 @@ SaidTable said(const StoryTable& table, const Words& say) {
     TableColumn shown{word(column.label), column.unit, {}};
     if (column.texts.empty()) {
       shown.cells = bentur::column(column.numbers, column.digits);
+      shown.values = column.numbers;
     } else {
       for (const std::string& text : column.texts) {
         shown.cells.push_back(column.are_words                ? word(text)

@@ -36,5 +36,27 @@ TEST(Bold, OfTwoMillionLettersIsFoundAtOnce) {
   EXPECT_EQ(bold(name), name + " collapses at 1: the drift of storey 1 exceeds 1 of its height.");
 }
 
+Statement silent(const std::vector<std::pair<std::string, std::string>>& rules, Eigen::Index gap = 0) {
+  Statement one{.kind = "rules_silent", .gap = gap, .rank = 1};
+  for (const auto& [rule, why] : rules) one.items.push_back({{"rule", rule}, {"why", why, {}, true}});
+  return one;
+}
+
+/// What rules ask is told of all runs together; that a rule says nothing under any of them is told with its reason.
+TEST(Union, HasTheRulesThatAreSilentUnderAllRuns) {
+  const std::vector<Statement> all =
+      union_of({{"a",
+                 {silent({{"DDC", "story.silence.linked"}, {"SRSS", "story.silence.unknown"}}),
+                  silent({{"ABS", "story.silence.no_level"}}, 1)}},
+                {"b", {{.kind = "rules_less", .gap = 0}, silent({{"DDC", "story.silence.linked"}})}}});
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all.front().kind, "rules_silent");
+  EXPECT_EQ(all.front().gap, 0);
+  EXPECT_FALSE(all.front().rank);
+  ASSERT_EQ(all.front().items.size(), 1U);
+  EXPECT_EQ(std::get<std::string>(all.front().items[0][0].value), "DDC");
+  EXPECT_EQ(std::get<std::string>(all.front().items[0][1].value), "story.silence.linked");
+}
+
 }  // namespace
 }  // namespace bentur

@@ -17,8 +17,6 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
   const root = useRef<HTMLDivElement>(null);
   const motion = useRef<Motion | null>(null);
   const read = useMemo(() => JSON.parse(data), [data]);
-  // What stands in a drawing without room for names: of a plan a part of each, of a row numbers.
-  const shorts = (read.buildings as { short?: string }[]).map(({ short }, b) => short ?? String(b + 1));
   const opening = `${say("history.opening")} [${overview.units.length}]`;
   useEffect(() => {
     if (motion.current) {
@@ -60,7 +58,7 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
           </div>
         </div>
       </div>
-      <p data-part="buildingKey" class="note">{overview.buildings.map(({ name }, b) => `${shorts[b]} ${name}`).join(", ")}</p>
+      <p data-part="buildingKey" class="note" />
       <svg data-part="timeline" class="timeline" role="img" aria-label={say("motion.timeline")} />
       <div data-part="timeAxis" class="time-axis" aria-hidden="true" />
       <input data-part="scrub" class="scrub" type="range" min="0" aria-label={say("time")} />

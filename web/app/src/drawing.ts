@@ -15,8 +15,9 @@ export const pointed = signal<number | null>(null);
 
 /** Width on the page of each kind that is in sight [px]. */
 const inSight = new Map<string, number>();
-/** Of the run that is shown; others are of one before it until they are in sight. */
-let fresh = new Set<string>();
+/** Which are of the run that is shown, and of what is chosen; others are of what was before until they are drawn. */
+export const fresh = signal<ReadonlySet<string>>(new Set());
+const isFresh = (kind: string) => fresh.peek().has(kind);
 
 const LETTERS = 1.15; // larger than on paper
 const TELEPHONE = 600; // [px] up to which panels stand one below another
@@ -54,7 +55,7 @@ let speaks = "";
 /** Takes the figures of a run that has just been solved; those out of sight are of the run before, if in the same language.
  *  `later`: they are yet to be drawn. */
 export function take(made: Record<string, Drawn>, later = false) {
-  fresh = new Set(Object.keys(made));
+  fresh.value = new Set(Object.keys(made));
   if (later) drawInSight();
   drawn.value = { ...(speaks === language.value ? drawn.value : {}), ...made };
   speaks = language.value;
@@ -64,8 +65,10 @@ function draw(kinds: [string, Wanted][]) {
   if (kinds.length === 0 || solvedText.value !== text.value) return; // a run that is under way brings its own
   live.ask({ kind: "draw", text: text.value, record: chosen.value, language: language.value, draw: kinds }, (answer) => {
     if (answer.kind !== "drawn") return;
-    for (const kind of Object.keys(answer.drawn)) fresh.add(kind);
-    drawn.value = { ...drawn.value, ...answer.drawn };
+    batch(() => {
+      fresh.value = new Set([...fresh.value, ...Object.keys(answer.drawn)]);
+      drawn.value = { ...drawn.value, ...answer.drawn };
+    });
   });
 }
 
@@ -77,14 +80,19 @@ export function see(kind: string, pixels: number | null) {
     return;
   }
   inSight.set(kind, pixels);
-  if (!fresh.has(kind) || (before !== undefined && Math.abs(before - pixels) > 1)) drawInSight();
+  if (before !== undefined && Math.abs(before - pixels) > 1) outdate(kind);
+  if (!isFresh(kind)) drawInSight();
+}
+
+function outdate(kind: string) {
+  if (isFresh(kind)) fresh.value = new Set([...fresh.peek()].filter((one) => one !== kind));
 }
 
 let due = 0;
-/** Draws all that is in sight, once for all that is asked for in a moment. */
+/** Draws what is in sight and of before, once for all that is asked for in a moment. */
 function drawInSight() {
   clearTimeout(due);
-  due = window.setTimeout(() => draw(wantedNow()), 0);
+  due = window.setTimeout(() => draw(wantedNow().filter(([kind]) => !isFresh(kind))), 0);
 }
 
 /** From now on what is chosen is drawn. */
@@ -93,8 +101,12 @@ export function beginDrawing() {
     void span.value;
     void point.value;
     void gap.value;
+    fresh.value = new Set(); // all was drawn by what was chosen before
+    untracked(drawInSight);
+  });
+  effect(() => {
     void curve.value;
-    fresh = new Set(); // what is out of sight was drawn by what was chosen before
+    outdate("gap-curve");
     untracked(drawInSight);
   });
   let shown = ""; // another case has other times and points

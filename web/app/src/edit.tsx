@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { batch } from "@preact/signals";
+import { batch, signal } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { found, gap, inPlan, result, text } from "./case";
 import { recordName } from "./cases";
@@ -7,7 +7,7 @@ import { point } from "./drawing";
 import { Badges, badgesOf } from "./heads";
 import { fieldOf, keyAt, keysOf, nameOf, slide } from "./schema";
 import type { Slot } from "./slot";
-import { type CaseError, type Files, type GapOverview, type Key, type Node, schema } from "./solver";
+import { type CaseError, type Files, type GapOverview, type Key, type Node, type Overview, schema } from "./solver";
 import { addFiles, change, complain, errors, grow, inUnits, load, loads, problem, type Told, told, tooLong, slot, travel, type, width } from "./state";
 import { canRedo, canUndo } from "./steps";
 import { count, type Part } from "./storeys";
@@ -309,20 +309,43 @@ function Moves({ place, span, unit }: { place: Slot; span: number; unit: string 
   return said.length > 0 ? <p class="marks" data-moves>{said.join(" ")}</p> : null;
 }
 
+const telephone = matchMedia("(max-width: 40rem)");
+const onTelephone = signal(telephone.matches);
+telephone.addEventListener("change", () => { onTelephone.value = telephone.matches; });
+
+let longest = { key: "", value: 0 };
+/** What the slider ends at, which does not shrink while one is at the same gap. */
+function trackOf(overview: Overview, one: GapOverview): number {
+  const key = `${one.name}|${loads.value}|${overview.units.length}`;
+  const furthest = Math.max(width.value, one.needed ?? 0, ...(one.marks ?? []).map(({ at }) => at));
+  if (longest.key !== key || furthest > longest.value) longest = { key, value: Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2)) };
+  return longest.value;
+}
+
+/** What the slider's marks are, and what moves with it. */
+function GapNotes() {
+  const overview = result.value?.overview, one = overview?.gaps[gap.value], place = slot.value;
+  if (!overview || !one || !place || one.needed === null) return null;
+  const { marks = [] } = one, unit = overview.units.length;
+  return <>
+    {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} {unit}</span>)}</p>}
+    <Moves place={place} span={trackOf(overview, one)} unit={unit} />
+  </>;
+}
+
+/** On a telephone they stand below what stays in sight. */
+export const GapNotesBelow = () => (onTelephone.value ? <div class="below"><GapNotes /></div> : null);
+
 /** The slider that everything starts with; beside what it is of stand the children. */
 export function GapSlider({ children }: { children: ComponentChildren }) {
   const overview = result.value?.overview;
   const one = overview?.gaps[gap.value];
-  const most = useRef<{ key: string; value: number }>({ key: "", value: 0 });
   const place = slot.value;
   const several = overview !== undefined && overview.gaps.length > 1, ofOne = several && <Badges all={badgesOf(overview, gap.value)} />;
   if (!overview || !one || !place || one.needed === null) {
     return <div class="head"><p>{several && <>{nameOf("gap", "width")} <GapChoice gaps={overview.gaps} />{ofOne}</>}</p>{children}<p><Travel /></p></div>;
   }
-  const key = `${one.name}|${loads.value}|${overview.units.length}`;
-  const marks = one.marks ?? [], furthest = Math.max(width.value, one.needed, ...marks.map(({ at }) => at));
-  if (most.current.key !== key || furthest > most.current.value) most.current = { key, value: Number((1.1 * Math.max(furthest, 1e-9)).toPrecision(2)) };
-  const span = Math.min(most.current.value, place.most), step = 10 ** Math.floor(Math.log10(span / 60)), share = (at: number) => Math.min(1, at / span);
+  const { marks = [] } = one, span = Math.min(trackOf(overview, one), place.most), step = 10 ** Math.floor(Math.log10(span / 60)), share = (at: number) => Math.min(1, at / span);
   const isNear = (one: number, other: number) => one - other < 0.06 * span; // as wide as a number on a telephone
   // Numbers of marks that stand together stand above the first of them.
   const numbers = marks.map(({ at }, i) => i > 0 && isNear(at, marks[i - 1].at) ? "" : marks.map((_, k) => k + 1)
@@ -337,8 +360,7 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
       <div class="track"><Travel /><div>
         <input id="gap" type="range" min="0" max={span} step={step} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(place.put(text.value, event.currentTarget.valueAsNumber), "gap")} />
         <div class="needed">{marks.map(({ at, name }, i) => at <= span && <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
-        {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} {overview.units.length}</span>)}</p>}
-        <Moves place={place} span={most.current.value} unit={overview.units.length} />
+        {!onTelephone.value && <GapNotes />}
       </div></div>
     </div>
   );

@@ -1,7 +1,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { curve, gap } from "./case";
-import { drawn, point, pointed, see, span } from "./drawing";
+import { drawn, fresh, point, pointed, see, span } from "./drawing";
 import { main } from "./animation";
 import { png, save } from "./save";
 import type { AxisPlace, Drawn, FigureOverview, PanelPlace, Result } from "./solver";
@@ -141,13 +141,15 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
     pull(null);
   };
   const left = (at: Place) => `${(100 * (at.panel.left + ofAxis(at.panel.x, at.x) * at.panel.width)) / ((shown!.width / 2.54) * 96)}%`;
+  const isOld = !fresh.value.has(kind); // of the run before, or of what was chosen before
   const isBroad = (shown?.width ?? 0) > 15; // on a telephone it is moved sideways
   return (
-    <figure class={`drawn${isBroad ? " broad" : ""}`} data-figure={kind} tabIndex={isBroad ? 0 : undefined}>
+    <figure class={`drawn${isBroad ? " broad" : ""}${shown && isOld ? " old" : ""}`} data-figure={kind} tabIndex={isBroad ? 0 : undefined}>
       <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(null); pull(null); pointed.value = null; }}
         onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
         onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>
-        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : made?.error !== undefined ? <p class="blank note" lang="en">{made.error}</p> : <p class="blank note">{stale.value && say("figures.wait")}</p>}
+        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : made?.error !== undefined ? <p class="blank note" lang="en">{made.error}</p> : <p class="blank note">{say(stale.value ? "figures.wait" : "figures.drawing")}</p>}
+        {shown && isOld && <p class="redrawn note">{say("figures.drawing")}</p>}
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         {overTime && shown?.panels.map((panel, i) => <i key={`hair${i}`} class="hair" hidden ref={(node) => { hairs.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         <output class="tip" hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>

@@ -4,7 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { chosen, result, text } from "./case";
 import { cases } from "./cases";
 import { beginDrawing } from "./drawing";
-import { Editor, Errors, FilePicker, Form, GapSlider, goTo, listenToKeys, openFiles, Units } from "./edit";
+import { Editor, Errors, FilePicker, Form, GapNotesBelow, GapSlider, goTo, listenToKeys, openFiles, Units } from "./edit";
 import { Figures } from "./figures";
 import { fromFragment, linked } from "./link";
 import { MotionView } from "./animation";
@@ -46,7 +46,7 @@ function Bar() {
     watched.observe(bar.current!);
     return () => watched.disconnect();
   }, []);
-  return <div class="bar" ref={bar}><GapSlider><Brief /></GapSlider><Stale /></div>;
+  return <><div class="bar" ref={bar}><GapSlider><Brief /></GapSlider><Stale /></div><GapNotesBelow /></>;
 }
 
 /** All records of a suite in short, or one of them in full. */

@@ -4,9 +4,9 @@ import { main } from "./animation";
 import { gap, progress, result, slow } from "./case";
 import { Badges, badgesOf, isGrave, toneOf } from "./heads";
 import { nameOf } from "./schema";
-import { type GapOverview, type ImpactRow, type Overview, type Result, type Said, schema } from "./solver";
+import { type GapOverview, type ImpactColumn, type Overview, type Result, type Said, schema } from "./solver";
 import { cancel, pinned, rough, stale } from "./state";
-import { number, say } from "./texts";
+import { number, say, valueOf } from "./texts";
 
 const unitOf = (overview: Overview) => overview.units.length;
 const with_ = (value: number | null | undefined, unit: string) => `${number(value)}\u00a0${unit}`;
@@ -96,68 +96,44 @@ export function Verdict() {
 
 const LISTED = 200;
 
-/** Numbers of one column alike: so many decimals that the largest has four digits, and none that is zero in all. */
-function alike(values: (number | null)[]): (value: number | null) => string {
-  const known = values.filter((one): one is number => one !== null && Number.isFinite(one));
-  const most = Math.max(0, ...known.map(Math.abs));
-  if (most === 0 || most < 1e-4 || most >= 1e7) return number;
-  let decimals = Math.max(0, 3 - Math.floor(Math.log10(most)));
-  while (decimals > 0 && known.every((one) => one.toFixed(decimals).endsWith("0"))) decimals -= 1;
-  return (value) => (value === null ? "–" : value.toFixed(decimals).replace("-", "−"));
+/** What stands in a column, the hardest impact first where that is equal, but of times the first; what is no number is the
+ *  least. */
+function order({ cells, numbers, unit }: ImpactColumn, descends: boolean): number[] {
+  const values = cells.map((cell) => (numbers ? valueOf(cell) : NaN)).map((value) => (Number.isNaN(value) ? -Infinity : value));
+  const compare = (a: number, b: number) => (numbers ? Number(values[a] > values[b]) - Number(values[a] < values[b]) : cells[a].localeCompare(cells[b], undefined, { numeric: true }));
+  return cells.map((_, i) => i).sort((a, b) => (descends ? -1 : 1) * compare(a, b) || (unit === "s" ? 0 : a - b));
 }
 
-interface Column { head: string; unit?: string; of: (one: ImpactRow) => number | string | null }
-
-/** What is listed of impacts; numbers begin with the largest, but for what counts them. */
-function columnsOf({ gaps, units, forceUnit }: Overview): Column[] {
-  const place = (one: ImpactRow) => [gaps[one[0]]?.name, one[8]].filter(Boolean).join(", ");
-  return [
-    { head: say("impact.number"), of: (one) => one[7] },
-    { head: say("curve.force"), unit: forceUnit, of: (one) => one[4] },
-    { head: nameOf("gap", "width"), of: place },
-    { head: say("history.point"), unit: units.length, of: (one) => one[1] },
-    { head: say("impact.start"), unit: "s", of: (one) => one[2] },
-    { head: say("impact.duration"), unit: "ms", of: (one) => 1000 * (one[3] - one[2]) },
-    { head: say("impact.speed"), unit: `${units.length}/s`, of: (one) => one[5] },
-    { head: say("impact.ratio"), of: (one) => one[6] },
-  ];
-}
-
-/** The hardest first, by speed where the law of contact has no force; a heading sorts by its own column, and once more the
- *  other way. */
-function order(impacts: ImpactRow[], of: Column["of"], descends: boolean): ImpactRow[] {
-  const compare = (a: ReturnType<Column["of"]>, b: ReturnType<Column["of"]>) => (typeof a === "string" ? a.localeCompare(String(b), undefined, { numeric: true }) : (a ?? -1) - Number(b ?? -1));
-  return [...impacts].sort((a, b) => (descends ? -1 : 1) * compare(of(a), of(b)) || b[5] - a[5] || a[7] - b[7]);
-}
-
+/** The list of impacts as a report has it; a heading sorts by its own column, and once more the other way. */
 export function Impacts({ now }: { now: Result }) {
-  const { impacts, impactCount, force } = now.overview;
-  const [{ by, descends }, sort] = useState({ by: 1, descends: true });
-  const columns = columnsOf(now.overview);
-  const sorted = useMemo(() => order(impacts, columns[by].of, descends), [impacts, by, descends]);
-  const shown = useMemo(() => columns.map(({ of }) => alike(impacts.map((one) => { const value = of(one); return typeof value === "number" ? value : null; }))), [impacts]);
+  const { impactColumns: columns, impactCount, force } = now.overview;
+  const [chosen, sort] = useState<{ head: string; descends: boolean } | null>(null);
+  const hardness = columns.findIndex(({ numbers }, k) => k > 0 && numbers); // by which they come
+  const found = columns.findIndex(({ head }) => head === chosen?.head), by = found < 0 ? hardness : found, descends = found < 0 || chosen!.descends;
+  const sorted = useMemo(() => (columns.length > 0 ? order(columns[by], descends) : []), [columns, by, descends]);
   if (impactCount === 0) return <section id="impacts"><h2>{say("impacts")}</h2><p>{say("impact.none")}</p></section>;
-  const isText = (k: number) => typeof columns[k].of(impacts[0]) === "string";
-  const choose = (k: number) => sort({ by: k, descends: k === by ? !descends : k !== 0 && !isText(k) && columns[k].unit !== "s" });
+  const listed = columns[0].cells.length;
+  const choose = (k: number) => sort({ head: columns[k].head, descends: k === by ? !descends : k !== 0 && columns[k].numbers && columns[k].unit !== "s" });
   const show = (number: number) => {
-    main?.showImpact(main.impacts[impacts.findIndex((one) => one[7] === number)]);
+    main?.showImpact(main.impacts.find((one) => one.number === number));
     document.getElementById("motion")?.scrollIntoView();
   };
+  const heading = ({ head, unit }: ImpactColumn) => (unit ? `${head} [${unit}]` : head);
   return (
     <section id="impacts">
       <h2>{say("impacts")}</h2>
       <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
         <table class="cards">
-          <thead><tr>{columns.map(({ head, unit }, k) => <th scope="col" key={k} class={isText(k) ? "t" : ""} aria-sort={k === by ? (descends ? "descending" : "ascending") : undefined}>
+          <thead><tr>{columns.map(({ head, unit, numbers }, k) => <th scope="col" key={k} class={numbers ? "" : "t"} aria-sort={k === by ? (descends ? "descending" : "ascending") : undefined}>
             <button type="button" onClick={() => choose(k)}>{head}{k === by && <span aria-hidden="true">{`\u00a0${descends ? "▼" : "▲"}`}</span>}</button>{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
-          <tbody>{sorted.slice(0, LISTED).map((one) => (
-            <tr key={one[7]} class={one[4] === force && force > 0 ? "marked" : ""}>{columns.map(({ head, unit, of }, k) =>
-              <td key={k} class={isText(k) ? "t long" : ""} data-head={head} data-unit={unit}>{k === 0
-                ? <button type="button" aria-label={say("impact.show", { n: one[7] })} onClick={() => show(one[7])}>{one[7]}</button>
-                : isText(k) ? of(one) : shown[k](of(one) as number | null)}</td>)}</tr>))}</tbody>
+          <tbody>{sorted.slice(0, LISTED).map((row) => (
+            <tr key={columns[0].cells[row]} class={row === 0 && force > 0 ? "marked" : ""}>{columns.map((column, k) =>
+              <td key={k} class={column.numbers ? "" : "t long"} data-head={heading(column)}>{k === 0
+                ? <button type="button" aria-label={say("impact.show", { n: column.cells[row] })} onClick={() => show(Number(column.cells[row]))}>{column.cells[row]}</button>
+                : column.cells[row]}</td>)}</tr>))}</tbody>
         </table>
       </div>
-      {impactCount > LISTED && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}{impactCount > impacts.length && ` ${say("impact.cut", { n: impacts.length })}`}</p>}
+      {impactCount > LISTED && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}{impactCount > listed && ` ${say("impact.cut", { n: listed })}`}</p>}
     </section>
   );
 }

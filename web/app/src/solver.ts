@@ -41,11 +41,13 @@ export interface FigureOverview { kind: string; caption: string; tells: boolean;
 /** [gap, elevation, start, end, peak force, closing speed, restitution, which of all it is from 1, in plan where along the
  *  stretch] */
 export type ImpactRow = [number, number, number, number, number, number, number | null, number, string?];
+/** A column of the list of impacts as a report has it, the hardest impact first. */
+export interface ImpactColumn { head: string; unit: string; cells: string[]; numbers: boolean }
 /** Forces are in `forceUnit`, in which all people are told of the run; `units` are those of the case and of its files. */
 export interface Overview {
   title: string; version: string; duration: number; spectral: boolean; plan: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];
   buildings: BuildingOverview[]; points: { gap: number; elevation: number; along?: string }[]; impacts: ImpactRow[];
-  impactCount: number; force: number; amplification: number; statements: Said[];
+  impactColumns: ImpactColumn[]; impactCount: number; force: number; amplification: number; statements: Said[];
   figures: FigureOverview[];
   /** Of a case with a suite its records by their files, and which one this is of, from 1; 0: all. */
   suite: { records: string[]; record: number } | null;
@@ -95,6 +97,7 @@ type AnyRequest = Pick<Request, "kind"> & { [key: string]: unknown };
 interface Asked { request: AnyRequest; hear: (answer: Answer) => void }
 const LIMIT = 20000; // [ms] that anything may take, of a suite each record
 const MOMENT = 700; // [ms] after which it is said that something is under way
+const PATIENCE = 3 * MOMENT; // [ms] that a run sampled coarsely, which mostly is there in no time, has before a newer one ends it
 
 /** Nothing until a solver is there. */
 export const schema = signal<Schema | null>(null);
@@ -108,6 +111,8 @@ export class Solver {
   private timer = 0;
   private part = 0;
   private moment = 0;
+  private age = 0;
+  private isOld = false; // a run that has had its time ends for a newer one
   /** What has become of the files that cases may name, in this order. */
   files: Placed = [];
 
@@ -141,6 +146,7 @@ export class Solver {
   private rest() {
     clearTimeout(this.timer);
     clearTimeout(this.moment);
+    clearTimeout(this.age);
     this.running = null;
     this.slow(false);
   }
@@ -152,6 +158,8 @@ export class Solver {
     const files = this.sent < this.files.length ? this.files.slice(this.sent) : undefined;
     this.sent = this.files.length;
     this.limit(0);
+    this.isOld = false;
+    if (asked.request.kind === "run") this.age = window.setTimeout(() => this.grow(), asked.request.step === null ? MOMENT : PATIENCE);
     if (asked.request.first) this.slow(true); // nothing else is there to be seen
     else if (asked.request.kind !== "draw") this.moment = window.setTimeout(() => this.slow(true), MOMENT); // of what is there already
     this.awake.postMessage({ ...asked.request, id: this.last, files });
@@ -163,16 +171,35 @@ export class Solver {
     this.waiting.push({ request, hear });
     // A curve under way ends for a newer one: its worker hears of what comes next and stops.
     if (this.running?.request.kind === "curve" && request.kind === "curve") this.rest();
+    this.makeWay();
     this.next();
+  }
+
+  private grow() {
+    this.isOld = true;
+    this.makeWay();
+  }
+
+  /** Ends an old run where a newer one waits: its worker is busy with it and hears of nothing else. */
+  private makeWay() {
+    if (!this.isOld || this.running?.request.kind !== "run" || !this.waiting.some(({ request }) => request.kind === "run")) return;
+    this.rest();
+    this.leave();
+    this.next();
+    this.slow(true); // as it was
+  }
+
+  private leave() {
+    this.worker?.terminate();
+    this.worker = null;
+    this.sent = 0;
   }
 
   /** Ends what is under way, whatever it is: its worker goes, another one comes. */
   giveUp(message: "cancelled" | "limit" | "worker") {
     const { running } = this;
     this.rest();
-    this.worker?.terminate();
-    this.worker = null;
-    this.sent = 0;
+    this.leave();
     running?.hear({ id: running.id, kind: "refused", errors: [{ file: "", line: 0, column: 0, key: "", message }] });
     this.next();
   }

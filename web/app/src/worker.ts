@@ -17,7 +17,7 @@ const ready: Promise<Studio> = inflated().then((wasmBinary) => createBentur({ wa
   return studio;
 });
 /** What a case has not that is not run. */
-const still = { plan: false, figures: [], buildings: [], points: [], impacts: [], impactCount: 0, force: 0, forceUnit: "", amplification: 0, suite: null };
+const still = { plan: false, figures: [], buildings: [], points: [], impacts: [], impactColumns: [], impactCount: 0, force: 0, forceUnit: "", amplification: 0, suite: null };
 let opened = "";
 const keyOf = (record: number | undefined, text: string) => `${record ?? 0}|${text}`;
 let stop = 0; // curves up to this number are no longer wanted

@@ -288,6 +288,29 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
   return table;
 }
 
+/// Of gaps that close though they are wider than their buildings need, of many of the worst, what would do and when.
+void tell_pushed(const GapView& view, const std::vector<std::size_t>& order, std::vector<Statement>& statements) {
+  constexpr std::size_t most = 5;
+  std::size_t count = 0;
+  for (const std::size_t g : order) {
+    const auto& [facts, judgement] = view.gaps[g];
+    const std::optional<GoverningNeed> need = governing_need(facts);
+    if (judgement.value != Sufficiency::too_small || judgement.reasons.empty() || !need) continue;
+    if (judgement.reasons.front().kind != Reason::Kind::contact || need->given.is_short || need->reversed.is_short)
+      continue;
+    if (!need->given.needed || (facts.has_other_way && !need->reversed.needed)) continue;
+    if (++count > most) break;
+    const double needed = std::max(*need->given.needed, need->reversed.needed.value_or(0));
+    const std::string& length = view.c.units.length;
+    statements.push_back({.kind = "row_pushed",
+                          .gap = static_cast<Index>(g),
+                          .buildings = buildings_of(view.problem, static_cast<Index>(g)),
+                          .level = need->at.elevation,
+                          .values = {value_in("needed", needed, length), value_in("level", need->at.elevation, length)},
+                          .shown = Shown::row});
+  }
+}
+
 }  // namespace
 
 std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Story& told) {
@@ -317,6 +340,7 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
   }
   statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));
+  tell_pushed(view, order, told.statements);
   return static_cast<Index>(order.front());
 }
 

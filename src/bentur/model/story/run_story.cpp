@@ -298,6 +298,7 @@ void leave_to_tables(std::optional<Index> worst, std::vector<Statement>& stateme
     if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
     if (one.kind == "rules_understate") one.shown = Shown::table;  // a note of the rules' rows
     if (worst && is_reversed) one.shown = Shown::table;            // which has it of every gap
+    if (one.kind == "row_pushed") continue;                        // which has a row of its own
     if (worst && one.gap && (*one.gap != *worst || one.kind.starts_with("pounding"))) one.shown = Shown::table;
   }
 }

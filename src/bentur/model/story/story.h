@@ -106,7 +106,8 @@ struct SaidOfRun {
 };
 /// What many runs say: every kind of statement once, as the run says it that says the worst, with how many say it too;
 /// what is gravest first, remarks last. What single runs need, what rules ask of them and how each is judged is left
-/// out: over many runs that is reported of all of them. Of one run it is what that run says.
+/// out, but for rules that say nothing under any: over many runs that is reported of all of them. Of one run it is what
+/// that run says.
 [[nodiscard]] std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs);
 
 /// Of a run, of a row or of buildings in plan: what fails, who collides where and how hard, the gap needed in both

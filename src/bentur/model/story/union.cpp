@@ -41,6 +41,7 @@ constexpr std::string_view of_single_runs[] = {"row_all",
                                                "row_pounding_impulse",
                                                "row_unknown",
                                                "row_none",
+                                               "row_pushed",
                                                "no_pounding",
                                                "no_impact",
                                                "too_small",
@@ -85,6 +86,33 @@ bool is_of_single_runs(const Statement& statement) {
   return std::find(std::begin(of_single_runs), std::end(of_single_runs), statement.kind) != std::end(of_single_runs);
 }
 
+/// The rule that an item of a statement is about.
+const std::string& rule_of(const std::vector<StoryValue>& item) { return std::get<std::string>(item.front().value); }
+
+bool is_silent(const SaidOfRun& run, std::optional<Eigen::Index> gap, const std::string& rule) {
+  return std::any_of(run.statements.begin(), run.statements.end(), [&](const Statement& one) {
+    return one.kind == "rules_silent" && one.gap == gap &&
+           std::any_of(one.items.begin(), one.items.end(), [&](const auto& item) { return rule_of(item) == rule; });
+  });
+}
+
+/// Rules that say nothing of a gap under any of the runs, and why.
+std::vector<Statement> silent_under_all(const std::vector<SaidOfRun>& runs) {
+  std::vector<Statement> all;
+  if (runs.empty()) return all;
+  for (const Statement& one : runs.front().statements) {
+    if (one.kind != "rules_silent") continue;
+    Statement silent = one;
+    std::erase_if(silent.items, [&](const auto& item) {
+      return !std::all_of(runs.begin(), runs.end(),
+                          [&](const SaidOfRun& run) { return is_silent(run, one.gap, rule_of(item)); });
+    });
+    silent.rank.reset();
+    if (!silent.items.empty()) all.push_back(std::move(silent));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
@@ -122,6 +150,7 @@ std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
     all.back().rank.reset();  // each run has an order of its own
     all.back().many = {kind.count, static_cast<long>(runs.size()), runs[kind.run].name};
   }
+  for (Statement& one : silent_under_all(runs)) all.push_back(std::move(one));
   sort_by_severity(all);
   return all;
 }

@@ -9,10 +9,13 @@ HtmlTable governing_of(const SaidTable& levels) {
   for (std::size_t i = 0; i + 1 < levels.columns.size(); ++i) {
     const TableColumn& column = levels.columns[i];
     std::vector<std::string> cells;
+    std::vector<double> values;
     for (std::size_t row = 0; row < column.cells.size(); ++row) {
-      if (!levels.columns.back().cells[row].empty()) cells.push_back(column.cells[row]);
+      if (levels.columns.back().cells[row].empty()) continue;
+      cells.push_back(column.cells[row]);
+      if (!column.values.empty()) values.push_back(column.values[row]);
     }
-    table.add(column.label, column.unit, std::move(cells), levels.are_numbers[i]);
+    table.add(column.label, column.unit, std::move(cells), levels.are_numbers[i], std::move(values));
   }
   return table;
 }

@@ -22,7 +22,9 @@ Html csv_script(const std::string& csv) {
   return json_script("impacts-csv", nlohmann::json(csv).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all, int sorted) {
+Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all) {
+  // By the peak force, which stands behind the number and, where there are several, the gap.
+  const int sorted = table.all().at(1).numeric ? 1 : 2;
   Html content;
   if (listed < all) {
     content += element(
@@ -55,29 +57,32 @@ void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const Ht
   add_columns(table, std::move(quantities));
 }
 
-PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed) {
+HtmlTable impact_table(const Report& report, const std::vector<Eigen::Index>& listed) {
   const Words& say = report.say;
-  const std::vector<Impact>& all = report.response.impacts;
-  if (all.empty()) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
   std::vector<std::string> numbers, gaps, struck;
   std::vector<double> elevations;
   for (const Eigen::Index k : listed) {
-    const ContactPoint& point = report.problem.points.at(static_cast<std::size_t>(all[k].point));
+    const Eigen::Index i = report.response.impacts.at(static_cast<std::size_t>(k)).point;
+    const ContactPoint& point = report.problem.points.at(static_cast<std::size_t>(i));
     numbers.push_back(std::to_string(k + 1));
     gaps.push_back(short_gap_name(report, point.gap));
     elevations.push_back(point.elevation);
-    struck.push_back(struck_text(report, all[k].point));
+    struck.push_back(struck_text(report, i));
   }
-  const bool of_columns = !struck_points(report.problem).empty();
-  HtmlTable table;
+  HtmlTable table, places;
   table.add("#", "", numbers);
   if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
-  const int sorted = report.c.gaps.size() > 1 ? 2 : 1;  // column of the peak force, by which they are
-  HtmlTable places;
   places.add(say("column.elevation"), report.c.units.length, elevations);
-  if (of_columns) places.add(say("columns.struck"), "", struck, false);
+  if (!struck_points(report.problem).empty()) places.add(say("columns.struck"), "", struck, false);
   add_impacts(table, table_columns(Owner::impact, report.run, places_of(listed), say.number()), places, say, false);
-  return {"impacts", say("heading.impacts"), impact_list(say, table, listed.size(), all.size(), sorted)};
+  return table;
+}
+
+PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed) {
+  const Words& say = report.say;
+  const std::size_t all = report.response.impacts.size();
+  if (all == 0) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
+  return {"impacts", say("heading.impacts"), impact_list(say, impact_table(report, listed), listed.size(), all)};
 }
 
 }  // namespace bentur::html

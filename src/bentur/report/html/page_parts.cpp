@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "bentur/report/figures/internal/text.h"
 #include "bentur/report/html/internal/animation.h"
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/report/html/plan/plan_animation.h"
@@ -14,7 +15,26 @@ html::Report part_of(const RunResults& results, const Words& say) {
   return {results.view(), results.c, results.problem, results.response, say, {}, {}};
 }
 
+std::vector<PageColumn> columns_of(const html::HtmlTable& table) {
+  std::vector<PageColumn> columns;
+  for (const html::HtmlTable::Column& one : table.all()) {
+    columns.push_back({one.name, one.unit, one.cells, one.numeric});
+    if (!one.numeric) continue;
+    for (std::string& cell : columns.back().cells) cell = signed_text(cell);
+  }
+  return columns;
+}
+
 }  // namespace
+
+std::vector<PageColumn> impact_columns(const RunResults& results, const std::string& language) {
+  const Words say(language);
+  return columns_of(html::impact_table(part_of(results, say), html::hardest_impacts(results.response.impacts)));
+}
+
+std::vector<PageColumn> impact_columns(const PlanRun& run, const std::string& language) {
+  return columns_of(html::impact_table(run, html::hardest_impacts(run.response.impacts), Words(language)));
+}
 
 std::vector<Eigen::Index> listed_impacts(const std::vector<Impact>& impacts) {
   std::vector<Eigen::Index> listed = html::hardest_impacts(impacts);

@@ -57,7 +57,9 @@ std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
 }
 
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
-  for (TableColumn& column : columns) table.add(column.label, column.unit, std::move(column.cells));
+  for (TableColumn& column : columns) {
+    table.add(column.label, column.unit, std::move(column.cells), true, std::move(column.values));
+  }
 }
 
 void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places) {

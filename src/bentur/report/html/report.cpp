@@ -68,7 +68,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
   body.header = html::title_block(report, title, say("report.by", {{"version", options.version}}));
   body.sections = {verdict,
                    html::remarks_section(report),
-                   html::motion_section(say, report.c.units.length, html::building_key(report)),
+                   html::motion_section(say, report.c.units.length, html::MotionView::row),
                    html::gap_section(report),
                    html::peaks_section(report),
                    html::damage_section(report),

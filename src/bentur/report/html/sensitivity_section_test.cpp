@@ -38,9 +38,12 @@ TEST(SensitivitySection, HasAllThatTheCommandSaysAndAPicture) {
     const std::string page = html::sensitivity_section(found, case_of_example(), say, language).content.str();
     // In the words of the keys, of which a pointer shows the way to the number.
     EXPECT_NE(
-        page.find(language == "en" ? "title=\"building[0].frame.columns[0].depth\">Model 1, Frame: Columns 1: Depth"
-                                   : "title=\"building[0].frame.columns[0].depth\">Model 1, Portal: Kolom 1:"),
-        std::string::npos);
+        page.find(
+            language == "en"
+                ? "title=\"building[0].frame.columns[0].depth\" data-head=\"Number\">Model 1, Frame: Columns 1: Depth"
+                : "title=\"building[0].frame.columns[0].depth\" data-head=\"Angka\">Model 1, Portal: Kolom 1:"),
+        std::string::npos)
+        << page;
     EXPECT_EQ(page.find(">building["), std::string::npos);
     EXPECT_EQ(page.find("excitation.delays[1]<"), std::string::npos);
     EXPECT_NE(page.find("<svg"), std::string::npos);

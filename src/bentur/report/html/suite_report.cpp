@@ -1,10 +1,8 @@
 #include "bentur/report/html/suite_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/suite/suite_story.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
@@ -91,34 +89,23 @@ PageSection suite_runs_section(const html::Report& report) {
   return {"runs", report.say("heading.peaks"), suite_tables(report, "suite_runs", "")};
 }
 
-/// Why a rule has no number under any record, where that is so.
-Html silent_rules(const SuiteRun& run, const std::vector<StoryTable>& tables, const Words& say) {
-  const std::vector<std::string> names = gap_names(run.problem);
+/// Rules that have no number under any record, and why.
+Html silent_rules(const html::Report& report) {
+  const std::vector<std::string> gaps = gap_names(report.problem);
   Html reasons;
-  for (const StoryTable& table : tables) {
-    const auto is_silent = [](const StoryColumn& column) {
-      return column.label == "DDC" && std::all_of(column.numbers.begin(), column.numbers.end(),
-                                                  [](double number) { return std::isnan(number); });
-    };
-    if (!table.gap || std::none_of(table.columns.begin(), table.columns.end(), is_silent)) continue;
-    const std::string why = run.plan                                     ? "turning"
-                            : is_linked(run.problem, *table.gap)         ? "linked"
-                            : is_known_by_peaks(run.problem, *table.gap) ? "periods"
-                                                                         : "unknown";
-    reasons += element("p",
-                       say("suite.silent_rule", {{"rule", "DDC"},
-                                                 {"gap", names.at(static_cast<std::size_t>(*table.gap))},
-                                                 {"why", say("story.silence." + why)}}),
-                       "class=\"note\"");
+  for (const SaidStatement& one : said(report.story.statements, report.say)) {
+    if (one.kind != "rules_silent") continue;
+    const std::string& gap = gaps.at(static_cast<std::size_t>(one.gap.value()));
+    reasons += element("p", gaps.size() > 1 ? of_gap(one.text, gap) : one.text, "class=\"note\"");
   }
   return reasons;
 }
 
-PageSection suite_gaps_section(const html::Report& report, const SuiteRun& run) {
+PageSection suite_gaps_section(const html::Report& report) {
   std::vector<StoryTable> of_gaps = report.story.tables;
   std::erase_if(of_gaps, [](const StoryTable& one) { return !one.gap; });
   return {"gaps", report.say("heading.gaps"),
-          html::gap_tables(gap_names(report.problem), of_gaps, report.say) + silent_rules(run, of_gaps, report.say) +
+          html::gap_tables(gap_names(report.problem), of_gaps, report.say) + silent_rules(report) +
               element("p", report.say("suite.note"), "class=\"note\"")};
 }
 
@@ -129,7 +116,7 @@ std::vector<PagePart> table_parts(const SuiteRun& run, const GapStudy& gaps, con
   const Response none;
   const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
                             suite_story(run, gaps),           {}};
-  return html::parts({suite_section(report), suite_runs_section(report), suite_gaps_section(report, run)});
+  return html::parts({suite_section(report), suite_runs_section(report), suite_gaps_section(report)});
 }
 
 std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options) {
@@ -149,7 +136,7 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
   html::PageBody body{
       .header = html::title_block(report, title, say("suite.by", {{"version", options.version}})),
       .sections = {std::move(verdict), suite_section(report), html::figures_section(say, figures),
-                   suite_runs_section(report), suite_gaps_section(report, run),
+                   suite_runs_section(report), suite_gaps_section(report),
                    run.plan ? html::plan_input_section(run.c, *run.plan, 0, say) : html::input_section(report)}};
   if (report.to_hand_in) {
     const auto records = body.sections.begin() + 1;

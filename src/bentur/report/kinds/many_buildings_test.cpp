@@ -127,7 +127,12 @@ TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
   order.resize(5);
   std::sort(order.begin(), order.end(), std::greater<>());
   std::vector<std::string> expected;
-  for (const std::size_t gap : order) expected.push_back(gap_name(run.problem, static_cast<Eigen::Index>(gap)));
+  for (const std::size_t gap : order) {  // with the level at which each falls short the most
+    const auto need = governing_need(judged_gaps(run).at(gap).facts);
+    const bool is_known = need && need->given.needed;
+    expected.push_back(std::to_string(gap + 1) + " | " + std::to_string(gap + 2) +  // of House 1 | House 2
+                       (is_known ? ", " + number(need->at.elevation) + " m" : ""));
+  }
   FigureOptions options;
   options.width = page_width;
   std::vector<std::string> named = make_figure(run, "overview", options).panels.back().y.names;
@@ -159,6 +164,16 @@ TEST(ManyBuildings, AGapThatIsNotShortSaysWhyItIsTooSmall) {
     }
   }
   EXPECT_GT(closed, 0);
+  // And what would do there, once no other gap closes.
+  int told = 0;
+  for (const Statement& one : story.statements) {
+    if (one.kind != "row_pushed") continue;
+    ++told;
+    EXPECT_EQ(lacks.texts.at(static_cast<std::size_t>(one.gap.value())), "row.collides");
+    EXPECT_EQ(std::get<double>(one.values.front().value), 0.01);
+    EXPECT_EQ(one.shown, Shown::row);
+  }
+  EXPECT_EQ(told, std::min(closed, 5));
 }
 
 /// The verdict begins with how many gaps are too small, how often they close, and the hardest impact of all.

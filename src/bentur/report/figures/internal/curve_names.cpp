@@ -16,6 +16,7 @@ constexpr double clear = 0.13;     // between an end and its name [cm]
 constexpr double high = 0.32;      // of a name [cm]
 constexpr double widest = 3;       // of a name beside a frame [cm]
 constexpr double half_mark = 0.1;  // [cm]
+constexpr double between = 0.2;    // names on one line [cm]
 
 bool has_name(const Curve& curve) {
   return !curve.label.empty() && curve.in_legend && !curve.of_several && curve.top.empty() && curve.line != Line::none;
@@ -126,7 +127,7 @@ class Frame {
       for (const auto& [side, box] : places) {
         if (!is_free(box) || (!on_rules && is_on_rule(box))) continue;
         name.side = side;
-        taken_.push_back(box);
+        taken_.push_back({box.left - between, box.right + between, box.bottom, box.top});
         return name;
       }
     }

@@ -82,8 +82,10 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
   const std::vector<double>& course = report.response.course.time;
   const std::vector<Eigen::Index> keys = key_columns(course, report.response.impacts, listed, instant);
   Json buildings = Json::array();
+  std::vector<std::string> names;
   for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
     const Building& building = report.problem.buildings[b];
+    names.push_back(building.name);
     Eigen::MatrixXd exact;
     if (!keys.empty()) exact = scene_rows(report.response.course, b)(Eigen::all, keys);
     Json one = {
@@ -107,6 +109,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
               {"scene", scene_json(scene)},
               {"hinges", hinges_json(report, scene)},
               {"breaks", breaks_json(report, scene)},
+              {"names", names_json(names)},
               {"buildings", buildings}};
   all.update(played_json(sampling, course, keys, report.response.impacts, listed, report.run.shown.force, report.say));
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);

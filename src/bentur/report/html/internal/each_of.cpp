@@ -43,7 +43,7 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
                                        {"names", fmt::format("{}", fmt::join(table.names_from(most_columns), ", "))}}));
       table.cut_columns(most_columns);
     }
-    printed += table.markup("", most);
+    printed += table.printed(most);
   }
   if (!printed.str().empty()) {
     const std::string heading = say(std::string(what) + ".printed", count);

@@ -1,9 +1,11 @@
 #include "bentur/report/html/internal/markup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/utf8.h"
@@ -45,11 +47,24 @@ Html json_script(std::string_view id, std::string_view json) {
 }
 
 void HtmlTable::add(const std::string& name, const std::string& unit, const std::vector<double>& values) {
-  add(name, unit, column(values));
+  add(name, unit, column(values), true, values);
 }
 
-void HtmlTable::add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric) {
-  columns_.push_back({name, unit, std::move(cells), numeric});
+void HtmlTable::add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric,
+                    std::vector<double> values) {
+  columns_.push_back({name, unit, std::move(cells), numeric, std::move(values)});
+}
+
+void HtmlTable::make_alike(Column& column) {
+  if (column.values.empty()) return;
+  constexpr std::string_view bound = "≤ ";
+  constexpr int digits = 4, of_least = 2;
+  const std::vector<std::string> alike = bentur::column(column.values, digits, of_least);
+  for (std::size_t row = 0; row < alike.size(); ++row) {
+    if (std::isnan(column.values[row])) continue;
+    std::string& cell = column.cells.at(row);
+    cell = (cell.starts_with(bound) ? std::string(bound) : "") + alike[row];
+  }
 }
 
 void HtmlTable::add(const HtmlTable& other) {
@@ -68,11 +83,17 @@ void HtmlTable::join(const std::string& name, const HtmlTable& other) {
     while (i < columns_.size() && (taken[i] != 0 || !fits())) ++i;
     if (i == columns_.size()) add(column.name, column.unit, {}, column.numeric);
     taken[i] = 1;
-    std::vector<std::string>& cells = columns_[i].cells;
-    cells.resize(all - other.rows());
-    cells.insert(cells.end(), column.cells.begin(), column.cells.end());
+    Column& mine = columns_[i];
+    mine.cells.resize(all - other.rows());
+    mine.cells.insert(mine.cells.end(), column.cells.begin(), column.cells.end());
+    if (column.values.empty()) continue;
+    mine.values.resize(all - other.rows(), not_known);
+    mine.values.insert(mine.values.end(), column.values.begin(), column.values.end());
   }
-  for (Column& column : columns_) column.cells.resize(all);
+  for (Column& column : columns_) {
+    column.cells.resize(all);
+    if (!column.values.empty()) column.values.resize(all, not_known);
+  }
 }
 
 std::vector<std::string> HtmlTable::names_from(std::size_t first) const {
@@ -83,9 +104,53 @@ std::vector<std::string> HtmlTable::names_from(std::size_t first) const {
   return names;
 }
 
-Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
+std::size_t HtmlTable::letters(const Column& column) {
+  std::size_t most = characters(column.unit).size();
+  for (std::size_t from = 0; from <= column.name.size();) {
+    const std::size_t to = std::min(column.name.find(' ', from), column.name.size());
+    most = std::max(most, characters(std::string_view(column.name).substr(from, to - from)).size());
+    from = to + 1;
+  }
+  for (const std::string& cell : column.cells) most = std::max(most, characters(cell).size());
+  return most;
+}
+
+bool HtmlTable::is_broad() const {
+  constexpr double most = 41, between = 1.5;  // letters of a telephone's width, and of the room between columns
+  double all = 0;
+  for (const Column& column : columns_) all += static_cast<double>(letters(column)) + between;
+  return columns_.size() > 2 && all > most;
+}
+
+Html HtmlTable::markup(std::string_view attributes) const {
+  // Some have a form of their own there.
+  const bool has_form =
+      attributes.find("gaps") != std::string_view::npos || attributes.find("checks") != std::string_view::npos;
+  if (has_form) return written(attributes, Heads::in_cells, rows());
+  if (attributes.find("said") != std::string_view::npos || !is_broad())
+    return written(attributes, Heads::above, rows());
+  const std::string_view of_class = "class=\"";
+  std::string all(attributes);
+  const std::size_t at = all.find(of_class);
+  at == std::string::npos ? all.append(all.empty() ? "" : " ").append("class=\"cards\"")
+                          : all.insert(at + of_class.size(), "cards ");
+  return written(all, Heads::in_cells, rows());
+}
+
+Html HtmlTable::printed(std::size_t most) const {
+  HtmlTable whole = *this;
+  for (Column& column : whole.columns_) make_alike(column);
+  return whole.written("", Heads::above, most);
+}
+
+Html HtmlTable::written(std::string_view attributes, Heads heads, std::size_t most) const {
   if (columns_.empty()) return {};
-  const auto alignment = [](const Column& column) { return column.numeric ? "" : "class=\"t\""; };
+  constexpr std::size_t longest = 26;  // letters of two lines in a third of a card; what is longer has its own line
+  std::vector<std::string> alignments;
+  for (const Column& column : columns_) {
+    const bool is_long = !column.numeric && heads == Heads::in_cells && letters(column) > longest;
+    alignments.emplace_back(column.numeric ? "" : is_long ? "class=\"t long\"" : "class=\"t\"");
+  }
   const bool units =
       std::any_of(columns_.begin(), columns_.end(), [](const Column& column) { return !column.unit.empty(); });
   Html head;
@@ -98,22 +163,17 @@ Html HtmlTable::markup(std::string_view attributes, std::size_t most) const {
                     std::string(is_heading ? "scope=\"col\"" : "") + (column.numeric ? "" : " class=\"t\""));
   }
   Html body;
-  // On a phone each cell has its heading.
-  const bool as_cards =
-      attributes.find("cards") != std::string_view::npos || attributes.find("gaps") != std::string_view::npos;
   for (std::size_t row = 0; row < std::min(rows(), most); ++row) {
     Html line;
     for (const Column& column : columns_) {
-      std::string attributes_of_cell = alignment(column);
-      if (&column == &columns_.front() && row < titles_.size()) {
-        attributes_of_cell += " title=\"" + Html::text(titles_[row]).str() + "\"";
-      }
-      if (as_cards) {
-        const std::string heading = column.unit.empty() ? column.name : with_unit(column.name, column.unit);
-        attributes_of_cell += " data-head=\"" + Html::text(heading).str() + "\"";
-      }
-      line +=
-          element("td", column.numeric ? signed_text(column.cells.at(row)) : column.cells.at(row), attributes_of_cell);
+      std::string about = alignments[static_cast<std::size_t>(&column - columns_.data())];
+      const auto put = [&](const char* name, const std::string& text) {
+        about += std::string(about.empty() ? "" : " ") + name + "=\"" + Html::text(text).str() + "\"";
+      };
+      if (&column == &columns_.front() && row < titles_.size()) put("title", titles_[row]);
+      if (heads == Heads::in_cells)
+        put("data-head", column.unit.empty() ? column.name : with_unit(column.name, column.unit));
+      line += element("td", column.numeric ? signed_text(column.cells.at(row)) : column.cells.at(row), about);
     }
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
     body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");

@@ -42,9 +42,17 @@ class Html {
 /// A table under one header row; units stand below the names. Columns of numbers are aligned to the right.
 class HtmlTable {
  public:
+  struct Column {
+    std::string name, unit;
+    std::vector<std::string> cells;
+    bool numeric = true;
+    std::vector<double> values = {};  ///< per cell, NaN: another text; empty: such are all
+  };
   /// `unit` empty: none. All columns of one length.
   void add(const std::string& name, const std::string& unit, const std::vector<double>& values);
-  void add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric = true);
+  /// @param values of the cells, where column() makes them
+  void add(const std::string& name, const std::string& unit, std::vector<std::string> cells, bool numeric = true,
+           std::vector<double> values = {});
   /// The columns of another one, as long as these.
   void add(const HtmlTable& other);
   /// What a pointer over the cells of the first column shows.
@@ -60,15 +68,22 @@ class HtmlTable {
   [[nodiscard]] std::vector<std::string> names_from(std::size_t first) const;
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
   [[nodiscard]] std::size_t rows() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
-  /// In a box of its own, which scrolls where the page is narrow; nothing of none. @param most rows
-  [[nodiscard]] Html markup(std::string_view attributes = "", std::size_t most = -1) const;
+  /// In a box of its own; nothing of none. What is broader than a telephone is cards there: one for each row, in which
+  /// each cell has its heading.
+  [[nodiscard]] Html markup(std::string_view attributes = "") const;
+  /// The same for paper alone, numbers of joined tables with equally many decimals. @param most rows
+  [[nodiscard]] Html printed(std::size_t most) const;
+
+  /// What it has been given.
+  [[nodiscard]] const std::vector<Column>& all() const { return columns_; }
 
  private:
-  struct Column {
-    std::string name, unit;
-    std::vector<std::string> cells;
-    bool numeric = true;
-  };
+  enum class Heads { above, in_cells };
+  static void make_alike(Column& column);
+  [[nodiscard]] static std::size_t letters(const Column& column);  ///< of the broadest line that is not divided
+  [[nodiscard]] bool is_broad() const;
+  [[nodiscard]] Html written(std::string_view attributes, Heads heads, std::size_t most) const;
+
   std::vector<Column> columns_;
   std::vector<std::size_t> marked_;
   std::vector<std::string> titles_;

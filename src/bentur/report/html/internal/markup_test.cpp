@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,39 @@ TEST(Markup, TableEscapesNamesUnitsAndCells) {
   EXPECT_NE(markup.find("&lt;n&gt;<br><small>&lt;u&gt;</small>"), std::string::npos);
   EXPECT_NE(markup.find("<tr class=\"marked\"><td class=\"t\">&lt;c&gt;</td><td>1.5</td></tr>"), std::string::npos);
   EXPECT_EQ(facts({{"<a>", "<b>"}}).str().find("<a>"), std::string::npos);
+}
+
+/// On a telephone a table that is broader is cards, each cell with its heading; a narrow one stays a table.
+TEST(Markup, BroadTablesAreCardsOnATelephone) {
+  HtmlTable table;
+  table.add("Level", "m", std::vector<double>{300, 200});
+  table.add("Peak force", "kN", std::vector<double>{5, 0.25});
+  table.add("Where", "", {"a", "b"}, false);
+  EXPECT_EQ(table.markup().str().find("data-head"), std::string::npos);
+  EXPECT_NE(table.markup().str().find("<table>"), std::string::npos);
+  table.add("Why", "", {"a text that is longer than a telephone", "no"}, false);
+  const std::string cards = table.markup("id=\"t\" class=\"modes\"").str();
+  EXPECT_NE(cards.find("<table id=\"t\" class=\"cards modes\">"), std::string::npos) << cards;
+  EXPECT_NE(cards.find("<td data-head=\"Peak force [kN]\">5.00</td>"), std::string::npos) << cards;
+  EXPECT_NE(cards.find("<td class=\"t\" data-head=\"Where\">a</td>"), std::string::npos) << cards;
+  EXPECT_NE(cards.find("<td class=\"t long\" data-head=\"Why\">no</td>"), std::string::npos) << cards;
+  EXPECT_EQ(table.printed(2).str().find("data-head"), std::string::npos) << "paper has room";
+}
+
+/// Joined, numbers of one column have equally many decimals, so that two digits of the smallest are seen.
+TEST(Markup, JoinedColumnsHaveDecimalsAlike) {
+  HtmlTable joined;
+  for (const double size : {1.0, 100.0, 0.01}) {
+    HtmlTable one;
+    one.add("Level", "m", std::vector<double>{3 * size, 6.5 * size});
+    one.add("Needed", "m", {"≤ 0.5", "–"}, true, {0.5, NAN});
+    one.add("Start", "s", {"1.0000", "2.5000"}, true);
+    joined.join("House", one);
+  }
+  const std::string markup = joined.printed(6).str();
+  for (const char* const cell : {"3.000", "6.500", "300.000", "650.000", "0.030", "0.065", "≤ 0.5", "–", "2.5000"}) {
+    EXPECT_NE(markup.find("<td>" + std::string(cell) + "</td>"), std::string::npos) << cell << markup;
+  }
 }
 
 /// Of a table that is too broad for paper it is said which columns are not there, each name once.

@@ -6,6 +6,9 @@
 #include <iterator>
 #include <string_view>
 
+#include "bentur/report/html/internal/sections.h"
+#include "bentur/report/scene/names.h"
+
 namespace bentur::html {
 namespace {
 
@@ -74,6 +77,11 @@ Json samples_json(const Eigen::MatrixXd& displacement, const MotionSampling& sam
           {"scale", scale},
           {"samples", packed(displacement, sampling.stride, scale)},
           {"keys", packed(exact, 1, scale)}};
+}
+
+Json names_json(const std::vector<std::string>& names) {
+  const std::vector<std::string> in_short = short_names(names);
+  return {{"short", in_short}, {"key", numbered(names)}, {"parts", are_parts_of(in_short, names)}};
 }
 
 Json played_json(const MotionSampling& sampling, const std::vector<double>& times, const std::vector<Index>& keys,

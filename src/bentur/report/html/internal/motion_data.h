@@ -37,6 +37,10 @@ struct MotionSampling {
 [[nodiscard]] Json samples_json(const Eigen::MatrixXd& displacement, const MotionSampling& sampling,
                                 const Eigen::MatrixXd& exact);
 
+/// How a picture calls the buildings: {short, key, parts}, with `short` what they are called in short, in `parts`
+/// whether that is a part of each name and no number, and in `key` what numbers stand for.
+[[nodiscard]] Json names_json(const std::vector<std::string>& names);
+
 /// {words, frames, step, keys, impacts}. @param times of which the keys are @param listed impacts, of any order
 /// @param force factor of forces as people read of them
 [[nodiscard]] Json played_json(const MotionSampling& sampling, const std::vector<double>& times,

@@ -28,7 +28,7 @@ Html speeds() {
 
 }  // namespace
 
-PageSection motion_section(const Words& say, const std::string& length, const std::string& key, MotionView view) {
+PageSection motion_section(const Words& say, const std::string& length, MotionView view) {
   const bool in_plan = view == MotionView::plan;
   const std::string label = Html::text(say("motion.picture")).str();
   Html content = element("noscript", element("p", say("motion.noscript")));
@@ -45,7 +45,7 @@ PageSection motion_section(const Words& say, const std::string& length, const st
                                              "class=\"wide\""),
                                  "class=\"readout\""),
                      "class=\"player\"");
-  content += element("p", key, "id=\"building-key\" class=\"note\"");
+  content += element("p", "", "id=\"building-key\" class=\"note\"");
   content += element("svg", Html(),
                      "id=\"timeline\" role=\"img\" aria-label=\"" + Html::text(say("motion.timeline")).str() + "\"");
   content += element("div", Html(), "id=\"time-axis\" aria-hidden=\"true\"");

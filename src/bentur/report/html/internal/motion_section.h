@@ -11,8 +11,6 @@ namespace bentur::html {
 enum class MotionView { row, plan };
 
 /// The elements that report.js gives to motion.js, which draws the buildings in motion. @param length unit
-/// @param key building_key() of their numbers
-[[nodiscard]] PageSection motion_section(const Words& say, const std::string& length, const std::string& key,
-                                         MotionView view = MotionView::row);
+[[nodiscard]] PageSection motion_section(const Words& say, const std::string& length, MotionView view);
 
 }  // namespace bentur::html

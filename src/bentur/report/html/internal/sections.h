@@ -64,7 +64,10 @@ constexpr std::size_t rows_in_print = 100, impacts_in_print = 60;
 /// floors meet at every contact point.
 [[nodiscard]] PageSection columns_section(const Report& report);
 
-/// Every impact, to be sorted and downloaded; `listed` holds their places in Response::impacts.
+/// Impacts by their numbers from 1, what is listed of each; `listed` holds their places in Response::impacts.
+[[nodiscard]] HtmlTable impact_table(const Report& report, const std::vector<Eigen::Index>& listed);
+[[nodiscard]] HtmlTable impact_table(const PlanRun& run, const std::vector<Eigen::Index>& listed, const Words& say);
+/// The same to be sorted and downloaded.
 [[nodiscard]] PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed);
 
 /// The input with its units, the ground motion, the modes.
@@ -131,9 +134,7 @@ struct Verdict {
 void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const HtmlTable& places, const Words& say,
                  bool in_plan);
 /// The list of impacts with its buttons; a page's script sorts and saves it. @param all how many there are
-/// @param sorted the column by which they are
-[[nodiscard]] Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all,
-                               int sorted);
+[[nodiscard]] Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all);
 /// impacts.csv for the script that saves it.
 [[nodiscard]] Html csv_script(const std::string& csv);
 

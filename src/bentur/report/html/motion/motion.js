@@ -5,7 +5,7 @@
 /**
  * @param parts elements: stage and timeline (SVG), scrub, clock, event, live (tbody), play, previous, next, hardest, speed,
  *   slow, magnify, magnified; where there are such, level (select, of pictures of one level) and levelChoice around it,
- *   timeAxis (the times below the time line) and buildingKey (shown where the drawing has numbers for names); `steady`:
+ *   timeAxis (the times below the time line) and buildingKey (what numbers stand for, where there are some in place of names); `steady`:
  *   the stage keeps its height; `shown`, where there is one, is told of every time that is shown [s], as show() is.
  * @param data what animation_json() or plan_animation_json() gives
  * @returns {impacts, html(name, text, parent), number, update(data), show(time, since, fading), showImpact(impact), start(), pause(), isPlaying()}
@@ -135,8 +135,12 @@ function benturMotion(parts, data) {
       line.setAttribute("x", left + 8 * pixel);
       line.setAttribute("y", bottom + (picture.below + 20 + 17 * k) * pixel);
     });
-    const fit = picture.name(pixel);
-    if (parts.buildingKey) parts.buildingKey.hidden = fit && buildings.length < 3;
+    const called = picture.name(pixel);
+    if (parts.buildingKey) { // where a number stands for a name, in the picture or in the table of openings
+      const { names } = data, inTable = !names.parts && buildings.length > 2;
+      parts.buildingKey.textContent = names.key;
+      parts.buildingKey.hidden = names.key === "" || !(inTable || called === "number" || (called === "short" && !names.parts));
+    }
     if (parts.steady && stage.clientWidth !== framed) { // the page does not jump when the magnification changes
       framed = stage.clientWidth;
       stage.style.height = `${Math.round(Math.min(framed * tall / wide, 454))}px`;

@@ -66,7 +66,7 @@ function benturPlan(data, buildings, svg, number) {
 
   /**
    * Names within the outlines at rest; where they do not all fit what the buildings are called in short, and of these
-   * what is too long smaller. @returns whether the names fit
+   * what is too long smaller. @returns which of both
    */
   function name(pixel) {
     place = benturPlanPlaces(scene, magnification, rest);
@@ -81,11 +81,11 @@ function benturPlan(data, buildings, svg, number) {
       line.textContent = texts[b];
       return rooms[b] / Math.max(line.getComputedTextLength(), 1e-9);
     });
-    if (written(buildings.map((one) => one.name)).every((part) => part > 1)) return true;
-    written(buildings.map((one) => one.short)).forEach((part, b) => {
+    if (written(buildings.map((one) => one.name)).every((part) => part > 1)) return "whole";
+    written(data.names.short).forEach((part, b) => {
       if (part < 1) drawn.names[b].style.fontSize = `calc(${(14 * Math.max(part, 0.6)).toFixed(1)}px * var(--px))`;
     });
-    return false;
+    return "short";
   }
 
   function show(motion, now, pixel) {
@@ -165,7 +165,8 @@ function benturPlan(data, buildings, svg, number) {
 
   /** What the table of openings holds: the places of the chosen level, of those that are one its contact points. */
   function live(inShort) {
-    const gap = (point) => (inShort ? `${buildings[point.left].short} | ${buildings[point.right].short}` : pair(point));
+    const called = data.names.short;
+    const gap = (point) => (inShort ? `${called[point.left]} | ${called[point.right]}` : pair(point));
     const rows = new Map();
     points.forEach((point, i) => {
       if (point.level !== level) return;

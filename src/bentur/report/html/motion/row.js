@@ -26,9 +26,10 @@ function benturPlaces(scene, magnification, motion) {
  * @returns {unit: picture units per length, grain: what is small there, below: room for names [px], key: lines of
  *   {tone, mark, text} that say what marks mean, levels: names of those that can be chosen, none where all are
  *   seen at once (else level, choose(level)), build(stage),
- *   frame(magnification): {left, right, top, bottom} of all that moves, name(pixel), show(motion, time, pixel),
+ *   frame(magnification): {left, right, top, bottom} of all that moves, name(pixel): "whole", "short" or "number", by
+ *   what the buildings are called, show(motion, time, pixel),
  *   contact(point): {x, y, normal}, opening(point, motion), together: of a point those that touch where it is closed,
- *   where(point), live(numbered): {head, rows: of a name and for each column a list of points}}
+ *   where(point), live(inShort): {head, rows: of a name and for each column a list of points}}
  */
 function benturRow(data, buildings, svg, number) {
   "use strict";
@@ -72,21 +73,33 @@ function benturRow(data, buildings, svg, number) {
     return { left: drawn.left, right: drawn.right, top: 0, bottom: y(scene.bottom) };
   }
 
-  /** Names below the buildings, or their numbers where names do not fit. @returns whether they do */
+  /** Names below the buildings: whole, else in short, else their numbers, each somewhat smaller where that is enough.
+   * @returns which */
   function name(pixel) {
-    let end = drawn.left;
-    let fit = true;
-    drawn.names.forEach((text, b) => {
-      const middle = unit * (place([0, b, -1, 1, 0, 0]) + scene.breadths[b] / 2);
-      text.setAttribute("x", middle);
-      text.setAttribute("y", y(scene.bottom) + 20 * pixel);
-      text.textContent = buildings[b].name;
-      const half = text.getComputedTextLength() / 2;
-      fit = fit && middle - half >= end && middle + half <= drawn.right;
-      end = middle + half + 4;
-    });
-    if (!fit) drawn.names.forEach((text, b) => { text.textContent = String(b + 1); });
-    return fit;
+    const least = 0.8; // of the usual size
+    const middles = buildings.map((_, b) => unit * (place([0, b, -1, 1, 0, 0]) + scene.breadths[b] / 2));
+    const last = buildings.length - 1;
+    /** The part of their size at which none touches another one or stands out at the side. */
+    const fit = (texts) => {
+      const halves = drawn.names.map((line, b) => {
+        line.removeAttribute("style");
+        line.textContent = texts[b];
+        return line.getComputedTextLength() / 2;
+      });
+      return Math.min((middles[0] - drawn.left) / halves[0], (drawn.right - middles[last]) / halves[last],
+        ...middles.slice(1).map((middle, b) => (middle - middles[b] - 5 * pixel) / (halves[b] + halves[b + 1])));
+    };
+    const ways = { whole: buildings.map((one) => one.name), short: data.names.short, number: buildings.map((_, b) => String(b + 1)) };
+    for (const [way, texts] of Object.entries(ways)) {
+      const part = fit(texts);
+      if (part < least && way !== "number") continue;
+      drawn.names.forEach((line, b) => {
+        line.setAttribute("x", middles[b]);
+        line.setAttribute("y", y(scene.bottom) + 20 * pixel);
+        if (part < 1) line.style.fontSize = `calc(${(14 * Math.max(part, 0.6)).toFixed(1)}px * var(--px))`;
+      });
+      return way;
+    }
   }
 
   function show(motion, now, pixel) {
@@ -127,15 +140,16 @@ function benturRow(data, buildings, svg, number) {
 
   /** What the table of openings holds: a row for each level, a column for each gap; of many gaps a row for each contact
    * point. */
-  function live(numbered) {
+  function live(inShort) {
+    const called = inShort ? data.names.short : buildings.map((one) => one.name);
+    const between = (gap) => `${called[gap]} | ${called[gap + 1]}`;
     const most = 6;
     if (scene.gaps.length > most) {
-      const of = ({ left, elevation }) => `${numbered ? `${left + 1} | ${left + 2}` : pair(left)}, ${level(elevation)}`;
+      const of = ({ left, elevation }) => `${between(left)}, ${level(elevation)}`;
       return { head: [], rows: data.points.map((point, i) => ({ name: of(point), points: [[i]] })), many: true };
     }
     const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);
-    const names = scene.gaps.map((_, gap) =>
-      numbered ? `${gap + 1} | ${gap + 2}` : pair(gap));
+    const names = scene.gaps.map((_, gap) => between(gap));
     return {
       head: names.length > 1 ? [data.words.level, ...names] : [],
       rows: levels.map((elevation) => ({

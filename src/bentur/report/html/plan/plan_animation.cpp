@@ -227,7 +227,6 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
   const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
   const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
   const double arm = arm_of(run.problem);
-  const std::vector<std::string> in_short = short_names(building_names(run.problem));
   Json buildings = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
@@ -235,7 +234,6 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
     Eigen::MatrixXd exact;
     if (rows.size() > 0) exact = rows(Eigen::all, keys);
     Json one = {{"name", building.name},
-                {"short", in_short[b]},
                 {"tone", colour(building_tone(b)).name},
                 {"roof", 3 * (building.model.floors() - 1) + across}};
     one.update(samples_json(rows, sampling, exact));
@@ -249,6 +247,7 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
               {"points", points_json(run, scene, levels)},
               {"shown", instant.time},
               {"scene", scene_json(run, scene, levels, number_of(levels, hardest.contact->elevation))},
+              {"names", names_json(building_names(run.problem))},
               {"buildings", buildings}};
   all["scene"]["key"] = key_of(run, say);
   all.update(played_json(sampling, time, keys, run.response.impacts, listed, units.force, say));

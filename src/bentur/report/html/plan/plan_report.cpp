@@ -33,6 +33,21 @@ using html::element;
 using html::Html;
 using html::HtmlTable;
 
+/// Where contacts are.
+void add_places(const PlanRun& run, const std::vector<Index>& points, const Words& say, HtmlTable& table) {
+  const std::string& length = run.c.units.length;
+  std::vector<double> elevation, x, y;
+  for (const Index point : points) {
+    const PlanContactPlace place = contact_at(run.problem, point);
+    elevation.push_back(place.contact->elevation);
+    x.push_back(place.at.x());
+    y.push_back(place.at.y());
+  }
+  table.add(say("column.elevation"), length, elevation);
+  table.add("x", length, x);
+  table.add("y", length, y);
+}
+
 /// Writes the sections of a report of buildings in plan.
 class PlanPage {
  public:
@@ -105,39 +120,11 @@ class PlanPage {
   [[nodiscard]] html::PageSection impacts(const std::vector<Index>& listed) const {
     const std::vector<Impact>& all = run_.response.impacts;
     if (all.empty()) return {"impacts", say_("heading.impacts"), element("p", say_("impacts.none"))};
-    std::vector<std::string> numbers, gaps;
-    std::vector<QuantityPlace> places;
-    std::vector<Index> points;
-    for (const Index k : listed) {
-      numbers.push_back(std::to_string(k + 1));
-      gaps.push_back(gaps_.at(contact_at(run_.problem, all[k].point).gap));
-      places.push_back({k});
-      points.push_back(all[k].point);
-    }
-    HtmlTable table;
-    table.add("#", "", numbers);
-    if (gaps_.size() > 1) table.add(say_("column.gap"), "", gaps, false);
-    const int sorted = gaps_.size() > 1 ? 2 : 1;  // column of the peak force, by which they are
-    HtmlTable where;
-    add_places(where, points);
-    html::add_impacts(table, table_columns(Owner::impact, run_, places, say_.number()), where, say_, true);
-    return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size(), sorted)};
+    const HtmlTable table = html::impact_table(run_, listed, say_);
+    return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size())};
   }
 
  private:
-  void add_places(HtmlTable& table, const std::vector<Index>& points) const {
-    std::vector<double> elevation, x, y;
-    for (const Index point : points) {
-      const PlanContactPlace place = contact_at(run_.problem, point);
-      elevation.push_back(place.contact->elevation);
-      x.push_back(place.at.x());
-      y.push_back(place.at.y());
-    }
-    table.add(say_("column.elevation"), length_, elevation);
-    table.add("x", length_, x);
-    table.add("y", length_, y);
-  }
-
   [[nodiscard]] HtmlTable contacts(std::size_t g, bool are_struck) const {
     std::vector<Index> points;
     for (Index i = 0; i < std::ssize(run_.problem.gaps[g].contacts); ++i) {
@@ -150,7 +137,7 @@ class PlanPage {
     std::vector<QuantityPlace> places;
     for (const Index point : points) places.push_back({point});
     HtmlTable table;
-    add_places(table, points);
+    add_places(run_, points, say_, table);
     html::add_columns(table, table_columns(Owner::point, run_, places, say_.number()));
     return table;
   }
@@ -251,6 +238,28 @@ std::string csv_of(const PlanRun& run, std::vector<Index> listed) {
 
 }  // namespace
 
+html::HtmlTable html::impact_table(const PlanRun& run, const std::vector<Index>& listed, const Words& say) {
+  const std::vector<std::string> names = building_names(run.problem), in_short = short_names(names);
+  const std::vector<std::string>& called = are_parts_of(in_short, names) ? in_short : names;
+  std::vector<std::string> numbers, gaps;
+  std::vector<QuantityPlace> impacts;
+  std::vector<Index> points;
+  for (const Index k : listed) {
+    const Index point = run.response.impacts.at(static_cast<std::size_t>(k)).point;
+    numbers.push_back(std::to_string(k + 1));
+    const PlanGap& gap = run.problem.gaps[contact_at(run.problem, point).gap];
+    gaps.push_back(called[gap.left] + " | " + called[gap.right]);
+    impacts.push_back({k});
+    points.push_back(point);
+  }
+  HtmlTable table, places;
+  table.add("#", "", numbers);
+  if (run.problem.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
+  add_places(run, points, say, places);
+  html::add_impacts(table, table_columns(Owner::impact, run, impacts, say.number()), places, say, true);
+  return table;
+}
+
 std::vector<PagePart> table_parts(const PlanRun& run, const std::string& language) {
   const Words say(language);
   return html::parts({PlanPage(run, say).peaks()});
@@ -294,10 +303,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   html::PageSection motion;
   Html data;
   if (!run.response.points.empty()) {
-    const std::vector<std::string> names = building_names(run.problem);
-    const bool are_said = are_parts_of(short_names(names), names);
-    motion =
-        html::motion_section(say, run.c.units.length, are_said ? "" : html::numbered(names), html::MotionView::plan);
+    motion = html::motion_section(say, run.c.units.length, html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
   html::PageBody body{

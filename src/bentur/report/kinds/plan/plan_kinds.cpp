@@ -73,8 +73,8 @@ bool has_a_block(const PlanRun& run) { return run.problem.buildings.size() > 6 &
 const PlanKind plan_kinds[] = {
     {"map", "houses of a block and what lies between them from above, by what is judged of it", has_a_block, map_figure,
      tells_above},
-    {"overview", "the buildings from above at the hardest impact, and the opening over time", has_points,
-     overview_figure, tells_above},
+    {"overview", "the buildings from above at the hardest impact, the opening over time, given and needed gap",
+     has_points, overview_figure, tells_above},
     {"scene", "the buildings from above at the hardest impact, else where they come closest", has_points, scene_figure,
      tells_above},
     {"displacement", "displacements along x and y and rotations of both floors at one contact, contacts marked",

@@ -267,7 +267,7 @@ TEST(PlanMap, NamesInMotionAreThoseOfTheTexts) {
   const PlanScene scene(many);
   for (std::size_t b = 0; b < many.problem.buildings.size(); ++b) {
     EXPECT_EQ(data["buildings"][b]["name"].get<std::string>(), "House 5." + std::to_string(b + 1));
-    EXPECT_EQ(data["buildings"][b]["short"].get<std::string>(), "5." + std::to_string(b + 1));
+    EXPECT_EQ(data["names"]["short"][b].get<std::string>(), "5." + std::to_string(b + 1));
     PlanRings rings = many.problem.buildings[b].model.footprint.all_rings();
     for (std::vector<PlanPoint>& ring : rings) ring.push_back(ring.front());
     const auto& row = data["scene"]["names"][b];

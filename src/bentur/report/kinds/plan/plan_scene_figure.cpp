@@ -10,10 +10,12 @@
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/burst.h"
+#include "bentur/report/kinds/internal/gap_panel.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
@@ -423,28 +425,30 @@ std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions&
 }  // namespace
 
 Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
-  constexpr double wide = 12, height = 6.4;  // [cm]
+  constexpr double wide = 12, height = 8.4, around = 1.1;  // [cm], of titles and axes
   const bool is_wide = options.width >= wide;
   Figure figure = scene_figure(run, options);
-  figure.title = "The buildings from above where they meet, and the opening of the gap";
+  figure.title = "The buildings from above where they meet, the opening of the gap, and the gap that is needed";
   figure.finding = finding_of(run, contact_at(run.problem, chosen_point(run, options)).gap, options);
   std::vector<Panel> openings = opening_figure(run, options).panels;
   const auto count = static_cast<int>(openings.size());
   if (is_wide) {
     figure.columns = 2;
     figure.shares = {1.2, 1};
-    figure.panels.front().rows = count;
+    figure.panels.front().rows = count + 1;
     figure.panels.front().height = height;
   }
+  Panel gaps = gap_panel(judged_gaps(run), run.c.units.length, options);
   for (Panel& opening : openings) {
     if (&opening != &openings.front()) {  // the legend of the first serves
       for (Curve& curve : opening.curves) curve.label = "";
       for (RuleLine& rule : opening.rules) rule.label = "";
       opening.events.label = "";
     }
-    opening.height = is_wide ? height / count - 0.4 : 3;
+    opening.height = is_wide ? std::max(1.2, (height - gaps.height) / count - around) : 3;
     figure.panels.push_back(std::move(opening));
   }
+  figure.panels.push_back(std::move(gaps));
   return figure;
 }
 

@@ -1,0 +1,132 @@
+#include "bentur/report/kinds/internal/gap_panel.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "bentur/core/number_text.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/story/judgement_story.h"
+#include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/names.h"
+
+namespace bentur {
+namespace {
+
+/// A gap that is given or needed [length]; NaN: not known.
+struct GapBar {
+  const char* name;
+  double value = 0;
+  Tone tone = Tone::grey;
+  bool is_hollow = false;
+};
+
+/// Where it falls short the most: given, needed, and, where that is known of some gap, needed the other way round.
+std::vector<GapBar> bars_of(const GapFacts& facts) {
+  const GoverningNeed found = governing_need(facts).value_or(GoverningNeed{});
+  const auto needed = [](const char* name, const GoverningNeed::OneWay& one, bool is_hollow) {
+    return GapBar{name, one.needed.value_or(NAN), one.is_short ? Tone::red : Tone::black, is_hollow};
+  };
+  return {{"given", found.at.width}, needed("needed", found.given, false), needed("reversed", found.reversed, true)};
+}
+
+/// From 0 on, `thick` in places of the axis of names; nothing of what is not known.
+void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
+  if (std::isnan(of.value)) return;
+  panel.curves.push_back(of.is_hollow ? hollow_bar(0, of.value, place, thick, of.tone)
+                                      : bar(0, of.value, place, thick, of.tone));
+}
+
+std::string level_text(const GoverningNeed& need, const std::string& length) {
+  return number(need.at.elevation) + " " + length;
+}
+
+/// Each bar by its name and value, the given gap uppermost.
+void add_one_gap(Panel& panel, const GapFacts& facts, const std::string& length, const FigureOptions& options) {
+  const std::vector<GapBar> bars = bars_of(facts);
+  std::vector<double> values;
+  for (const GapBar& one : bars) values.push_back(one.value);
+  const std::vector<std::string> numbers = column(values);  // with digits alike
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    const std::size_t at = bars.size() - 1 - k;
+    const GapBar& one = bars[at];
+    const std::string value = std::isnan(one.value) ? word(options, "not known") : numbers[at] + " " + length;
+    panel.y.names.push_back(word(options, one.name) + ": " + value);
+    add_bar(panel, one, static_cast<double>(k), 0.6);
+  }
+  const std::optional<GoverningNeed> found = governing_need(facts);
+  if (found && (found->given.needed || found->reversed.needed)) {
+    panel.title = word(options, "needed at level {}", level_text(*found, length));
+  }
+  panel.height = 1.8;
+}
+
+/// What the buildings of the gaps are called, left and right: in short where that is a part of their names.
+std::vector<std::pair<std::string, std::string>> names_of(const std::vector<JudgedGap>& judged) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const JudgedGap& one : judged) {
+    add(one.facts.left);
+    add(one.facts.right);
+  }
+  const std::vector<std::string> in_short = short_names(names);
+  const bool are_parts = are_parts_of(in_short, names);
+  const auto called = [&](const std::string& name) {
+    constexpr double longest = 1.2;  // [cm]
+    const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    return are_parts ? in_short[at] : cut_to(name, longest);
+  };
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const JudgedGap& one : judged) all.emplace_back(called(one.facts.left), called(one.facts.right));
+  return all;
+}
+
+/// Gaps by the names of their buildings and the level, the first uppermost; of many those that the verdict names first.
+void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::string& length,
+              const FigureOptions& options) {
+  constexpr std::size_t most = 5;
+  std::vector<std::size_t> gaps = worst_first(judged);
+  gaps.resize(std::min(judged.size(), most));
+  std::sort(gaps.begin(), gaps.end(), std::greater<>());
+  const auto names = names_of(judged);
+  std::vector<std::string> told;  // what of the three is known of some gap
+  for (std::size_t place = 0; place < gaps.size(); ++place) {
+    const GapFacts& facts = judged[gaps[place]].facts;
+    const std::vector<GapBar> bars = bars_of(facts);
+    const std::optional<GoverningNeed> found = governing_need(facts);
+    const std::string behind = std::isnan(bars[1].value) ? ": " + word(options, "not known")
+                               : found                   ? ", " + level_text(*found, length)
+                                                         : "";
+    panel.y.names.push_back(names[gaps[place]].first + " | " + names[gaps[place]].second + behind);
+    told.resize(bars.size());
+    for (std::size_t k = 0; k < bars.size(); ++k) {
+      add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
+      if (!std::isnan(bars[k].value)) told[k] = word(options, bars[k].name);
+    }
+  }
+  std::erase(told, "");
+  panel.title = word(options, "from above: {}", fmt::format("{}", fmt::join(told, ", ")));
+  if (judged.size() > most)
+    panel.title += "; " + word(options, "the most critical of {} gaps", std::to_string(judged.size()));
+  panel.height = 0.3 + 0.6 * static_cast<double>(gaps.size());
+}
+
+}  // namespace
+
+Panel gap_panel(const std::vector<JudgedGap>& judged, const std::string& length, const FigureOptions& options) {
+  Panel panel{.x = {.label = with_unit(word(options, "Gap w"), length), .from = 0}};
+  judged.size() == 1 ? add_one_gap(panel, judged.front().facts, length, options)
+                     : add_gaps(panel, judged, length, options);
+  return panel;
+}
+
+}  // namespace bentur

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/report/kinds/kinds.h"
+
+namespace bentur {
+
+/// Given against needed gaps, as given and reversed, each at the level where it falls short the most: of one gap bars
+/// with their values, of many of those that the verdict names first. @param length unit
+[[nodiscard]] Panel gap_panel(const std::vector<JudgedGap>& judged, const std::string& length,
+                              const FigureOptions& options);
+
+}  // namespace bentur
