@@ -106,11 +106,11 @@ std::string spectrum_text(const RecordSpectrum& spectrum, const Words& say) {
   table.add(say("spectrum.velocity"), length + "/s", velocity);
   table.add(say("spectrum.acceleration"), "g", acceleration);
   table.add(say("spectrum.absolute"), "g", absolute);
+  const std::string unit = unit_of(spectrum.record), in_g = number(spectrum.record.pga / spectrum.units.gravity) + " g";
+  const std::string peak = unit == "g" ? in_g : number(spectrum.record.pga_read) + " " + unit + " = " + in_g;
   return record_line(spectrum.record, say) + "\n" +
-         say("spectrum.heading", {{"damping", number(100 * spectrum.damping_ratio)},
-                                  {"peak", number(spectrum.record.pga_read) + " " + unit_of(spectrum.record)},
-                                  {"in_g", number(spectrum.record.pga / spectrum.units.gravity)}}) +
-         "\n\n" + table.text();
+         say("spectrum.heading", {{"damping", number(100 * spectrum.damping_ratio)}, {"peak", peak}}) + "\n\n" +
+         table.text();
 }
 
 Figure spectrum_picture(const RecordSpectrum& spectrum, const std::string& language) {

@@ -1825,7 +1825,7 @@ class Spectrum(CommandLine):
         self.assertAlmostEqual(document["pga"] / 980.665, 0.31882, delta=1e-12)
         text = self.done("spectrum", self.RECORD, "--unit", "g").stdout
         self.assertIn("(two-column, g, 1 header line): 1560 values every 0.02 s, 31.18 s long", text)
-        self.assertIn("damping 5 %, peak ground acceleration 0.3188 g = 0.3188 g", text)
+        self.assertIn("damping 5 %, peak ground acceleration 0.3188 g\n", text)
         self.assertEqual(len(text.splitlines()), 3 + 3 + 41)
         self.assertEqual(document["record"], {
             "file": str(self.RECORD), "format": "two-column", "unit": "g", "channel": "", "header_lines": 1,

@@ -110,7 +110,7 @@ class Remedy(unittest.TestCase):
         text = self.bentur("remedy", study).stdout
         self.assertIn("NONE SUFFICES: Nothing within the ranges was found that keeps gap_needed at or below 0.001 m.",
                       text)
-        self.assertRegex(text, r"damping = (999\.\d|1000) kN s m-1 lies at an end of its range")
+        self.assertRegex(text, r"damping = (999\.\d|1000) kN·s/m lies at an end of its range")
 
     def test_control_c_keeps_what_was_tried(self):
         study = self.study(("evaluations = 80", "evaluations = 300"), ("to = 20000", "to = 20001"),

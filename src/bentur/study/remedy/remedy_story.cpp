@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "bentur/model/quantities.h"
+
 namespace bentur {
 namespace {
 
-std::string shown(const std::string& unit) { return unit == "1" ? "" : unit; }
+std::string shown(const std::string& unit) { return unit == "1" ? "" : unit_text(unit); }
 
 /// What a trial chooses and gives.
 Statement told(std::string kind, const RemedySearch& search, const RemedyTrial& trial) {
