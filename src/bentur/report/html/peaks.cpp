@@ -9,6 +9,7 @@
 #include "bentur/model/restitution.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/html/internal/sections.h"
+#include "bentur/report/scene/names.h"
 
 namespace bentur::html {
 
@@ -21,9 +22,21 @@ std::string force_text(const Report& report, double value, std::string_view form
 
 bool numbers_buildings(const Report& report) { return report.problem.buildings.size() > 2; }
 
+namespace {
+
+std::vector<std::string> names_of_row(const Report& report) {
+  std::vector<std::string> names;
+  for (const Building& building : report.problem.buildings) names.push_back(building.name);
+  return names;
+}
+
+}  // namespace
+
 std::string short_gap_name(const Report& report, Eigen::Index gap) {
   if (!numbers_buildings(report)) return gap_name(report.problem, gap);
-  return fmt::format("{}\u00A0|\u00A0{}", gap + 1, gap + 2);
+  const std::vector<std::string> in_short = short_names(names_of_row(report));
+  const auto left = static_cast<std::size_t>(gap);
+  return in_short.at(left) + "\u00A0|\u00A0" + in_short.at(left + 1);
 }
 
 std::string numbered(const std::vector<std::string>& names) {
@@ -39,9 +52,8 @@ std::string numbered(const std::vector<std::string>& names) {
 }
 
 std::string building_key(const Report& report) {
-  std::vector<std::string> names;
-  for (const Building& building : report.problem.buildings) names.push_back(building.name);
-  return numbered(names);
+  const std::vector<std::string> names = names_of_row(report);
+  return are_parts_of(short_names(names), names) ? "" : numbered(names);
 }
 
 std::string acceleration_unit(const Units& units) { return units.length + "/s²"; }

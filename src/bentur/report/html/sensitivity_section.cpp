@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <variant>
 
@@ -30,6 +31,13 @@ std::string number_in_words(const std::string& path, const Case& c, const Words&
     const auto& name = std::get<std::string>((*steps)[i]);
     const auto* const place = i + 1 < steps->size() ? std::get_if<std::size_t>(&(*steps)[i + 1]) : nullptr;
     const Key* const key = keys != nullptr ? keys->find(name) : nullptr;
+    const bool is_building = std::any_of(c.buildings.begin(), c.buildings.end(),
+                                         [&](const auto& building) { return building.name == name; });
+    if (key == nullptr && is_building) {  // of what has a table by buildings
+      text += (text.empty() ? "" : ", ") + name;
+      keys = nullptr;
+      continue;
+    }
     if (key == nullptr) return path;
     if (i == 0 && name == "building" && place != nullptr && *place < c.buildings.size()) {
       text = c.buildings[*place].name;

@@ -51,6 +51,18 @@ TEST(SensitivitySection, HasAllThatTheCommandSaysAndAPicture) {
   }
 }
 
+/// A table by buildings has no keys of their names.
+TEST(SensitivitySection, NamesTheBuildingOfAnInitialVelocity) {
+  Sensitivity found = sensitivity_of_example();
+  Case c = case_of_example();
+  c.buildings.front().name = "Left";
+  for (CaseNumber& number : found.numbers) {
+    if (number.path == "building[0].frame.columns[0].depth") number.path = "initial.velocities.Left[0]";
+  }
+  const std::string page = html::sensitivity_section(found, c, Words("en"), "en").content.str();
+  EXPECT_NE(page.find(">Initial state: Velocities, Left 1<"), std::string::npos) << page;
+}
+
 TEST(SensitivitySection, ItsPictureHasTheNumbersThatAGapChangesMostWith) {
   const Sensitivity found = sensitivity_of_example();
   const Figure figure = sensitivity_figure(found);

@@ -153,13 +153,13 @@ void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const Ht
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 /// The same of a value in units of the case, of a form "F L", in the units that people are shown.
 [[nodiscard]] std::string force_text(const Report& report, double value, std::string_view form);
-/// Whether buildings are called by their numbers where names would take too much room: in rows.
+/// Whether buildings are called in short where names would take too much room: in rows.
 [[nodiscard]] bool numbers_buildings(const Report& report);
-/// "Model 1 | Model 2", or of a row "1 | 2".
+/// "Model 1 | Model 2", or of a row what the buildings are called in short (scene/names.h): "1 | 2", "West | Middle".
 [[nodiscard]] std::string short_gap_name(const Report& report, Eigen::Index gap);
 /// "1 Bank, 2 Hotel, 3 Office", without names that end with their number.
 [[nodiscard]] std::string numbered(const std::vector<std::string>& names);
-/// The same of the buildings of a report.
+/// The same of the buildings of a report, where numbers stand for their names.
 [[nodiscard]] std::string building_key(const Report& report);
 [[nodiscard]] std::string acceleration_unit(const Units& units);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Units& units);          ///< "t", "kgf·s²/cm"
