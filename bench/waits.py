@@ -3,7 +3,7 @@
 
     python3 bench/waits.py PROGRAM [--against OLDER] [--repeats N] [--records FILE ...] [--only WORD]
 
-Runs the built-in example, frames with and without hinges, sweeps, incremental dynamic analyses and a block of 200
+Runs the built-in example, reports, frames with and without hinges, sweeps, incremental dynamic analyses and a block of 200
 houses by PROGRAM, one thread each, and prints the least of N times (3 by default). OLDER, another build of it, takes
 turns with PROGRAM, so that both see the same state of the machine. --records are those of the analysis of hinged
 frames, El Centro in either polarity where there are none; --only takes the lines with that word alone.
@@ -49,6 +49,10 @@ def tasks(folder, records):
     block = write("block.toml", case(200))
     studies, out = ROOT / "examples" / "studies", ["-q", "--force", "--threads", "1", "-o", str(folder / "results.nc")]
     return [("first answer: the built-in example", ["run", "-q"]),
+            ("report of two frames, with its figures", ["report", str(ROOT / "examples" / "two-frames-si.toml"), "--force",
+                                                        "-o", str(folder / "report.html")]),
+            ("report of buildings in plan", ["report", str(ROOT / "examples" / "plan" / "twisting-pair.toml"), "--force",
+                                             "-o", str(folder / "report.html")]),
             ("frames of six storeys, elastic", ["run", "-q", elastic]),
             ("the same with 120 hinges", ["run", "-q", yields]),
             ("gap sweep, 10,000 runs", ["sweep", str(CASES / "gap-sweep.toml"), *out]),

@@ -97,34 +97,43 @@ void export_fragility(const ExportArguments& arguments) {
   }
 }
 
-void export_taxonomy(const ExportArguments& arguments) {
-  OutputFile output = output_file(arguments, ResultKind::taxonomy);
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language);
-  const Case& c = loaded.c;
-  const Eigen::Index gaps = std::ssize(loaded.problem.buildings) - 1;
-  std::vector<char> pounds(static_cast<std::size_t>(gaps) + 2, 0);  // of the gap left of each building
-  const auto tell = [&](const std::vector<JudgedGap>& all) {
-    for (std::size_t gap = 0; gap < all.size(); ++gap) {
-      const auto& reasons = all[gap].judgement.reasons;
-      const bool small =
-          std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); });
-      pounds[gap + 1] = small ? 1 : 0;
-    }
-  };
-  if (c.excitation.spectrum) {
-    const SpectralGaps spectral = spectral_gaps(loaded.problem, *c.excitation.spectrum, c.code, c.units);
-    tell(judged_gaps(c, loaded.problem, spectral));
-  } else {
-    tell(judged_gaps(simulate(loaded, 0, true, arguments.language)));
+/// Of the buildings of a row or in plan. @param judged its gaps, between these pairs of buildings
+template <class AnyProblem>
+std::string taxonomy_table(const Case& c, const AnyProblem& problem, const std::vector<JudgedGap>& judged,
+                           const std::vector<std::pair<Eigen::Index, Eigen::Index>>& between) {
+  std::vector<char> pounds(problem.buildings.size(), 0);
+  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
+    const auto& reasons = judged[gap].judgement.reasons;
+    if (std::none_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); })) continue;
+    for (const Eigen::Index b : {between[gap].first, between[gap].second}) pounds[static_cast<std::size_t>(b)] = 1;
   }
   std::string text = "building,taxonomy\n";
-  for (Eigen::Index b = 0; b <= gaps; ++b) {
-    const auto place = static_cast<std::size_t>(b);
-    if (loaded.problem.buildings[b].is_rigid()) continue;
-    text += fmt::format("{},{}\n", csv_field(loaded.problem.buildings[b].name),
-                        gem_taxonomy(c, loaded.problem, b, pounds[place] != 0 || pounds[place + 1] != 0));
+  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
+    if (problem.buildings[b].is_rigid()) continue;
+    text += fmt::format("{},{}\n", csv_field(problem.buildings[b].name),
+                        gem_taxonomy(c, problem, b, pounds[static_cast<std::size_t>(b)] != 0));
   }
-  output.write(text);
+  return text;
+}
+
+void export_taxonomy(const ExportArguments& arguments) {
+  OutputFile output = output_file(arguments, ResultKind::taxonomy);
+  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Case& c = loaded.c;
+  const auto by_spectrum = [&] { return judged_gaps(c, loaded.problem, spectral_gaps(loaded)); };
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> between;
+  if (c.is_in_plan()) {
+    for (const PlanGap& gap : loaded.plan.gaps) between.emplace_back(gap.left, gap.right);
+    output.write(taxonomy_table(
+        c, loaded.plan,
+        c.excitation.spectrum ? by_spectrum() : judged_gaps(simulate_plan(loaded, 0, true, arguments.language)),
+        between));
+    return;
+  }
+  for (Eigen::Index gap = 0; gap + 1 < std::ssize(loaded.problem.buildings); ++gap) between.emplace_back(gap, gap + 1);
+  output.write(taxonomy_table(
+      c, loaded.problem,
+      c.excitation.spectrum ? by_spectrum() : judged_gaps(simulate(loaded, 0, true, arguments.language)), between));
 }
 
 CLI::App* format(CLI::App& app, const char* name, const char* what, const char* file, ExportArguments& arguments) {

@@ -267,6 +267,16 @@ class Taxonomy(Exchange):
         case.write_text(case.read_text().replace("width = 0.1\n", "width = 300\n"))
         self.assertNotIn("POP", self.bentur("export", "gem", case).stdout)
 
+    def test_of_buildings_in_plan(self):
+        case = pathlib.Path(SOURCE) / "examples" / "plan" / "crossroads.toml"
+        rows = list(csv.reader(self.bentur("export", "gem", case).stdout.splitlines()))[1:]
+        found = json.loads(self.bentur("gap", case, "--json").stdout)
+        small = {name for gap in found["gaps"] if gap["judgement"]["value"] == "too small" for name in gap["between"]}
+        self.assertTrue(small)
+        for name, taxonomy in rows:
+            self.assertRegex(taxonomy, r"HEX:\d+/BP[123]")
+            self.assertEqual("POP" in taxonomy, name in small, name)
+
 
 class Import(Exchange):
     MODEL = (SOURCE / "src/bentur/io/exchange/e2k_test.cpp").read_text().split('R"(')[1].split(')";')[0]

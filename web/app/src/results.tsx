@@ -47,7 +47,7 @@ function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
   const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
-  const pounds = told.some(isGrave), isOpen = pounds && !told.some((one) => toneOf(one) === " grave");
+  const pounds = told.some(isGrave), isOpen = pounds && !told.some((one) => one.shown !== "row" && toneOf(one) === " grave");
   const isKnown = !overview.statements.find((one) => one.badge)?.open; // else what it needs is part of the answer
   const isFolded = (one: Said) => !one.badge && (one.shown !== "sentence" || (one.severity === "finding" && isKnown && pounds));
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;

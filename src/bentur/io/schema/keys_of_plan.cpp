@@ -71,7 +71,7 @@ const KeyTable& plan_keys() {
   static const KeyTable table = {
       "plan",
       "buildings in plan: which of them may touch, and how",
-      {Key::number("clearance", dimension::length, Range::distance, {"Clearance", "Jarak batas"},
+      {Key::number("clearance", dimension::length, Range::distance, {"Neighbours are within", "Tetangga berada dalam"},
                    "footprints whose edges are at most this far apart may touch")
            .optional("pairs that a `[[gap]]` names, alone"),
        Key::whole("points", 2, 50, {"Contact points", "Titik kontak"},

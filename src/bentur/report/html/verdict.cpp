@@ -124,8 +124,10 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   }
   block += each.folded(say, "appendix.gaps");
   if (known) block += table_of(*known, "class=\"said\"");
-  const bool is_worse =
-      std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity) && !one.is_open; });
+  // The colour is that of what is judged; what else is known, in rows of its table, has a badge where it counts.
+  const bool is_worse = std::any_of(all.begin(), all.end(), [](const auto& one) {
+    return is_grave(one.severity) && !one.is_open && one.shown != Shown::row;
+  });
   return {"verdict", say("heading.verdict"),
           element("div", block, grave && !is_worse ? "class=\"verdict open\"" : verdict_class(grave))};
 }

@@ -185,9 +185,10 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
     if (is_of_buildings(kind) && !options.gap && !options.elevation) {
       const std::size_t shown = shown_buildings(run, options).size(), all = run.problem.buildings.size();
       if (shown < all) {
-        figure.part = word(
-            options, "Shown are {} of {} buildings: those of the hardest impact, of the verdict and of the worst gaps",
-            std::to_string(shown), std::to_string(all));
+        figure.part = word(options,
+                           "Shown are {} of {} buildings: those of the hardest impact, those that the verdict names, "
+                           "and as many of the worst gaps as have room",
+                           std::to_string(shown), std::to_string(all));
         figure.finding = figure.part + (figure.finding.empty() ? "" : "; " + figure.finding);
       }
     }

@@ -167,5 +167,35 @@ TEST(Gem, HasSystemStoreysPlaceAndPounding) {
   EXPECT_EQ(gem_taxonomy(c, problem, 2, false), "HEX:2/BP1");
 }
 
+/// A house with others to its right, twice, above and below stands in a row on three sides.
+TEST(Gem, InPlanCountsSidesNotNeighbours) {
+  Case c;
+  c.buildings.resize(5);
+  PlanProblem problem;
+  problem.buildings.resize(5);
+  for (std::size_t b = 0; b < 5; ++b) {
+    Plan plan;
+    plan.planes.resize(1);
+    if (b == 0) plan.planes[0].sway_stiffness = Eigen::MatrixXd::Identity(2, 2);
+    c.buildings[b].structure = plan;
+    problem.buildings[static_cast<Eigen::Index>(b)].model.storey_heights.assign(b + 2, 3.0);
+  }
+  const auto gap = [&](Eigen::Index left, Eigen::Index right, double x, double y) {
+    PlanGap one;
+    one.left = left, one.right = right;
+    one.stretch.n = PlanPoint(x, y);
+    one.stretch.across = std::abs(y) > std::abs(x) ? 1 : 0;
+    problem.gaps.push_back(one);
+  };
+  gap(0, 1, 1, 0);
+  gap(2, 0, -0.9, 0.4);  // it stands to the right too
+  gap(0, 3, 0, 1);
+  EXPECT_EQ(gem_taxonomy(c, problem, 0, true), "LFM/HEX:2/BP2/IRIR+IRVP:POP");
+  EXPECT_EQ(gem_taxonomy(c, problem, 3, false), "HEX:5/BP1");
+  EXPECT_EQ(gem_taxonomy(c, problem, 4, false), "HEX:6/BPD");
+  gap(4, 0, 0, 1);
+  EXPECT_EQ(gem_taxonomy(c, problem, 0, false), "LFM/HEX:2/BP3");
+}
+
 }  // namespace
 }  // namespace bentur

@@ -129,16 +129,20 @@ class PlanInput {
   /// Both motions as they were read and as they are applied.
   [[nodiscard]] Rows motion() const {
     Rows rows;
+    const auto pga_of = [&](std::size_t i) {
+      const std::optional<RecordEcho>& record = c_.excitations()[i]->record;
+      return record ? record->pga : peak_acceleration(problem_.motions[i]);
+    };
     for (const std::size_t i : {0U, 1U}) {
       const std::optional<RecordEcho>& record = c_.excitations()[i]->record;
-      const double pga = record ? record->pga : peak_acceleration(problem_.motions[i]);
+      const double pga = pga_of(i);
       if (!(pga > 0)) continue;
-      const std::string of = i == 0 ? "x" : "y";
+      // Of two components which one; one alone acts in a direction that the table has.
+      const std::string of = !(pga_of(1 - i) > 0) ? "" : i == 0 ? "x: " : "y: ";
       if (record) {
-        for (auto& [name, text] : rows_of_record(*record, say_))
-          rows.emplace_back(fmt::format("{}: {}", of, name), text);
+        for (auto& [name, text] : rows_of_record(*record, say_)) rows.emplace_back(of + name, text);
       }
-      rows.emplace_back(of + ": " + say_("motion.pga"),
+      rows.emplace_back(of + say_("motion.pga"),
                         quantity(pga, acceleration_unit(c_.units)) + " = " + quantity(pga / c_.units.gravity, "g"));
     }
     const std::vector<double>& delays = c_.excitation.delays;

@@ -103,7 +103,9 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   constexpr std::size_t most_named = 8;
   const auto add = [&](std::set<Eigen::Index> more) {
     more.insert(shown.begin(), shown.end());
-    if (more.size() <= most_named) shown = std::move(more);
+    const bool has_room = more.size() <= most_named;
+    if (has_room) shown = std::move(more);
+    return has_room;
   };
   for (const Shown how : {Shown::sentence, Shown::row}) {
     for (const Statement& one : run_story(run).statements) {
@@ -116,8 +118,9 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   const std::vector<JudgedGap> judged = judged_gaps(run);
   for (const std::size_t gap : worst_first(judged)) {
     const std::optional<GoverningNeed> need = governing_need(judged[gap].facts);
+    if (!need || !(need->given.is_short || need->reversed.is_short)) continue;
     const auto left_of = static_cast<Eigen::Index>(gap);
-    if (need && (need->given.is_short || need->reversed.is_short)) add({left_of, left_of + 1});
+    if (!add({left_of, left_of + 1})) break;  // a milder one in its place would say that it is worse
   }
   return {shown.begin(), shown.end()};
 }

@@ -8,6 +8,7 @@
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/structure/modes.h"
 
 namespace bentur {
 namespace {
@@ -82,6 +83,15 @@ Figure floor_spectrum_figure(const PlanRun& run, const FigureOptions& options) {
   RunResults row = *row_of(run);
   row.response.impacts = run.response.impacts;
   row.figures.floor_spectra = run.closer.floors;
+  // The first mode of each building is here the one that moves the most of its mass along the spectrum's direction.
+  for (const FloorSpectra::Floor& floor : row.figures.floor_spectra.floors) {
+    const PlanBuilding& building = run.problem.buildings[floor.building];
+    if (building.modes.shapes.cols() == 0) continue;
+    const Eigen::VectorXd load = building.model.load.leftCols<2>() * floor.along;
+    Eigen::Index most = 0;
+    modal_properties(building.modes, load).effective_mass_fraction.maxCoeff(&most);
+    row.problem.buildings[floor.building].modes.omega = building.modes.omega.segment<1>(most);
+  }
   return floor_spectrum_figure(row, options);
 }
 

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/plan/plan_dense_run.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/scene/plan_scene.h"
 #include "bentur/report/words.h"
+#include "bentur/structure/modes.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/plan_run.h"
 
@@ -55,6 +57,25 @@ TEST(PlanPictures, ARunGivesWhatItHas) {
   EXPECT_NE(make_figure(calm, "scene").finding.find("closest, without contact"), std::string::npos);
   for (const PlanRun* const run : {&smooth, &calm}) EXPECT_THROW((void)make_figure(*run, "friction-cone"), NoFigure);
   EXPECT_THROW((void)make_figure(calm, "force"), NoFigure);
+}
+
+/// The period marked in a spectrum along x is that of the mode which moves the most mass along x, not the longest.
+TEST(PlanPictures, FloorSpectraMarkThePeriodOfTheirDirection) {
+  PlanRun run = twisting();
+  run.closer = dense_findings(run);
+  const std::vector<FloorSpectra::Floor>& floors = run.closer.floors.floors;
+  ASSERT_FALSE(floors.empty());
+  const Figure figure = make_figure(run, "floor-spectrum");
+  ASSERT_EQ(figure.panels.size(), floors.size());
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    ASSERT_NEAR(std::abs(floors[i].along.x()), 1, 1e-12);
+    const PlanBuilding& building = run.problem.buildings[floors[i].building];
+    const ModalProperties modes = modal_properties(building.modes, building.model.load.col(0));
+    Eigen::Index most = 0;
+    modes.effective_mass_fraction.maxCoeff(&most);
+    ASSERT_EQ(figure.panels[i].rules.size(), 1U) << i;
+    EXPECT_NEAR(figure.panels[i].rules[0].at, modes.periods(most), 1e-12 * modes.periods(most)) << i;
+  }
 }
 
 TEST(PlanPictures, CurvesAreToldApartInGrey) {
