@@ -402,7 +402,7 @@ class Interrupted(Sweep):
 
     def test_control_c_stops_cleanly_and_says_how_to_go_on(self):
         for ranks in (0, 2) if MPIRUN else (0,):
-            for times in (3, 10, 30, 100):  # on a busy machine the signal may come when all is done
+            for times in (3, 10, 30, 100, 300, 1000):  # on a busy machine the signal may come when all is done
                 self.path = self.widths(times * self.count)
                 process = self.begin(ranks=ranks)
                 if self.wait_for_work(process):
