@@ -76,14 +76,19 @@ def words_table(properties, by):
     return lines
 
 
+def table_of(what, schemas):
+    """The keys of a table and the choice among them that a comment asks for: "building.frame", "study ida law"."""
+    way, _, choice = what.partition(" ")
+    schema = schemas["case"]
+    if way == "study":
+        schema, (way, _, choice) = schemas["study"], choice.partition(" ")
+    return table_at(schema, way), choice
+
+
 def written(text, schemas):
     def block(found):
         head, kind, what, _, tail = found.groups()
-        way, _, choice = what.partition(" ")
-        schema = schemas["case"]
-        if way == "study":
-            schema, (way, _, choice) = schemas["study"], choice.partition(" ")
-        properties = table_at(schema, way)
+        properties, choice = table_of(what, schemas)
         lines = words_table(properties, choice) if kind == "words" else keys_table(properties, choice)
         return head + "\n".join(lines) + "\n" + tail
 
@@ -104,11 +109,7 @@ def index(texts, schemas):
             if line[1]:
                 heading = line[1]
                 continue
-            way, _, choice = line[2].partition(" ")
-            schema = schemas["study" if way == "study" else "case"]
-            if way == "study":
-                way, _, choice = choice.partition(" ")
-            for row in keys_table(table_at(schema, way), choice)[2:]:
+            for row in keys_table(*table_of(line[2], schemas))[2:]:
                 key = row.split("`")[1]
                 places.setdefault(key, {})[f"{pathlib.Path(document).name}#{slug(heading)}"] = heading
     for rule in table_at(schemas["case"], "code").values():
