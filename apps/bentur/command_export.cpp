@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,13 +13,14 @@
 #include "bentur/files/ida_reading.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/io/results/result_csv.h"
-#include "bentur/model/gap/gap_outcome.h"
-#include "bentur/model/gap/spectral_gap.h"
-#include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/judgement/judge.h"
+#include "bentur/model/story/judgement_story.h"
 #include "bentur/report/errors.h"
 #include "bentur/study/exchange/demands.h"
 #include "bentur/study/exchange/gem.h"
 #include "bentur/study/exchange/nrml.h"
+#include "bentur/study/suite/suite_run.h"
+#include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
 #include "session.h"
@@ -97,21 +99,35 @@ void export_fragility(const ExportArguments& arguments) {
   }
 }
 
-/// Of the buildings of a row or in plan. @param judged its gaps, between these pairs of buildings
+/// What is judged of the gaps of a case: by its motion, by its spectrum, or under each record of its suite.
+std::vector<ToldJudgement> judgements_of(const Loaded& loaded, const std::string& language) {
+  const Case& c = loaded.c;
+  if (c.excitation.suite) {
+    const SuiteRun run = run_records(loaded, true, language);
+    if (!run.all_ran()) throw Failure(exit_other, error_words("Stopped: not all records are run", language));
+    std::vector<ToldJudgement> all;
+    for (const SuiteRecordRun& record : run.records) all.insert(all.end(), record.judged.begin(), record.judged.end());
+    return all;
+  }
+  if (c.excitation.spectrum) return told_judgements(c, loaded.problem, spectral_gaps(loaded));
+  return c.is_in_plan() ? told_judgements(simulate_plan(loaded, 0, true, language))
+                        : told_judgements(simulate(loaded, 0, true, language));
+}
+
+/// Of the buildings of a row or in plan.
 template <class AnyProblem>
-std::string taxonomy_table(const Case& c, const AnyProblem& problem, const std::vector<JudgedGap>& judged,
-                           const std::vector<std::pair<Eigen::Index, Eigen::Index>>& between) {
-  std::vector<char> pounds(problem.buildings.size(), 0);
-  for (std::size_t gap = 0; gap < judged.size(); ++gap) {
-    const auto& reasons = judged[gap].judgement.reasons;
-    if (std::none_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); })) continue;
-    for (const Eigen::Index b : {between[gap].first, between[gap].second}) pounds[static_cast<std::size_t>(b)] = 1;
+std::string taxonomy_table(const Case& c, const AnyProblem& problem, const std::vector<ToldJudgement>& gaps) {
+  std::set<Eigen::Index> pounding;
+  for (const ToldJudgement& gap : gaps) {
+    const auto& reasons = gap.judgement.reasons;
+    if (std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); }))
+      pounding.insert({gap.left, gap.right});
   }
   std::string text = "building,taxonomy\n";
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
     if (problem.buildings[b].is_rigid()) continue;
-    text += fmt::format("{},{}\n", csv_field(problem.buildings[b].name),
-                        gem_taxonomy(c, problem, b, pounds[static_cast<std::size_t>(b)] != 0));
+    text +=
+        fmt::format("{},{}\n", csv_field(problem.buildings[b].name), gem_taxonomy(c, problem, b, pounding.contains(b)));
   }
   return text;
 }
@@ -119,21 +135,9 @@ std::string taxonomy_table(const Case& c, const AnyProblem& problem, const std::
 void export_taxonomy(const ExportArguments& arguments) {
   OutputFile output = output_file(arguments, ResultKind::taxonomy);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
-  const Case& c = loaded.c;
-  const auto by_spectrum = [&] { return judged_gaps(c, loaded.problem, spectral_gaps(loaded)); };
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> between;
-  if (c.is_in_plan()) {
-    for (const PlanGap& gap : loaded.plan.gaps) between.emplace_back(gap.left, gap.right);
-    output.write(taxonomy_table(
-        c, loaded.plan,
-        c.excitation.spectrum ? by_spectrum() : judged_gaps(simulate_plan(loaded, 0, true, arguments.language)),
-        between));
-    return;
-  }
-  for (Eigen::Index gap = 0; gap + 1 < std::ssize(loaded.problem.buildings); ++gap) between.emplace_back(gap, gap + 1);
-  output.write(taxonomy_table(
-      c, loaded.problem,
-      c.excitation.spectrum ? by_spectrum() : judged_gaps(simulate(loaded, 0, true, arguments.language)), between));
+  const std::vector<ToldJudgement> gaps = judgements_of(loaded, arguments.language);
+  output.write(loaded.c.is_in_plan() ? taxonomy_table(loaded.c, loaded.plan, gaps)
+                                     : taxonomy_table(loaded.c, loaded.problem, gaps));
 }
 
 CLI::App* format(CLI::App& app, const char* name, const char* what, const char* file, ExportArguments& arguments) {

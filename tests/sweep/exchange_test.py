@@ -267,6 +267,12 @@ class Taxonomy(Exchange):
         case.write_text(case.read_text().replace("width = 0.1\n", "width = 300\n"))
         self.assertNotIn("POP", self.bentur("export", "gem", case).stdout)
 
+    def test_of_a_suite_its_records_say_what_pounds(self):
+        case = pathlib.Path(SOURCE) / "examples" / "two-real-buildings" / "record.toml"
+        self.assertIn("POUNDING", self.bentur("run", case).stdout)
+        rows = list(csv.reader(self.bentur("export", "gem", case).stdout.splitlines()))[1:]
+        self.assertEqual([name for name, taxonomy in rows if taxonomy.endswith(":POP")], ["Office", "Hotel"])
+
     def test_of_buildings_in_plan(self):
         case = pathlib.Path(SOURCE) / "examples" / "plan" / "crossroads.toml"
         rows = list(csv.reader(self.bentur("export", "gem", case).stdout.splitlines()))[1:]
