@@ -288,7 +288,8 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
   return table;
 }
 
-/// Of gaps that close though they are wider than their buildings need, of many of the worst, what would do and when.
+/// Of gaps that close though they are wider than their buildings need, of many of the worst, what that need is. It is
+/// not said to do: a rule may ask for more, or the run end before the motion does.
 void tell_pushed(const GapView& view, const std::vector<std::size_t>& order, std::vector<Statement>& statements) {
   constexpr std::size_t most = 5;
   std::size_t count = 0;
