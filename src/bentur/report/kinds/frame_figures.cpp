@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
@@ -51,6 +53,22 @@ struct LargestForce {
     }
   }
 };
+
+/// Those of all that are as large as it, but for round-off, itself among them; of a symmetrical frame there are more.
+std::vector<LargestForce> alike_to(const LargestForce& largest, const Carried& carried, const FrameForces& frame,
+                                   const std::vector<const FrameForces::Forces*>& among) {
+  std::vector<LargestForce> found;
+  for (const FrameForces::Forces* const forces : among) {
+    for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
+      const std::vector<double> values = carried.of(*forces, n);
+      for (std::size_t k = 0; k < (carried.is_moment ? values.size() : 1); ++k) {
+        const bool is_alike = std::abs(values[k]) > std::abs(largest.value) * (1 - 1e-6);
+        if (is_alike) found.push_back({values[k], n, k});
+      }
+    }
+  }
+  return found;
+}
 
 /// Places of a diagram on its frame: columns to the right, beams downwards, by `scale` [length per unit].
 class Diagram {
@@ -101,25 +119,15 @@ class Diagram {
 
 /// What a round number is drawn as, below the frame: the largest that some force drawn to this scale reaches.
 /// @param scale [length per unit shown] @param most the largest of these forces, as it is shown
-/// @param middle of a panel that is too narrow for the number beside its bar: it is below, and both are centred there;
-/// not_known: of others
-void add_scale(Panel& panel, double scale, double most, double one_cm, const std::string& unit, double level,
-               double middle) {
+void add_scale(Panel& panel, double scale, double most, double one_cm, const std::string& unit, double level) {
   if (!(scale > 0)) return;
   const double value = at_most_125(most);
   const double length = scale * value, cap = 0.1 * one_cm;
-  const bool is_below = !std::isnan(middle);
-  const double from = is_below ? middle - length / 2 : 0, end = from + length;
-  panel.curves.push_back({.x = {from, from, not_known, from, end, not_known, end, end},
+  panel.curves.push_back({.x = {0, 0, not_known, 0, length, not_known, length, length},
                           .y = {level - cap, level + cap, not_known, level, level, not_known, level - cap, level + cap},
                           .width = 0.9,
                           .complete = true});
-  const std::string text = number(value) + " " + unit;
-  if (is_below) {
-    panel.texts.push_back({.x = middle, .y = level - cap, .text = text, .side = PlaceText::Side::below});
-  } else {
-    panel.texts.push_back({.x = end, .y = level, .text = text});
-  }
+  panel.texts.push_back({.x = length, .y = level, .text = number(value) + " " + unit});
 }
 
 /// How far the members of a frame reach from its lower left corner [length].
@@ -133,12 +141,6 @@ Extent extent_of(const FrameForces& frame) {
     extent.top = std::max(extent.top, member.of_beam ? member.place : member.to);
   }
   return extent;
-}
-
-/// Whether a frame is so much higher than it is wide that four stand side by side.
-bool is_slender(const FrameForces& frame) {
-  const auto [right, top] = extent_of(frame);
-  return top > 1.2 * right;
 }
 
 /// "bottom of the column of line 2, storey 1", of shears and axial forces "column of line 2, storey 1".
@@ -226,28 +228,19 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
         "that are frames");
   }
-  const bool are_slender = std::all_of(frames.begin(), frames.end(), [](const auto* one) { return is_slender(*one); });
   Figure figure{.title = carried.title,
-                .columns = options.narrow                     ? 1
-                           : frames.size() > 1 && are_slender ? 4
-                                                              : 2,
+                .columns = options.narrow ? 1 : 2,  // a building's two panels beside one another
                 .width = options.narrow ? options.width : broad(options.width)};
   const bool has_impacts = !run.response.impacts.empty();
-  Eigen::Index storeys = 0;  // of the highest
-  for (const FrameForces* frame : frames) {
-    storeys = std::max(storeys, run.problem.buildings[frame->building].model.floors());
-  }
-  constexpr double title = 0.8;  // with what is free between two rows [cm]
-  const auto columns = static_cast<std::size_t>(figure.columns), rows = (2 * frames.size() + columns - 1) / columns;
-  const double height = std::min(figure.width * (options.narrow ? 1 : column_width / page_width) *
-                                     std::clamp(0.22 * static_cast<double>(storeys), 0.6, 0.95),
-                                 page_height / static_cast<double>(rows) - title);
+  // Of rows so high that frames over the width of a panel can be read; two of them leave room for others on a page.
+  constexpr double title = 0.8, highest = 7.8;  // with what is free between two rows; of a row [cm]
+  const std::size_t rows = options.narrow ? 2 * frames.size() : frames.size();
+  const double height = std::min(highest, page_height / static_cast<double>(rows) - title);
   constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
   const double width = figure.width / figure.columns - between;
   const double factor = shown_factor(run, carried.form);
   const std::string unit = shown_unit(run, carried.form);
-  constexpr double number_and_bar = 1.1;                                  // below the frame [cm]
-  const double below = number_and_bar + (figure.columns == 4 ? 0.5 : 0);  // where the bar's number is below it [cm]
+  constexpr double below = 1.1;  // the frame, a number and a bar [cm]
   std::vector<Drawn> drawn;
   double high = 0, one_cm = 0;  // [length]
   for (const FrameForces* frame : frames) {
@@ -260,18 +253,17 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
   const double most = choose_scales(drawn);
   const double low = -below * one_cm, bar = -0.85 * one_cm;
   const auto first = std::find_if(drawn.begin(), drawn.end(), [](const Drawn& one) { return !one.is_of_own_scale; });
-  const bool own_height = figure.columns < 4;  // of each row
   const std::string own_scale = ", " + word(options, "own scale");
   for (const Drawn& one : drawn) {
     const FrameForces* const frame = one.frame;
     const Building& building = run.problem.buildings[frame->building];
     const auto [right, top] = std::pair(one.right, one.top);
-    const LargestForce &then = one.then, &largest = one.largest, &alone = one.alone;
+    LargestForce then = one.then, largest = one.largest;
     const Diagram diagram(carried, *frame, one.scale);
     const double beside = (one_cm * width - right) / 2;  // for numbers too
     Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
-                .y = {.from = low, .to = own_height ? one.high() : high, .numbers = false},
-                .height = own_height ? (one.high() - low) / one_cm : height,
+                .y = {.from = low, .to = one.high(), .numbers = false},
+                .height = (one.high() - low) / one_cm,
                 .to_scale = true};
     Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
     for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
@@ -284,23 +276,36 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
       members.y.push_back(not_known);
     }
     panel.curves.push_back(std::move(members));
-    const auto named = [&](Panel& of, const LargestForce& force) {
+    const auto named = [&](Panel& of, LargestForce& force, const std::vector<const FrameForces::Forces*>& among) {
       if (force.member < 0) return;
-      const auto [x, y] = diagram.at(force.member, carried.stations()[force.station], force.value);
-      of.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
-      add_beside(of, x, y, number(factor * std::abs(force.value)) + " " + unit, one_cm);
+      const std::string text = number(factor * std::abs(force.value)) + " " + unit;
+      std::optional<Panel> best;
+      double nearest = INFINITY;
+      for (const LargestForce& alike : alike_to(force, carried, *frame, among)) {
+        for (const double station : carried.is_moment ? std::vector{carried.stations()[alike.station]}
+                                                      : std::vector{0.5, 0.35, 0.65}) {  // it is alike along the member
+          const auto [x, y] = diagram.at(alike.member, station, alike.value);
+          Panel here = of;
+          here.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
+          const double far = add_beside(here, x, y, text, one_cm);
+          if (far > nearest - 0.02 * one_cm) continue;
+          nearest = far;
+          best = std::move(here);
+          force = alike;
+        }
+      }
+      of = std::move(*best);
     };
     Panel instant = panel;
     if (one.is_of_own_scale || &one == &*first) {  // that of all others is said once
-      add_scale(instant, one.scale / factor, factor * (one.is_of_own_scale ? one.most() : most), one_cm, unit, bar,
-                figure.columns == 4 ? right / 2 : not_known);
+      add_scale(instant, one.scale / factor, factor * (one.is_of_own_scale ? one.most() : most), one_cm, unit, bar);
     }
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
                     word(options, "at {}", seconds_text(frame->time)) + (one.is_of_own_scale ? own_scale : "");
     instant.curves.push_back(
         diagram.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
     instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
-    named(instant, then);
+    named(instant, then, {&frame->instant});
     figure.panels.push_back(std::move(instant));
 
     panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run") +
@@ -314,14 +319,15 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     for (const FrameForces::Forces* of : {&frame->most, &frame->least}) {
       panel.curves.push_back(diagram.outline(*of, {.width = 0.9, .complete = true}));
     }
-    named(panel, largest);
+    named(panel, largest, {&frame->most, &frame->least});
     figure.panels.push_back(std::move(panel));
     if (largest.member < 0) continue;
     figure.finding += (figure.finding.empty() ? "" : "; ") + building.name + ": " +
                       word(options, carried.largest, number(factor * std::abs(largest.value)) + " " + unit,
                            member_text(options, carried, *frame, largest));
     if (!has_impacts) continue;
-    figure.finding += ", " + word(options, "without contact {}", number(factor * std::abs(alone.value)) + " " + unit);
+    figure.finding +=
+        ", " + word(options, "without contact {}", number(factor * std::abs(one.alone.value)) + " " + unit);
   }
   return figure;
 }

@@ -264,12 +264,14 @@ TEST(FrameForces, SpectraOfFloorsAreDrawnInG) {
 }
 
 /// The number of a diagram stands within its picture, on none of its lines, as the picture is drawn; beside its dot, or
-/// joined to it by a line.
+/// joined to it by a line of at most a centimetre. Each building has a row over the width of a page.
 TEST(FrameForces, NumbersLieOnNoLineAndAtTheirDots) {
   const RunResults run = test::drawn_run(test::hinged);
   int looked_at = 0;
   for (const char* const kind : {"frame-moment", "frame-shear", "frame-axial"}) {
     const Figure figure = make_figure(run, kind);
+    EXPECT_EQ(figure.columns, 2);
+    EXPECT_EQ(figure.width, page_width);
     const std::vector<PanelPlace> places = placed_figure(figure, "").panels;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Panel& panel = figure.panels[i];
@@ -301,6 +303,7 @@ TEST(FrameForces, NumbersLieOnNoLineAndAtTheirDots) {
         return curve.x.size() == 2 && curve.x[0] == dot->x[0] && curve.y[0] == dot->y[0];
       });
       EXPECT_TRUE(is_beside || is_joined) << kind << ", panel " << i << ": " << text.text;
+      EXPECT_LT(std::hypot(std::max(0.0, across - half), std::max(0.0, along - high)), a_cm) << kind << i;
       ++looked_at;
     }
   }

@@ -40,7 +40,7 @@ std::vector<double> steps(double step, double beside) {
 
 }  // namespace
 
-void add_beside(Panel& panel, double x, double y, const std::string& text, double one_cm) {
+double add_beside(Panel& panel, double x, double y, const std::string& text, double one_cm) {
   const double half_width = one_cm * (text_width(text) / 2 + clear / 2), half_height = one_cm * (high + clear) / 2;
   std::vector<Box> texts;
   for (const PlaceText& one : panel.texts) {
@@ -82,6 +82,7 @@ void add_beside(Panel& panel, double x, double y, const std::string& text, doubl
                             .complete = true});
   }
   panel.texts.push_back({.x = best.x, .y = best.y, .text = text, .side = PlaceText::Side::middle});
+  return best.cost + one_cm * best.met;
 }
 
 }  // namespace bentur

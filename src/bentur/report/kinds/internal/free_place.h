@@ -8,8 +8,9 @@ namespace bentur {
 
 /// Adds a text beside a point of a picture to scale whose axes have ends: at the nearest place where it lies on no line
 /// and no other text that the panel has by now, best right beside, above or below the point; where that is not so it is
-/// joined to the point by a thin line. Where
-/// there is no such place, on as few lines as can be. @param one_cm what a centimetre is [length]
-void add_beside(Panel& panel, double x, double y, const std::string& text, double one_cm);
+/// joined to the point by a thin line. Where there is no such place, on as few lines as can be.
+/// @param one_cm what a centimetre is [length]
+/// @returns how far from the best place that is [length], where it lies on lines a centimetre more for each
+double add_beside(Panel& panel, double x, double y, const std::string& text, double one_cm);
 
 }  // namespace bentur
