@@ -326,6 +326,8 @@ levels = [0.1, 0.3, 0.6]
         pages = len(re.findall(rb"/MediaBox \[", printed.read_bytes()))
         self.assertGreater(pages, 3)
         self.assertLessEqual(pages, 12)
+        rows = self.js("[...document.querySelectorAll('#input .joined table')].map(one => one.querySelectorAll('tbody tr').length)")
+        self.assertEqual(rows, [30, 30], "what is given and the first mode of each house")
         self.opened(page, A4 - 106)  # between the margins
         self.browser.call("Emulation.setEmulatedMedia", media="print")
         letters = """Math.min(...[...document.querySelectorAll('td, th, small')].map((one) =>

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,11 +62,12 @@ class Echo {
     }
   }
 
-  [[nodiscard]] Html markup(const Rows& more) {
+  [[nodiscard]] Echoed made(const Rows& more) {
     rows_.insert(rows_.end(), more.begin(), more.end());
-    if (rows_.empty()) return tables_;
+    for (const auto& [name, text] : more) in_a_row(name, "", text);
+    if (rows_.empty()) return {tables_, std::move(row_)};
     lines_.resize(with_lines_ ? rows_.size() : 0);
-    return facts(rows_, lines_) + tables_;
+    return {facts(rows_, lines_) + tables_, std::move(row_)};
   }
 
  private:
@@ -94,12 +96,16 @@ class Echo {
         return {};
     }
   }
-  [[nodiscard]] std::string text_with_unit(const TomlValue& value, const Key& key, const TomlValue& given) const {
+  /// Empty where it has none.
+  [[nodiscard]] std::string unit_of_value(const TomlValue& value, const Key& key, const TomlValue& given) const {
+    const bool are_numbers = value.is_number() || (is_list_of_numbers(value) && !value.items.empty());
+    if (!are_numbers) return {};
     const TomlValue* const stated = given.find(std::string(key.own_unit));  // "in `unit`"
-    const std::string unit = stated != nullptr ? stated->text : unit_of(key, units_);
-    const bool has_unit = !unit.empty() && (value.is_number() || is_list_of_numbers(value)) &&
-                          !(value.kind == Kind::list && value.items.empty());
-    return text(value, key) + (has_unit ? "\u00A0" + unit : "");
+    return stated != nullptr ? stated->text : unit_of(key, units_);
+  }
+  [[nodiscard]] std::string text_with_unit(const TomlValue& value, const Key& key, const TomlValue& given) const {
+    const std::string unit = unit_of_value(value, key, given);
+    return text(value, key) + (unit.empty() ? "" : "\u00A0" + unit);
   }
 
   /// "line 14", "lines 14–17": where values stand in the case; empty where that is not asked for or known.
@@ -120,6 +126,12 @@ class Echo {
     lines_.push_back(place({&value}));
     rows_.emplace_back(name, text);
   }
+  void in_a_row(const std::string& name, const std::string& unit, const std::string& text, bool numeric = false) {
+    row_.add(name, unit, std::vector<std::string>{text}, numeric);
+  }
+  void in_a_row(const std::string& name, const TomlValue& value, const Key& key, const TomlValue& given) {
+    in_a_row(name, unit_of_value(value, key, given), text(value, key), value.is_number());
+  }
 
   void add_default(const Key& key, const TomlValue& given, const std::string& of) {
     const auto has = [&](std::string_view name) { return given.find(std::string(name)) != nullptr; };
@@ -135,7 +147,9 @@ class Echo {
     } else {
       return;
     }
-    rows_.emplace_back(label(key, of), say_("input.default", {{"value", text_with_unit(value, key, given)}}));
+    const std::string text = say_("input.default", {{"value", text_with_unit(value, key, given)}});
+    rows_.emplace_back(label(key, of), text);
+    in_a_row(label(key, of), "", text);
   }
 
   void add_value(const Key& key, const TomlValue& value, const TomlValue& given, const std::string& of) {
@@ -143,6 +157,7 @@ class Echo {
     if (key.kind == Key::Kind::by_building) {
       for (const TomlMember& member : value.members) {
         add_row(label(key) + ", " + member.key, text_with_unit(member.value, key, given), member.value);
+        in_a_row(label(key) + ", " + member.key, member.value, key, given);
       }
     } else if (value.kind == Kind::table && key.table != nullptr) {
       add(*key.table, value, label(key));
@@ -152,6 +167,8 @@ class Echo {
       add_matrix(label(key, of), unit_of(key, units_), value);
     } else {
       add_row(label(key, of), text_with_unit(value, key, given), value);
+      const bool is_named_there = key.name == "name" || key.name == "between";  // by the first column
+      if (!is_named_there) in_a_row(label(key, of), value, key, given);
     }
   }
 
@@ -165,6 +182,7 @@ class Echo {
     std::vector<const TomlValue*> values;
     for (const auto& [key, value] : columns) {
       table.add(label(*key), unit_of(*key, units_), from_the_top(*value));
+      in_a_row(label(*key, of), unit_of(*key, units_), text(*value, *key));
       values.push_back(value);
     }
     add_table(of, table, values);
@@ -191,7 +209,11 @@ class Echo {
         given = given || value != nullptr;
         numeric = numeric && (value == nullptr || value->is_number());
       }
-      if (given) table.add(label(one), unit_of(one, units_), std::move(cells), numeric);
+      if (!given) continue;
+      std::vector<std::string> in_order = cells;
+      if (from_top) std::reverse(in_order.begin(), in_order.end());
+      in_a_row(label(one, label(key)), unit_of(one, units_), fmt::format("{}", fmt::join(in_order, ", ")));
+      table.add(label(one), unit_of(one, units_), std::move(cells), numeric);
     }
     add_table(label(key), table, rows);
   }
@@ -199,15 +221,23 @@ class Echo {
   void add_matrix(const std::string& name, const std::string& unit, const TomlValue& list) {
     const std::size_t columns = list.items.front().items.size();
     if (list.items.size() > largest_matrix_shown || columns > largest_matrix_shown) {
-      add_row(name, fmt::format("{} × {}", list.items.size(), columns), list);
+      const std::string size = fmt::format("{} × {}", list.items.size(), columns);
+      add_row(name, size, list);
+      in_a_row(name, "", size);
       return;
     }
     HtmlTable table;
+    std::string in_lines;
     for (std::size_t j = 0; j < columns; ++j) {
       std::vector<double> values;
       for (const TomlValue& row : list.items) values.push_back(row.items.at(j).real);
       table.add(std::to_string(j + 1), "", values);
     }
+    for (const TomlValue& row : list.items) {
+      if (!in_lines.empty()) in_lines += "; ";
+      for (const TomlValue& one : row.items) in_lines += (&one == row.items.data() ? "" : ", ") + number(one.real);
+    }
+    in_a_row(name, unit, in_lines);
     add_table(unit.empty() ? name : fmt::format("{} [{}]", name, unit), table, {&list});
   }
 
@@ -224,6 +254,7 @@ class Echo {
   Rows rows_;
   std::vector<std::string> lines_;  ///< of the rows, where each stands
   Html tables_;
+  HtmlTable row_;
 };
 
 }  // namespace
@@ -239,16 +270,16 @@ std::string unit_of(const Key& key, const Units& units) {
   return key.dimension == dimension::mass ? mass_unit(units) : key.dimension.text(units.length, units.force);
 }
 
-Html echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more) {
-  Echo made(report.say, report.c.units, report.to_hand_in);
-  made.add(keys, given);
-  return made.markup(more);
+Echoed echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more) {
+  Echo of_case(report.say, report.c.units, report.to_hand_in);
+  of_case.add(keys, given);
+  return of_case.made(more);
 }
 
-Html echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units, const Rows& more) {
-  Echo made(say, units, false);
-  made.add(keys, given);
-  return made.markup(more);
+Echoed echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units, const Rows& more) {
+  Echo of_case(say, units, false);
+  of_case.add(keys, given);
+  return of_case.made(more);
 }
 
 }  // namespace bentur::html

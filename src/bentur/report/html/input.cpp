@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <functional>
 #include <numbers>
 #include <numeric>
+#include <utility>
 #include <variant>
 
 #include "bentur/core/number_text.h"
@@ -18,6 +20,7 @@ struct Derived {
   std::string heading;
   Rows rows = {};
   Html tables = {};
+  std::vector<HtmlTable> printed = {};  ///< of many, what stands for the tables on paper
 };
 
 constexpr Eigen::Index most_modes = 8;
@@ -35,7 +38,7 @@ std::vector<double> reversed(std::vector<double> values, std::size_t size) {
 }
 
 /// Areas, inertias and masses of a frame's members as computed with, where the case says them otherwise.
-Html members_table(const PlaneFrame& frame, const TomlValue& given, const Report& report) {
+HtmlTable members_table(const PlaneFrame& frame, const TomlValue& given, const Report& report) {
   const Words& say = report.say;
   const std::string& length = report.c.units.length;
   const auto computed = [&](const char* members) {
@@ -67,12 +70,12 @@ Html members_table(const PlaneFrame& frame, const TomlValue& given, const Report
   table.add(say("column.beam_inertia"), length + "⁴", values(frame.beams, &Section::inertia));
   table.add(say("column.beam_mass"), mass_unit(report.c.units), reversed(beam_masses, storeys));
   table.add(say("column.floor_mass"), mass_unit(report.c.units), reversed(frame.floor_masses, storeys));
-  return element("p", say("input.members")) + table.markup();
+  return table;
 }
 
 /// Of values mode by mode those that are shown.
-std::vector<double> first_modes(const Eigen::VectorXd& values) {
-  return {values.begin(), values.begin() + std::min(values.size(), most_modes)};
+std::vector<double> first_modes(const Eigen::VectorXd& values, Eigen::Index most = most_modes) {
+  return {values.begin(), values.begin() + std::min(values.size(), most)};
 }
 
 /// "√t", "√(kgf·s²/cm)".
@@ -81,10 +84,11 @@ std::string root_unit(const std::string& unit) {
   return is_one ? "√" + unit : "√(" + unit + ")";
 }
 
-Html modes_table(const Building& building, const Report& report) {
+/// Of modes as many as are asked for.
+HtmlTable modes_table(const Building& building, const Report& report, Eigen::Index most) {
   const Words& say = report.say;
   const ModalProperties properties = modal_properties(building);
-  const Eigen::Index shown = std::min(properties.periods.size(), most_modes);
+  const Eigen::Index shown = std::min(properties.periods.size(), most);
   std::vector<std::string> numbers = numbers_from_the_top(static_cast<std::size_t>(shown));
   std::reverse(numbers.begin(), numbers.end());
   Eigen::VectorXd cumulative = properties.effective_mass_fraction;
@@ -92,18 +96,14 @@ Html modes_table(const Building& building, const Report& report) {
   const Eigen::VectorXd damping = building.modal_damping.diagonal().cwiseQuotient(2 * building.modes.omega);
   HtmlTable table;
   table.add(say("column.mode"), "", numbers);
-  table.add(say("column.period"), "s", first_modes(properties.periods));
-  table.add(say("column.frequency"), "Hz", first_modes(properties.periods.cwiseInverse()));
-  table.add(say("column.damping"), "%", first_modes(100 * damping));
-  table.add(say("column.participation"), root_unit(mass_unit(report.c.units)), first_modes(properties.participation));
-  table.add(say("column.effective_mass"), "%", first_modes(100 * properties.effective_mass_fraction));
-  table.add(say("column.cumulative_mass"), "%", first_modes(100 * cumulative));
-  Html content = element("h4", say("heading.modes")) + table.markup("class=\"modes\"");
-  if (shown < properties.periods.size()) {
-    content += element("p", say("input.modes_more", {{"n", std::to_string(properties.periods.size() - shown)}}),
-                       "class=\"note modes\"");
-  }
-  return content;
+  table.add(say("column.period"), "s", first_modes(properties.periods, most));
+  table.add(say("column.frequency"), "Hz", first_modes(properties.periods.cwiseInverse(), most));
+  table.add(say("column.damping"), "%", first_modes(100 * damping, most));
+  table.add(say("column.participation"), root_unit(mass_unit(report.c.units)),
+            first_modes(properties.participation, most));
+  table.add(say("column.effective_mass"), "%", first_modes(100 * properties.effective_mass_fraction, most));
+  table.add(say("column.cumulative_mass"), "%", first_modes(100 * cumulative, most));
+  return table;
 }
 
 /// What is computed from what a building is given by.
@@ -126,9 +126,17 @@ Derived of_building(const Report& report, const TomlValue& given, Eigen::Index b
     derived.rows.emplace_back(say("input.stiffness_factor"), number(building.model.stiffness_factor.value_or(1)));
   }
   if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) {
-    derived.tables += members_table(*frame, *given.find("frame"), report);
+    HtmlTable members = members_table(*frame, *given.find("frame"), report);
+    if (members.rows() > 0) derived.tables += element("p", say("input.members")) + members.markup();
+    derived.printed.push_back(std::move(members));
   }
-  if (!building.is_rigid()) derived.tables += modes_table(building, report);
+  derived.printed.resize(1);  // one for each building
+  if (building.is_rigid()) return derived;
+  derived.tables += element("h4", say("heading.modes")) + modes_table(building, report, most_modes).markup();
+  if (const Eigen::Index rest = modal_properties(building).periods.size() - most_modes; rest > 0) {
+    derived.tables += element("p", say("input.modes_more", {{"n", std::to_string(rest)}}), "class=\"note\"");
+  }
+  derived.printed.push_back(modes_table(building, report, 1));
   return derived;
 }
 
@@ -168,14 +176,20 @@ Derived of_gap(const Report& report, Eigen::Index gap) {
       parameters.emplace_back(name, reversed(values, values.size()));
     }
   }
-  HtmlTable table;
-  table.add(say("column.elevation"), report.c.units.length, elevations);
-  table.add(say("column.gap"), report.c.units.length, widths);
+  HtmlTable table, row;
+  const auto add = [&](const std::string& name, const std::string& unit, const std::vector<double>& values) {
+    table.add(name, unit, values);
+    const bool are_alike = std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+    row.add(name, unit, {are_alike ? number(values.front()) : list_text({values.rbegin(), values.rend()})}, are_alike);
+  };
+  add(say("column.elevation"), report.c.units.length, elevations);
+  add(say("column.gap"), report.c.units.length, widths);
   for (const auto& [name, values] : parameters) {
     const Key& key = key_of_law(contact_keys(), name, spec.contact.law);
-    table.add(label_text(key.label, say), unit_of(key, report.c.units), values);
+    add(label_text(key.label, say), unit_of(key, report.c.units), values);
   }
   derived.tables = table.markup();
+  derived.printed = {row};
   return derived;
 }
 
@@ -316,7 +330,7 @@ PageSection input_section(const Report& report) {
     const bool always = key.name == "units" || (key.name == "analysis" && !is_without_motion(report.c));
     if (key.table == nullptr || (found == nullptr && !always)) continue;
     const bool is_list = given.kind == TomlValue::Kind::list;
-    EachOf each;
+    EachOf each(true);
     for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
       const TomlValue& one = is_list ? given.items[i] : given;
       const auto place = static_cast<Eigen::Index>(i);
@@ -333,7 +347,12 @@ PageSection input_section(const Report& report) {
         derived.rows.emplace_back(label_text(unit_keys().at("gravity").label, say),
                                   quantity(report.c.units.gravity, acceleration_unit(report.c.units)));
       }
-      each.add(derived.heading, echo(*key.table, one, report, derived.rows) + derived.tables);
+      Echoed echoed = echo(*key.table, one, report, derived.rows);
+      if (key.name == "gap") {
+        for (const HtmlTable& of_points : std::exchange(derived.printed, {})) echoed.row.add_new(of_points);
+      }
+      derived.printed.insert(derived.printed.begin(), std::move(echoed.row));
+      each.add(derived.heading, echoed.markup + derived.tables, derived.printed);
     }
     content += each.markup(say, entries_key(say, key.name));
   }

@@ -35,6 +35,14 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
     if (rows > most) {
       printed += element("p", say("appendix.cut", {{"shown", std::to_string(most)}, {"all", std::to_string(rows)}}));
     }
+    if (are_given_) {
+      const std::vector<std::string> alike = table.take_alike();
+      if (!alike.empty()) {
+        printed += element("p", say("appendix.alike", {{"list", fmt::format("{}", fmt::join(alike, "; "))}}));
+      }
+      for (const HtmlTable& part : table.in_page_widths()) printed += part.printed(most);
+      continue;
+    }
     const std::size_t columns = table.columns();
     if (columns > most_columns) {
       printed += element(
@@ -46,11 +54,9 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
     printed += table.printed(most);
   }
   if (!printed.str().empty()) {
-    const std::string heading = say(std::string(what) + ".printed", count);
-    printed = element("div", element("h3", heading) + printed, "class=\"print joined\"");
-  }
-  if (const std::string paper = std::string(what) + ".paper"; say.has(paper)) {
-    content = element("p", say(paper), "class=\"print\"") + content;
+    const std::string all(what), heading = say.has(all + ".printed") ? all + ".printed" : all;
+    const Html note = say.has(all + ".paper") ? element("p", say(all + ".paper")) : Html();
+    printed = element("div", element("h3", say(heading, count)) + note + printed, "class=\"print joined\"");
   }
   return printed + element("details", element("summary", say(what, count)) + content, "class=\"appendix\"") +
          Html::markup("\n");

@@ -26,12 +26,18 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
 /// Unit of the numbers of a key in the units of the case; empty where they have none.
 [[nodiscard]] std::string unit_of(const Key& key, const Units& units);
 
-/// A table of the case as it was given, those below it too: every key by its label, with its unit, and what is without
-/// it where that is not nothing. Values of storeys, floors and elevations stand from the top down.
+/// A table of the case as it was given.
+struct Echoed {
+  Html markup;
+  HtmlTable row;  ///< a column to a key; lists in their order
+};
+
+/// A table of the case, those below it too: every key by its label, with its unit, and what is without it where that is
+/// not nothing. In tables, values of storeys, floors and elevations stand from the top down.
 /// @param more rows after those of the keys
-[[nodiscard]] Html echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more = {});
+[[nodiscard]] Echoed echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more = {});
 /// The same without the lines of the case on which it stands.
-[[nodiscard]] Html echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units,
-                        const Rows& more = {});
+[[nodiscard]] Echoed echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units,
+                          const Rows& more = {});
 
 }  // namespace bentur::html

@@ -71,6 +71,14 @@ void HtmlTable::add(const HtmlTable& other) {
   columns_.insert(columns_.end(), other.columns_.begin(), other.columns_.end());
 }
 
+void HtmlTable::add_new(const HtmlTable& other) {
+  const std::vector<Column> mine = columns_;
+  for (const Column& column : other.columns_) {
+    const auto says_it = [&](const Column& one) { return one.name.ends_with(column.name); };
+    if (std::none_of(mine.begin(), mine.end(), says_it)) columns_.push_back(column);
+  }
+}
+
 void HtmlTable::join(const std::string& name, const HtmlTable& other) {
   if (other.rows() == 0) return;
   if (columns_.empty()) add("", "", std::vector<std::string>(), false);
@@ -94,6 +102,39 @@ void HtmlTable::join(const std::string& name, const HtmlTable& other) {
     column.cells.resize(all);
     if (!column.values.empty()) column.values.resize(all, not_known);
   }
+}
+
+std::vector<std::string> HtmlTable::take_alike() {
+  std::vector<std::string> alike;
+  if (rows() < 2) return alike;
+  for (std::size_t i = 1; i < columns_.size();) {
+    const auto& [name, unit, cells, numeric, values] = columns_[i];
+    const bool is_alike =
+        !cells.front().empty() && std::count(cells.begin(), cells.end(), cells.front()) == std::ssize(cells);
+    if (!is_alike) {
+      ++i;
+      continue;
+    }
+    const std::string value = numeric ? signed_text(cells.front()) : cells.front();
+    alike.push_back(name + " " + value + (unit.empty() ? "" : no_unit + unit));
+    columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return alike;
+}
+
+std::vector<HtmlTable> HtmlTable::in_page_widths() const {
+  constexpr std::size_t most = 118, between = 2;  // letters of a page in print, and of the room between columns
+  std::vector<HtmlTable> parts;
+  std::size_t taken = most;
+  for (std::size_t i = 1; i < columns_.size(); ++i) {
+    taken += letters(columns_[i]) + between;
+    if (taken > most) {
+      parts.emplace_back().columns_ = {columns_.front()};
+      taken = letters(columns_.front()) + between + letters(columns_[i]) + between;
+    }
+    parts.back().columns_.push_back(columns_[i]);
+  }
+  return parts;
 }
 
 std::vector<std::string> HtmlTable::names_from(std::size_t first) const {

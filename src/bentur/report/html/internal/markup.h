@@ -55,6 +55,8 @@ class HtmlTable {
            std::vector<double> values = {});
   /// The columns of another one, as long as these.
   void add(const HtmlTable& other);
+  /// Those of them alone that no name here says already, as "Contact: Stiffness" says "Stiffness".
+  void add_new(const HtmlTable& other);
   /// What a pointer over the cells of the first column shows.
   void explain(std::vector<std::string> titles) { titles_ = std::move(titles); }
   /// Makes a row stand out, e.g. the level that governs.
@@ -62,6 +64,11 @@ class HtmlTable {
   /// Adds the rows of another one, each with the name of what it is of in the first column; cells without a column
   /// there stay empty.
   void join(const std::string& name, const HtmlTable& other);
+  /// Takes out the columns, but the first, that say the same in all rows, and gives what they say: "Damping 0.05";
+  /// of one row none.
+  [[nodiscard]] std::vector<std::string> take_alike();
+  /// In tables of a page's width at most, each with the first column.
+  [[nodiscard]] std::vector<HtmlTable> in_page_widths() const;
   /// Without what stands behind so many columns.
   void cut_columns(std::size_t most) { columns_.resize(std::min(columns_.size(), most)); }
   /// What columns are of, from one on, counted from 0; each once.

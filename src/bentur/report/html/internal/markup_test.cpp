@@ -77,6 +77,40 @@ TEST(Markup, JoinedColumnsHaveDecimalsAlike) {
   }
 }
 
+/// Of what is given, on paper: columns that say the same in all rows are said once, in tables no broader than a page;
+/// every building in one table.
+TEST(EachOf, SaysOnPaperOnceWhatIsAlikeInAll) {
+  EachOf all(true);
+  for (int n = 0; n < 8; ++n) {
+    HtmlTable table;
+    table.add("Damping", "%", std::vector<double>{5});
+    table.add("Stiffness", "kN/m", std::vector<double>{4e4 + n});
+    for (int k = 0; k < 3; ++k) table.add("Masses " + std::to_string(k), "t", {std::string(45, "12345678"[n])}, false);
+    all.add("House " + std::to_string(n), Html::text("whole"), {table});
+  }
+  const std::string page = all.markup(Words("en"), "appendix.entries.building").str();
+  const std::string printed = page.substr(0, page.find("<details"));
+  EXPECT_NE(printed.find("Alike in all: Damping 5\u00A0%."), std::string::npos) << printed;
+  EXPECT_EQ(printed.find("<th scope=\"col\">Damping"), std::string::npos);
+  std::size_t tables = 0, rows = 0;
+  for (std::size_t at = 0; (at = printed.find("<table", at)) != std::string::npos; ++at) ++tables;
+  for (std::size_t at = 0; (at = printed.find(">House 7<", at)) != std::string::npos; ++at) ++rows;
+  EXPECT_EQ(tables, 2U) << "of some 118 letters each";
+  EXPECT_EQ(rows, 2U) << "each names its rows";
+  for (const char* const name : {"Stiffness", "Masses 0", "Masses 1", "Masses 2"}) {
+    EXPECT_NE(printed.find(name), std::string::npos) << name;
+  }
+}
+
+/// Of one row nothing is alike in all.
+TEST(Markup, OneRowKeepsItsColumns) {
+  HtmlTable table;
+  table.add("Gap", "", {"A | B"}, false);
+  table.add("Width", "m", std::vector<double>{0.1});
+  EXPECT_TRUE(table.take_alike().empty());
+  EXPECT_EQ(table.columns(), 2U);
+}
+
 /// Of a table that is too broad for paper it is said which columns are not there, each name once.
 TEST(EachOf, NamesTheColumnsThatPaperLacks) {
   EachOf all;

@@ -33,7 +33,7 @@ class PlanInput {
       if (key.table == nullptr || (found == nullptr && !always)) continue;
       const TomlValue& given = found != nullptr ? *found : nothing;
       const bool is_list = given.kind == TomlValue::Kind::list;
-      EachOf each;
+      EachOf each(true);
       for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
         TomlValue one = is_list ? given.items[i] : given;
         const bool is_building = key.name == "building";
@@ -47,13 +47,19 @@ class PlanInput {
                             quantity(c_.units.gravity, acceleration_unit(c_.units)));
         }
         const std::string heading = is_building ? problem_.buildings.at(i).name : label_text(key.label, say_);
-        Html told = echo(*key.table, one, say_, c_.units, rows);
+        Echoed echoed = echo(*key.table, one, say_, c_.units, rows);
+        Html told = std::move(echoed.markup);
+        std::vector<HtmlTable> printed = {std::move(echoed.row)};
         if (!is_sharing_told && (key.name == "plan" || key.name == "gap")) {
           told += element("p", say_("plan.shared"), "class=\"note\"");
           is_sharing_told = true;
         }
-        if (is_building) told += given_planes(static_cast<Index>(i), planes) + modes(static_cast<Index>(i));
-        each.add(heading, told);
+        if (is_building) {
+          const auto b = static_cast<Index>(i);
+          told += given_planes(b, planes, printed) + modes(b);
+          printed.push_back(modes_table(b, 1));
+        }
+        each.add(heading, told, printed);
       }
       content += each.markup(say_, entries_key(say_, key.name));
     }
@@ -62,8 +68,10 @@ class PlanInput {
 
  private:
   /// Where the planes of a building stand and how stiff they are, storeys from the top down, and how they yield.
-  [[nodiscard]] Html given_planes(Index b, const TomlValue& given) const {
+  /// @param printed gets the table of them, and what planes that yield are given by
+  [[nodiscard]] Html given_planes(Index b, const TomlValue& given, std::vector<HtmlTable>& printed) const {
     const auto* const plan = std::get_if<Plan>(&c_.buildings[b].structure);
+    printed.resize(3);  // as many of each building
     if (plan == nullptr || plan->planes.empty()) return {};
     std::vector<std::string> names, stiffnesses;
     std::vector<double> x, y, angles;
@@ -87,6 +95,7 @@ class PlanInput {
     const Key& stiffness = plane_keys().at("stiffnesses");
     table.add(label_text(stiffness.label, say_), unit_of(stiffness, c_.units), stiffnesses);
     Html content = element("p", say_("plan.planes")) + table.markup();
+    HtmlTable yielding_planes;
     for (std::size_t p = 0; p < std::min(given.items.size(), names.size()); ++p) {
       TomlValue yielding = given.items[p];
       std::erase_if(yielding.members, [](const TomlMember& member) {
@@ -94,15 +103,25 @@ class PlanInput {
         return std::find(std::begin(told), std::end(told), member.key) != std::end(told);
       });
       if (yielding.members.empty()) continue;
-      content += element("p", names[p]) + echo(plane_keys(), yielding, say_, c_.units);
+      Echoed echoed = echo(plane_keys(), yielding, say_, c_.units);
+      content += element("p", names[p]) + echoed.markup;
+      yielding_planes.join(names[p], echoed.row);
     }
+    printed[1] = std::move(table);
+    printed[2] = std::move(yielding_planes);
     return content;
   }
 
   [[nodiscard]] Html modes(Index b) const {
+    constexpr Index most = 8;
+    const HtmlTable table = modes_table(b, most);
+    return table.rows() == 0 ? Html() : element("h4", say_("heading.modes")) + table.markup();
+  }
+
+  /// Of modes as many as are asked for; none of what is rigid.
+  [[nodiscard]] HtmlTable modes_table(Index b, Index most) const {
     const PlanBuilding& building = problem_.buildings[b];
     if (building.is_rigid()) return {};
-    constexpr Index most = 8;
     const ModalProperties along_x = modal_properties(building.modes, building.model.load.col(0));
     const ModalProperties along_y = modal_properties(building.modes, building.model.load.col(1));
     std::vector<std::string> numbers;
@@ -120,7 +139,7 @@ class PlanInput {
     table.add(say_("column.damping"), "%", damping);
     table.add(say_("plan.mass_x"), "%", mass_x);
     table.add(say_("plan.mass_y"), "%", mass_y);
-    return element("h4", say_("heading.modes")) + table.markup("class=\"modes\"");
+    return table;
   }
 
   /// Without round-off [%].
