@@ -5,6 +5,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/html/internal/sections.h"
+#include "bentur/report/kinds/figure_width.h"
 
 namespace bentur::html {
 namespace {
@@ -178,7 +179,8 @@ Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, con
   std::string part;
   for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
     options.width = width;
-    const Figure figure = make(options);
+    Figure figure = make(options);
+    bound_height(figure, width == page_width ? 8.6 : page_height);  // below a verdict there is a third of a page
     part = figure.part;
     drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
   }

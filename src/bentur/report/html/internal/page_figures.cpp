@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/words.h"
 
@@ -20,6 +21,52 @@ void spread(Figure& figure) {
   Axis& beside = figure.panels[count - 2].x;
   if (beside.label.empty()) beside.label = figure.panels.back().x.label;
   beside.numbers = beside.numbers || figure.panels.back().x.numbers;
+}
+
+/// Of what is on paper a line by itself, or half a line: three lines of pictures so high, with captions, fill a page.
+constexpr double third_of_page = 7.3;  // [cm]
+
+/// As high as a line; somewhat higher where its frames would be too low.
+void bound_to_lines(Figure& figure) {
+  constexpr double least = 2.2, somewhat_higher = 8.7;  // of a frame, of the figure [cm]
+  Figure low = figure;
+  bound_height(low, third_of_page);
+  const bool is_too_low = std::any_of(low.panels.begin(), low.panels.end(),
+                                      [](const Panel& one) { return !one.to_scale && one.height < least; });
+  if (is_too_low)
+    bound_height(figure, somewhat_higher);
+  else
+    figure = std::move(low);
+}
+
+/// In an order that leaves no holes: those of a column's width two to a line, behind wide ones that come first, and
+/// before those that do not. Behind each that is higher than a line there is, as far as there are enough, one that is
+/// not: both fill a page.
+std::vector<PageFigure> in_lines(std::vector<PageFigure> figures) {
+  const auto is_narrow = [](const PageFigure& one) { return !one.wide; };
+  std::stable_partition(std::find_if(figures.begin(), figures.end(), is_narrow), figures.end(), is_narrow);
+  std::vector<std::vector<PageFigure>> low, high;
+  for (PageFigure& one : figures) {
+    const bool is_second = !one.wide && !low.empty() && low.back().size() == 1 && !low.back().front().wide;
+    if (one.is_high) {
+      high.push_back({std::move(one)});
+    } else if (is_second) {
+      low.back().push_back(std::move(one));
+    } else {
+      low.push_back({std::move(one)});
+    }
+  }
+  figures.clear();
+  const auto put = [&](std::vector<PageFigure>& line) {
+    for (PageFigure& one : line) figures.push_back(std::move(one));
+  };
+  const std::size_t first = low.size() - std::min(low.size(), high.size());
+  for (std::size_t i = 0; i < first; ++i) put(low[i]);
+  for (std::size_t i = 0; i < high.size(); ++i) {
+    put(high[i]);
+    if (first + i < low.size()) put(low[first + i]);
+  }
+  return figures;
 }
 
 }  // namespace
@@ -41,9 +88,10 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       const Figure narrowest = figure;
       spread(figure);
       const bool is_wide = figure.width > column_width;
-      // On paper three of a column's width stand one below another, and two of a page's.
-      bound_height(figure, is_wide ? 8.7 : 6.5);
-      figures.push_back({.caption = caption, .svg = figure_element(figure, caption), .wide = is_wide});
+      bound_to_lines(figure);
+      const bool is_high = is_wide && layout(figure).height > 1.5 * third_of_page;
+      figures.push_back(
+          {.caption = caption, .svg = figure_element(figure, caption), .wide = is_wide, .is_high = is_high});
       if (!is_wide) continue;
       const auto made = [&](const FigureOptions& with) { return make(kind.name, with); };
       Figure slim = narrowest.width < figure.width ? narrowest : narrow_figure(made, options);
@@ -53,10 +101,7 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       continue;
     }
   }
-  // Wide ones between two columns of others would leave holes: they come first as they are, else last.
-  const auto is_narrow = [](const PageFigure& one) { return !one.wide; };
-  std::stable_partition(std::find_if(figures.begin(), figures.end(), is_narrow), figures.end(), is_narrow);
-  return figures;
+  return in_lines(std::move(figures));
 }
 
 }  // namespace bentur::html

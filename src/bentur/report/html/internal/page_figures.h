@@ -13,6 +13,7 @@ struct PageFigure {
   std::string caption;
   std::string svg;        ///< by figure_element()
   bool wide = false;      ///< wider than a journal's column
+  bool is_high = false;   ///< takes more than a third of a page in print by far
   std::string slim = {};  ///< the same for a telephone, where it can be drawn so
 };
 
