@@ -325,6 +325,7 @@ levels = [0.1, 0.3, 0.6]
         self.opened(page, PHONE)
         self.assertEqual(self.js(BEYOND), [], "tables that run off a phone")
         self.opened(page)
+        self.assertEqual(self.js(BEYOND), [], "tables that run off a page")
         printed = self.folder / "block.pdf"
         self.browser.pdf(printed)
         pages = len(re.findall(rb"/MediaBox \[", printed.read_bytes()))

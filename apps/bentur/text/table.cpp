@@ -252,7 +252,8 @@ std::string table_text(const SaidTable& table) {
   if (table.is_list) return wrapped(table.heading) + "\n\n" + list_text(table);
   Table shown;
   for (const TableColumn& column : table.columns) shown.add(column.label, column.unit, column.cells);
-  return wrapped(table.heading) + "\n\n" + shown.text();
+  const std::string note = table.note.empty() ? "" : "\n" + wrapped(table.note) + "\n";
+  return wrapped(table.heading) + "\n\n" + shown.text() + note;
 }
 
 }  // namespace bentur::cli

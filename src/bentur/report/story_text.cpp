@@ -177,6 +177,8 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
 SaidTable said(const StoryTable& table, const Words& say) {
   SaidTable result{
       .heading = say("story.table." + table.kind, filled(table.values, say)), .columns = {}, .marked = table.marked};
+  const std::string note = "story.table." + table.kind + ".note";
+  if (say.has(note)) result.note = say(note, filled(table.values, say));
   const auto word = [&](const std::string& key) { return say.has(key) ? say(key) : key; };
   for (const StoryColumn& column : table.columns) {
     TableColumn shown{word(column.label), column.unit, {}};

@@ -34,6 +34,7 @@ struct SaidTable {
   std::vector<bool> are_numbers = {};    ///< per column
   std::vector<std::size_t> marked = {};  ///< rows that stand out
   bool is_list = false;                  ///< its words are to be read from the left
+  std::string note = {};                 ///< below it; empty: none
 };
 [[nodiscard]] SaidTable said(const StoryTable& table, const Words& say);
 

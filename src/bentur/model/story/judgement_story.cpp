@@ -255,13 +255,23 @@ void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed)
 StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, const ShownUnits& shown) {
   const std::string& length = view.c.units.length;
   if (order.size() <= most_lines) std::iota(order.begin(), order.end(), std::size_t{0});
-  order.resize(order.size() <= most_lines ? order.size() : worst_gaps_shown);
+  const std::size_t lines = order.size() <= most_lines ? order.size() : worst_gaps_shown;
+  const auto in_rest = [&](Sufficiency as) {
+    return std::count_if(order.begin() + static_cast<std::ptrdiff_t>(lines), order.end(),
+                         [&](std::size_t g) { return view.gaps[g].judgement.value == as; });
+  };
+  const std::vector<StoryValue> rest = {count_of("rest", std::ssize(order) - static_cast<long>(lines)),
+                                        count_of("small", in_rest(Sufficiency::too_small)),
+                                        count_of("unknown", in_rest(Sufficiency::unknown)),
+                                        count_of("enough", in_rest(Sufficiency::enough))};
+  order.resize(lines);
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn given{"column.given", length}, needed{"column.simulated", length}, reversed{"column.reversed", length};
   StoryColumn lacks{.label = "column.short_by", .unit = length, .are_words = true, .are_counts = true};
   StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
   StoryTable table{.kind = order.size() == view.gaps.size() ? "row" : "row_worst",
                    .values = {count_of("shown", std::ssize(order)), count_of("count", std::ssize(view.gaps))}};
+  table.values.insert(table.values.end(), rest.begin(), rest.end());
   for (const std::size_t g : order) {
     const auto& [facts, judgement] = view.gaps[g];
     const GoverningNeed need = governing_need(facts).value_or(GoverningNeed{});

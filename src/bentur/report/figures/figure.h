@@ -15,7 +15,8 @@ namespace bentur {
 enum class Line { none, solid, dashed, dotted, dash_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
 /// Blue, orange, green, purple, magenta, olive, indigo, brown, cyan and navy are buildings; black, teal and grey all
-/// that is not, red blows and what is not enough, amber what nearly is; pale ones are for areas.
+/// that is not, red blows and what is not enough, amber what nearly is; gold and pale ones are for areas, where amber
+/// and teal would be as dark as red.
 enum class Tone {
   black,
   blue,
@@ -34,7 +35,9 @@ enum class Tone {
   indigo,
   brown,
   cyan,
-  navy
+  navy,
+  gold,
+  pale_teal
 };
 /// Those of buildings, in their order.
 inline constexpr Tone building_tones[] = {Tone::blue,  Tone::orange, Tone::green, Tone::purple, Tone::magenta,

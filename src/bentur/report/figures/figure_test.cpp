@@ -226,6 +226,19 @@ TEST(FigureSvg, ColoursOfTenBuildingsDiffer) {
   for (std::size_t b = 0; b < listed.size(); ++b) EXPECT_EQ(listed[b], colour(building_tone(b)).paper);
 }
 
+/// A drawing that stands alone says in itself what of many things it shows; in a page the caption does.
+TEST(FigureSvg, ADrawingSaysWhatItShowsOfAll) {
+  Figure figure{.panels = {{.curves = {{.x = {0, 1}, .y = {0, 1}}}}}};
+  const std::string whole = figure_svg(figure);
+  figure.part = "Shown are 7 of 12 buildings: those of the hardest impact, those that the verdict names";
+  const std::string svg = figure_svg(figure);
+  EXPECT_NE(svg.find(">Shown are 7 of 12 buildings: those of the hardest"), std::string::npos);
+  const auto height = [](const std::string& of) { return std::stod(of.substr(of.find(" height=\"") + 9)); };
+  EXPECT_NEAR(height(svg) - height(whole), (0.1 + 2 * line_height) * 96 / 2.54, 0.1) << "two lines below it";
+  EXPECT_EQ(figure_element(figure, "Drift").find("Shown are"), std::string::npos);
+  EXPECT_NE(figure_text(figure, "drift").script.find("Shown are 7 of 12 buildings"), std::string::npos);
+}
+
 TEST(FigureSvg, APanelAcrossColumnsIsAsBroadAsTheyAre) {
   const Panel panel{.x = {.label = "x"}, .y = {.label = "y"}, .curves = {{.x = {0, 1}, .y = {0, 1}}}};
   Figure figure{.panels = {panel, panel, panel}, .columns = 2, .width = 17};

@@ -115,13 +115,16 @@ for panel in figure["panels"]:
             at = {**style(entry), "linestyle": "None"}
             sheet.add_artist(Line2D([(begin + end) / 2], [y], transform=sheet.transFigure, **at))
         sheet.text(text, y, entry["label"], verticalalignment="center")
+if figure["part"]:
+    sheet.text(0.5, -0.02, figure["part"], ha="center", va="top")
 sheet.savefig(sys.argv[1] if len(sys.argv) > 1 else here.with_suffix(".svg"), dpi=300, bbox_inches="tight")
 )";
 
 /// Data and description grow together.
 class Writer {
  public:
-  explicit Writer(const Figure& figure) : layout_(layout(figure)) {}
+  explicit Writer(const Figure& figure)
+      : layout_(layout(figure)), part_(plain_lines(lines_of(plain_text(figure.part), layout_.width - 0.4, 4))) {}
 
   FigureText write(const std::string& name) {
     // What JSON and Python write alike: numbers, texts, lists and tables, and no true, false or null.
@@ -135,9 +138,10 @@ class Writer {
       panels += fmt::format(" {{\n{} }},\n", members);
     }
     const Json size = {layout_.width / 2.54, layout_.height / 2.54};
-    const std::string figure = fmt::format(R"({{"data": {}, "size": {}, "panels": [)"
-                                           "\n{}]}}",
-                                           Json(name + std::string(figure_data_ending)).dump(), size.dump(), panels);
+    const std::string figure =
+        fmt::format(R"({{"data": {}, "size": {}, "part": {}, "panels": [)"
+                    "\n{}]}}",
+                    Json(name + std::string(figure_data_ending)).dump(), size.dump(), Json(part_).dump(), panels);
     std::string script = fmt::format(
         "{}, by matplotlib: python3 THIS [FILE]\n"
         "# FILE ends in .svg, .pdf or .png. Change at will how it looks.\n"
@@ -336,6 +340,7 @@ class Writer {
   }
 
   Layout layout_;
+  std::string part_;  // what of many things it shows, in lines
   std::string title_;
   std::vector<std::string> headings_;
   std::vector<std::vector<double>> columns_;

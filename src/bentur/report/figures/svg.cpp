@@ -86,7 +86,12 @@ class Drawing {
  public:
   explicit Drawing(const Figure& figure) : figure_(figure), layout_(layout(figure)) {}
 
+  /// With what of many things it shows below it, which a page says in its caption.
   std::string file() {
+    constexpr std::size_t most = 4;
+    const std::vector<std::string> part = lines_of(plain_text(figure_.part), layout_.width - 0.4, most);
+    lines(part, layout_.width / 2, -line_height / 2);
+    if (!part.empty()) below_ = 0.1 + line_height * static_cast<double>(part.size());
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
            svg("xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" ",
                tagged("title", figure_.title) + tagged("desc", figure_.finding),
@@ -119,7 +124,7 @@ class Drawing {
   }
   std::string svg(const std::string& attributes, const std::string& texts, const std::string& style) {
     for (const PlacedPanel& placed : layout_.panels) panel(placed);
-    const std::string width = length(layout_.width / pixel), height = length(layout_.height / pixel);
+    const std::string width = length(layout_.width / pixel), height = length((layout_.height + below_) / pixel);
     return fmt::format(
         "<svg {}class=\"bentur\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" font-family=\"'DejaVu Sans', "
         "'Liberation Sans', Arial, sans-serif\" font-size=\"{}\">\n{}{}<rect {} width=\"{}\" height=\"{}\"/>\n{}</svg>",
@@ -432,6 +437,7 @@ class Drawing {
 
   const Figure& figure_;
   Layout layout_;
+  double below_ = 0;  // of lines below all panels [cm]
   std::string out_;
 };
 

@@ -186,8 +186,8 @@ class Reader {
 
   void read(const Node& node, const std::string& where, Tone& to) {
     word(node, where, to,
-         {"black", "blue", "orange", "grey", "pale", "pale-blue", "pale-orange", "green", "purple", "red", "teal",
-          "magenta", "olive", "amber", "indigo", "brown", "cyan", "navy"});
+         {"black", "blue",    "orange", "grey",  "pale",   "pale-blue", "pale-orange", "green", "purple", "red",
+          "teal",  "magenta", "olive",  "amber", "indigo", "brown",     "cyan",        "navy",  "gold",   "pale-teal"});
   }
 
   void read(const Node& node, const std::string& where, PlaceText::Side& to) {

@@ -10,7 +10,8 @@
 namespace bentur::html {
 namespace {
 
-/// A bar of a verdict: `style`, its class in the style sheet, "given", "needed", "short" or "rule".
+/// A bar of a verdict: `style`, its class in the style sheet, "given", "rule", or what is judged of it or of its gap:
+/// "short", "open", "needed".
 struct GapBar {
   std::string name;
   double value = 0;
@@ -19,15 +20,19 @@ struct GapBar {
 
 /// The given gap, the gap needed as given and reversed where a gap falls short the most, and what rules ask.
 std::vector<GapBar> bars_of(const VerdictGap& gap, const std::string& simulated, const Words& say) {
-  const auto found = gap.facts != nullptr ? governing_need(*gap.facts) : std::nullopt;
+  const auto found = gap.judged != nullptr ? governing_need(gap.judged->facts) : std::nullopt;
   if (!found) return {};
+  const Sufficiency value = gap.judged->judgement.value;
+  const char* const level = value == Sufficiency::too_small ? "short"
+                            : value == Sufficiency::unknown ? "open"
+                                                            : "needed";
   std::vector<GapBar> bars = {{say("column.given"), found->at.width, "given"}};
   const auto put = [&](const std::string& name, const GoverningNeed::OneWay& one) {
-    if (one.needed) bars.push_back({name, *one.needed, one.is_short ? "short" : "needed"});
+    if (one.needed) bars.push_back({name, *one.needed, level});
   };
   put(simulated, found->given);
   put(say("column.reversed"), found->reversed);
-  for (const RuleFinding& rule : gap.facts->rules) {
+  for (const RuleFinding& rule : gap.judged->facts.rules) {
     if (rule.at) bars.push_back({rule.title, rule.gap, rule.is_short ? "short" : "rule"});
   }
   return bars;
@@ -95,14 +100,19 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
       of_gaps[*statement.gap] += paragraphs(statement, badges[*statement.gap]);
     } else {
       if (are_many && statement.gap) {
-        const auto& [name, in_short, facts] = gaps[*statement.gap];
+        const auto& [name, in_short, judged] = gaps[*statement.gap];
         statement = behind_gap(std::move(statement), name, in_short);
       }
       block += paragraphs(statement, badge);
     }
   }
   for (const StoryTable& table : verdict.story.tables) {
-    if (table.kind.starts_with("row")) block += table_of(said(table, say), "class=\"gaps\"");
+    if (!table.kind.starts_with("row")) continue;
+    const SaidTable shown = said(table, say);
+    block += table_of(shown, "class=\"gaps\"");
+    if (shown.note.empty()) continue;
+    const Html link = element("a", say("gap.all_of_them"), "href=\"#gaps\"");
+    block += element("p", Html::text(shown.note + " ") + link);
   }
   block += verdict.key;
   std::vector<std::string> names;
@@ -142,7 +152,7 @@ PageSection verdict_section(const Report& report) {
     const auto number = static_cast<Eigen::Index>(gap);
     verdict.gaps.push_back({.name = gap_name(report.problem, number),
                             .in_short = short_gap_name(report, number),
-                            .facts = gap < report.judged.size() ? &report.judged[gap].facts : nullptr});
+                            .judged = gap < report.judged.size() ? &report.judged[gap] : nullptr});
   }
   const std::string key = building_key(report);
   if (verdict.gaps.size() > 1 && numbers_buildings(report) && !key.empty()) {

@@ -131,6 +131,13 @@ Curve over_storeys(const Building& building, const std::vector<double>& values) 
   return curve;
 }
 
+/// Made by over_storeys().
+bool is_stepped(const Curve& curve) {
+  bool is = curve.x.size() % 2 == 0;
+  for (std::size_t i = 0; i + 1 < curve.x.size(); i += 2) is = is && curve.x[i] == curve.x[i + 1];
+  return is;
+}
+
 constexpr std::size_t most_dashes = 4;  // of so many curves none has those of another; of more marks tell them apart
 
 /// Of several buildings shown: in the tone of this one, and with dashes and marks that no other one of them has.
@@ -173,6 +180,7 @@ void set_apart(Figure& figure, bool narrow) {
       one.curves = {all.curves[i]};
       one.curves.front().label = "";
       one.curves.front().line = Line::solid;
+      if (is_stepped(one.curves.front())) one.curves.front().mark = Mark::none;
       one.x.from = from == 0 ? 0 : from - margin;
       one.x.to = to + margin;
       if (i != labelled) one.x.label = "";

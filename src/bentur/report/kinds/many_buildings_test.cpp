@@ -140,6 +140,37 @@ TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
   EXPECT_EQ(named, expected);
 }
 
+/// What is needed has the colour of what is judged of the gap: that of one which closes only as its buildings are
+/// pushed is not the colour of one that is enough. The legend has each colour that is there.
+TEST(ManyBuildings, BarsHaveTheColourOfWhatIsJudged) {
+  RunResults run = row();
+  for (PointSummary& point : run.response.points) point.gap_needed_reversed = point.gap_needed = 0.01;
+  const std::vector<JudgedGap> judged = judged_gaps(run);
+  std::vector<std::size_t> order = worst_first(judged);
+  ASSERT_EQ(judged[order.front()].judgement.value, Sufficiency::too_small);
+  order.resize(5);
+  std::sort(order.begin(), order.end(), std::greater<>());
+  const Panel bars = make_figure(run, "overview").panels.back();
+  long filled = 0;
+  for (const Curve& bar : bars.curves) {
+    if (bar.tone == Tone::grey || bar.top.empty()) continue;  // given, or reversed
+    const Sufficiency value = judged[order.at(static_cast<std::size_t>(std::lround(bar.y[0])))].judgement.value;
+    const Tone not_small = value == Sufficiency::unknown ? Tone::gold : Tone::pale_teal;
+    EXPECT_EQ(bar.tone, value == Sufficiency::too_small ? Tone::red : not_small);
+    ++filled;
+  }
+  EXPECT_GE(filled, 3);
+  const auto is_red = [](const Curve& one) { return one.tone == Tone::red && one.label == "too small"; };
+  EXPECT_EQ(std::count_if(bars.curves.begin(), bars.curves.end(), is_red), 1);
+}
+
+/// Drawings of storeys have no marks at both ends of every step.
+TEST(ManyBuildings, StepsHaveNoMarks) {
+  for (const Panel& panel : make_figure(row(), "drift").panels) {
+    for (const Curve& curve : panel.curves) EXPECT_EQ(curve.mark, Mark::none) << panel.title;
+  }
+}
+
 /// A gap that is wide enough for what it needs, and too small since it closes all the same, says so in the table.
 TEST(ManyBuildings, AGapThatIsNotShortSaysWhyItIsTooSmall) {
   RunResults run = row();

@@ -40,7 +40,7 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
                          .tone = Tone::red,
                          .line = Line::dotted});
   panel.x.label = word(options, "Time t [s]");
-  panel.height = 3.6;
+  panel.height = 3.2;
   panel.curves.push_back({.x = {instant.time},
                           .y = {instant.point ? instant.histories->opening(*instant.point, instant.column)
                                               : instant.nearest->least_opening},

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/model/story/judgement_story.h"
 #include "bentur/report/figures/internal/text.h"
@@ -43,11 +44,7 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
     values.push_back(gap < one.needed.size() && std::isfinite(one.needed[gap]) ? one.needed[gap] : NAN);
   }
   const std::vector<std::string> numbers = column(values);  // with digits alike
-  Curve unmodelled{.label = word(options, "contact not modelled"),
-                   .tone = Tone::black,
-                   .line = Line::none,
-                   .mark = Mark::cross,
-                   .complete = true};
+  bool some_unmodelled = false;
   std::set<Sufficiency> named;
   double given = NAN, most = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -62,15 +59,22 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
     given = one.judged[gap].width;
     most = std::max({most, given, values[i]});
     const Sufficiency judged = without_rules(one.judged[gap].judgement);
-    panel.curves.push_back(bar(0, values[i], place, 0.6, tone_of(judged)));
+    panel.curves.push_back(bar(0, values[i], place, 0.6, area_tone_of(judged)));
     if (named.insert(judged).second) panel.curves.back().label = Words(options.language)(judgement_word(judged));
-    panel.texts.push_back({.x = values[i], .y = place, .text = numbers[i] + " " + length});
-    if (!one.is_not_modelled()) continue;
-    unmodelled.x.push_back(0.97 * values[i]);
-    unmodelled.y.push_back(place);
+    const bool is_unmodelled = one.is_not_modelled();
+    panel.texts.push_back(
+        {.x = values[i], .y = place, .text = numbers[i] + " " + length + (is_unmodelled ? " ×" : "")});
+    some_unmodelled = some_unmodelled || is_unmodelled;
   }
   if (std::isnan(given)) throw NoFigure("no record has been run to its end, or no floors face one another");
-  if (!unmodelled.x.empty()) panel.curves.push_back(std::move(unmodelled));
+  if (some_unmodelled) {  // marked behind the numbers, as a mark on a dark bar is lost in grey
+    panel.curves.push_back({.label = word(options, "contact not modelled"),
+                            .x = {not_known},
+                            .y = {not_known},
+                            .line = Line::none,
+                            .mark = Mark::cross,
+                            .complete = true});
+  }
   panel.curves.push_back({.label = word(options, "given") + ": " + number(given) + " " + length,  // over the bars
                           .x = {given, given},
                           .y = {-0.5, static_cast<double>(count) - 0.5},

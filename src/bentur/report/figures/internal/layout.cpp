@@ -18,10 +18,11 @@
 namespace bentur {
 namespace {
 
-constexpr double label_room = 0.45;   // of an axis' label
-constexpr double edge = 0.3;          // free to the right of a frame
-constexpr double beside_label = 0.1;  // free on both sides of an x axis' label
-constexpr double scale_width = 0.45;  // of a map's colours with the room to its left
+constexpr double label_room = 0.45;     // of an axis' label
+constexpr double edge = 0.3;            // free to the right of a frame
+constexpr double beside_number = 0.14;  // free beside the first and the last number of an x axis
+constexpr double beside_label = 0.1;    // free on both sides of an x axis' label
+constexpr double scale_width = 0.45;    // of a map's colours with the room to its left
 
 /// The value below which so large a part of the others lies.
 double percentile(std::vector<double> values, double part) {
@@ -208,7 +209,7 @@ class Arrangement {
         if (placed.x.labels.empty() || placed.x.upright || placed.panel->to_scale) continue;
         const auto beyond = [&](const auto& label, double of_end) {
           return text_width(label.second) / 2 -
-                 std::abs(of_end - along(placed.x, label.first)) * (placed.right - placed.left) + 0.08;
+                 std::abs(of_end - along(placed.x, label.first)) * (placed.right - placed.left) + beside_number;
         };
         double &before = left[cells_[i].column], &behind = right[cells_[i].last];
         before = std::max(before, beyond(placed.x.labels.front(), 0));

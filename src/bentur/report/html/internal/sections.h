@@ -109,8 +109,8 @@ struct AppliedRecord {
 [[nodiscard]] Html paragraphs(const SaidStatement& statement, std::string& badge);
 /// What a verdict shows of a gap.
 struct VerdictGap {
-  std::string name, in_short;       ///< the latter before sentences
-  const GapFacts* facts = nullptr;  ///< for bars; nothing: none
+  std::string name, in_short;         ///< the latter before sentences
+  const JudgedGap* judged = nullptr;  ///< for bars; nothing: none
 };
 struct Verdict {
   const Story& story;

@@ -61,7 +61,7 @@ class PlanPage {
 
   [[nodiscard]] html::PageSection verdict() const {
     html::Verdict verdict{.story = story_, .length = length_, .simulated = say_("column.simulated")};
-    for (std::size_t g = 0; g < gaps_.size(); ++g) verdict.gaps.push_back({gaps_[g], gaps_[g], &judged_.at(g).facts});
+    for (std::size_t g = 0; g < gaps_.size(); ++g) verdict.gaps.push_back({gaps_[g], gaps_[g], &judged_.at(g)});
     return html::verdict_section(verdict, say_);
   }
 

@@ -16,6 +16,7 @@
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/scene/names.h"
+#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -29,10 +30,12 @@ struct GapBar {
 };
 
 /// Where it falls short the most: given, needed, and, where that is known of some gap, needed the other way round.
-std::vector<GapBar> bars_of(const GapFacts& facts) {
-  const GoverningNeed found = governing_need(facts).value_or(GoverningNeed{});
-  const auto needed = [](const char* name, const GoverningNeed::OneWay& one, bool is_hollow) {
-    return GapBar{name, one.needed.value_or(NAN), one.is_short ? Tone::red : Tone::black, is_hollow};
+/// What is needed has the colour of what is judged of the gap, which may be too small though it is wider.
+std::vector<GapBar> bars_of(const JudgedGap& gap) {
+  const GoverningNeed found = governing_need(gap.facts).value_or(GoverningNeed{});
+  const auto needed = [&](const char* name, const GoverningNeed::OneWay& one, bool is_hollow) {
+    return GapBar{name, one.needed.value_or(NAN),
+                  is_hollow ? tone_of(gap.judgement.value) : area_tone_of(gap.judgement.value), is_hollow};
   };
   return {{"given", found.at.width}, needed("needed", found.given, false), needed("reversed", found.reversed, true)};
 }
@@ -49,8 +52,8 @@ std::string level_text(const GoverningNeed& need, const std::string& length) {
 }
 
 /// Each bar by its name and value, the given gap uppermost.
-void add_one_gap(Panel& panel, const GapFacts& facts, const std::string& length, const FigureOptions& options) {
-  const std::vector<GapBar> bars = bars_of(facts);
+void add_one_gap(Panel& panel, const JudgedGap& gap, const std::string& length, const FigureOptions& options) {
+  const std::vector<GapBar> bars = bars_of(gap);
   std::vector<double> values;
   for (const GapBar& one : bars) values.push_back(one.value);
   const std::vector<std::string> numbers = column(values);  // with digits alike
@@ -61,7 +64,7 @@ void add_one_gap(Panel& panel, const GapFacts& facts, const std::string& length,
     panel.y.names.push_back(word(options, one.name) + ": " + value);
     add_bar(panel, one, static_cast<double>(k), 0.6);
   }
-  const std::optional<GoverningNeed> found = governing_need(facts);
+  const std::optional<GoverningNeed> found = governing_need(gap.facts);
   if (found && (found->given.needed || found->reversed.needed)) {
     panel.title = word(options, "needed at level {}", level_text(*found, length));
   }
@@ -100,9 +103,9 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
   const auto names = names_of(judged);
   std::vector<std::string> told;  // what of the three is known of some gap
   for (std::size_t place = 0; place < gaps.size(); ++place) {
-    const GapFacts& facts = judged[gaps[place]].facts;
-    const std::vector<GapBar> bars = bars_of(facts);
-    const std::optional<GoverningNeed> found = governing_need(facts);
+    const JudgedGap& gap = judged[gaps[place]];
+    const std::vector<GapBar> bars = bars_of(gap);
+    const std::optional<GoverningNeed> found = governing_need(gap.facts);
     const std::string behind = std::isnan(bars[1].value) ? ": " + word(options, "not known")
                                : found                   ? ", " + level_text(*found, length)
                                                          : "";
@@ -124,8 +127,17 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
 
 Panel gap_panel(const std::vector<JudgedGap>& judged, const std::string& length, const FigureOptions& options) {
   Panel panel{.x = {.label = with_unit(word(options, "Gap w"), length), .from = 0}};
-  judged.size() == 1 ? add_one_gap(panel, judged.front().facts, length, options)
-                     : add_gaps(panel, judged, length, options);
+  judged.size() == 1 ? add_one_gap(panel, judged.front(), length, options) : add_gaps(panel, judged, length, options);
+  for (const JudgedGap& one : judged) {  // in the legend, each colour that is there once
+    const std::string label = word(options, Words("en")(judgement_word(one.judgement.value)));
+    const auto is_of = [&](const Curve& bar) {
+      return !bar.top.empty() && bar.tone == area_tone_of(one.judgement.value);
+    };
+    const auto is_named = [&](const Curve& bar) { return bar.label == label; };
+    const auto first = std::find_if(panel.curves.begin(), panel.curves.end(), is_of);
+    if (first == panel.curves.end() || std::any_of(panel.curves.begin(), panel.curves.end(), is_named)) continue;
+    first->label = label;
+  }
   return panel;
 }
 

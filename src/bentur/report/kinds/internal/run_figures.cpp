@@ -196,6 +196,10 @@ Tone tone_of(Sufficiency value) {
   return value == Sufficiency::too_small ? Tone::red : value == Sufficiency::unknown ? Tone::amber : Tone::teal;
 }
 
+Tone area_tone_of(Sufficiency value) {
+  return value == Sufficiency::too_small ? Tone::red : value == Sufficiency::unknown ? Tone::gold : Tone::pale_teal;
+}
+
 std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged, std::size_t gap,
                        bool is_hit, const FigureOptions& options) {
   const std::vector<std::size_t> order = worst_first(judged);

@@ -110,6 +110,8 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
 [[nodiscard]] Curve hollow_bar(double from, double to, double place, double thick, Tone tone);
 /// The tone of what is judged of a gap.
 [[nodiscard]] Tone tone_of(Sufficiency value);
+/// That of areas, which in grey are the darker the worse.
+[[nodiscard]] Tone area_tone_of(Sufficiency value);
 /// Of more than two buildings: between which a figure is that shows one place, the hardest impact or the closest
 /// approach, where that is not the gap that the verdict puts first. @param gap shown @param judged all
 [[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,

@@ -243,7 +243,7 @@ Figure opening_figure(const PlanRun& run, const FigureOptions& options) {
       place, options, curves,
       {.label = label,
        .rules = {{.at = 0, .tone = Tone::grey},
-                 {.at = width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dashed}},
+                 {.at = width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dash_dot}},
        .mark_contacts = true});
   figure.title = "Opening of the gap at both ends of the stretch, " + place.title;
   const PointSummary& found = run.response.points[point];

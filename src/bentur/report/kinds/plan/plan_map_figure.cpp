@@ -154,7 +154,6 @@ class BlockMap {
 
   /// What the colours are, each in the legend once: a curve within the first of its kind.
   void add_legend() {
-    bool has_corners = false;
     for (const Sufficiency value : used_) {
       const auto same = [&](const Curve& one) { return one.tone == tone_of(value); };
       const auto first = std::find_if(panel_.curves.begin(), panel_.curves.end(), same);
@@ -165,7 +164,6 @@ class BlockMap {
       const auto is_corner = [&](const Curve& one) { return same(one) && one.mark != Mark::none; };
       const auto corner = std::find_if(panel_.curves.begin(), panel_.curves.end(), is_corner);
       if (corner != panel_.curves.end()) {
-        has_corners = true;
         curve.legend_mark = corner->mark;
         curve.mark_size = corner->mark_size;
       }
@@ -174,15 +172,6 @@ class BlockMap {
       curve.y.resize(1);
       panel_.curves.push_back(std::move(curve));
     }
-    if (!has_corners) return;
-    panel_.curves.push_back({.label = say_("figure.text.corner_to_corner"),
-                             .x = {not_known},
-                             .y = {not_known},
-                             .tone = Tone::grey,
-                             .line = Line::none,
-                             .mark = Mark::disc,
-                             .complete = true,
-                             .mark_size = 2.5});
   }
 
   /// Where the table of the worst has it: on the joint, off its middle, beside which names of houses stand; of corners

@@ -19,6 +19,7 @@
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/scene/plan_scene.h"
 #include "bentur/report/words.h"
+#include "tests/support/drawn_run.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur {
@@ -91,7 +92,7 @@ TEST(PlanMap, HasTheColourOfTheWorstThatIsJudged) {
   EXPECT_GT(all.size(), 1U);
   long named = 0;
   for (const Curve& curve : figure.panels.front().curves) named += curve.in_legend ? 1 : 0;
-  EXPECT_EQ(named, std::ssize(all) + 2) << "and what numbers and discs are";
+  EXPECT_EQ(named, std::ssize(all) + 1) << "and what numbers are";
   for (const Curve& curve : figure.panels.front().curves) {
     if (curve.label == "H9") {
       EXPECT_EQ(curve.tone, Tone::grey);
@@ -100,6 +101,12 @@ TEST(PlanMap, HasTheColourOfTheWorstThatIsJudged) {
     }
   }
   EXPECT_FALSE(figure.finding.empty());
+}
+
+TEST(PlanMap, IsToldApartInGreyAsItsOverviewAndScene) {
+  for (const char* const kind : {"map", "overview", "scene", "opening"}) {
+    test::expect_told_apart_in_grey(make_figure(run(), kind), kind);
+  }
 }
 
 TEST(PlanMap, HasTheNumbersOfTheTable) {

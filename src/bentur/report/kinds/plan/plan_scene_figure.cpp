@@ -224,7 +224,7 @@ class PlanPicture {
     const double most = hardest_blow();
     const auto tone_of = [&](std::size_t i) {
       const double blow = blows[i].second;
-      return blow > most / 2 ? Tone::red : blow > 0 ? Tone::amber : Tone::pale;
+      return blow > most / 2 ? Tone::red : blow > 0 ? Tone::gold : Tone::pale;
     };
     double from = stretch.from;
     for (std::size_t i = 0; i < blows.size(); ++i) {
@@ -319,10 +319,10 @@ class PlanPicture {
     Curve hit = open;
     hit.label = word(options_, "struck point");
     hit.tone = Tone::red;
+    hit.mark = Mark::disc;  // distinct in grey, as the larger one of what strikes now
     Curve now = hit;
     now.label = word(options_, "strikes now");
-    now.mark = Mark::disc;
-    now.mark_size = 1.5;
+    now.mark_size = 1.8;
     Curve slid = hit;
     slid.label = word(options_, "slips off");
     slid.mark = Mark::diamond;
@@ -422,32 +422,38 @@ std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions&
   return {};
 }
 
+/// The opening over the run, with the instant that the picture shows.
+Panel opening_over_run(const PlanRun& run, const FigureOptions& options) {
+  const PlanInstant instant = telling_instant(run.response, asked_points(run, options));
+  Panel panel = opening_figure(run, options).panels.front();
+  panel.events = {};
+  panel.rules.push_back({.at = instant.time,
+                         .vertical = true,
+                         .label = word(options, instant.impact ? "hardest impact" : "where they come closest"),
+                         .tone = Tone::red,
+                         .line = Line::dotted});
+  panel.x.label = word(options, "Time t [s]");
+  panel.x.numbers = true;
+  return panel;
+}
+
 }  // namespace
 
 Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
-  constexpr double wide = 12, height = 8.4, around = 1.1;  // [cm], of titles and axes
+  constexpr double wide = 12, height = 6.6, around = 1.4;  // [cm], of titles and axes
   const bool is_wide = options.width >= wide;
   Figure figure = scene_figure(run, options);
   figure.title = "The buildings from above where they meet, the opening of the gap, and the gap that is needed";
   figure.finding = finding_of(run, contact_at(run.problem, chosen_point(run, options)).gap, options);
-  std::vector<Panel> openings = opening_figure(run, options).panels;
-  const auto count = static_cast<int>(openings.size());
+  Panel opening = opening_over_run(run, options), gaps = gap_panel(judged_gaps(run), run.c.units.length, options);
+  opening.height = is_wide ? std::max(1.8, height - gaps.height - around) : 2.4;
   if (is_wide) {
     figure.columns = 2;
     figure.shares = {1.2, 1};
-    figure.panels.front().rows = count + 1;
+    figure.panels.front().rows = 2;
     figure.panels.front().height = height;
   }
-  Panel gaps = gap_panel(judged_gaps(run), run.c.units.length, options);
-  for (Panel& opening : openings) {
-    if (&opening != &openings.front()) {  // the legend of the first serves
-      for (Curve& curve : opening.curves) curve.label = "";
-      for (RuleLine& rule : opening.rules) rule.label = "";
-      opening.events.label = "";
-    }
-    opening.height = is_wide ? std::max(1.2, (height - gaps.height) / count - around) : 3;
-    figure.panels.push_back(std::move(opening));
-  }
+  figure.panels.push_back(std::move(opening));
   figure.panels.push_back(std::move(gaps));
   return figure;
 }
