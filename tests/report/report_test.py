@@ -352,6 +352,26 @@ levels = [0.1, 0.3, 0.6]
             self.assertLess(max(letters), 1.03 * min(letters), "of one size in all figures of a page")
             self.browser.call("Emulation.setEmulatedMedia", media="")
 
+    def test_a_telephone_folds_details_away_and_scrolls_one_page(self):
+        page = self.example("m12-el-centro")
+        rows = ("[...document.querySelectorAll('#impact-list tbody tr')].filter(row => row.offsetHeight).length")
+        folded = "[...document.querySelectorAll('details.fold')].map(one => one.open)"
+        self.opened(page)
+        everything = self.js(rows)
+        self.assertGreater(everything, 20)
+        self.assertGreater(len(self.js(folded)), 8)
+        self.assertTrue(all(self.js(folded)))
+        self.assertTrue(self.js("document.getElementById('whole-list').hidden"))
+        self.opened(page, PHONE)
+        self.assertFalse(any(self.js(folded)))
+        self.assertLess(self.js("document.documentElement.scrollHeight"), 20 * 844, "of a telephone's screens")
+        self.assertEqual(self.js(rows), 8)
+        self.click("#whole-list")
+        self.assertEqual(self.js(rows), everything)
+        self.assertLessEqual(*self.js("(one => [one.scrollHeight, one.clientHeight + 1])(document.querySelector('#impacts .wide'))"))
+        self.clean(page)
+        self.accessible()
+
     def test_figures_with_many_panels_are_drawn_for_a_telephone(self):
         for page in self.example("two-frames-si"), self.report(self.block(12)):
             self.opened(page, PHONE)

@@ -30,8 +30,10 @@ Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTab
     HtmlTable governing;
     for (; table != tables.end() && table->gap == gap; ++table) {
       const SaidTable shown = said(*table, say);
-      if (shown.heading != gaps.at(static_cast<std::size_t>(gap))) content += element("h4", shown.heading);
-      content += table_of(shown);
+      const bool is_named = shown.heading == gaps.at(static_cast<std::size_t>(gap));
+      content += is_named                  ? table_of(shown)
+                 : table->kind == "levels" ? element("h4", shown.heading) + table_of(shown)
+                                           : fold("h4", shown.heading, table_of(shown));
       if (table->kind == "levels") governing = governing_of(shown);
     }
     each.add(gaps.at(static_cast<std::size_t>(gap)), content, {governing});

@@ -32,6 +32,9 @@ Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, s
   }
   content += element("p",
                      element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
+                         Html::markup(" ") +
+                         element("button", say("impacts.whole", {{"n", std::to_string(listed)}}),
+                                 "type=\"button\" id=\"whole-list\" hidden") +
                          Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
                      "class=\"screen\"");
   if (listed > impacts_in_print) {

@@ -101,7 +101,7 @@ HtmlTable floors_table(const Report& report, Eigen::Index b, std::vector<TableCo
 
 /// A table under a line that says what it is of.
 Html under(const Report& report, const char* lead, const HtmlTable& table) {
-  return table.rows() == 0 ? Html() : element("p", Html::text(report.say(lead))) + table.markup();
+  return table.rows() == 0 ? Html() : fold("h4", report.say(lead), table.markup());
 }
 
 /// What the foundation does; empty without soil.

@@ -103,7 +103,22 @@
     });
   }
 
+  /** On a telephone details are folded away, and of a long list there are the first. */
+  function foldOnTelephones() {
+    if (!matchMedia("(max-width: 40rem)").matches) return;
+    for (const one of document.querySelectorAll("details.fold")) one.open = false;
+    const most = 8, button = document.getElementById("whole-list"), table = document.getElementById("impact-list");
+    if (!table || table.tBodies[0].rows.length <= most) return;
+    table.classList.add("short");
+    button.hidden = false;
+    button.addEventListener("click", () => {
+      table.classList.remove("short");
+      button.hidden = true;
+    });
+  }
+
   buildList();
   buildUnfold();
+  foldOnTelephones();
   document.documentElement.classList.add("ready");
 })();

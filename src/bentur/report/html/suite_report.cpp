@@ -146,7 +146,7 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
                                             suite_hand_in(run, gaps));
     body.running_head = html::running_head(run.c.project, title);
   }
-  return html::page(say, title, body, false);
+  return html::page(say, title, body, true);
 }
 
 }  // namespace bentur

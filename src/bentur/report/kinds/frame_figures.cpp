@@ -228,13 +228,16 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
         "that are frames");
   }
+  const bool are_slender = std::all_of(frames.begin(), frames.end(), [](const FrameForces* one) {
+    return extent_of(*one).top > 1.2 * extent_of(*one).right;  // so that two stand side by side on a telephone
+  });
   Figure figure{.title = carried.title,
-                .columns = options.narrow ? 1 : 2,  // a building's two panels beside one another
+                .columns = options.narrow && !are_slender ? 1 : 2,  // a building's two panels beside one another
                 .width = options.narrow ? options.width : broad(options.width)};
   const bool has_impacts = !run.response.impacts.empty();
   // Of rows so high that frames over the width of a panel can be read; two of them leave room for others on a page.
   constexpr double title = 0.8, highest = 7.8;  // with what is free between two rows; of a row [cm]
-  const std::size_t rows = options.narrow ? 2 * frames.size() : frames.size();
+  const std::size_t rows = 2 * frames.size() / static_cast<std::size_t>(figure.columns);
   const double height = std::min(highest, page_height / static_cast<double>(rows) - title);
   constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
   const double width = figure.width / figure.columns - between;

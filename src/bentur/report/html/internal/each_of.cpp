@@ -15,7 +15,7 @@ void EachOf::add(const std::string& name, Html content, const std::vector<HtmlTa
 Html EachOf::markup(const Words& say, std::string_view what) const {
   if (all_.size() > most_open) return folded(say, what);
   Html content;
-  for (const auto& [name, told] : all_) content += element("h3", name) + told;
+  for (const auto& [name, told] : all_) content += are_given_ ? fold("h3", name, told) : element("h3", name) + told;
   return printed_.empty() ? content : element("div", content, "class=\"each\"");
 }
 

@@ -29,6 +29,10 @@ Html element(std::string_view name, std::string_view text, std::string_view attr
   return element(name, Html::text(text), attributes);
 }
 
+Html fold(std::string_view level, std::string_view heading, const Html& content) {
+  return element("details", element("summary", element(level, heading)) + content, "class=\"fold\" open");
+}
+
 Html json_markup(std::string_view json) {
   std::string text;
   for (const char c : json) {
@@ -157,7 +161,7 @@ std::size_t HtmlTable::letters(const Column& column) {
 }
 
 bool HtmlTable::is_broad() const {
-  constexpr double most = 41, between = 1.5;  // letters of a telephone's width, and of the room between columns
+  constexpr double most = 46, between = 1.5;  // letters of a telephone's width, and of the room between columns
   double all = 0;
   for (const Column& column : columns_) all += static_cast<double>(letters(column)) + between;
   return columns_.size() > 2 && all > most;

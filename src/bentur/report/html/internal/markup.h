@@ -96,6 +96,9 @@ class HtmlTable {
   std::vector<std::string> titles_;
 };
 
+/// Content under a heading, which the page's script folds away on a telephone. @param level of the heading, "h3"
+[[nodiscard]] Html fold(std::string_view level, std::string_view heading, const Html& content);
+
 /// A part of a page, with its place in the list of contents; without content it is not there.
 struct PageSection {
   std::string id, heading;  ///< the id stands in the sources
