@@ -18,10 +18,12 @@ namespace {
 
 using Filled = std::vector<std::pair<std::string, std::string>>;
 
-std::string value_text(const StoryValue& value, const Words& say) {
+enum class Digits { shown, all };
+
+std::string value_text(const StoryValue& value, const Words& say, Digits digits) {
   if (const auto* real = std::get_if<double>(&value.value)) {
-    if (value.unit.empty()) return number(*real);
-    return number(*real) + "\u00A0" + value.unit;
+    const std::string text = digits == Digits::all ? fmt::format("{}", *real) : number(*real);
+    return value.unit.empty() ? text : text + "\u00A0" + value.unit;
   }
   if (const auto* count = std::get_if<long>(&value.value)) {
     const std::string key = "story.count." + value.name;
@@ -31,12 +33,13 @@ std::string value_text(const StoryValue& value, const Words& say) {
 }
 
 /// Every value as a text; words are filled with the others, in the order in which they stand.
-Filled filled(const std::vector<StoryValue>& values, const Words& say) {
+Filled filled(const std::vector<StoryValue>& values, const Words& say, Digits digits = Digits::shown) {
   Filled texts;
   for (const bool words : {false, true}) {
     for (const StoryValue& value : values) {
       if (value.is_word != words) continue;
-      texts.emplace_back(value.name, words ? say(std::get<std::string>(value.value), texts) : value_text(value, say));
+      texts.emplace_back(value.name,
+                         words ? say(std::get<std::string>(value.value), texts) : value_text(value, say, digits));
     }
   }
   return texts;
@@ -70,11 +73,12 @@ Filled filled(const Statement::OfMany& many, const Words& say) {
 }
 
 /// The rows of a statement: one for each of its items, or one.
-std::vector<std::vector<std::string>> rows_of(const Statement& statement, const std::string& key, const Filled& values,
-                                              const Words& say) {
+std::vector<std::vector<std::string>> rows_of(const Statement& statement, const std::string& key, const Words& say,
+                                              Digits digits = Digits::shown) {
+  const Filled values = filled(statement.values, say, digits);
   std::vector<std::vector<std::string>> rows;
   for (const auto& item : statement.items) {
-    Filled all = filled(item, say);
+    Filled all = filled(item, say, digits);
     all.insert(all.end(), values.begin(), values.end());
     rows.push_back(cells_of(say(key + ".row", all)));
   }
@@ -111,8 +115,23 @@ std::string wording_text(std::string text, const Words& say) {
   return text;
 }
 
+constexpr std::size_t how_much = 1;  // the cell of a row of what else is known
+
+/// The number of a cell before its unit.
+std::optional<double> number_of(const std::string& cell) {
+  return parse_number(std::string_view(cell).substr(0, cell.find("\u00A0")));
+}
+
+/// How much the rows say, of cells that have all digits; NaN where that is no number.
+std::vector<double> amounts_of(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<double> amounts;
+  for (const auto& row : rows) amounts.push_back(row.size() > how_much ? number_of(row[how_much]).value_or(NAN) : NAN);
+  return amounts;
+}
+
 /// Quantities of one unit with equally many decimals, as a column has them, where none loses more than one digit by it.
-void make_alike(std::vector<std::string>& cells) {
+/// @param amounts of the cells, before they were rounded, so that none is rounded twice
+void make_alike(std::vector<std::string>& cells, const std::vector<double>& amounts) {
   struct Quantity {
     std::size_t row;
     double value;
@@ -120,8 +139,8 @@ void make_alike(std::vector<std::string>& cells) {
   std::map<std::string, std::vector<Quantity>> by_unit;
   for (std::size_t row = 0; row < cells.size(); ++row) {
     const std::size_t end = std::min(cells[row].find("\u00A0"), cells[row].size());
-    const auto value = parse_number(std::string_view(cells[row]).substr(0, end));
-    if (value) by_unit[cells[row].substr(end)].push_back({row, *value});
+    const bool is_plain = number_of(cells[row]).has_value();  // without a power of ten
+    if (is_plain && std::isfinite(amounts[row])) by_unit[cells[row].substr(end)].push_back({row, amounts[row]});
   }
   for (const auto& [unit, all] : by_unit) {
     std::vector<double> values;
@@ -152,7 +171,10 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
                       .is_open = is_open(statement.kind),
                       .shown = statement.shown};
     one.text = say(key, values);
-    if (one.shown == Shown::row) one.rows = rows_of(statement, key, values, say);
+    if (one.shown == Shown::row) {
+      one.rows = rows_of(statement, key, say);
+      one.amounts = amounts_of(rows_of(statement, key, say, Digits::all));
+    }
     if (say.has(key + ".badge")) one.badge = say(key + ".badge");
     if (is_remark && statement.severity != Severity::remark) one.badge = say("remark.doubted");
     if (!statement.subject.empty()) {
@@ -204,7 +226,9 @@ std::optional<SaidTable> known_table(const std::vector<std::string>& gaps, const
   constexpr std::size_t where = 2;
   SaidTable table{.heading = say("story.table.known"), .columns = {}, .is_list = true};
   std::size_t count = 0;
+  std::vector<double> amounts;
   for (const SaidStatement& one : all) {
+    amounts.insert(amounts.end(), one.amounts.begin(), one.amounts.end());
     for (std::vector<std::string> row : one.rows) {
       if (gaps.size() > 1 && one.gap) {
         const std::string& gap = gaps.at(static_cast<std::size_t>(*one.gap));
@@ -222,7 +246,7 @@ std::optional<SaidTable> known_table(const std::vector<std::string>& gaps, const
   }
   if (count == 0) return std::nullopt;
   for (TableColumn& column : table.columns) column.cells.resize(count);
-  make_alike(table.columns[1].cells);
+  make_alike(table.columns[how_much].cells, amounts);
   table.are_numbers.resize(table.columns.size());
   table.are_numbers[1] = true;
   return table;

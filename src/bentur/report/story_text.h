@@ -22,6 +22,7 @@ struct SaidStatement {
   std::size_t lead = 0;  ///< bytes of the text that are in bold: its first sentence, of what heads a verdict; else 0
   Shown shown = Shown::sentence;
   std::vector<std::vector<std::string>> rows = {};  ///< of a table of what else is known: what, how much, where, more
+  std::vector<double> amounts = {};  ///< per row, how much before it is rounded; NaN where that is no number
 };
 
 /// The statements of a story, each in the words of a language. @throws InvalidParameter where the catalogue lacks one.

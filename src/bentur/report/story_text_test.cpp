@@ -36,6 +36,19 @@ TEST(Bold, OfTwoMillionLettersIsFoundAtOnce) {
   EXPECT_EQ(bold(name), name + " collapses at 1: the drift of storey 1 exceeds 1 of its height.");
 }
 
+/// A number of the table of what else is known is rounded once, to the decimals of the column: 0.088249 is 0.0882,
+/// though with four digits it is 0.08825.
+TEST(KnownTable, RoundsEachNumberOnce) {
+  const auto pushed = [](double needed) {
+    return Statement{
+        .kind = "row_pushed", .values = {{"needed", needed, "m"}, {"level", 3.0, "m"}}, .shown = Shown::row};
+  };
+  const std::vector<SaidStatement> all = said({pushed(0.088249), pushed(0.1234)}, Words("en"));
+  const SaidTable table = known_table({"A | B"}, all, Words("en")).value();
+  EXPECT_EQ(table.columns[1].cells, (std::vector<std::string>{"0.0882\u00A0m", "0.1234\u00A0m"}));
+  EXPECT_EQ(all.front().rows.front()[1], "0.08825\u00A0m");
+}
+
 Statement silent(const std::vector<std::pair<std::string, std::string>>& rules, Eigen::Index gap = 0) {
   Statement one{.kind = "rules_silent", .gap = gap, .rank = 1};
   for (const auto& [rule, why] : rules) one.items.push_back({{"rule", rule}, {"why", why, {}, true}});

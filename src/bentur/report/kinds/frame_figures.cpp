@@ -306,7 +306,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
     instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
                     word(options, "at {}", seconds_text(frame->time)) + (one.is_of_own_scale ? own_scale : "");
     instant.curves.push_back(
-        diagram.outline(frame->instant, {.width = 0.35, .complete = true}, 0.03 * std::max(top, right)));
+        diagram.outline(frame->instant, {.width = 0.5, .complete = true}, 0.03 * std::max(top, right)));
     instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
     named(instant, then, {&frame->instant});
     figure.panels.push_back(std::move(instant));

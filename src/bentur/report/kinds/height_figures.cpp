@@ -51,7 +51,7 @@ Panel height_panel(const RunResults& run, const FigureOptions& options, const st
           .names_at_ends = true};
 }
 
-/// Ends an axis from 0 on a number that is easily halved, with numbers there and half way.
+/// Ends an axis from 0 on a number that is easily quartered, with numbers at each quarter.
 void end_round(Axis& axis, double largest) {
   if (!(largest > 0)) largest = 1;
   const double power = std::pow(10.0, std::floor(std::log10(largest)));
@@ -59,7 +59,7 @@ void end_round(Axis& axis, double largest) {
     if (digits * power < 1.02 * largest) continue;
     axis.from = 0;
     axis.to = digits * power;
-    axis.places = {0, *axis.to / 2, *axis.to};
+    axis.places = {0, *axis.to / 4, *axis.to / 2, 3 * *axis.to / 4, *axis.to};
     return;
   }
 }

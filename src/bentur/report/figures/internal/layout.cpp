@@ -262,9 +262,17 @@ class Arrangement {
     do {
       placed.x = ticks_of(*placed.panel, false, most--);
     } while (most > 1 && is_crowded(placed.x, width));
-    Ticks asked = placed.x;
-    put_at(asked, placed.panel->x.places, 0);
-    if (!is_crowded(asked, width)) placed.x = asked;
+    std::vector<double> places = placed.panel->x.places;
+    while (places.size() > 2) {  // else every second of them
+      Ticks asked = placed.x;
+      put_at(asked, places, 0);
+      if (!is_crowded(asked, width)) {
+        placed.x = asked;
+        return;
+      }
+      for (std::size_t i = 1; 2 * i < places.size(); ++i) places[i] = places[2 * i];
+      places.resize((places.size() + 1) / 2);
+    }
   }
 
   /// Names below a picture of things, each below its own: in one line, in short where there are such names, in two or

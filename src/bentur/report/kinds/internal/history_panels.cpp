@@ -85,10 +85,6 @@ bool has_two_windows(const HistoryPlace& place, const FigureOptions& options) {
   return !options.from && !options.to && near.to - near.from < 0.5 * (place.whole.to - place.whole.from);
 }
 
-double width_of_line(const TimeWindow& whole, const TimeWindow& near) {
-  return (whole.to - whole.from) / (near.to - near.from) > 10 ? 0.35 : 0.7;
-}
-
 Curve within(const Curve& whole, const TimeWindow& window) {
   Curve part = whole;
   const auto first = std::lower_bound(whole.x.begin(), whole.x.end(), window.from);
@@ -203,7 +199,7 @@ Figure history_figure(const HistoryPlace& place, const FigureOptions& options, c
   }
   if (two) {
     for (Panel& panel : figure.panels) {
-      for (Curve& curve : panel.curves) curve.width = width_of_line(asked, near);
+      for (Curve& curve : panel.curves) curve.width = width_over_time;
     }
     const bool hit = hardest_impact(place) != nullptr;
     add(word(options, hit ? "around the hardest impact" : "where they come closest"), near, curves);

@@ -40,8 +40,8 @@ struct HistoryPlace {
 [[nodiscard]] bool has_two_windows(const HistoryPlace& place, const FigureOptions& options);
 /// The part of a curve within a window, with one point more at either side.
 [[nodiscard]] Curve within(const Curve& whole, const TimeWindow& window);
-/// Of the line of many vibrations side by side: the more, the thinner.
-[[nodiscard]] double width_of_line(const TimeWindow& whole, const TimeWindow& near);
+/// Of the line of many vibrations side by side: no journal prints one that is much thinner.
+constexpr double width_over_time = 0.6;
 /// The starts of the contacts there; of very many those that can be distinguished.
 [[nodiscard]] Events contacts_within(const HistoryPlace& place, const TimeWindow& window, const FigureOptions& options);
 /// Room for all curves within a window and for marks above them, so that panels can be compared.

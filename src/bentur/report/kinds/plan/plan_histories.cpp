@@ -202,7 +202,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
       if (is_near) leave_to_neighbour(panel.y);
       for (const Curve& curve : curves) {
         panel.curves.push_back(within(curve, window));
-        if (two && !is_near) panel.curves.back().width = width_of_line(asked, near);
+        if (two && !is_near) panel.curves.back().width = width_over_time;
       }
       figure.panels.push_back(std::move(panel));
     }
