@@ -187,6 +187,7 @@ Json overview_of(const std::string& title, const Units& units, double duration, 
           {"duration", duration},
           {"units", {{"length", units.length}, {"force", units.force}}},
           {"gaps", told},
+          {"tone", verdict_tone(said(story.statements, say))},
           {"statements", statements_of(gaps, story, say)}};
 }
 

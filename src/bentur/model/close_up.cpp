@@ -6,11 +6,13 @@
 namespace bentur {
 namespace {
 
-/// Index of the impact with the largest force among those that take time; −1 without one.
-int hardest(const std::vector<Impact>& impacts) {
+/// Index of the impact with the largest force among those of the gap, if one is asked for, that take time; −1 without
+/// one.
+int hardest(const Problem& problem, const std::vector<Impact>& impacts, std::optional<Eigen::Index> gap) {
   int found = -1;
   for (std::size_t i = 0; i < impacts.size(); ++i) {
-    const bool counts = impacts[i].end > impacts[i].start && impacts[i].peak_force > 0;
+    const bool is_asked = !gap || problem.points[static_cast<std::size_t>(impacts[i].point)].gap == *gap;
+    const bool counts = is_asked && impacts[i].end > impacts[i].start && impacts[i].peak_force > 0;
     if (counts && (found < 0 || impacts[i].peak_force > impacts[static_cast<std::size_t>(found)].peak_force)) {
       found = static_cast<int>(i);
     }
@@ -20,9 +22,10 @@ int hardest(const std::vector<Impact>& impacts) {
 
 }  // namespace
 
-std::optional<CloseUp> close_up(const Problem& problem, const Response& response, const Solver& solver, double budget) {
+std::optional<CloseUp> close_up(const Problem& problem, const Response& response, const Solver& solver, double budget,
+                                std::optional<Eigen::Index> gap) {
   CloseUp result;
-  result.impact = hardest(response.impacts);
+  result.impact = hardest(problem, response.impacts, gap);
   if (result.impact < 0) return std::nullopt;
   const Impact& impact = response.impacts[static_cast<std::size_t>(result.impact)];
   const double duration = impact.end - impact.start;

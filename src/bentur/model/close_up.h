@@ -17,10 +17,10 @@ struct CloseUp {
   std::vector<double> force;    ///< F of its contact point [force]
 };
 
-/// The hardest impact that has a duration and a force, by solving the problem once more up to its end with samples
-/// 1/200 of the impact apart. Nothing when there is no such impact, or when it is so short and so late that fewer than
-/// 40 samples of it would fit `budget` numbers in memory.
+/// The hardest impact, of a gap or of all, that has a duration and a force, by solving the problem once more up to its
+/// end with samples 1/200 of the impact apart. Nothing when there is no such impact, or when it is so short and so late
+/// that fewer than 40 samples of it would fit `budget` numbers in memory.
 [[nodiscard]] std::optional<CloseUp> close_up(const Problem& problem, const Response& response, const Solver& solver,
-                                              double budget = 2e7);
+                                              double budget = 2e7, std::optional<Eigen::Index> gap = {});
 
 }  // namespace bentur

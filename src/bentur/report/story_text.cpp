@@ -196,6 +196,15 @@ std::vector<SaidStatement> said(const std::vector<Statement>& statements, const 
   return all;
 }
 
+const char* verdict_tone(const std::vector<SaidStatement>& all) {
+  const auto some = [&](const auto& holds) { return std::any_of(all.begin(), all.end(), holds); };
+  if (!some([](const auto& one) { return is_grave(one.severity); })) return "clear";
+  const auto is_worse = [](const auto& one) {
+    return is_grave(one.severity) && !one.is_open && one.shown != Shown::row;
+  };
+  return some(is_worse) ? "pounds" : "open";
+}
+
 SaidTable said(const StoryTable& table, const Words& say) {
   SaidTable result{
       .heading = say("story.table." + table.kind, filled(table.values, say)), .columns = {}, .marked = table.marked};

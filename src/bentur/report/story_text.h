@@ -28,6 +28,10 @@ struct SaidStatement {
 /// The statements of a story, each in the words of a language. @throws InvalidParameter where the catalogue lacks one.
 [[nodiscard]] std::vector<SaidStatement> said(const std::vector<Statement>& statements, const Words& say);
 
+/// What the frame of a verdict says of all of it: "pounds" where something is too small or fails, "open" where that is
+/// not known alone, else "clear". What else is known, in rows of its table, has a badge where it counts.
+[[nodiscard]] const char* verdict_tone(const std::vector<SaidStatement>& all);
+
 /// A table with headings and cells in words.
 struct SaidTable {
   std::string heading;

@@ -49,6 +49,18 @@ TEST(KnownTable, RoundsEachNumberOnce) {
   EXPECT_EQ(all.front().rows.front()[1], "0.08825\u00A0m");
 }
 
+/// The frame of a verdict, in every door.
+TEST(VerdictTone, IsOfWhatIsJudged) {
+  const SaidStatement fine{.kind = "a", .severity = Severity::finding},
+      small{.kind = "b", .severity = Severity::warning};
+  const SaidStatement open{.kind = "c", .severity = Severity::warning, .is_open = true};
+  const SaidStatement row{.kind = "d", .severity = Severity::warning, .shown = Shown::row};
+  EXPECT_STREQ(verdict_tone({fine}), "clear");
+  EXPECT_STREQ(verdict_tone({fine, open}), "open");
+  EXPECT_STREQ(verdict_tone({open, row}), "open");
+  EXPECT_STREQ(verdict_tone({fine, open, small}), "pounds");
+}
+
 Statement silent(const std::vector<std::pair<std::string, std::string>>& rules, Eigen::Index gap = 0) {
   Statement one{.kind = "rules_silent", .gap = gap, .rank = 1};
   for (const auto& [rule, why] : rules) one.items.push_back({{"rule", rule}, {"why", why, {}, true}});

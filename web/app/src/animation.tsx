@@ -1,5 +1,6 @@
 import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion/motion.js";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { gap } from "./case";
 import type { Overview } from "./solver";
 import { time } from "./state";
 import { language, say } from "./texts";
@@ -41,6 +42,7 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
       made.start();
     }
   }, [read]);
+  useEffect(() => motion.current?.watch(gap.value), [read, gap.value]);
   useEffect(() => () => {
     motion.current?.pause();
     if (motion.current) followers.delete(motion.current);

@@ -2,7 +2,7 @@
 import type { Overview, Said } from "./solver";
 
 const grave = ["danger", "warning"];
-export const isGrave = (one: Said) => grave.includes(one.severity);
+const isGrave = (one: Said) => grave.includes(one.severity);
 export const toneOf = (one: Said) => one.open ? " open" : isGrave(one) ? " grave" : " fine";
 /** Where a statement stands among others, the gravest first: by severity, and of those alike what heads a verdict. */
 const gravity = (one: Said) => 2 * (isGrave(one) ? grave.indexOf(one.severity) : grave.length) + (one.shown === "sentence" ? 0 : 1);

@@ -12,7 +12,7 @@ import type { Overview } from "./solver";
 import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
 import { nameOf } from "./schema";
 import { isStill } from "./still";
-import { begin, complain, isOwn, load, pinned, rough, stale, standing, startAnew } from "./state";
+import { begin, complain, curveDone, isOwn, load, pinned, rough, stale, standing, startAnew } from "./state";
 import "./style.css";
 import { Tables } from "./tables";
 import { Take } from "./take";
@@ -92,7 +92,7 @@ function App() {
             <Errors goTo={(line, column) => goTo(area.current, line, column)} />
             <Verdict />
             {remarks.length > 0 && <details open><summary>{say("verdict.remark")}</summary><ul data-remarks>{remarks.map((one, i) => <li key={one.text}>{i > 0 ? " " : ""}{one.text}</li>)}</ul></details>}
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}</p>}
+            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{curveDone.value < 1 && ` ${say("curve.runs", { percent: Math.round(100 * curveDone.value) })}`}</p>}
           </div>
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>

@@ -42,6 +42,8 @@ declare module "*/report/html/motion/motion.js" {
     start(): void;
     pause(): void;
     isPlaying(): boolean;
+    /** The gap whose openings come first in the list. */
+    watch(gap: number): void;
     update(data: unknown): void;
   }
   export function benturMotion(parts: Record<string, unknown>, data: unknown): Motion;

@@ -2,7 +2,7 @@ import { Fragment } from "preact";
 import { useMemo, useState } from "preact/hooks";
 import { main } from "./animation";
 import { gap, progress, result, slow } from "./case";
-import { Badges, badgesOf, isGrave, toneOf } from "./heads";
+import { Badges, badgesOf, toneOf } from "./heads";
 import { nameOf } from "./schema";
 import { type GapOverview, type ImpactColumn, type Overview, type Result, type Said, schema } from "./solver";
 import { cancel, pinned, rough, stale } from "./state";
@@ -38,16 +38,16 @@ function Sentences({ all, gaps = [], under = [] }: { all: Said[]; gaps?: GapOver
   })}</>;
 }
 
-const mostInSight = 10; // gaps, as a report's table has the worst of them
+const mostInSight = 3; // gaps: of many that pound more would be a wall of the same badge
 
 /** What is to be said of the run, as every other door says it: the gravest first. What fails or collides is in sight; of a
- *  row, what is of one gap under its name and badge, those below the worst ten folded; what else was found is folded away,
+ *  row, what is of one gap under its name and badge, those below the worst three folded; what else was found is folded away,
  *  unless nothing else is to be told. */
 function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
   const told = overview.statements.filter((one) => one.severity !== "remark");
   const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
-  const pounds = told.some(isGrave), isOpen = pounds && !told.some((one) => one.shown !== "row" && toneOf(one) === " grave");
+  const pounds = overview.tone !== "clear";
   const isKnown = !overview.statements.find((one) => one.badge)?.open; // else what it needs is part of the answer
   const isFolded = (one: Said) => !one.badge && (one.shown !== "sentence" || (one.severity === "finding" && isKnown && pounds));
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
@@ -64,7 +64,7 @@ function Statements({ overview }: { overview: Overview }) {
     </details>;
   };
   return (
-    <div class={`verdict${isOpen ? " open" : pounds ? " pounds" : ""}`}>
+    <div class={`verdict ${overview.tone}`}>
       <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
       {inSight.map(one)}
       {others.length > 0 && <details data-others={others.length}>
@@ -87,7 +87,7 @@ export function Verdict() {
   const now = result.value;
   return (
     <div class="verdicts" role="status" aria-live="polite" aria-atomic="false">
-      {slow.value && <p class="busy">{say("solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
+      {slow.value && <p class="busy">{say(now && !stale.value ? "solving.figures" : "solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
       <Stale />
       {now && <Statements overview={now.overview} />}
     </div>

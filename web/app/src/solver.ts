@@ -46,6 +46,8 @@ export interface ImpactColumn { head: string; unit: string; cells: string[]; num
 /** Forces are in `forceUnit`, in which all people are told of the run; `units` are those of the case and of its files. */
 export interface Overview {
   title: string; version: string; duration: number; spectral: boolean; plan: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];
+  /** Of the verdict's frame, as in a report. */
+  tone: "pounds" | "open" | "clear";
   buildings: BuildingOverview[]; points: { gap: number; elevation: number; along?: string }[]; impacts: ImpactRow[];
   impactColumns: ImpactColumn[]; impactCount: number; force: number; amplification: number; statements: Said[];
   figures: FigureOverview[];

@@ -67,7 +67,8 @@ PageSection assumptions_section(const std::optional<ProjectSpec>& project, const
 PageSection checks_section(const Words& say, const HandIn& told) {
   if (told.checks.columns.empty()) return {"checks", say("heading.checks"), {}};
   return {"checks", say("heading.checks"),
-          table_of(said(told.checks, say), "class=\"checks\"") + element("p", say("check.note"), "class=\"note\"")};
+          table_of(said(told.checks, say), HtmlTable::OnTelephone::checks) +
+              element("p", say("check.note"), "class=\"note\"")};
 }
 
 PageSection unchecked_section(const Words& say, const HandIn& told) {

@@ -90,7 +90,7 @@ PageSection sensitivity_section(const std::optional<Sensitivity>& found, const C
       const std::string& of_value = units[words];
       if (!of_value.empty()) shown.columns.at(1).cells[row] += " " + of_value;
     }
-    content += fold("h3", shown.heading, table_of(shown, "", std::move(titles)));
+    content += fold("h3", shown.heading, table_of(shown, HtmlTable::OnTelephone::as_fits, std::move(titles)));
   }
   content += element("p", say("sensitivity.note"), "class=\"note\"");
   return {"sensitivity", say("heading.sensitivity"), content};

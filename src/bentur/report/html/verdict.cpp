@@ -69,7 +69,7 @@ Html paragraphs(const SaidStatement& statement, std::string& badge) {
   return block + element("p", lead + Html::text(statement.text.substr(statement.lead)), "class=\"lead\"");
 }
 
-Html table_of(const SaidTable& table, std::string_view attributes, std::vector<std::string> titles) {
+Html table_of(const SaidTable& table, HtmlTable::OnTelephone form, std::vector<std::string> titles) {
   HtmlTable shown;
   shown.explain(std::move(titles));
   for (const std::size_t row : table.marked) shown.mark(row);
@@ -78,14 +78,13 @@ Html table_of(const SaidTable& table, std::string_view attributes, std::vector<s
     std::vector<std::string> cells = column.cells;
     shown.add(column.label, column.unit, std::move(cells), table.are_numbers[i]);
   }
-  return shown.markup(attributes);
+  return shown.markup("", form);
 }
 
 PageSection verdict_section(const Verdict& verdict, const Words& say) {
   const std::vector<SaidStatement> all = said(verdict.story.statements, say);
   const std::vector<VerdictGap>& gaps = verdict.gaps;
   const bool are_many = gaps.size() > 1;
-  const bool grave = std::any_of(all.begin(), all.end(), [](const auto& one) { return is_grave(one.severity); });
   Html block;
   std::string badge;
   std::vector<Html> of_gaps(gaps.size());
@@ -109,7 +108,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   for (const StoryTable& table : verdict.story.tables) {
     if (!table.kind.starts_with("row")) continue;
     const SaidTable shown = said(table, say);
-    block += table_of(shown, "class=\"gaps\"");
+    block += table_of(shown, HtmlTable::OnTelephone::gaps);
     if (shown.note.empty()) continue;
     const Html link = element("a", say("gap.all_of_them"), "href=\"#gaps\"");
     block += element("p", Html::text(shown.note + " ") + link);
@@ -134,13 +133,9 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     }
   }
   block += each.folded(say, "appendix.gaps");
-  if (known) block += table_of(*known, "class=\"said\"");
-  // The colour is that of what is judged; what else is known, in rows of its table, has a badge where it counts.
-  const bool is_worse = std::any_of(all.begin(), all.end(), [](const auto& one) {
-    return is_grave(one.severity) && !one.is_open && one.shown != Shown::row;
-  });
+  if (known) block += table_of(*known, HtmlTable::OnTelephone::said);
   return {"verdict", say("heading.verdict"),
-          element("div", block, grave && !is_worse ? "class=\"verdict open\"" : verdict_class(grave))};
+          element("div", block, fmt::format("class=\"verdict {}\"", verdict_tone(all)))};
 }
 
 PageSection verdict_section(const Report& report) {

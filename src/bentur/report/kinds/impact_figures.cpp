@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/close_up.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 
@@ -32,13 +33,28 @@ double force_at_end(double end, double t0, double f0, double t1, double f1) {
   return force * f0 > 0 ? force : 0;
 }
 
-Course read_course(const RunResults& run) {
-  if (!run.figures.close_up) {
-    throw NoFigure(run.response.impacts.empty()
-                       ? "nothing was hit in this run"
-                       : "the file has no impact in close-up: \"bentur run --figures\" adds it");
+/// Of the gap that is asked for, else of the hardest impact of all: that of the run, or made anew where its case is
+/// known.
+CloseUp near_of(const RunResults& run, const FigureOptions& options) {
+  const auto is_asked = [&](const Impact& one) {
+    return !options.gap || run.problem.points[one.point].gap == static_cast<Eigen::Index>(*options.gap);
+  };
+  const std::vector<Impact>& impacts = run.response.impacts;
+  if (std::none_of(impacts.begin(), impacts.end(), is_asked)) {
+    throw NoFigure(impacts.empty() ? "nothing was hit in this run" : "nothing was hit across this gap");
   }
-  const CloseUp& near = *run.figures.close_up;
+  if (!run.figures.close_up) {
+    throw NoFigure("the file has no impact in close-up: \"bentur run --figures\" adds it");
+  }
+  if (is_asked(impacts.at(run.figures.close_up->impact))) return *run.figures.close_up;
+  if (run.c.buildings.empty()) throw NoFigure("the file has the hardest impact of the run alone in close-up");
+  constexpr double budget = 2e7;  // numbers in memory
+  const auto made = close_up(run.problem, run.response, run.c.analysis.solver, budget, *options.gap);
+  if (!made) throw NoFigure("the impacts across this gap are too short for a close-up");
+  return *made;
+}
+
+Course read_course(const RunResults& run, const CloseUp& near) {
   const Impact& impact = run.response.impacts.at(near.impact);
   Course course{.point = impact.point, .start = impact.start, .length = 1e3 * (impact.end - impact.start)};
   const std::vector<double> force = shown_values(run, near.force, "F");
@@ -67,6 +83,8 @@ Course read_course(const RunResults& run) {
   return course;
 }
 
+constexpr double seen_loss = 1e-3;
+
 /// The part of the work done while closing that parting does not give back [-].
 double loss_in(const Course& course) {
   double taken = 0;
@@ -85,13 +103,11 @@ std::string title(const RunResults& run, const Course& course, const FigureOptio
 
 }  // namespace
 
-bool is_lossless(const RunResults& run) {
-  constexpr double seen = 1e-3;
-  return loss_in(read_course(run)) < seen;
-}
+bool is_lossless(const RunResults& run) { return loss_in(read_course(run, *run.figures.close_up)) < seen_loss; }
 
 Figure impact_figure(const RunResults& run, const FigureOptions& options) {
-  const Course course = read_course(run);
+  const CloseUp near = near_of(run, options);
+  const Course course = read_course(run, near);
   constexpr double around = 0.08;  // of the impact, before it and after it
   const auto panel = [&](const std::string& label, const std::vector<double>& values) {
     Panel one{.x = {.from = -around * course.length, .to = (1 + around) * course.length},
@@ -107,7 +123,7 @@ Figure impact_figure(const RunResults& run, const FigureOptions& options) {
   depth.title = point_text(run, course.point, options);
   Panel force = panel(with_unit(word(options, "Contact force F"), shown_unit(run, "F")), course.force);
   force.x.label = word(options, "Time since the contact began at {} s [ms]", fmt::format("{:.4f}", course.start));
-  const Impact& impact = run.response.impacts.at(run.figures.close_up->impact);
+  const Impact& impact = run.response.impacts.at(near.impact);
   return {.title = title(run, course, options),
           .finding = word(options, "lasts {}, force up to {}, penetration up to {}", number(course.length) + " ms",
                           shown_value(run, impact.peak_force, "F"), shown_value(run, impact.peak_penetration, "L")),
@@ -116,7 +132,8 @@ Figure impact_figure(const RunResults& run, const FigureOptions& options) {
 }
 
 Figure loop_figure(const RunResults& run, const FigureOptions& options) {
-  const Course course = read_course(run);
+  const CloseUp near = near_of(run, options);
+  const Course course = read_course(run, near);
   const auto end = course.shortening.begin() + static_cast<std::ptrdiff_t>(course.end);
   const auto deepest =
       static_cast<std::size_t>(std::max_element(course.shortening.begin(), end) - course.shortening.begin());
@@ -127,7 +144,7 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
     curve.complete = true;
     return curve;
   };
-  const Impact& impact = run.response.impacts.at(run.figures.close_up->impact);
+  const Impact& impact = run.response.impacts.at(near.impact);
   const std::optional<double> restitution = impact.restitution();
   const std::string lost = word(options, "{} % of the work lost", number(std::round(1e3 * loss_in(course)) / 10));
   std::string found = lost;  // the speeds are not of the contact alone, which the picture shows
@@ -141,7 +158,7 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   Curve parting =
       part(deepest, course.end,
            {.label = word(options, "parting") + ": " + lost, .tone = Tone::grey, .line = Line::dashed, .width = 1.3});
-  if (is_lossless(run)) {  // one lies on the other
+  if (loss_in(course) < seen_loss) {  // one lies on the other
     closing.label = word(options, "closing and parting alike") + ": " + lost;
     parting.in_legend = false;
   }

@@ -159,5 +159,31 @@ TEST(Overview, StandsBesideOnAPageAndBelowOneAnotherInAColumn) {
   }
 }
 
+/// The close-up of an impact is of the gap that is asked for, also where another one is hit harder.
+TEST(Impact, IsOfTheGapThatIsAskedFor) {
+  RunResults run = example_run("row-of-three");
+  run.figures = figure_data(run);
+  for (const std::size_t gap : {0, 1}) {
+    const Impact* hardest = nullptr;
+    for (const Impact& one : run.response.impacts) {
+      if (run.problem.points[one.point].gap != static_cast<Eigen::Index>(gap)) continue;
+      if (hardest == nullptr || one.peak_force > hardest->peak_force) hardest = &one;
+    }
+    ASSERT_NE(hardest, nullptr);
+    FigureOptions options;
+    options.gap = gap;
+    const Figure figure = make_figure(run, "impact", options);
+    const std::vector<double>& force = figure.panels.back().curves.front().y;
+    EXPECT_NEAR(*std::max_element(force.begin(), force.end()), hardest->peak_force, 0.01 * hardest->peak_force) << gap;
+    EXPECT_NE(figure.panels.front().title.find(gap_name(run.problem, static_cast<Eigen::Index>(gap))),
+              std::string::npos);
+  }
+  RunResults read = run;  // results whose case is not at hand have one impact in close-up
+  read.c.buildings.clear();
+  FigureOptions other;
+  other.gap = run.problem.points[run.response.impacts.at(run.figures.close_up->impact).point].gap == 0 ? 1 : 0;
+  EXPECT_THROW((void)make_figure(read, "impact", other), NoFigure);
+}
+
 }  // namespace
 }  // namespace bentur

@@ -1,5 +1,7 @@
 #include "bentur/report/html/internal/markup.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -167,19 +169,21 @@ bool HtmlTable::is_broad() const {
   return columns_.size() > 2 && all > most;
 }
 
-Html HtmlTable::markup(std::string_view attributes) const {
-  // Some have a form of their own there.
-  const bool has_form =
-      attributes.find("gaps") != std::string_view::npos || attributes.find("checks") != std::string_view::npos;
-  if (has_form) return written(attributes, Heads::in_cells, rows());
-  if (attributes.find("said") != std::string_view::npos || !is_broad())
-    return written(attributes, Heads::above, rows());
-  const std::string_view of_class = "class=\"";
-  std::string all(attributes);
-  const std::size_t at = all.find(of_class);
-  at == std::string::npos ? all.append(all.empty() ? "" : " ").append("class=\"cards\"")
-                          : all.insert(at + of_class.size(), "cards ");
-  return written(all, Heads::in_cells, rows());
+Html HtmlTable::markup(std::string_view attributes, OnTelephone form) const {
+  const auto of_class = [&](const char* name, Heads heads) {
+    return written(fmt::format("{}{}class=\"{}\"", attributes, attributes.empty() ? "" : " ", name), heads, rows());
+  };
+  switch (form) {
+    case OnTelephone::gaps:
+      return of_class("gaps", Heads::in_cells);
+    case OnTelephone::checks:
+      return of_class("checks", Heads::in_cells);
+    case OnTelephone::said:
+      return of_class("said", Heads::above);
+    case OnTelephone::as_fits:
+      break;
+  }
+  return is_broad() ? of_class("cards", Heads::in_cells) : written(attributes, Heads::above, rows());
 }
 
 Html HtmlTable::printed(std::size_t most) const {

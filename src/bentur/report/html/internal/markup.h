@@ -75,9 +75,11 @@ class HtmlTable {
   [[nodiscard]] std::vector<std::string> names_from(std::size_t first) const;
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
   [[nodiscard]] std::size_t rows() const { return columns_.empty() ? 0 : columns_.front().cells.size(); }
-  /// In a box of its own; nothing of none. What is broader than a telephone is cards there: one for each row, in which
-  /// each cell has its heading.
-  [[nodiscard]] Html markup(std::string_view attributes = "") const;
+  /// What it is on a telephone: a table, or where that is broader than the telephone cards, one for each row, in which
+  /// each cell has its heading; or one of the forms of report.css with these names.
+  enum class OnTelephone { as_fits, gaps, checks, said };
+  /// In a box of its own; nothing of none.
+  [[nodiscard]] Html markup(std::string_view attributes = "", OnTelephone form = OnTelephone::as_fits) const;
   /// The same for paper alone, numbers of joined tables with equally many decimals. @param most rows
   [[nodiscard]] Html printed(std::size_t most) const;
 

@@ -53,12 +53,26 @@ TEST(Markup, BroadTablesAreCardsOnATelephone) {
   EXPECT_EQ(table.markup().str().find("data-head"), std::string::npos);
   EXPECT_NE(table.markup().str().find("<table>"), std::string::npos);
   table.add("Why", "", {"a text that is longer than a telephone", "no"}, false);
-  const std::string cards = table.markup("id=\"t\" class=\"modes\"").str();
-  EXPECT_NE(cards.find("<table id=\"t\" class=\"cards modes\">"), std::string::npos) << cards;
+  const std::string cards = table.markup("id=\"t\"").str();
+  EXPECT_NE(cards.find("<table id=\"t\" class=\"cards\">"), std::string::npos) << cards;
   EXPECT_NE(cards.find("<td data-head=\"Peak force [kN]\">5.00</td>"), std::string::npos) << cards;
   EXPECT_NE(cards.find("<td class=\"t\" data-head=\"Where\">a</td>"), std::string::npos) << cards;
   EXPECT_NE(cards.find("<td class=\"t long\" data-head=\"Why\">no</td>"), std::string::npos) << cards;
   EXPECT_EQ(table.printed(2).str().find("data-head"), std::string::npos) << "paper has room";
+}
+
+/// Others have a form that is theirs by what they are, however broad they are.
+TEST(Markup, SomeTablesHaveAFormOfTheirOwnOnATelephone) {
+  HtmlTable table;
+  table.add("Gap", "", {"A | B"}, false);
+  table.add("Width", "m", std::vector<double>{0.1});
+  using Form = HtmlTable::OnTelephone;
+  for (const auto& [form, name, in_cells] :
+       {std::tuple(Form::gaps, "gaps", true), {Form::checks, "checks", true}, {Form::said, "said", false}}) {
+    const std::string markup = table.markup("", form).str();
+    EXPECT_NE(markup.find("<table class=\"" + std::string(name) + "\">"), std::string::npos) << markup;
+    EXPECT_EQ(markup.find("data-head") != std::string::npos, in_cells) << name;
+  }
 }
 
 /// Joined, numbers of one column have equally many decimals, so that two digits of the smallest are seen.

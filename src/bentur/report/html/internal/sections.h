@@ -139,7 +139,7 @@ void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const Ht
 [[nodiscard]] Html csv_script(const std::string& csv);
 
 /// A table in words. @param titles of the cells of its first column, for a pointer
-[[nodiscard]] Html table_of(const SaidTable& table, std::string_view attributes = "",
+[[nodiscard]] Html table_of(const SaidTable& table, HtmlTable::OnTelephone form = HtmlTable::OnTelephone::as_fits,
                             std::vector<std::string> titles = {});
 /// Tables of gaps, each gap under its name and each table under its heading. @param gaps names of all
 [[nodiscard]] Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables,

@@ -8,7 +8,7 @@
  *   timeAxis (the times below the time line) and buildingKey (what numbers stand for, where there are some in place of names); `steady`:
  *   the stage keeps its height; `shown`, where there is one, is told of every time that is shown [s], as show() is.
  * @param data what animation_json() or plan_animation_json() gives
- * @returns {impacts, html(name, text, parent), number, update(data), show(time, since, fading), showImpact(impact), start(), pause(), isPlaying()}
+ * @returns {impacts, html(name, text, parent), number, update(data), show(time, since, fading), showImpact(impact), start(), pause(), isPlaying(), watch(gap)}
  */
 function benturMotion(parts, data) {
   "use strict";
@@ -218,7 +218,7 @@ function benturMotion(parts, data) {
   // ---------------------------------------------------------------- showing an instant
 
   const { scrub, clock, event: event_, live } = parts;
-  let now = 0;
+  let now = 0, watched; // watched: a gap
 
   /** Shows time t; contacts that were under way since `since` flash, and what is left of flashes before fades to this part. */
   function show(t, since, fading = 1) {
@@ -311,10 +311,10 @@ function benturMotion(parts, data) {
     }
   }
 
-  /** Of many pairs those come first that touch. */
+  /** Of many pairs those of the gap that is watched come first, then those that touch. */
   function orderLive(touching) {
-    const touches = ({ points }) => points.some((point) => touching.has(point));
-    [...drawn.lines.filter(touches), ...drawn.lines.filter((line) => !touches(line))].forEach(({ row }, i) => {
+    const rank = ({ points }) => (points.some((i) => (data.points[i].gap ?? data.points[i].left) === watched) ? 0 : points.some((i) => touching.has(i)) ? 1 : 2);
+    [...drawn.lines].sort((a, b) => rank(a) - rank(b)).forEach(({ row }, i) => {
       if (live.rows[i] !== row) live.insertBefore(row, live.rows[i]);
     });
   }
@@ -331,8 +331,7 @@ function benturMotion(parts, data) {
 
   const { play, speed, slow, magnify, magnified, previous, next, hardest } = parts;
   const SLOW = 1 / 100;
-  let playing = false;
-  let started = false;
+  let playing = false, started = false;
   let until = Infinity; // end of a single impact that is being shown
   let rate = null; // its speed
   let wall = 0;
@@ -487,6 +486,7 @@ function benturMotion(parts, data) {
     start,
     pause,
     isPlaying: () => playing,
+    watch(gap) { watched = gap; show(now); },
     /** Another response; the time that is shown stays, and what plays goes on. */
     update(other) {
       data = other;
