@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -40,6 +41,25 @@ TEST(Catalogue, EveryKeyHasATextInEveryLanguageThatTakesTheSameValues) {
       EXPECT_EQ(names(texts.at(language)), names(texts.begin()->second)) << key;
     }
   }
+}
+
+/// What is read in a report, which may be handed in, is no talk of a terminal: of options, commands, or in quotes of
+/// code.
+TEST(Catalogue, ReportsDoNotTalkOfTheCommandLine) {
+  const std::regex talk("--[a-z]|`|bentur (run|gap|report|plot|modes|ida|sweep)");
+  std::size_t looked_at = 0;
+  for (const char* const part : {"story.", "remark", "impacts.", "gap.", "peaks.", "plan.", "figure.", "check.",
+                                 "sensitivity.", "appendix.", "input.", "screening.", "damage.", "columns."}) {
+    for (const std::string& key : text_keys(part)) {
+      const bool is_of_terminal = key.starts_with("story.least_gap") || key.starts_with("story.risk");
+      if (is_of_terminal) continue;
+      for (const auto& [language, text] : *catalogue_entry(key)) {
+        EXPECT_FALSE(std::regex_search(text, talk)) << key << ": " << text;
+        ++looked_at;
+      }
+    }
+  }
+  EXPECT_GT(looked_at, 1000U);
 }
 
 /// A table holds the text of one key in each language, tables of longer keys, or both.
