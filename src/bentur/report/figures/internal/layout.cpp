@@ -338,12 +338,14 @@ class Arrangement {
     double frame = 0;
     double numbers = 0.1, below = 0;  // room of the numbers and of the label of the x axis
     std::size_t titles = 0;
+    std::vector<double> legends;  // heights, of the panels of the row
     for (const std::size_t i : begun) {
       PlacedPanel& placed = result_.panels[i];
       const Panel& panel = *placed.panel;
       if (!figure_.shared_legend) {
         add_entries(placed, placed.legend);
-        legend = std::max(legend, arrange(placed.legend, placed.cell_right - placed.left - 0.1));
+        legends.push_back(arrange(placed.legend, placed.cell_right - placed.left - 0.1));
+        legend = std::max(legend, legends.back());
       } else if (i == 0) {
         for (const PlacedPanel& each : result_.panels) add_entries(each, placed.legend);
         std::stable_partition(placed.legend.begin(), placed.legend.end(), [](const auto& one) { return !one.event; });
@@ -364,10 +366,17 @@ class Arrangement {
     }
     const double title = static_cast<double>(titles) * line_height;
     const double above = figure_.shared_legend && row == 0 ? legend : 0;  // all titles
-    for (const std::size_t i : begun) {
+    // Beside one that goes on below it what a panel has above its frame stands at the frame.
+    const bool at_frames = !figure_.shared_legend && std::any_of(begun.begin(), begun.end(), [&](std::size_t i) {
+      return result_.panels[i].panel->rows > 1;
+    });
+    for (std::size_t k = 0; k < begun.size(); ++k) {
+      const std::size_t i = begun[k];
       PlacedPanel& placed = result_.panels[i];
-      placed.title_y = -(depth_ + above + line_height / 2);
-      shift(placed.legend, placed.left, -(depth_ + (above > 0 ? 0 : title)));
+      const double lower = at_frames ? legend - legends[k] : 0;
+      const double of_title = line_height * static_cast<double>(placed.title.size());
+      placed.title_y = -(depth_ + above + line_height / 2 + (at_frames ? lower + title - of_title : 0));
+      shift(placed.legend, placed.left, -(depth_ + lower + (above > 0 ? 0 : title)));
       placed.top = -(depth_ + title + legend + 0.1);
       placed.bottom = placed.top - frame;
       placed.x_label_y = placed.bottom - numbers - 0.03 - line_height / 2;
