@@ -185,7 +185,7 @@ Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, con
   for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
     options.width = width;
     Figure figure = make(options);
-    bound_height(figure, width == page_width ? 8.6 : page_height);  // below a verdict there is a third of a page
+    bound_height(figure, width == page_width ? 8.2 : page_height);  // below a verdict there is a third of a page
     part = figure.part;
     drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
   }

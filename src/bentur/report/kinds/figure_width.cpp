@@ -34,13 +34,14 @@ Figure stacked(Figure figure, double width) {
 
 void bound_height(Figure& figure, double most) {
   constexpr double least = 1.7;  // of a frame [cm]
+  const auto is_as_it_is = [](const Panel& one) { return one.to_scale || !one.y.names.empty(); };  // names need room
   for (int tries = 0; tries < 4; ++tries) {
     const double excess = layout(figure).height - most;
     double frames = 0;  // of all rows
-    for (const Panel& panel : figure.panels) frames += panel.to_scale ? 0 : panel.height / figure.columns;
+    for (const Panel& panel : figure.panels) frames += is_as_it_is(panel) ? 0 : panel.height / figure.columns;
     if (!(excess > 0) || !(frames > 0)) return;
     for (Panel& panel : figure.panels) {
-      if (panel.to_scale || panel.height <= least) continue;
+      if (is_as_it_is(panel) || panel.height <= least) continue;
       panel.height = std::max(least, panel.height * std::max(0.3, 1 - excess / frames));
     }
   }

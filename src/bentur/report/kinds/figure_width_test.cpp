@@ -40,5 +40,17 @@ TEST(FigureWidth, IsWhatIsAskedForOfARow) { expect_widths(test::drawn_run(test::
 
 TEST(FigureWidth, IsWhatIsAskedForOfAPlan) { expect_widths(test::plan_run(test::twisting_pair()), 2); }
 
+/// What is made lower is what can be: frames whose names stand beside them keep their height, and so the names.
+TEST(FigureWidth, FramesWithNamesAreNoLower) {
+  Panel named{.y = {.names = {"a", "b", "c", "d", "e"}}, .height = 2, .curves = {{.x = {0, 1}, .y = {0, 4}}}};
+  Panel other{.height = 5, .curves = {{.x = {0, 1}, .y = {0, 1}}}};
+  Figure figure{.panels = {other, named}};
+  const double before = layout(figure).height;
+  bound_height(figure, before - 2);
+  EXPECT_NEAR(layout(figure).height, before - 2, 0.05);
+  EXPECT_EQ(figure.panels.back().height, 2);
+  EXPECT_EQ(layout(figure).panels.back().y.labels.front().second, "a");
+}
+
 }  // namespace
 }  // namespace bentur
