@@ -125,7 +125,8 @@ class Scripts(unittest.TestCase):
     def legend(self, sheet, figure):
         """Of each entry a text and what stands before it; no text lies on another."""
         entries = [entry for panel in figure["panels"] for entry in panel["legend"]]
-        self.assertEqual([text.get_text() for text in sheet.texts], [entry["label"] for entry in entries])
+        part = [figure["part"]] if figure["part"] else []  # what of many it shows, below all
+        self.assertEqual([text.get_text() for text in sheet.texts], [entry["label"] for entry in entries] + part)
         renderer = sheet.canvas.get_renderer()
         titles = [ax.title for ax in sheet.axes if ax.title.get_text()]
         boxes = [text.get_window_extent(renderer) for text in [*sheet.texts, *titles]]

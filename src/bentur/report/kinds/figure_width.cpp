@@ -34,7 +34,8 @@ Figure stacked(Figure figure, double width) {
 
 void bound_height(Figure& figure, double most) {
   constexpr double least = 1.7;  // of a frame [cm]
-  const auto is_as_it_is = [](const Panel& one) { return one.to_scale || !one.y.names.empty(); };  // names need room
+  // What is to scale is no lower, and neither are frames beside which names stand.
+  const auto is_as_it_is = [](const Panel& one) { return one.to_scale || !one.y.names.empty(); };
   for (int tries = 0; tries < 4; ++tries) {
     const double excess = layout(figure).height - most;
     double frames = 0;  // of all rows
