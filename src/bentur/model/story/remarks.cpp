@@ -217,12 +217,21 @@ void check_before(const Case& c, const AnyProblem& problem, List& list) {
   list.check("output_step", "", c.analysis.output_step, shortest / 4, shortest / 20);  // fewer samples draw no curve
 }
 
+/// The largest ductility of storeys from `first` on: of none that yields 0.
+double largest_ductility(const Eigen::VectorXd& of_storeys, Index first) {
+  double largest = 0;
+  for (Index j = first; j < of_storeys.size(); ++j) {
+    if (of_storeys(j) > largest) largest = of_storeys(j);  // NaN: that storey cannot yield
+  }
+  return largest;
+}
+
 template <class AnyProblem, class AnyResponse>
 void check_response(const AnyProblem& problem, const AnyResponse& response, std::size_t b, List& list) {
   const auto& building = problem.buildings[b];
   if (!(building.first_omega() > 0)) return;  // it moves with the ground, or freely
   bool yields = false;
-  double drift = 0, drift_alone = 0, shear = 0, shear_alone = 0;
+  double drift = 0, drift_alone = 0, shear = 0, shear_alone = 0, ductility = 0;
   std::ptrdiff_t broken = 0;
   for (const story::Storeys& all : story::storeys_of(problem, response, static_cast<Index>(b))) {
     drift = std::max(drift, largest_drift(all.drift).ratio);
@@ -230,11 +239,19 @@ void check_response(const AnyProblem& problem, const AnyResponse& response, std:
     shear = std::max(shear, all.base_shear);
     shear_alone = std::max(shear_alone, all.base_shear_alone);
     yields = yields || all.yielding->ductility.size() > 0 || !all.frame->hinges.empty();
+    for (const BuildingPeaks::Yielding* const run : {all.yielding, all.yielding_alone}) {
+      ductility = std::max(ductility, largest_ductility(run->ductility, building.model.first_storey()));
+    }
     broken += std::count_if(all.frame->columns.begin(), all.frame->columns.end(),
                             [](const BuildingPeaks::Breaking& column) { return column.break_time.has_value(); });
   }
   list.check("broken_columns", building.name, static_cast<double>(broken));
-  if (yields) return;  // both say what the linear elastic model overlooks
+  if (yields) {
+    list.check("ductility", building.name, ductility);
+    list.check("drift_yielding", building.name, std::max(drift, drift_alone) / 0.01);
+    return;
+  }
+  // Both say what the linear elastic model overlooks.
   const auto larger = [&](const char* key, double with, const char* key_alone, double alone, double unit) {
     constexpr double round_off = 1e-9;  // where nothing touches it both are one
     list.check(alone > (1 + round_off) * with ? key_alone : key, building.name, std::max(with, alone) / unit);

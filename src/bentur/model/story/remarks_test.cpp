@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -355,6 +356,44 @@ TEST(Remarks, SayOfWhichRunTheyAre) {
   EXPECT_EQ(list(remarks(c, problem, &response)), (Names{"base_shear A", "base_shear B", "drift A", "drift B"}));
 }
 
+// Of a building that yields, of either run; nothing of its base shear, which it bounds by itself.
+TEST(Remarks, OfYieldingBeyondWhatBuildingsBear) {
+  const Case c = ordinary();
+  const Problem problem = make_problem(c);
+  Response response;
+  response.buildings.resize(2);
+  response.points.resize(3);
+  const double not_known = std::numeric_limits<double>::quiet_NaN();
+  for (BuildingPeaks& peaks : response.buildings) {
+    peaks.drift_ratio = peaks.drift_ratio_no_contact = Eigen::Vector3d(0.0249, 0.01, 0.01);
+    peaks.yielding.ductility = peaks.yielding_no_contact.ductility = Eigen::Vector3d(7.9, not_known, 2);
+    peaks.storey_shear = Eigen::Vector3d(1e9, 0, 0);
+  }
+  EXPECT_EQ(list(remarks(c, problem, &response)), Names{});
+  response.buildings[0].yielding_no_contact.ductility(2) = 8.1;
+  response.buildings[1].drift_ratio(1) = 0.0251;
+  const std::vector<Remark> found = remarks(c, problem, &response);
+  EXPECT_EQ(list(found), (Names{"drift_yielding B", "ductility A"}));
+  EXPECT_NEAR(found[0].value, 8.1, 1e-12);
+  EXPECT_NEAR(found[1].value, 2.51, 1e-12);
+}
+
+// Of an isolated building its bearings, which are made for it, are left out.
+TEST(Remarks, LeaveTheDuctilityOfBearingsOut) {
+  Case c = ordinary();
+  c.gaps[0].contact.axial = false;
+  c.gaps[0].contact.numbers = {{"stiffness", {1e6}}};
+  c.buildings[0].isolation = IsolationSpec{.mass = 30, .numbers = {{"stiffness", 1500}}};
+  const Problem problem = make_problem(c);
+  Response response;
+  response.buildings.resize(2);
+  response.points.resize(3);
+  response.buildings[0].yielding.ductility = Eigen::Vector4d(40, 2, 2, 2);
+  EXPECT_EQ(list(remarks(c, problem, &response)), Names{});
+  response.buildings[0].yielding.ductility(1) = 40;
+  EXPECT_EQ(list(remarks(c, problem, &response)), Names{"ductility A"});
+}
+
 // Alike: one number. A few: one for each that is named. Many: the least and the largest of all.
 TEST(Remarks, HaveTheNumbersOfAllThatTheyName) {
   const auto value_of = [](const std::vector<double>& values) {
@@ -375,6 +414,20 @@ TEST(Remarks, HaveTheNumbersOfAllThatTheyName) {
   EXPECT_EQ(value_of({1.5, 1.5, 1.5}), "1.5");
   EXPECT_EQ(value_of({1.5, 2, 1.5, 2}), "1.5, 2, 1.5, 2\u00A0%");
   EXPECT_EQ(value_of({1.5, 2, 1.25, 2, 3, 1.5}), "1.25–3\u00A0%");
+}
+
+// Of many runs that counts which has the number farthest from the usual, of however many buildings and either way.
+TEST(Remarks, OfManyRunsAreOfTheFarthest) {
+  const auto run = [](const std::string& name, const std::vector<double>& moduli) {
+    std::vector<Remark> all;
+    for (const double value : moduli) all.push_back({"elastic_modulus", "A", value, "", 1e10, 2e11, value < 1e9});
+    return SaidOfRun{name, remark_statements(all)};
+  };
+  const std::vector<Statement> told = union_of({run("a", {4e11}), run("b", {8e8}), run("c", {3e11, 6e11})});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told.front().many->worst, "b");
+  EXPECT_EQ(told.front().severity, Severity::danger);
+  EXPECT_EQ(union_of({run("a", {4e11}), run("c", {3e11, 6e11})}).front().many->worst, "c");
 }
 
 // By hand: floors 30 + beams 0.375 · 10 + three columns 0.4 over half the storeys that meet there.

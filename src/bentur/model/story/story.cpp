@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/story/internal/remark_list.h"
 #include "bentur/model/story/internal/story_parts.h"
 
 namespace bentur {
@@ -58,6 +59,7 @@ std::vector<Statement> remark_statements(const std::vector<Remark>& remarks) {
       }
       told[k] = 1;
       values.push_back(other.value);
+      statement.beyond = std::max(statement.beyond, remarking::beyond_usual(other));
       if (values.size() > most_named) continue;
       statement.subject += (statement.subject.empty() ? "" : ", ") + other.subject;
     }

@@ -57,6 +57,7 @@ struct Statement {
   std::vector<StoryValue> values = {};
   std::vector<std::vector<StoryValue>> items = {};  ///< a list, each by the text ".item"; joined they fill {items}
   std::string subject = {};  ///< of a remark whose number it is, of a study what varies; shown before it
+  double beyond = 0;         ///< of a remark beyond_usual() of the farthest of its numbers [-]; else 0
   /// Of many runs: how many of them say so, and which one says the worst, whose statement this is.
   struct OfMany {
     long count = 0, runs = 0;

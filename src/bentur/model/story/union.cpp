@@ -70,6 +70,7 @@ constexpr std::string_view of_single_runs[] = {"row_all",
 
 /// How bad a statement is among those of its kind.
 double badness(const Statement& statement) {
+  if (statement.beyond > 0) return statement.beyond;
   const auto measure = std::find_if(std::begin(measures), std::end(measures),
                                     [&](const Measure& one) { return one.kind == statement.kind; });
   const bool is_measured = measure != std::end(measures);

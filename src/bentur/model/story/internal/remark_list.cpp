@@ -56,6 +56,8 @@ constexpr RemarkKind kinds[] = {
     {"merged_corners", "", none, 0},
     {"drift_alone", "%", none, 1},
     {"base_shear_alone", "", none, 0.4},
+    {"ductility", "", none, 8},          // about the largest that codes reduce forces by
+    {"drift_yielding", "%", none, 2.5},  // about the largest that they let a building have
 };
 
 std::size_t number_of(std::string_view key) {
@@ -70,16 +72,15 @@ std::optional<double> two_digits(double x) {
   return std::round(x / unit) * unit;
 }
 
-/// How many times beyond the usual; where nothing at all is usual, by its size.
-double distance(const Remark& remark) {
+}  // namespace
+
+const RemarkKind& remark_kind(std::string_view key) { return kinds[number_of(key)]; }
+
+double beyond_usual(const Remark& remark) {
   const double over = !remark.usual_to ? 0 : *remark.usual_to > 0 ? remark.value / *remark.usual_to : remark.value;
   const double under = remark.usual_from && remark.value > 0 ? *remark.usual_from / remark.value : 0;
   return std::max(over, under);
 }
-
-}  // namespace
-
-const RemarkKind& remark_kind(std::string_view key) { return kinds[number_of(key)]; }
 
 void List::check(std::string_view key, const std::string& subject, double value) {
   const RemarkKind& kind = remark_kind(key);
@@ -103,7 +104,7 @@ void List::add(std::string_view key, const std::string& subject, double value, s
                 usual_from,       usual_to, is_doubt};
   if (same == all_.end()) {
     all_.push_back(std::move(remark));
-  } else if (distance(remark) > distance(*same)) {
+  } else if (beyond_usual(remark) > beyond_usual(*same)) {
     *same = std::move(remark);
   }
 }

@@ -23,6 +23,8 @@ struct RemarkKind {
   double doubted = 0;                          ///< so many times beyond the usual it is in doubt; 0: it never is
 };
 [[nodiscard]] const RemarkKind& remark_kind(std::string_view key);
+/// How many times its number is beyond the usual, either way [-]; where nothing at all is usual, its number.
+[[nodiscard]] double beyond_usual(const Remark& remark);
 
 /// Remarks with their usual ranges in the units of a case. Values are in those, too.
 class List {
