@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 std::optional<MemberForces> forces_at(const Case& c, const PlanProblem& problem, const PlanFramePlace& place) {
   const Plan* const plan = std::get_if<Plan>(&c.buildings.at(place.building).structure);
   if (plan == nullptr || place.plane >= std::ssize(plan->planes) || !plan->planes[place.plane].frame) return {};
-  PlaneFrame frame = without_masses(*plan->planes[place.plane].frame);
+  PlaneFrame frame = as_plane(*plan->planes[place.plane].frame);
   frame.elastic_modulus *= plan->stiffness_factor.value_or(1);
   const Hinges& hinges = problem.buildings[place.building].model.planes.at(place.plane).hinges;
   if (!hinges.columns.empty() || !MemberForces::knows(frame, hinges.places)) return {};

@@ -144,10 +144,14 @@ Eigen::RowVectorXd over_dofs(const Spring& spring, Index storey, Index dofs) {
   return row;
 }
 
-/// How its floors sway along its line, floors × dofs: the drifts of all storeys below.
-MatrixXd sways_of(const PlanModel::Plane& plane) {
-  MatrixXd sways = plane.drifts;
-  for (Index j = 1; j < sways.rows(); ++j) sways.row(j) += sways.row(j - 1);
+/// How its floors sway along its line, and after them its nodes, whose degrees of freedom begin at `node`, sways ×
+/// dofs: of floors the drifts of all storeys below.
+MatrixXd sways_of(const PlanModel::Plane& plane, Index node) {
+  const Index floors = plane.drifts.rows(), nodes = std::ssize(plane.node_storeys);
+  MatrixXd sways = MatrixXd::Zero(floors + nodes, plane.drifts.cols());
+  sways.topRows(floors) = plane.drifts;
+  for (Index j = 1; j < floors; ++j) sways.row(j) += sways.row(j - 1);
+  sways.block(floors, node, nodes, nodes).setIdentity();
   return sways;
 }
 
@@ -167,20 +171,23 @@ PlanModel::Plane over_dofs(const std::string& name, const std::vector<Spring>& s
   return made;
 }
 
-/// Makes its shears those of what holds all floors at once, by their sways along it.
-void hold_at_once(const MatrixXd& stiffness, PlanModel::Plane& made) {
-  made.shears = stiffness * sways_of(made);  // forces of the floors
-  for (Index j = stiffness.rows() - 1; j-- > 0;) made.shears.row(j) += made.shears.row(j + 1);
+/// Makes its shears those of what holds all floors at once, by the sways along it.
+void hold_at_once(const MatrixXd& stiffness, const MatrixXd& sways, PlanModel::Plane& made) {
+  made.shears = sums_above(stiffness * sways, made.node_storeys);
 }
 
-PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, Index dofs) {
+/// @param node where the degrees of freedom of its nodes begin
+PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, Index node, Index dofs) {
   std::vector<Spring> springs;
   for (Index j = 0; j < std::ssize(plan.storey_heights); ++j) springs.push_back(plane_spring(plan, plane, j));
   PlanModel::Plane made = over_dofs(plane.name, springs, dofs);
   if (plane.is_frame()) {
-    hold_at_once(plane.sway_stiffness, made);
+    made.node_storeys = plane.nodes.storeys;
+    const MatrixXd sways = sways_of(made, node);
+    hold_at_once(plane.sway_stiffness, sways, made);
+    if (plane.nodes.count() > 0) made.column_forces = plane.nodes.column_forces * sways;
     made.hinges = plane.hinges;
-    if (made.hinges.size() > 0) made.hinges.rows = plane.hinges.rows * sways_of(made);
+    if (made.hinges.size() > 0) made.hinges.rows = plane.hinges.rows * sways;
     made.infills = plane.infills;
     made.bays = plane.bays;
     return made;
@@ -192,9 +199,10 @@ PlanModel::Plane plane_over_dofs(const Plan& plan, const PlanPlane& plane, Index
   return made;
 }
 
-/// Adds what holds all floors at once to the stiffness of a model and to what its storeys bear (P-23).
-void add_at_once(const PlanModel::Plane& made, const MatrixXd& stiffness, PlanModel& model) {
-  const MatrixXd sways = sways_of(made), part = sways.transpose() * stiffness * sways;
+/// Adds what holds all floors at once to the stiffness of a model and to what its storeys bear (P-23). @param node
+/// where the degrees of freedom of its nodes begin
+void add_at_once(const PlanModel::Plane& made, const MatrixXd& stiffness, Index node, PlanModel& model) {
+  const MatrixXd sways = sways_of(made, node), part = sways.transpose() * stiffness * sways;
   model.stiffness += 0.5 * (part + part.transpose());
   for (Index j = 0; j < model.floors(); ++j) {
     model.storey_forces.middleRows<3>(3 * j) += made.pushes.col(j) * made.shears.row(j);
@@ -208,8 +216,8 @@ void add_cantilever(const Plan& plan, PlanModel& model) {
     std::vector<Spring> springs;
     for (Index j = 0; j < model.floors(); ++j) springs.push_back(springs_of_cantilever(plan, j)[k]);
     PlanModel::Plane made = over_dofs("", springs, model.dofs());
-    hold_at_once(*stiffnesses[k], made);
-    add_at_once(made, *stiffnesses[k], model);
+    hold_at_once(*stiffnesses[k], sways_of(made, 0), made);
+    add_at_once(made, *stiffnesses[k], 0, model);
   }
 }
 
@@ -234,8 +242,9 @@ std::vector<CoupledElement> coupled_of(const PlanModel& model) {
 
 }  // namespace
 
-PlaneFrame without_masses(PlaneFrame frame) {
+PlaneFrame as_plane(PlaneFrame frame) {
   for (std::vector<Section>* const members : {&frame.columns, &frame.beams}) {
+    if (members == &frame.columns && !frame.nodes.empty()) continue;
     for (Section& section : *members) section.mass = section.line_mass = 0;
   }
   frame.floor_masses.assign(frame.storey_heights.size(), 1);  // of which the stiffness knows nothing
@@ -246,17 +255,28 @@ PlaneFrame without_masses(PlaneFrame frame) {
 
 void stand_frame(PlaneFrame frame, PlanPlane& plane) {
   plane.frame = std::make_shared<const PlaneFrame>(frame);
+  PlaneFrame whole = as_plane(frame);
+  StructuralModel model = plane_frame_model(whole);
+  plane.bays = frame.bay_widths;
+  whole.nodes.clear();
+  const StructuralModel without = frame.nodes.empty() ? model : plane_frame_model(whole);
+  plane.storeys.stiffnesses.clear();
+  for (Index j = 0; j < model.floors(); ++j) plane.storeys.stiffnesses.push_back(storey_part(without.stiffness, j));
+  plane.nodes = {};
   if (!frame.nodes.empty()) {
-    throw InvalidParameter("frame", plane.name, "must have no struck columns as a plane");
+    plane.nodes.masses = std::move(model.node_masses);
+    plane.nodes.column_forces = std::move(model.column_forces);
+    for (Index n = 0; n < model.nodes(); ++n) {
+      plane.nodes.elevations.push_back(model.node_elevations[n]);
+      plane.nodes.storeys.push_back(model.floor_at_or_above(model.floors() + n));
+    }
+    for (Index f = 0; f < model.floors(); ++f) {
+      plane.nodes.from_floors.push_back(without.floor_masses[f] - model.floor_masses[f]);
+    }
   }
-  StructuralModel model = plane_frame_model(without_masses(frame));
   plane.sway_stiffness = std::move(model.stiffness);
   plane.hinges = std::move(model.hinges);
   plane.infills = std::move(model.infills);
-  plane.bays = frame.bay_widths;
-  const Index floors = plane.sway_stiffness.rows();
-  plane.storeys.stiffnesses.clear();
-  for (Index j = 0; j < floors; ++j) plane.storeys.stiffnesses.push_back(storey_part(plane.sway_stiffness, j));
 }
 
 std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
@@ -280,7 +300,21 @@ std::vector<UnheldStorey> unheld_storeys(const Plan& plan) {
   return found;
 }
 
+Index PlanModel::floor_at_or_above(Index floor_or_node) const {
+  if (floor_or_node < floors()) return floor_or_node;
+  const double elevation = nodes[floor_or_node - floors()].elevation;
+  return std::min<Index>(std::lower_bound(elevations.begin(), elevations.end(), elevation) - elevations.begin(),
+                         floors() - 1);
+}
+
 VectorXd PlanModel::movement(Index floor, const PlanPoint& at, const PlanPoint& direction) const {
+  if (floor >= floors()) {
+    const Node& node = nodes[floor - floors()];
+    const double part = node.along.dot(direction);
+    VectorXd row = movement_at(node.elevation, at, direction - part * node.along);
+    row(first_node_dof() + floor - floors()) += part;
+    return row;
+  }
   VectorXd row = VectorXd::Zero(dofs());
   row.segment<3>(3 * floor) = movement_row(at - footprint.corner, direction, centres[floor]).transpose();
   return row;
@@ -296,7 +330,7 @@ VectorXd PlanModel::base_movement(const PlanPoint& at, const PlanPoint& directio
   VectorXd row = VectorXd::Zero(dofs());
   if (!soil) return row;
   const Row moved = movement_row(at - footprint.corner, direction, footprint.middle());
-  const Index first = 3 * floors();
+  const Index first = first_foundation_dof();
   row.segment<2>(first + sway_x) = moved.head<2>().transpose();
   if (soil->twist) row(first + twist) = moved.z();
   return row;
@@ -309,9 +343,54 @@ VectorXd PlanModel::lean(Index storey, const PlanPoint& at, const PlanPoint& dir
 
 VectorXd PlanModel::drift(Index storey, const PlanPoint& at, const PlanPoint& direction) const {
   VectorXd row = lean(storey, at, direction);
-  if (soil) row.segment<2>(3 * floors() + rocking_x) -= storey_heights[storey] * direction;
+  if (soil) row.segment<2>(first_foundation_dof() + rocking_x) -= storey_heights[storey] * direction;
   return row;
 }
+
+namespace {
+
+void add_nodes(const Plan& plan, double base_elevation, PlanModel& model) {
+  for (std::size_t p = 0; p < plan.planes.size(); ++p) {
+    const PlanPlane& plane = plan.planes[p];
+    for (Index n = 0; n < plane.nodes.count(); ++n) {
+      model.nodes.push_back({.plane = static_cast<Index>(p),
+                             .elevation = base_elevation + plane.nodes.elevations[n],
+                             .mass = plane.nodes.masses[n],
+                             .through = plane.through,
+                             .along = plane.direction});
+    }
+  }
+}
+
+/// Of each plane the degree of freedom of its first node, or where that of the next one's is.
+std::vector<Index> first_node_dofs(const Plan& plan) {
+  std::vector<Index> first = {3 * std::ssize(plan.storey_heights)};
+  for (const PlanPlane& plane : plan.planes) first.push_back(first.back() + plane.nodes.count());
+  return first;
+}
+
+/// Gives nodes their masses, of which floors have what acts along the frames no more (P-34).
+void add_node_masses(const Plan& plan, PlanModel& model) {
+  Index dof = model.first_node_dof();
+  for (const PlanPlane& plane : plan.planes) {
+    if (plane.nodes.count() == 0) continue;
+    for (Index f = 0; f < model.floors(); ++f) {
+      const Row moved = movement_row(plane.through, plane.direction, model.centres[f]);
+      const double taken = plane.nodes.from_floors[f];
+      model.mass.block<3, 3>(3 * f, 3 * f) -= taken * moved.transpose() * moved;
+      model.load.middleRows<3>(3 * f) -= taken * moved.transpose() * plane.direction.transpose();
+    }
+    for (const double mass : plane.nodes.masses) {
+      model.mass(dof, dof) = mass;
+      model.load.row(dof++) = mass * plane.direction.transpose();
+    }
+  }
+  if (!model.nodes.empty() && !is_positive_definite(model.mass)) {
+    throw InvalidParameter("masses", "of floors", "must be more than what columns that are struck have of them");
+  }
+}
+
+}  // namespace
 
 PlanPoint centre_of_rigidity(const Plan& plan, Index storey) {
   const Eigen::Matrix3d k = storey_stiffness(plan, storey);
@@ -329,20 +408,26 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
   model.floor_masses = plan.masses;
   model.stiffness_factor = plan.stiffness_factor;
   model.elevations = floor_elevations(plan.storey_heights, base_elevation);
+  add_nodes(plan, base_elevation, model);
   const Index dofs = model.dofs();
-  VectorXd mass(dofs);
+  VectorXd mass = VectorXd::Zero(dofs);
   model.load = MatrixXd::Zero(dofs, 2);
   for (Index f = 0; f < model.floors(); ++f) {
     const double m = plan.masses[f];
     const Index at = 3 * f;
-    mass.segment<3>(at) << m, m, inertia_of(plan, f);
+    model.floor_inertias.push_back(inertia_of(plan, f));
+    mass.segment<3>(at) << m, m, model.floor_inertias.back();
     model.load.block<2, 2>(at, 0) = m * Eigen::Matrix2d::Identity();
     model.centres.push_back(centre_of_mass(plan, f));
   }
   model.mass = mass.asDiagonal();
-  for (const PlanPlane& plane : plan.planes) model.planes.push_back(plane_over_dofs(plan, plane, dofs));
+  add_node_masses(plan, model);
+  const std::vector<Index> nodes = first_node_dofs(plan);
+  for (std::size_t p = 0; p < plan.planes.size(); ++p) {
+    model.planes.push_back(plane_over_dofs(plan, plan.planes[p], nodes[p], dofs));
+  }
   model.stiffness = MatrixXd::Zero(dofs, dofs);
-  model.storey_forces = MatrixXd::Zero(dofs, dofs);
+  model.storey_forces = MatrixXd::Zero(3 * model.floors(), dofs);
   for (Index j = 0; j < model.floors(); ++j) {
     for (const Spring& spring : springs_of(plan, j, false)) {
       const Eigen::RowVectorXd row = over_dofs(spring, j, dofs);
@@ -351,7 +436,7 @@ PlanModel plan_model(const Plan& plan, double base_elevation) {
     }
   }
   for (std::size_t p = 0; p < plan.planes.size(); ++p) {
-    if (plan.planes[p].is_frame()) add_at_once(model.planes[p], plan.planes[p].sway_stiffness, model);
+    if (plan.planes[p].is_frame()) add_at_once(model.planes[p], plan.planes[p].sway_stiffness, nodes[p], model);
   }
   if (plan.cantilever) add_cantilever(plan, model);
   if (plan.known) add_known(plan, known_over_dofs(plan), model);

@@ -28,22 +28,33 @@ struct PlanPlane {
   /// What its storeys are as those of a shear building: stiffnesses [force/length] ≥ 0, one of them > 0, and how they
   /// yield. Its heights and masses are not looked at.
   Stick storeys = {};
-  /// Of a frame its stiffness against the sways of all floors along the line, floors × floors [force/length] (P-23);
-  /// the stiffnesses above are what its storeys have alone. Empty: springs of storeys.
+  /// Of a frame its stiffness against its sways along the line, those of all floors and then of its nodes, square
+  /// [force/length] (P-23); the stiffnesses above are what its storeys have alone. Empty: springs of storeys.
   Eigen::MatrixXd sway_stiffness = {};
   Hinges hinges = {};                     ///< of a frame that yields or breaks, over these sways (P-30)
   std::vector<InfillPanel> infills = {};  ///< of a frame, which its stiffness has too
   std::vector<double> bays = {};          ///< of a frame its widths [length], left to right, of pictures alone
+  /// Of a frame whose columns are struck between floors: what its nodes are, whose sways come after those of the floors
+  /// in the lists above.
+  struct Nodes {
+    std::vector<Eigen::Index> storeys = {};  ///< in which they are, 0 the lowest
+    std::vector<double> elevations = {};     ///< above the base [length]
+    std::vector<double> masses = {};         ///< [mass]
+    std::vector<double> from_floors = {};    ///< what they have of the mass of each floor [mass] ≥ 0
+    Eigen::MatrixXd column_forces = {};      ///< StructuralModel::column_forces over the sways
+    [[nodiscard]] Eigen::Index count() const { return std::ssize(storeys); }
+  };
+  Nodes nodes = {};
   std::shared_ptr<const PlaneFrame> frame = nullptr;  ///< that it was made of; null: springs, or not known
   [[nodiscard]] bool is_frame() const { return sway_stiffness.size() > 0; }
 };
 
-/// A frame as a plane has it: members without mass, statically condensed; floors weigh 1, which its stiffness does not
-/// depend on.
-[[nodiscard]] PlaneFrame without_masses(PlaneFrame frame);
+/// A frame as a plane has it, statically condensed: beams have no mass, columns have theirs where one is struck, and
+/// floors weigh 1, which its stiffness does not depend on.
+[[nodiscard]] PlaneFrame as_plane(PlaneFrame frame);
 
-/// Makes a plane a frame: statically condensed onto the sways of its floors, with its hinges and infill. Its masses are
-/// not looked at. @throws InvalidParameter as plane_frame_model(), and where it has struck columns
+/// Makes a plane a frame: statically condensed onto the sways of its floors and of its nodes, with its hinges and
+/// infill. Masses are looked at of columns that are struck alone. @throws InvalidParameter as plane_frame_model()
 void stand_frame(PlaneFrame frame, PlanPlane& plane);
 
 /// What holds storeys otherwise (P-5): of each list one for all or one per storey; of stiffnesses none: 0.
@@ -124,14 +135,15 @@ struct UnheldStorey {
   std::string_view direction;  ///< "x", "y" or "rotation"
 };
 
-/// Mass and stiffness of a building in plan, or of a wall that moves with the ground, whose matrices are zero. Degrees
-/// of freedom of a foundation that moves come after those of the floors, in the order of FoundationDof; then those of
-/// floors are relative to the free field.
+/// Mass and stiffness of a building in plan, or of a wall that moves with the ground, whose matrices are zero. Sways of
+/// nodes in columns that are struck come after the degrees of freedom of the floors, then those of a foundation that
+/// moves, in the order of FoundationDof; then all others are relative to the free field.
 struct PlanModel {
   Footprint footprint;
   std::vector<double> elevations;        ///< [length] of the floors above the common datum
   std::vector<double> storey_heights;    ///< [length]
   std::vector<double> floor_masses;      ///< [mass]; infinite of a wall
+  std::vector<double> floor_inertias;    ///< about the centre of mass [mass·length²]; of a wall none
   std::vector<PlanPoint> centres;        ///< c_f from the footprint's corner [length]
   Eigen::MatrixXd mass, stiffness;       ///< dofs × dofs
   std::optional<KnownModes> known = {};  ///< of a building known by its modes: it moves in these alone
@@ -147,11 +159,23 @@ struct PlanModel {
     Eigen::MatrixXd shears;  ///< V_j of what stays elastic, storeys × dofs [force/length]
     std::vector<std::shared_ptr<const HystereticLaw>> laws;  ///< null: that storey stays elastic
     Hinges hinges = {};  ///< of a frame, over the dofs; `frame_rows` and its like over the sways of its floors
-    std::vector<InfillPanel> infills = {};  ///< of a frame, from its lowest storey up, bay by bay
-    std::vector<double> bays = {};          ///< as PlanPlane's
+    std::vector<InfillPanel> infills = {};        ///< of a frame, from its lowest storey up, bay by bay
+    std::vector<double> bays = {};                ///< as PlanPlane's
+    std::vector<Eigen::Index> node_storeys = {};  ///< of its nodes, as PlanPlane::Nodes
+    Eigen::MatrixXd column_forces = {};           ///< of its struck columns, 6 · nodes × dofs
     [[nodiscard]] PlanPoint direction() const { return pushes.rightCols<1>().topRows<2>(); }  ///< of its line, length 1
   };
   std::vector<Plane> planes;
+  /// A node in a column that a neighbour's floor strikes. It sways along its frame's line by itself [length], and moves
+  /// across it with the edge that it is in.
+  struct Node {
+    Eigen::Index plane = 0;
+    double elevation = 0;  ///< above the common datum [length]
+    double mass = 0;       ///< [mass]
+    PlanPoint through;     ///< a point of the frame's line, from the footprint's corner [length]
+    PlanPoint along;       ///< the line's direction, of length 1
+  };
+  std::vector<Node> nodes = {};  ///< plane after plane
   /// A bearing as rows over the dofs: how far it is moved along x and y, and the forces of what stays elastic.
   struct Bearing {
     PlanPoint at;                              ///< from the footprint's corner [length]
@@ -175,12 +199,16 @@ struct PlanModel {
   [[nodiscard]] Eigen::Index first_storey() const { return slab ? *slab + 1 : 0; }
   /// Of storey `storey`, 0 the lowest, as people count: from 1, without the bearings below a slab, which are 0.
   [[nodiscard]] Eigen::Index storey_number(Eigen::Index storey) const { return storey + 1 - first_storey(); }
-  /// Of a foundation, after the floors': sway [length], rocking [rad], twist [rad, counter-clockwise].
+  /// Of a foundation, after all others: sway [length], rocking [rad], twist [rad, counter-clockwise].
   enum FoundationDof { sway_x, sway_y, rocking_x, rocking_y, twist };
   [[nodiscard]] Eigen::Index foundation_dofs() const { return soil ? (soil->twist ? 5 : 4) : 0; }
-  [[nodiscard]] Eigen::Index dofs() const { return 3 * floors() + foundation_dofs(); }
-  /// How far the point at `at` of the common plan moves along `direction` with floor `floor`, as a row over the dofs
-  /// (P-1).
+  [[nodiscard]] Eigen::Index first_node_dof() const { return 3 * floors(); }
+  [[nodiscard]] Eigen::Index first_foundation_dof() const { return 3 * floors() + std::ssize(nodes); }
+  [[nodiscard]] Eigen::Index dofs() const { return first_foundation_dof() + foundation_dofs(); }
+  /// Of a floor itself, of a node (counted after the floors) the floor above it.
+  [[nodiscard]] Eigen::Index floor_at_or_above(Eigen::Index floor_or_node) const;
+  /// How far the point at `at` of the common plan moves along `direction` with a floor, or with a node, counted after
+  /// the floors, as a row over the dofs (P-1).
   [[nodiscard]] Eigen::VectorXd movement(Eigen::Index floor, const PlanPoint& at, const PlanPoint& direction) const;
   /// The same at an elevation [length] between base and top: on the straight line between floors, as sway_at() of a
   /// stick. @throws InvalidParameter as storey_place().

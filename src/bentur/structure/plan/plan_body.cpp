@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bentur/structure/frame/infill.h"
+#include "bentur/structure/plan/plan_support.h"
 
 namespace bentur {
 namespace {
@@ -47,14 +48,15 @@ struct PlaneRows {
   MatrixXd bearing_of_forces = {};                       ///< × forces of elements
   Outputs moments = {}, rotations = {}, breaking = {};   ///< of hinges, and of columns that break
   Outputs infill = {}, pushes = {};                      ///< of panels of infill, and of columns beside them
+  Outputs columns = {};                                  ///< of columns that are struck
 };
 
 /// Storey shears of a frame by the forces of its hinges: what these push on all floors above with. A building has
 /// `storeys`, with those below the frame, where there is none.
-MatrixXd shears_of_hinges(const Hinges& hinges, Index storeys) {
-  MatrixXd shears = MatrixXd::Zero(storeys, hinges.size());
-  shears.bottomRows(hinges.frame_rows.cols()) = hinges.frame_rows.transpose();
-  for (Index j = storeys - 1; j-- > storeys - hinges.frame_rows.cols();) shears.row(j) += shears.row(j + 1);
+MatrixXd shears_of_hinges(const PlanModel::Plane& plane, Index storeys) {
+  const MatrixXd of_frame = sums_above(plane.hinges.frame_rows.transpose(), plane.node_storeys);
+  MatrixXd shears = MatrixXd::Zero(storeys, of_frame.cols());
+  shears.bottomRows(of_frame.rows()) = of_frame;
   return shears;
 }
 
@@ -122,7 +124,8 @@ PlaneRows rows_of_planes(const PlanModel& model) {
   }
   Index force = 0, of_hinges = std::ssize(rows.elements);
   forces += of_hinges;
-  for (Outputs* const one : {&rows.moments, &rows.rotations, &rows.breaking, &rows.infill, &rows.pushes}) {
+  for (Outputs* const one :
+       {&rows.moments, &rows.rotations, &rows.breaking, &rows.infill, &rows.pushes, &rows.columns}) {
     one->rows = MatrixXd(0, model.dofs());
     one->forces = MatrixXd(0, forces);
   }
@@ -131,7 +134,7 @@ PlaneRows rows_of_planes(const PlanModel& model) {
   Index at = 0;
   for (const PlanModel::Plane& plane : model.planes) {
     const Hinges& hinges = plane.hinges;
-    const MatrixXd of_frame = hinges.size() > 0 ? shears_of_hinges(hinges, floors) : MatrixXd();
+    const MatrixXd of_frame = hinges.size() > 0 ? shears_of_hinges(plane, floors) : MatrixXd();
     for (Index j = 0; j < floors; ++j, ++at) {
       if (j < model.first_storey()) continue;  // a slab is in no plane
       rows.drifts.row(at) = plane.drifts.row(j) / model.storey_heights[j];
@@ -150,6 +153,11 @@ PlaneRows rows_of_planes(const PlanModel& model) {
       const Index j = rows.elements[e].storey;
       rows.shear_of_forces(at - floors + j, e) = 1;
       rows.storey_of_forces.block<3, 1>(3 * j, e) = plane.pushes.col(j);
+    }
+    if (const Index ends = plane.column_forces.rows(); ends > 0) {
+      MatrixXd of_forces = MatrixXd::Zero(ends, forces);
+      if (hinges.size() > 0) of_forces.middleCols(of_hinges, hinges.size()) = -hinges.column_forces;
+      append(plane.column_forces, of_forces, Eigen::VectorXd::Zero(ends), rows.columns);
     }
     if (hinges.size() == 0) continue;
     const Index turning = std::ssize(hinges.places), breaking = std::ssize(hinges.columns);
@@ -197,7 +205,7 @@ FoundationRows rows_of_foundation(const PlanModel& model) {
   const std::array<Impedance, 5> below = {soil.sway_x, soil.sway_y, soil.rocking_x, soil.rocking_y,
                                           soil.twist.value_or(Impedance{})};
   for (Index i = 0; i < model.foundation_dofs(); ++i) {
-    const Index dof = 3 * model.floors() + i;
+    const Index dof = model.first_foundation_dof() + i;
     rows.moves(i, dof) = 1;
     rows.springs(i, dof) = below[i].stiffness;
     rows.dashpots(i, dof) = below[i].damping;
@@ -270,6 +278,11 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
   add({.count = drifts.rows(), .rows = drifts});
   add(planes.infill);
   add(planes.pushes);
+  const Index nodes = std::ssize(model.nodes);
+  body.outputs.push_back({.kind = OutputKind::node,
+                          .count = nodes,
+                          .rows = MatrixXd::Identity(dofs, dofs).middleRows(model.first_node_dof(), nodes)});
+  add(planes.columns);
   return body;
 }
 

@@ -11,6 +11,7 @@ void scale(std::vector<double>& list, double factor) {
 void scale(PlanPlane& plane, double factor) {
   scale(plane.storeys.stiffnesses, factor);
   plane.sway_stiffness *= factor;
+  plane.nodes.column_forces *= factor;
   plane.hinges.scale_stiffness(factor);
   for (InfillPanel& panel : plane.infills) panel.stiffness *= factor;
 }

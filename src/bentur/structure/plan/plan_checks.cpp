@@ -72,9 +72,11 @@ void check_holds(const Plan& plan) {
     require_size("stiffnesses", plane.storeys.stiffnesses.size(), floors);
     check_list("stiffnesses", plane.storeys.stiffnesses, floors);
     if (!plane.is_frame()) continue;
-    check_matrix("sway_stiffness", plane.sway_stiffness, floors);
-    if (plane.hinges.size() > 0 && plane.hinges.rows.cols() != floors) {
-      throw InvalidParameter("hinges", plane.name, "must be over as many sways as the building has floors");
+    const Index sways = floors + plane.nodes.count();
+    check_matrix("sway_stiffness", plane.sway_stiffness, sways);
+    if (plane.hinges.size() > 0 && plane.hinges.rows.cols() != sways) {
+      throw InvalidParameter("hinges", plane.name,
+                             "must be over as many sways as the building has floors and the frame nodes");
     }
   }
   if (plan.cantilever) {

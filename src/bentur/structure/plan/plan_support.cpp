@@ -25,11 +25,11 @@ MatrixXd softening_of(const PlanModel& model, const std::vector<double>& loads, 
   VectorXd turn = VectorXd::Zero(model.dofs());
   turn(3 * storey + 2) = 1;
   if (storey > 0) turn(3 * storey - 1) = -1;
-  if (storey == 0 && model.soil && model.soil->twist) turn(3 * model.floors() + PlanModel::twist) = -1;
+  if (storey == 0 && model.soil && model.soil->twist) turn(model.first_foundation_dof() + PlanModel::twist) = -1;
   for (Index f = storey; f < model.floors(); ++f) {
     const PlanPoint at = model.footprint.corner + model.centres[f];
     const VectorXd x = model.lean(storey, at, PlanPoint::UnitX()), y = model.lean(storey, at, PlanPoint::UnitY());
-    const double radius2 = model.mass(3 * f + 2, 3 * f + 2) / model.mass(3 * f, 3 * f);
+    const double radius2 = model.floor_inertias[f] / model.floor_masses[f];
     softening += loads[f] / model.storey_heights[storey] *
                  (x * x.transpose() + y * y.transpose() + radius2 * turn * turn.transpose());
   }
@@ -97,9 +97,9 @@ void check(const PlanSoil& soil) {
   if (soil.twist) require_positive("soil.foundation.twist_inertia", soil.twist_inertia);
 }
 
-/// From the motions of floors and foundation to those of floors relative to the foundation.
+/// From the motions of floors, nodes and foundation to those of floors and nodes relative to the foundation.
 MatrixXd relative_motion(const PlanModel& model) {
-  const Index floors = model.floors(), first = 3 * floors;
+  const Index floors = model.floors(), first = model.first_foundation_dof();
   const double base = model.elevations.front() - model.storey_heights.front();
   MatrixXd to = MatrixXd::Zero(first, model.dofs());
   to.leftCols(first).setIdentity();
@@ -110,6 +110,13 @@ MatrixXd relative_motion(const PlanModel& model) {
     if (!model.soil->twist) continue;
     const PlanPoint arm = model.centres[f] - model.footprint.middle();
     to.block<3, 1>(3 * f, first + PlanModel::twist) << arm.y(), -arm.x(), -1;
+  }
+  for (Index n = 0; n < std::ssize(model.nodes); ++n) {
+    const PlanModel::Node& node = model.nodes[n];
+    to.row(model.first_node_dof() + n) -=
+        model.base_movement(model.footprint.corner + node.through, node.along).transpose();
+    to.block<1, 2>(model.first_node_dof() + n, first + PlanModel::rocking_x) -=
+        (node.elevation - base) * node.along.transpose();
   }
   return to;
 }
@@ -127,14 +134,20 @@ void check(const PlanIsolation& isolation) {
   }
 }
 
-/// From the motions of slab and floors to those of floors relative to the slab.
+/// From the motions of slab, floors and nodes to those of floors and nodes relative to the slab.
 MatrixXd relative_to_slab(const PlanModel& model, const PlanPoint& slab) {
-  const Index first = 3 * model.floors();  // of the floors above it
+  const Index first = model.first_foundation_dof();  // of what is above it
   MatrixXd to = MatrixXd::Zero(first, first + 3);
   to.rightCols(first).setIdentity();
   for (Index f = 0; f < model.floors(); ++f) {
     const PlanPoint arm = model.centres[f] - slab;
     to.block<3, 3>(3 * f, 0) << -1, 0, arm.y(), 0, -1, -arm.x(), 0, 0, -1;
+  }
+  for (Index n = 0; n < std::ssize(model.nodes); ++n) {
+    const PlanModel::Node& node = model.nodes[n];
+    const PlanPoint arm = node.through - slab;
+    to.block<1, 3>(model.first_node_dof() + n, 0) << -node.along.x(), -node.along.y(),
+        arm.y() * node.along.x() - arm.x() * node.along.y();
   }
   return to;
 }
@@ -192,10 +205,20 @@ void carry_planes(const MatrixXd& to, Index slabs, PlanModel& model) {
     plane.pushes = below_slab(slabs, plane.pushes.transpose()).transpose().eval();
     plane.laws.insert(plane.laws.begin(), static_cast<std::size_t>(slabs), nullptr);
     if (plane.hinges.size() > 0) plane.hinges.rows = (plane.hinges.rows * to).eval();
+    if (plane.column_forces.size() > 0) plane.column_forces = (plane.column_forces * to).eval();
   }
 }
 
 }  // namespace
+
+MatrixXd sums_above(MatrixXd rows, const std::vector<Index>& node_storeys) {
+  const Index floors = rows.rows() - std::ssize(node_storeys);
+  for (Index j = floors - 1; j-- > 0;) rows.row(j) += rows.row(j + 1);
+  for (std::size_t n = 0; n < node_storeys.size(); ++n) {
+    for (Index j = 0; j <= node_storeys[n]; ++j) rows.row(j) += rows.row(floors + static_cast<Index>(n));
+  }
+  return rows.topRows(floors);
+}
 
 void soften(const std::vector<double>& loads, PlanModel& model) {
   require_size("gravity_loads", loads.size(), model.floors());
@@ -209,7 +232,7 @@ void put_on_soil(const PlanSoil& soil, PlanBuilding& building) {
   PlanModel& model = building.model;
   const FixedBase fixed = fixed_base(building);
   model.soil = soil;
-  const Index floors = 3 * model.floors(), under = model.foundation_dofs();
+  const Index above = model.first_foundation_dof(), under = model.foundation_dofs();
   const MatrixXd to = relative_motion(model);
   VectorXd springs(5), dashpots(5), mass(5);
   const Impedance twist = soil.twist.value_or(Impedance{});
@@ -224,10 +247,10 @@ void put_on_soil(const PlanSoil& soil, PlanBuilding& building) {
   };
   model.stiffness = carried(fixed.stiffness, springs);
   MatrixXd whole_mass = MatrixXd::Zero(model.dofs(), model.dofs()), load = MatrixXd::Zero(model.dofs(), 2);
-  whole_mass.topLeftCorner(floors, floors) = model.mass;
+  whole_mass.topLeftCorner(above, above) = model.mass;
   whole_mass.diagonal().tail(under) = mass.head(under);
-  load.topRows(floors) = model.load;
-  load.block<2, 2>(floors, 0) = soil.mass * Eigen::Matrix2d::Identity();
+  load.topRows(above) = model.load;
+  load.block<2, 2>(above, 0) = soil.mass * Eigen::Matrix2d::Identity();
   model.mass = std::move(whole_mass);
   model.load = std::move(load);
   carry_planes(to, 0, model);
@@ -263,6 +286,7 @@ void put_on_bearings(const PlanIsolation& isolation, PlanBuilding& building) {
   model.elevations.insert(model.elevations.begin(), base);
   model.storey_heights.insert(model.storey_heights.begin(), 0.0);
   model.floor_masses.insert(model.floor_masses.begin(), isolation.mass);
+  model.floor_inertias.insert(model.floor_inertias.begin(), isolation.inertia);
   model.centres.insert(model.centres.begin(), isolation.centre);
   model.slab = 0;
   if (building.has_gravity_loads()) {

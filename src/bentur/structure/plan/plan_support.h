@@ -5,6 +5,10 @@
 
 namespace bentur {
 
+/// Of storeys what acts on the floors and nodes above them. @param rows of floors from the lowest up, then of nodes
+/// @param node_storeys in which these are
+[[nodiscard]] Eigen::MatrixXd sums_above(Eigen::MatrixXd rows, const std::vector<Eigen::Index>& node_storeys);
+
 /// P-Δ (P-22): loads of the floors, from the lowest up, take from the stiffness of all storeys below them.
 /// @throws InvalidParameter when loads are too few or many, below zero, or more than the building carries.
 void soften(const std::vector<double>& loads, PlanModel& model);
