@@ -67,6 +67,32 @@ Statement silent(const std::vector<std::pair<std::string, std::string>>& rules, 
   return one;
 }
 
+/// Which of many runs is named: the one with the worst, whatever number comes first in its statement.
+TEST(Union, NamesTheRunThatSaysTheWorst) {
+  const auto of = [](const char* run, const char* kind, std::vector<StoryValue> values, Shown shown = Shown::sentence) {
+    return SaidOfRun{run, {{.kind = kind, .gap = 0, .values = std::move(values), .shown = shown}}};
+  };
+  const auto worst = [](const std::vector<SaidOfRun>& runs) { return union_of(runs).front().many->worst; };
+  EXPECT_EQ(worst({of("a", "infill_weakens", {{"left", 95.3, "%"}}), of("b", "infill_weakens", {{"left", 20.0, "%"}})}),
+            "b");
+  EXPECT_EQ(worst({of("a", "columns_break", {{"broken", 4L}, {"time", 4.21, "s"}}),
+                   of("b", "columns_break", {{"broken", 7L}, {"time", 2.471, "s"}})}),
+            "b");
+  // Hinges beyond one level do not hide those that are beyond another.
+  const std::vector<Statement> hinges =
+      union_of({of("a", "hinges_beyond", {{"limit", "IO"}, {"count", 8L}, {"demand", 10.92}}),
+                of("b", "hinges_beyond", {{"limit", "CP"}, {"count", 4L}, {"demand", 1.06}})});
+  ASSERT_EQ(hinges.size(), 2U);
+  EXPECT_EQ(hinges[0].many->count, 1);
+  // Of a row of many gaps a run has its impacts in a table, which a suite has not.
+  const std::vector<Statement> impacts =
+      union_of({of("a", "pounding", {{"force", 1799.0, "kN"}}, Shown::table),
+                of("b", "no_pounding", {}),
+                {"c", {{.kind = "pounding", .gap = 1, .values = {{"force", 2299.0, "kN"}}, .shown = Shown::table}}}});
+  ASSERT_EQ(impacts.size(), 2U);
+  for (const Statement& one : impacts) EXPECT_EQ(one.shown, one.gap == 1 ? Shown::sentence : Shown::row);
+}
+
 /// What rules ask is told of all runs together; that a rule says nothing under any of them is told with its reason.
 TEST(Union, HasTheRulesThatAreSilentUnderAllRuns) {
   const std::vector<Statement> all =

@@ -24,6 +24,14 @@ constexpr Measure measures[] = {
     {"column_shear", "ratio"},
     {"column_moment", "ratio"},
     {"storey_softens", "left", true},
+    {"hinges_weaker", "left", true},
+    {"hinges_snapped", "left", true},
+    {"hinges_worn", "left", true},
+    {"hinges_failed", "failed"},
+    {"hinges_worn_out", "failed"},
+    {"columns_break", "broken"},
+    {"infill_weakens", "left", true},
+    {"infill_fails", "time", true},
     {"storey_at_residual", "left", true},
     {"storey_fails", "time", true},
     {"soft_storey", "time", true},
@@ -56,6 +64,7 @@ constexpr std::string_view of_single_runs[] = {"row_all",
                                                "gap_need_alone",
                                                "reversed_short",
                                                "reversed_enough",
+                                               "reversed_spare",
                                                "reversed_alone",
                                                "reversed_unknown",
                                                "asked_more",
@@ -75,12 +84,34 @@ double badness(const Statement& statement) {
                                     [&](const Measure& one) { return one.kind == statement.kind; });
   const bool is_measured = measure != std::end(measures);
   for (const StoryValue& value : statement.values) {
+    if (is_measured && value.name != measure->value) continue;
+    const auto* const count = std::get_if<long>(&value.value);
+    if (count != nullptr && is_measured) return static_cast<double>(*count);
     const auto* const number = std::get_if<double>(&value.value);
-    if (number == nullptr || (is_measured && value.name != measure->value)) continue;
+    if (number == nullptr) continue;
     if (std::isnan(*number)) break;
     return is_measured && measure->least ? -*number : std::abs(*number);
   }
   return 0;
+}
+
+/// The level that hinges pass, of which each is a finding of its own; empty of other statements.
+std::string_view limit_of(const Statement& statement) {
+  if (statement.kind != "hinges_beyond") return {};
+  for (const StoryValue& value : statement.values) {
+    if (value.name == "limit") return std::get<std::string>(value.value);
+  }
+  return {};
+}
+
+/// Of many gaps the impact that is the hardest is a sentence, the others are rows: a run has them in a table of its
+/// own.
+void tell_impacts(std::vector<Statement>& statements) {
+  const Statement* const hardest = hardest_impact_of(statements);
+  for (Statement& one : statements) {
+    if (one.shown != Shown::table || !one.kind.starts_with("pounding")) continue;
+    one.shown = &one == hardest ? Shown::sentence : Shown::row;
+  }
 }
 
 bool is_of_single_runs(const Statement& statement) {
@@ -128,7 +159,7 @@ std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
     for (const Statement& one : runs[run].statements) {
       if (is_of_single_runs(one)) continue;
       auto found = std::find_if(kinds.begin(), kinds.end(), [&](const OfKind& kind) {
-        return kind.worst->kind == one.kind && kind.worst->gap == one.gap;
+        return kind.worst->kind == one.kind && kind.worst->gap == one.gap && limit_of(*kind.worst) == limit_of(one);
       });
       if (found == kinds.end()) {
         kinds.push_back({&one, run, run, 1});
@@ -152,6 +183,7 @@ std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
     all.back().many = {kind.count, static_cast<long>(runs.size()), runs[kind.run].name};
   }
   for (Statement& one : silent_under_all(runs)) all.push_back(std::move(one));
+  tell_impacts(all);
   sort_by_severity(all);
   return all;
 }
