@@ -23,9 +23,10 @@ LeastGaps begun(const std::string& title, const Units& units, LeastGaps::Basis b
   return {.title = title, .units = units, .buildings = {}, .basis = basis, .both_ways = true};
 }
 
-void take_reason(Reason::Kind kind, LeastGap& gap) {
-  gap.is_short = gap.is_short || is_by_motion(kind);
-  gap.is_doubted = gap.is_doubted || !says_too_small(kind);
+void take_reason(const Reason& reason, LeastGap& gap) {
+  gap.is_short = gap.is_short || is_by_motion(reason.kind);
+  gap.is_doubted = gap.is_doubted || !says_too_small(reason.kind);
+  if (reason.kind == Reason::Kind::rule) gap.asked = std::max(gap.asked.value_or(0), reason.value);
 }
 
 /// A gap from all that is known of it.
@@ -38,17 +39,19 @@ void add_gap(LeastGaps& found, LeastGap gap, const JudgedGap& judged) {
     gap.is_known = gap.is_known && (level.given.need || level.given.at_most);
     for (const Way way : ways_of_motion) {
       const std::optional<double>& need = level.in(way).need;
-      if (need) gap.needed = std::max(gap.needed, level.at.of_gap(*need));
+      if (need) gap.needed = std::max(gap.needed, level.at.to_have(*need));
       const std::optional<double>& sum = level.in(way).at_most;
-      if (sum) gap.needed = std::max(gap.needed, level.at.of_gap(*sum));
+      if (sum) gap.needed = std::max(gap.needed, level.at.to_have(*sum));
       gap.by_peaks = gap.by_peaks || sum;
     }
     gap.given = &level == facts.levels.data() ? level.at.width : std::min(gap.given, level.at.width);
   }
+  gap.is_beside = gap.is_known && !std::isfinite(gap.needed);
+  gap.is_known = gap.is_known && !gap.is_beside;
   const WayFacts& other = facts.reversed;
   if (facts.has_other_way && other.looked_at && (other.fall || !other.drifts.empty())) gap.is_known = false;
   found.both_ways = found.both_ways && (!facts.has_other_way || other.looked_at);
-  for (const Reason& reason : judged.judgement.reasons) take_reason(reason.kind, gap);
+  for (const Reason& reason : judged.judgement.reasons) take_reason(reason, gap);
   gap.needed = without_round_off(gap.needed, facts.scale);
   gap.width = rounded_up(gap.needed);
   found.gaps.push_back(std::move(gap));
@@ -79,7 +82,7 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
   if (found.basis == LeastGaps::Basis::records) statement.values.push_back({"records", found.records});
   statement.values.push_back({"given", one.given, length});
   if (!one.is_known) {
-    statement.kind = "least_gap_unknown";
+    statement.kind = one.is_beside ? "least_gap_beside" : "least_gap_unknown";
     statement.severity = Severity::danger;
     return statement;
   }
@@ -91,6 +94,13 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
                                                           : "least_gap_enough";
   if (one.judged != Sufficiency::enough) statement.severity = Severity::warning;
   statement.values.push_back({"least", one.width, length});
+  const auto add = [&](const char* name, bool is_said, const char* text) {
+    statement.values.push_back({name, is_said ? text : "", {}, is_said});
+  };
+  const bool asks_more = one.asked && *one.asked > one.width;
+  add("doubt", one.is_doubted, "story.least_gap_more");
+  add("rules", asks_more, "story.least_gap_asked");
+  if (asks_more) statement.values.push_back({"asked", *one.asked, length});
   return statement;
 }
 
@@ -157,7 +167,7 @@ LeastGaps least_gaps(const SuiteRun& run, const GapStudy& study) {
     one.width = rounded_up(one.needed);
     one.given = given.narrowest().value_or(0);
     one.judged = many.value;
-    for (const JudgementOfMany::Found& of : many.reasons) take_reason(of.worst.kind, one);
+    for (const JudgementOfMany::Found& of : many.reasons) take_reason(of.worst, one);
     for (const SuiteRecordRun& record : run.records) {
       one.others_close = one.others_close || (!record.judged.empty() && record.judged.at(g).judgement.alone);
     }

@@ -23,9 +23,11 @@ struct LeastGap {
   double given = 0;          ///< the narrowest that the case gives
   bool is_short = false;     ///< the buildings meet in some run, or at some level less is given than is needed there
   bool is_known = true;      ///< what is needed is
+  bool is_beside = false;    ///< in plan: it falls short where it does not grow with the gap, which no width mends
   bool is_doubted = false;   ///< something keeps it from being known to be enough
   Sufficiency judged = Sufficiency::enough;  ///< what is given, from all that is known
   bool by_peaks = false;                     ///< of displacements that are given: what both at once need
+  std::optional<double> asked = {};          ///< the most that a rule of [code] asks for beyond what is given
   bool others_close = false;  ///< another gap of the row closes: what is needed holds where every gap has its own
 };
 

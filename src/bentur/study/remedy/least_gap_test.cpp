@@ -112,6 +112,32 @@ TEST_F(LeastGapOf, ASpectrumIsItsLargestDifference) {
   EXPECT_EQ(kind_of(found), "least_gap_short");
 }
 
+// What keeps a gap from being known to be enough, and what rules ask beyond it, is said beside its least width.
+TEST_F(LeastGapOf, AGapThatIsTooSmallKeepsItsDoubtsAndRules) {
+  LeastGaps found{.title = "", .units = {.length = "m"}, .buildings = {"A", "B"}};
+  found.gaps = {{.name = "A | B", .left = 0, .right = 1, .is_facing = true, .needed = 0.0113, .width = 0.0113}};
+  LeastGap& gap = found.gaps.front();
+  gap.judged = Sufficiency::too_small;
+  gap.is_short = true;
+  const auto word = [&](const std::string& name) {
+    for (const StoryValue& value : least_gap_story(found).statements.front().values) {
+      if (value.name == name) return std::get<std::string>(value.value);
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(word("doubt") + word("rules"), "");
+  gap.is_doubted = true;
+  gap.asked = 0.2;
+  EXPECT_EQ(kind_of(found), "least_gap_short");
+  EXPECT_EQ(word("doubt"), "story.least_gap_more");
+  EXPECT_EQ(word("rules"), "story.least_gap_asked");
+  gap.asked = 0.01;  // less than what the motion needs
+  EXPECT_EQ(word("rules"), "");
+  gap.is_known = false;
+  gap.is_beside = true;
+  EXPECT_EQ(kind_of(found), "least_gap_beside");
+}
+
 TEST_F(LeastGapOf, NothingIsKnownWhereABuildingCollapses) {
   const std::string weak = ", backbone = { yield = 20, plastic_drift = 0.001, softening_drift = 0.002 }";
   const LeastGaps found = least_gaps(run(case_with(case_of(0.01, shaken, weak))));
