@@ -169,7 +169,10 @@ void check_contact(const GapView& view, Index gap, Checks& checks) {
                  "0", false);
       continue;
     }
-    const bool known = (!facts.has_other_way || facts.reversed.looked_at) && facts.reversed.contact_looked_at;
+    const bool is_open = std::any_of(judged.reasons.begin(), judged.reasons.end(),
+                                     [](const Reason& one) { return !says_too_small(one.kind); });
+    const bool known =
+        !is_open && (!facts.has_other_way || facts.reversed.looked_at) && facts.reversed.contact_looked_at;
     checks.add(check, "check.by_motion", gap_name(view.problem, gap), "0", "0",
                known ? "check.met" : "story.silence.unknown", !known);
   }
@@ -182,13 +185,13 @@ void check_need(const GapView& facts, Index gap, Checks& checks) {
   const auto add = [&](const char* check, bool is_known) {
     const auto found = governing_level(levels, facts.scale(gap));
     if (!found) return;
-    const std::string where = level_text(facts, gap, found->elevation), limit = with_unit(found->width, length);
+    const std::string where = level_text(facts, gap, found->elevation), limit = with_unit(found->width_here, length);
     if (!is_known) {
       checks.add(check, "check.by_motion", where, "–", limit, "story.silence.unknown", true);
       return;
     }
     add_against(facts, gap, found->is_short(), checks, check, "check.by_motion", where,
-                with_unit(found->gap_needed, length), limit);
+                with_unit(found->needed_here, length), limit);
   };
   if (is_known_by_peaks(facts.problem, gap)) return;  // rules alone say what peaks are held against
   if (facts.response == nullptr) return add("check.gap_spectrum", true);
@@ -308,6 +311,7 @@ void check_planes(const PlanRun& run, Checks& checks) {
 
 HandIn hand_in(const PlanRun& run) {
   Checks checks;
+  check_columns(*row_of(run), checks);
   const RunResults frames = frames_of(run);
   check_shears(frames, checks);
   check_hinges(frames, checks);

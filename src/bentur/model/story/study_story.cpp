@@ -53,7 +53,9 @@ Story study_story(const StudyOutcome& outcome) {
                                .values = {count_of("failed", outcome.failed), count_of("runs", outcome.runs)}});
   }
   if (outcome.hardest_force) told.statements.push_back(placed("study_hardest", *outcome.hardest_force));
-  if (outcome.gap_needed) told.statements.push_back(placed("study_needed", *outcome.gap_needed));
+  if (outcome.gap_needed)
+    told.statements.push_back(
+        placed(outcome.not_known > 0 ? "study_needed_known" : "study_needed", *outcome.gap_needed));
   return told;
 }
 

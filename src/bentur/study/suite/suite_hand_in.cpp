@@ -60,7 +60,9 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
     }
     return records;
   };
-  const bool looked = found(Reason::Kind::not_looked_at) == 0 && run.is_whole();
+  const bool is_open = std::any_of(judged.many.reasons.begin(), judged.many.reasons.end(),
+                                   [](const auto& one) { return !says_too_small(one.worst.kind); });
+  const bool looked = !is_open && run.is_whole();
   const auto count_row = [&](const char* check, long records) {
     CheckRow made{.check = check,
                   .by = "check.by_records",
@@ -84,7 +86,7 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
                   .by = std::move(by),
                   .where = name,
                   .demand = known(demand),
-                  .limit = faces ? std::optional(limit) : std::nullopt,
+                  .limit = faces ? known(limit) : std::nullopt,
                   .unit = study.units.length,
                   .is_met = is_met};
     if (!faces || std::isnan(demand)) made.result = faces ? not_known_word : "story.silence.no_level";
@@ -101,7 +103,9 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
     if (demand->measure.kind == SuiteMeasure::Kind::too_few) rows.back().result = "check.too_few";
   }
   for (const RuleOverRecords& rule : over.rules) {
-    row(rule.title, std::string(find_code_rule(rule.rule)->clause), rule.asked, rule.width, !rule.is_short);
+    // Of none of its levels it is known where records collapse.
+    const double width = rule.width > 0 || rule.is_short ? rule.width : narrowest.value_or(not_known);
+    row(rule.title, std::string(find_code_rule(rule.rule)->clause), rule.asked, width, !rule.is_short);
   }
 }
 
