@@ -349,6 +349,7 @@ RunResults read_results(const fs::path& folder) {
     }
     read_summary(json, summary, results);
     take_case(folder / "case.toml", json, results);
+    results.c.code.is_known = results.c.given != nullptr || hash_of_case(json).empty();
   });
   return results;
 }

@@ -7,7 +7,7 @@ namespace {
 
 /// Whether a row of a building hangs on nothing but what dof_histories() has.
 bool is_held(const Eigen::VectorXd& row, const StructuralModel& model) {
-  if (row.size() != model.dofs()) return false;  // of results read back without their case
+  if (row.size() == 0 || row.size() != model.dofs()) return false;  // of results read back without their case
   Eigen::VectorXd others = row;
   others.head(model.floors() + model.nodes()).setZero();
   if (model.foundation) others(model.foundation->sway) = others(model.foundation->rocking) = 0;

@@ -34,6 +34,7 @@ struct CodeSpec {
   /// Per gap; nothing: not given, and no rule asks for less because of it.
   std::optional<std::vector<bool>> floors_aligned = {};
   std::optional<std::vector<Boundary>> boundaries = {};  ///< likewise: a property line stands in the gap
+  bool is_known = true;  ///< not of results read back without their case, which may have rules
 
   [[nodiscard]] bool is_aligned(std::size_t gap) const { return floors_aligned && floors_aligned->at(gap); }
   [[nodiscard]] Boundary boundary_at(std::size_t gap) const {

@@ -78,6 +78,7 @@ GapFacts common_facts(const Problem& problem, Index gap, std::vector<RuleFinding
                  .doubts = {},
                  .scale = 0};
   facts.doubts = doubts_about(run, facts.left, facts.right, gap_name(problem, gap));
+  facts.lacks_rules = run.lacks_rules;
   for (WayFacts* const way : {&facts.given, &facts.reversed}) {
     const auto is_of_another = [&](const Beyond& one) {
       return one.building != facts.left && one.building != facts.right;
@@ -95,6 +96,7 @@ GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
                    bool others_close) {
   GapFacts facts = common_facts(problem, gap, std::move(rules), run);
   facts.others_close = others_close;
+  facts.masses_moved = others_close && run.masses_elsewhere;
   facts.scale = displacement_scale(problem, response, gap);
   for (const LevelSeparation& level : levels) facts.levels.push_back(level_facts(level.level, response, others_close));
   // Where only this gap can close it does so exactly where it needs more than it has.

@@ -70,6 +70,8 @@ struct GapFacts {
   std::vector<RuleFinding> rules;  ///< of ABS, SRSS, DDC and [code]
   std::vector<Remark> doubts;      ///< remarks by which what was put in may not be meant
   double scale = 0;                ///< displacement_scale(), for round-off [length]
+  bool masses_moved = false;       ///< others close and masses may stand elsewhere: with these contact is not looked at
+  bool lacks_rules = false;        ///< of results read back without their case: its [code] is not known
   [[nodiscard]] const WayFacts& in(Way way) const { return way == Way::given ? given : reversed; }
 };
 
@@ -80,6 +82,8 @@ struct RunFacts {
   std::vector<Remark> doubts;      ///< of all buildings and gaps
   std::vector<std::string> names;  ///< of all buildings and gaps: what else a doubt is about, all share
   std::vector<bool> closes;        ///< per gap, either way
+  bool masses_elsewhere = false;   ///< masses of some building may stand elsewhere than expected
+  bool lacks_rules = false;        ///< as GapFacts::lacks_rules
 
   /// Another gap than this one does.
   [[nodiscard]] bool others_close(std::size_t gap) const;

@@ -106,6 +106,11 @@ void judge_unknown(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
   const bool needed = way == Way::given || facts.has_other_way;
   if (needed && (!of.looked_at || !of.contact_looked_at))
     reasons.push_back({.kind = Reason::Kind::not_looked_at, .way = way});
+  for (const auto& [is_open, what] :
+       {std::pair(facts.masses_moved, NotLookedAt::masses), {facts.lacks_rules, NotLookedAt::rules}}) {
+    if (!is_open || way == Way::reversed) continue;
+    reasons.push_back({.kind = Reason::Kind::not_looked_at, .way = way, .count = static_cast<long>(what)});
+  }
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct Reason {
     phase,         ///< peaks alone are known: both at once need `value` [length]
     doubt,         ///< GapFacts::doubts[`count`]
     motion_left,   ///< free vibration after the end could still need `value` [length]
-    not_looked_at  ///< the reversed motion, with contact or without
+    not_looked_at  ///< the motion, with contact or without; `count` says what of it, NotLookedAt
   };
   Kind kind = Kind::need;
   Way way = Way::given;
@@ -41,6 +41,12 @@ struct Reason {
   long count = 0;
   std::string subject = {};
   Eigen::Index storey = 0;
+};
+/// What of a motion was not looked at.
+enum class NotLookedAt {
+  motion,  ///< all of it, or contact
+  masses,  ///< contact with masses elsewhere than expected
+  rules    ///< what rules of [code] ask, of results read back without their case
 };
 /// "contact", "unmodelled contact", …, as results have it.
 [[nodiscard]] std::string_view word_of(Reason::Kind kind);

@@ -119,6 +119,22 @@ TEST(Judge, EveryFactByItself) {
   }
 }
 
+// What is not known whatever the motion: contact with masses elsewhere, rules of a case that is not there.
+TEST(Judge, WhatNobodyLookedAt) {
+  for (const auto& [member, what] :
+       {std::pair(&GapFacts::masses_moved, NotLookedAt::masses), {&GapFacts::lacks_rules, NotLookedAt::rules}}) {
+    GapFacts facts = nothing_wrong();
+    facts.*member = true;
+    const Judgement made = judge(facts);
+    EXPECT_EQ(made.value, Sufficiency::unknown);
+    ASSERT_EQ(made.reasons.size(), 1U);
+    EXPECT_EQ(made.reasons.front().kind, Reason::Kind::not_looked_at);
+    EXPECT_EQ(made.reasons.front().count, static_cast<long>(what));
+    facts.levels[0].given.impacts = 1;
+    EXPECT_EQ(judge(facts).value, Sufficiency::too_small);
+  }
+}
+
 TEST(Judge, EveryCombinationOfFacts) {
   const std::size_t count = 2 * wrongs().size();
   long seen = 0;

@@ -7,6 +7,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/model/plan/plan_row.h"
+#include "bentur/pounding/plan/masses_elsewhere.h"
 
 namespace bentur {
 namespace {
@@ -99,13 +100,18 @@ std::vector<LargestDrift> drifts_no_contact(const RunResults& run) {
 std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) { return drifts_no_contact(run.response); }
 
 RunFacts run_facts(const RunResults& run) {
-  return with_gaps(common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation)), run);
+  RunFacts facts =
+      with_gaps(common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation)), run);
+  facts.lacks_rules = !run.c.code.is_known;
+  return facts;
 }
 
 RunFacts run_facts(const PlanRun& run) {
   bool either = false;
   for (const std::size_t i : {0U, 1U}) either = either || moves(run.problem.motions[i], *run.c.excitations()[i]);
-  return with_gaps(common_facts(run, drifts_no_contact(run), either), *row_of(run));
+  RunFacts facts = with_gaps(common_facts(run, drifts_no_contact(run), either), *row_of(run));
+  facts.masses_elsewhere = !mass_choices(run.problem).empty();
+  return facts;
 }
 
 std::vector<JudgedGap> judged_gaps(const RunResults& run) { return judged(run, run_facts(run), false); }

@@ -45,7 +45,10 @@ std::string reason_key(const Reason& reason, bool is_cut) {
       key += "motion_left";
       break;
     case Reason::Kind::not_looked_at:
-      return key + "not_looked_at";
+      key += "not_looked_at";
+      if (reason.count == static_cast<long>(NotLookedAt::masses)) return key + "_masses";
+      if (reason.count == static_cast<long>(NotLookedAt::rules)) return key + "_rules";
+      break;
   }
   return key + (reason.way == Way::reversed ? "_reversed" : "");
 }
@@ -123,7 +126,8 @@ const char* judged_word(Sufficiency value, const Judgement& judged, bool is_cut)
       case Reason::Kind::motion_left:
         return left;
       case Reason::Kind::not_looked_at:
-        return "gap.not_known.not_looked_at";
+        return reason.count == static_cast<long>(NotLookedAt::rules) ? "gap.not_known.rules"
+                                                                     : "gap.not_known.not_looked_at";
       default:  // it says too small, of another level
         break;
     }
