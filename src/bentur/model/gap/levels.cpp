@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace bentur {
 namespace {
@@ -33,7 +34,8 @@ double round_off_of_levels(const FloorLevels& left, const FloorLevels& right) {
 }
 
 double smallest_storey_at(const FloorLevels& building, int floor) {
-  const double below = level(building, floor) - (floor > 0 ? level(building, floor - 1) : building.base);
+  double below = level(building, floor) - (floor > 0 ? level(building, floor - 1) : building.base);
+  if (!(below > 0)) below = std::numeric_limits<double>::infinity();  // of a wall, and of a slab on bearings
   const bool top = static_cast<std::size_t>(floor) + 1 == building.elevations.size();
   return top ? below : std::min(below, level(building, floor + 1) - level(building, floor));
 }

@@ -17,13 +17,16 @@ struct LevelPair {
   int left_floor = 0;
   int right_floor = 0;
   double elevation = 0;  ///< [length] the mean of both; the left one's where they differ by round-off alone
+  /// In plan the side, 0 or 1, of which a floor of the other one strikes columns there: its floor is the one above.
+  std::optional<int> struck = {};
 };
 
 /// Floors that differ by no more than this are at one level whatever the tolerance: a millionth of the taller
 /// building's height [length].
 [[nodiscard]] double round_off_of_levels(const FloorLevels& left, const FloorLevels& right);
 
-/// The height of the storey below a floor [length], or of the one above where that is smaller.
+/// The height of the storey below a floor [length], or of the one above where that is smaller or nothing is below;
+/// infinite where nothing is.
 [[nodiscard]] double smallest_storey_at(const FloorLevels& building, int floor);
 
 /// The floors that meet, from the lowest up: pairs of which each is the other's nearest, and which differ by no more

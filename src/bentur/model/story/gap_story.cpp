@@ -5,6 +5,7 @@
 #include "bentur/core/not_known.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
+#include "bentur/model/story/judgement_story.h"
 
 namespace bentur {
 namespace story {
@@ -232,7 +233,7 @@ double GapView::scale(Eigen::Index gap) const {
 void add_level(const GapView& facts, bool is_point, Eigen::Index index, double elevation,
                std::vector<StoryValue>& values) {
   if (facts.plan != nullptr) {
-    const PlaceInGap at = place_in_gap(facts.problem, is_point, index);
+    const PlaceInGap at = place_in_gap(*facts.plan, facts.problem, is_point, index);
     add_place(*facts.plan, facts.plan->gaps[at.gap], is_point, at.index, facts.c.units.length, values);
   } else {
     values.push_back(value_in("level", elevation, facts.c.units.length));
@@ -377,13 +378,19 @@ std::vector<StoryTable> screening_tables(const Case& c, const Problem& row, cons
 Story spectral_story(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
   const story::GapView facts = story::judged_view_of(c, problem, spectral);
   Story told;
-  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
+  for (const std::size_t g : worst_first(facts.gaps)) {
+    const auto gap = static_cast<Eigen::Index>(g);
     story::tell_judgement(facts, gap, {}, told.statements);
     story::tell_need(facts, gap, told.statements);
     story::tell_rules(facts, gap, told.statements);
+  }
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     for (StoryTable& table : story::gap_tables(facts, gap)) told.tables.push_back(std::move(table));
   }
   sort_by_severity(told.statements);
+  for (Statement& one : told.statements) {
+    if (facts.gaps.size() > 1 && one.gap && one.subject.empty()) one.subject = gap_name(problem, *one.gap);
+  }
   story::tell_quotations(c.code, told.statements);
   if (spectral.plan) told.statements.push_back({.kind = "spectrum_both"});
   put_remarks(spectral.plan ? remarks(c, *spectral.plan) : remarks(c, problem), told.statements);

@@ -27,10 +27,10 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
   Statement statement{.kind = std::move(kind),
                       .severity = level.is_short() ? Severity::warning : Severity::finding,
                       .level = level.elevation,
-                      .values = {value_in("needed", level.gap_needed, length)}};
+                      .values = {value_in("needed", level.needed_here, length)}};
   add_level(facts, !level.watched, level.watched.value_or(level.point), level.elevation, statement.values);
-  statement.values.push_back(value_in("width", level.width, length));
-  statement.values.push_back(value_in("difference", std::abs(level.gap_needed - level.width), length));
+  statement.values.push_back(value_in("width", level.width_here, length));
+  statement.values.push_back(value_in("difference", std::abs(level.needed_here - level.width_here), length));
   statement.gap = gap;
   statement.buildings = buildings_of(facts.problem, gap);
   if (level.watched) {
@@ -43,11 +43,17 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
 }
 
 /// "to spare" is said of what is judged enough alone.
-const char* need_kind(const GoverningLevel& level, const Judgement& judged) {
+/// @param leaves_less the motion reversed leaves less to spare
+const char* need_kind(const GoverningLevel& level, const Judgement& judged, bool leaves_less) {
   if (judged.alone) return level.is_short() ? "gap_short_alone" : "gap_need_alone";
   if (level.is_short()) return "gap_short";
-  if (!judged.is_enough()) return "gap_need";
+  if (!judged.is_enough() || leaves_less) return "gap_need";
   return level.width == 0 && level.gap_needed == 0 ? "gap_touch" : "gap_enough";
+}
+
+/// Whether the motion reversed leaves less than that which is given.
+bool leaves_less(const std::optional<GoverningLevel>& given, const std::optional<GoverningLevel>& reversed) {
+  return reversed && (!given || reversed->gap_needed - reversed->width > given->gap_needed - given->width);
 }
 
 void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
@@ -57,13 +63,14 @@ void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<Lev
   const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
                                     [](const LevelFacts& one) { return one.reversed.need.has_value(); });
   if (level && is_known) {
-    const char* const kind = judged_of(facts, gap).alone ? "reversed_alone"
-                             : level->is_short()         ? "reversed_short"
-                                                         : "reversed_enough";
-    statements.push_back(need_statement(facts, gap, *level, kind));
     // The larger of both is a sentence.
-    const auto given = governing_level(levels, facts.scale(gap));
-    const bool has_more = !given || level->gap_needed - level->width > given->gap_needed - given->width;
+    const bool has_more = leaves_less(governing_level(levels, facts.scale(gap)), level);
+    const Judgement& judged = judged_of(facts, gap);
+    const char* const kind = judged.alone                     ? "reversed_alone"
+                             : level->is_short()              ? "reversed_short"
+                             : judged.is_enough() && has_more ? "reversed_spare"
+                                                              : "reversed_enough";
+    statements.push_back(need_statement(facts, gap, *level, kind));
     if (level->is_short() && !has_more) statements.back().shown = Shown::row;
   } else if (known.has_other_way) {
     statements.push_back({.kind = "reversed_unknown", .gap = gap, .buildings = buildings_of(facts.problem, gap)});
@@ -142,7 +149,8 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
   const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
                                     [](const LevelFacts& one) { return one.given.need.has_value(); });
   if (is_known) {
-    statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap))));
+    const bool less = leaves_less(level, governing_reversed(levels, facts.scale(gap)));
+    statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap), less)));
     if (facts.is_cut) statements.back().values.push_back(value_in("end", facts.problem.duration, "s"));
     statements.back().values.push_back(
         word_of("motion", motion_word(facts.problem.motion, facts.c.excitation, facts.is_cut)));

@@ -108,10 +108,11 @@ std::vector<double> overlaps(const PlanProblem& problem) {
   const auto of = [&](const BodyRow& row) { return row.row.dot(problem.initial_displacement[row.body]); };
   std::size_t i = 0;
   for (const PlanGap& gap : problem.gaps) {
-    for (const PlanContact& one : gap.contacts) {
-      const Interface& at = *contacts[i++];
-      if (one.is_of_joint()) found.push_back(of(at.left) + of(at.right) - gap.width_at(one));
+    for (const Index n : contacts_in_row(gap)) {
+      const Interface& at = *contacts[i + static_cast<std::size_t>(n)];
+      found.push_back(of(at.left) + of(at.right) - gap.width_at(gap.contacts[n]));
     }
+    i += gap.contacts.size();
   }
   return found;
 }
@@ -162,7 +163,20 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
   }
 }
 
+/// Floors that are said to be aligned and face columns. @param row as of check_levels()
+void check_alignment(const Case& c, const Problem& row, List& list) {
+  std::vector<double> facing(static_cast<std::size_t>(gap_count(row)), 0);
+  for (const WatchedFloor& floor : row.watched) {
+    if (!floor.facing_floor && !floor.beside) ++facing[static_cast<std::size_t>(floor.gap)];
+  }
+  for (std::size_t gap = 0; gap < facing.size() && !c.code.rules.empty(); ++gap) {
+    if (facing[gap] == 0 || !c.code.is_aligned(gap)) continue;
+    list.add("floors_aligned", gap_name(row, static_cast<Index>(gap)), facing[gap], std::nullopt, 0.0);
+  }
+}
+
 void check_gaps(const Case& c, const Problem& problem, List& list) {
+  check_alignment(c, problem, list);
   check_modes(c, problem, list);
   check_blows(problem, list);
   check_levels(c, problem, overlaps(problem), list);
@@ -170,7 +184,9 @@ void check_gaps(const Case& c, const Problem& problem, List& list) {
 
 void check_gaps(const Case& c, const PlanProblem& problem, List& list) {
   check_modes(problem, list);
-  check_levels(c, row_of(problem), overlaps(problem), list);
+  const Problem row = row_of(problem);
+  check_alignment(c, row, list);
+  check_levels(c, row, overlaps(problem), list);
   for (const PlanGap& gap : problem.gaps) {
     list.check("merged_corners", gap_name(problem, gap), static_cast<double>(merged_corners(problem, gap).size()));
   }
@@ -238,7 +254,7 @@ void check_response(const AnyProblem& problem, const AnyResponse& response, std:
     drift_alone = std::max(drift_alone, largest_drift(all.drift_alone).ratio);
     shear = std::max(shear, all.base_shear);
     shear_alone = std::max(shear_alone, all.base_shear_alone);
-    yields = yields || all.yielding->ductility.size() > 0 || !all.frame->hinges.empty();
+    yields = yields || all.yielding->ductility.size() > 0 || !all.frame->hinges.empty() || !all.frame->columns.empty();
     for (const BuildingPeaks::Yielding* const run : {all.yielding, all.yielding_alone}) {
       ductility = std::max(ductility, largest_ductility(run->ductility, building.model.first_storey()));
     }

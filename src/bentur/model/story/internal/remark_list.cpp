@@ -56,6 +56,7 @@ constexpr RemarkKind kinds[] = {
     {"merged_corners", "", none, 0},
     {"drift_alone", "%", none, 1},
     {"base_shear_alone", "", none, 0.4},
+    {"floors_aligned", "", none, 0},
     {"ductility", "", none, 8},          // about the largest that codes reduce forces by
     {"drift_yielding", "%", none, 2.5},  // about the largest that they let a building have
 };
