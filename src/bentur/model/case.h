@@ -35,8 +35,11 @@ struct SpecAndModel {
 /// that it strikes. @throws InvalidParameter where there are none.
 [[nodiscard]] std::vector<LevelPair> floors_of_points(const GapSpec& gap, const SpecAndModel& left,
                                                       const SpecAndModel& right);
-/// Shear that a struck column carries [force], by column_capacity or its section, 0: unknown. @throws where they
-/// differ.
+/// Shear that a struck column carries [force]: what column_capacity has for the point or level, or `of_section` of its
+/// storey, infinite where that has none; 0: unknown. @throws where they differ.
+[[nodiscard]] double column_shear_capacity(const GapSpec& gap, std::size_t point, double of_section, std::size_t storey,
+                                           const std::string& building);
+/// The same of a building in a row.
 [[nodiscard]] double column_shear_capacity(const GapSpec& gap, std::size_t point, const SpecAndModel& left,
                                            const SpecAndModel& right, const LevelPair& floors);
 /// The law of contact point `point`: with the numbers of that point, the axial stiffness of the two beams that meet

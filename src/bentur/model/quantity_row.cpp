@@ -51,20 +51,39 @@ bool bearings_yield(const PlanBuilding& building) {
                      [](const PlanModel::Bearing& bearing) { return bearing.law != nullptr; });
 }
 
-bool rubs(const PlanProblem& problem) {
-  return std::any_of(problem.gaps.begin(), problem.gaps.end(), [](const PlanGap& gap) {
-    return std::any_of(gap.contacts.begin(), gap.contacts.end(),
-                       [](const PlanContact& contact) { return contact.rubbing != nullptr; });
-  });
-}
-
 bool some_point_has(const Quantity& quantity, const Problem& problem) {
   return std::any_of(problem.points.begin(), problem.points.end(),
                      [&](const ContactPoint& point) { return holds(quantity.source.when, problem, point); });
 }
 
+/// Whether a quantity is of a contact in plan.
+bool holds(When when, const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
+  const bool shear = contact.column_shear_capacity > 0, moment = contact.column_moment_capacity > 0;
+  const bool is_struck = struck_column(problem, gap, contact).has_value();
+  switch (when) {
+    case When::rubs:
+      return contact.rubbing != nullptr;
+    case When::struck:
+      return is_struck;
+    case When::struck_shear:
+      return is_struck && shear;
+    case When::struck_moment:
+      return is_struck && moment;
+    case When::struck_capacity:
+      return is_struck && (shear || moment);
+    default:
+      return true;
+  }
+}
+
 bool some_point_has(const Quantity& quantity, const PlanProblem& problem) {
-  return quantity.source.when != When::rubs || rubs(problem);
+  const When when = quantity.source.when;
+  const bool is_of_some = when == When::rubs || when == When::struck || when == When::struck_shear ||
+                          when == When::struck_moment || when == When::struck_capacity;
+  return !is_of_some || std::any_of(problem.gaps.begin(), problem.gaps.end(), [&](const PlanGap& gap) {
+    return std::any_of(gap.contacts.begin(), gap.contacts.end(),
+                       [&](const PlanContact& contact) { return holds(when, problem, gap, contact); });
+  });
 }
 
 /// How many values an owner has that is none of a building.
@@ -261,8 +280,11 @@ bool same_places(const PlanProblem& a, const PlanProblem& b) {
   const auto same_link = [](const PlanLink& x, const PlanLink& y) {
     return x.link.left == y.link.left && x.link.right == y.link.right && x.direction == y.direction;
   };
+  const bool have_alike = std::all_of(quantities().begin(), quantities().end(), [&](const Quantity& quantity) {
+    return quantity.owner != Owner::point || some_point_has(quantity, a) == some_point_has(quantity, b);
+  });
   return std::equal(a.buildings.begin(), a.buildings.end(), b.buildings.begin(), b.buildings.end(), alike) &&
-         std::equal(a.gaps.begin(), a.gaps.end(), b.gaps.begin(), b.gaps.end(), same_gap) && rubs(a) == rubs(b) &&
+         std::equal(a.gaps.begin(), a.gaps.end(), b.gaps.begin(), b.gaps.end(), same_gap) && have_alike &&
          std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), same_link);
 }
 

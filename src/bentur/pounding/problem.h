@@ -21,7 +21,9 @@ struct ContactPoint {
   Eigen::Index right_floor = 0;  ///< the same of the right building
   double elevation = 0;          ///< [length]
   double width = 0;              ///< w [length] ≥ 0
-  double beyond = 0;  ///< of w, what edges that are not parallel add to the width of the gap here [length] ≥ 0
+  double beyond = 0;    ///< of w, what edges that are not parallel add to the width of the gap here [length] ≥ 0
+  double opens = 1;     ///< how much w grows where the gap widens by 1 [-]
+  bool beside = false;  ///< in plan: of other parts than the gap's joint is
   std::shared_ptr<const ContactLaw> law;
   double column_shear_capacity = 0;   ///< of a struck column [force]; 0: not given
   double column_moment_capacity = 0;  ///< of a struck column [force·length]; 0: not given
@@ -39,6 +41,8 @@ struct WatchedFloor {
   double elevation = 0;                      ///< [length]
   double width = 0;                          ///< w [length] ≥ 0
   double beyond = 0;                         ///< as ContactPoint::beyond [length] ≥ 0
+  double opens = 1;                          ///< as ContactPoint::opens [-]
+  bool beside = false;                       ///< as ContactPoint::beside
   Eigen::VectorXd left_row, right_row;       ///< [-, or length on rotations]
   Eigen::Index right = left + 1;             ///< index of the right building
   Eigen::Index gap = left;                   ///< number of the gap that it is in

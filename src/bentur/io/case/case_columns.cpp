@@ -4,20 +4,13 @@
 #include <cmath>
 
 #include "bentur/io/case/case_parts.h"
+#include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/table_view.h"
 
 namespace bentur {
 namespace {
 
 constexpr double least_part = 0.01;  // of a storey height, between a node and a floor
-
-/// Whether a building has a floor at an elevation, to within a part of its height.
-bool has_floor(const FloorLevels& levels, double elevation) {
-  constexpr double round_off = 1e-6;
-  const double height = levels.elevations.back() - levels.base;
-  return std::any_of(levels.elevations.begin(), levels.elevations.end(),
-                     [&](double floor) { return std::abs(floor - elevation) <= round_off * height; });
-}
 
 /// The storey that an elevation is in: its foot and its top; nothing outside the building.
 struct Storey {
@@ -41,37 +34,7 @@ std::optional<std::string> refusal(const ReadBuilding& struck, double elevation)
         "or leave this elevation out, where the gap that is needed is told all the same",
         struck.path);
   }
-  const FloorLevels levels = floor_levels(struck);
-  const std::optional<Storey> storey = storey_at(levels, elevation);
-  if (!storey) {
-    return fmt::format("is beside no column of {}, which reaches from {} to {}", struck.path, levels.base,
-                       levels.elevations.back());
-  }
-  if (storey->has_node_at(elevation)) return std::nullopt;
-  return fmt::format(
-      "is less than 1 % of the storey height from a floor of {}: there the floor itself is struck, let the floors meet "
-      "with level_tolerance",
-      struck.path);
-}
-
-/// A number, where it is one.
-std::optional<double> number_in(const std::optional<TomlView>& view) {
-  if (view && view->is(TomlValue::Kind::integer)) return static_cast<double>(view->value().integer);
-  if (view && view->is(TomlValue::Kind::real)) return view->value().real;
-  return std::nullopt;
-}
-
-/// Elevations that a gap names to be struck [length], as far as they are numbers: what is wrong with it is said where
-/// it is read.
-std::vector<double> elevations_to_strike(const TomlView& gap) {
-  std::vector<double> elevations;
-  if (!gap.is(TomlValue::Kind::table)) return elevations;
-  const auto strikes = gap.find("strikes_columns"), list = gap.find("elevations");
-  if (!strikes || !strikes->value().boolean || !list || !list->is(TomlValue::Kind::list)) return elevations;
-  for (const TomlView& item : list->items()) {
-    if (const auto elevation = number_in(item)) elevations.push_back(*elevation);
-  }
-  return elevations;
+  return no_column_at(struck, elevation);
 }
 
 /// Puts nodes into the columns that face a gap, where floors of the other building strike them.
@@ -92,6 +55,44 @@ void put_nodes(const TomlView& gap, ReadBuilding& left, ReadBuilding& right) {
 }
 
 }  // namespace
+
+std::optional<double> number_in(const std::optional<TomlView>& view) {
+  if (view && view->is(TomlValue::Kind::integer)) return static_cast<double>(view->value().integer);
+  if (view && view->is(TomlValue::Kind::real)) return view->value().real;
+  return std::nullopt;
+}
+
+bool has_floor(const FloorLevels& levels, double elevation) {
+  constexpr double round_off = 1e-6;
+  const double height = levels.elevations.back() - levels.base;
+  return std::any_of(levels.elevations.begin(), levels.elevations.end(),
+                     [&](double floor) { return std::abs(floor - elevation) <= round_off * height; });
+}
+
+std::optional<std::string> no_column_at(const ReadBuilding& struck, double elevation) {
+  const FloorLevels levels = floor_levels(struck);
+  const std::optional<Storey> storey = storey_at(levels, elevation);
+  if (!storey) {
+    return fmt::format("is beside no column of {}, which reaches from {} to {}", struck.path, levels.base,
+                       levels.elevations.back());
+  }
+  if (storey->has_node_at(elevation)) return std::nullopt;
+  return fmt::format(
+      "is less than 1 % of the storey height from a floor of {}: there the floor itself is struck, let the floors meet "
+      "with level_tolerance",
+      struck.path);
+}
+
+std::vector<double> elevations_to_strike(const TomlView& gap) {
+  std::vector<double> elevations;
+  if (!gap.is(TomlValue::Kind::table)) return elevations;
+  const auto strikes = gap.find("strikes_columns"), list = gap.find("elevations");
+  if (!strikes || !strikes->value().boolean || !list || !list->is(TomlValue::Kind::list)) return elevations;
+  for (const TomlView& item : list->items()) {
+    if (const auto elevation = number_in(item)) elevations.push_back(*elevation);
+  }
+  return elevations;
+}
 
 void read_storey_columns(const TableView& view, std::size_t storeys, BuildingSpec& spec) {
   const auto table = view.table("columns");

@@ -107,7 +107,10 @@ Section read_section(const TomlView& given, const KeyTable& keys, double gravity
   read_shape(*view, section);
   read_hinges(*view, lines, section);
   read_shear(*view, lines, section);
-  if (&keys == &plane_section_keys()) return section;
+  if (&keys == &plane_section_keys()) {
+    section.line_mass = view->number("density").value_or(0) * section.area;
+    return section;
+  }
   const auto basis = view->exactly_one("weight");
   if (!basis) return section;
   const double amount = view->number(*basis).value_or(0);
@@ -320,8 +323,10 @@ bool at_section(const std::optional<TomlView>& columns, const std::optional<Toml
   return true;
 }
 
-bool read_frame_of_plane(const TableView& view, const std::vector<double>& storey_heights, PlanPlane& plane) {
+bool read_frame_of_plane(const TableView& view, const std::vector<double>& storey_heights,
+                         const std::vector<ColumnNode>& nodes, PlanPlane& plane) {
   PlaneFrame frame;
+  frame.nodes = nodes;
   frame.storey_heights = storey_heights;
   read_members(view, 1, frame);
   frame.infills = read_infills(view, storey_heights.size());

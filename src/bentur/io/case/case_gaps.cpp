@@ -218,16 +218,6 @@ void check_laws(const TomlView& contact, const GapSpec& spec, const GapSides& si
   }
 }
 
-/// Whether floors strike columns in this gap.
-void read_strikes_columns(const TableView& gap, GapSpec& spec) {
-  spec.strikes_columns = gap.flag("strikes_columns");
-  if (!spec.strikes_columns) {
-    gap.refuse({"column_capacity"}, "goes with strikes_columns = true");
-    return;
-  }
-  if (!gap.has("elevations")) gap.error_missing("elevations", "strikes_columns = true needs to know where");
-}
-
 /// That the sections of struck columns say nothing else.
 void check_column_capacity(const TableView& capacity, const GapSides& sides, const GapSpec& spec) {
   const std::size_t given = spec.column_capacity->shear.size();
@@ -249,7 +239,17 @@ void check_column_capacity(const TableView& capacity, const GapSides& sides, con
   }
 }
 
-/// What the columns bear that are struck.
+}  // namespace
+
+void read_strikes_columns(const TableView& gap, GapSpec& spec) {
+  spec.strikes_columns = gap.flag("strikes_columns");
+  if (!spec.strikes_columns) {
+    gap.refuse({"column_capacity"}, "goes with strikes_columns = true");
+    return;
+  }
+  if (!gap.has("elevations")) gap.error_missing("elevations", "strikes_columns = true needs to know where");
+}
+
 void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& spec) {
   const auto capacity = spec.strikes_columns ? gap.table("column_capacity") : std::nullopt;
   if (!capacity) return;
@@ -261,6 +261,8 @@ void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& 
   spec.column_capacity = GapSpec::ColumnCapacity{of_points("shear"), of_points("moment")};
   check_column_capacity(*capacity, sides, spec);
 }
+
+namespace {
 
 GapSpec read_gap(const TomlView& entry, const ReadBuilding& left, const ReadBuilding& right,
                  const std::vector<ReadBuilding>& buildings) {

@@ -67,8 +67,10 @@ void read_frame(const TomlView& frame, double gravity, ReadBuilding& building);
 /// among the sections of a frame; false where the error is about something else.
 bool at_section(const std::optional<TomlView>& columns, const std::optional<TomlView>& beams,
                 const InvalidParameter& error);
-/// case_frame.cpp: what makes the stiffness of a plane's frame, into `plane`. @return whether it is known
-bool read_frame_of_plane(const TableView& frame, const std::vector<double>& storey_heights, PlanPlane& plane);
+/// case_frame.cpp: what makes the stiffness of a plane's frame, with nodes in its columns, into `plane`. @return
+/// whether it is known
+bool read_frame_of_plane(const TableView& frame, const std::vector<double>& storey_heights,
+                         const std::vector<ColumnNode>& nodes, PlanPlane& plane);
 
 /// case_matrices.cpp: [building.matrices] into `building`, its damping too where it is given.
 void read_matrices(const TomlView& matrices, ReadBuilding& building);

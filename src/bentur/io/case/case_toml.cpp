@@ -304,6 +304,11 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   std::vector<ReadBuilding>& buildings = read.buildings;
   buildings = in_plan ? read_plan_buildings(root, c.units, {folder, diagnostics})
                       : with_struck_columns(root, read_buildings(root, c.units, {folder, diagnostics}, memo));
+  if (in_plan && diagnostics.ok()) {
+    // Where columns are struck is known of footprints and floors, which these have.
+    const StruckNodes nodes = struck_nodes(root, buildings);
+    if (!nodes.empty()) buildings = read_plan_buildings(root, c.units, {folder, diagnostics}, nodes);
+  }
   c.gaps = in_plan ? read_plan_gaps(root, buildings) : read_gaps(root, buildings);
   c.links = read_links(root, buildings, in_plan);
   const std::size_t neighbours = buildings.empty() ? 0 : buildings.size() - 1;

@@ -130,12 +130,17 @@ KeyTable part_of(const KeyTable& whole, std::initializer_list<std::string_view> 
 }
 
 const KeyTable& plane_section_keys() {
-  static const KeyTable table =
-      part_of(section_keys(),
-              {"width", "depth", "area", "inertia", "moment_capacity", "hardening", "rotation_limits", "backbone",
-               "line_load", "shear_capacity", "residual_shear"},
-              "building.plane.frame.section",
-              "a section of a member of a frame in plan, of which the masses are those of the plan");
+  static const KeyTable table = [] {
+    KeyTable made = part_of(section_keys(),
+                            {"width", "depth", "area", "inertia", "moment_capacity", "hardening", "rotation_limits",
+                             "backbone", "line_load", "shear_capacity", "residual_shear"},
+                            "building.plane.frame.section",
+                            "a section of a member of a frame in plan, of which the masses are those of the plan");
+    made.keys.push_back(Key::number("density", dimension::density, Range::positive, {"Density", "Rapat massa"},
+                                    "of columns that are struck: part of the floors' masses")
+                            .optional("needed where a column is struck"));
+    return made;
+  }();
   return table;
 }
 

@@ -15,9 +15,15 @@ struct FacingLevel {
   double elevation = 0;    ///< [length]
   double width = 0;        ///< given [length]
   double beyond = 0;       ///< of that, what edges that are not parallel add here [length] ≥ 0
+  double opens = 1;        ///< how much it grows where the gap widens by 1 [-]
+  bool beside = false;     ///< in plan: of other parts than the gap's joint is
 
-  /// The width of the whole gap with which this place has so much [length].
+  /// The width of the whole gap with which this place has so much [length]; beside a joint in plan the given one and
+  /// what is more here.
   [[nodiscard]] double of_gap(double here) const { return here - beyond; }
+  /// To what width the whole gap must be brought so that this place has so much [length]: infinite where it does not
+  /// open with the gap and has less.
+  [[nodiscard]] double to_have(double here) const;
 };
 
 /// The levels of one gap, from the lowest up. @throws InvalidParameter unless there are so many gaps.

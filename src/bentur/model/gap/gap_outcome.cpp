@@ -51,10 +51,18 @@ std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>
                level.of_gap(one->gap_needed),
                {},
                scale};
+      worst->width_here = level.beside ? level.width : worst->width;
+      worst->needed_here = level.beside ? one->gap_needed : worst->gap_needed;
       if (one->gap_needed_reversed) worst->gap_needed_reversed = level.of_gap(*one->gap_needed_reversed);
     }
   }
-  if (worst && !falls_short(0, worst->gap_needed, scale)) worst->gap_needed = 0;  // round-off
+  const auto without_little = [&](double& needed) {
+    if (!falls_short(0, needed, scale)) needed = 0;  // round-off
+  };
+  if (worst) {
+    without_little(worst->gap_needed);
+    without_little(worst->needed_here);
+  }
   return worst;
 }
 
@@ -188,8 +196,10 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
           number(remedy.level), other);
     case Remedy::Kind::give_floor:
       return fmt::format(
-          "floors of buildings in plan strike floors alone: a rough model gives {} a floor at level {} {}", other,
-          number(remedy.level), length);
+          "gap.strikes_columns = true with {0} among gap.elevations lets it strike columns of {1} there, where frames "
+          "of "
+          "that run across the joint; else a rough model gives it a floor at level {0} {2}",
+          number(remedy.level), other, length);
     case Remedy::Kind::give_wall:
       return fmt::format("a base cannot be struck: a case with a wall (rigid = true) in place of {} shows what it does",
                          other);

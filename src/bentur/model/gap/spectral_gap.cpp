@@ -59,7 +59,7 @@ std::pair<Eigen::VectorXd, Eigen::VectorXd> face_rows(const Problem& problem, co
   return {unit(point.left, point.left_floor), unit(point.right, point.right_floor)};
 }
 
-/// Of the faces of every contact of the joints and of all that is watched, in the order of row_of().
+/// Of the faces of every contact that a row has and of all that is watched, in the order of row_of().
 struct PlanFaces {
   std::vector<std::pair<Eigen::VectorXd, Eigen::VectorXd>> points, watched;
 
@@ -73,10 +73,10 @@ struct PlanFaces {
     const std::vector<const Interface*> contacts = contact_interfaces(problem, system);
     std::size_t contact = 0, watches = 0;
     for (const PlanGap& gap : problem.gaps) {
-      for (const PlanContact& one : gap.contacts) {
-        if (one.is_of_joint()) points.push_back(rows(*contacts[contact], gap));
-        ++contact;
+      for (const Eigen::Index n : contacts_in_row(gap)) {
+        points.push_back(rows(*contacts[contact + static_cast<std::size_t>(n)], gap));
       }
+      contact += gap.contacts.size();
       for (std::size_t i = 0; i < gap.watched.size(); ++i) watched.push_back(rows(system.watched[watches++], gap));
     }
   }

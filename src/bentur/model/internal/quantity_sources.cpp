@@ -126,6 +126,26 @@ QuantitySource struck(When when) {
 
 }  // namespace
 
+namespace {
+
+/// What a struck column can carry, as a point of a row has it.
+ContactPoint capacities_of(const PlanContact& contact) {
+  ContactPoint point;
+  point.column_shear_capacity = contact.column_shear_capacity;
+  point.column_moment_capacity = contact.column_moment_capacity;
+  return point;
+}
+
+template <class Points>
+void keep_column(Points& points, const QuantityPlace& at, double ColumnPeaks::*member, double number) {
+  if (std::isnan(number)) return;  // no column is struck there
+  std::optional<ColumnPeaks>& column = points.at(at.item).column;
+  if (!column) column.emplace();
+  *column.*member = number;
+}
+
+}  // namespace
+
 QuantitySource of_struck(double ColumnPeaks::*member) {
   QuantitySource source = struck(When::struck);
   source.row.value = [member](const RunView& run, const QuantityPlace& at) {
@@ -133,10 +153,14 @@ QuantitySource of_struck(double ColumnPeaks::*member) {
     return column ? *column.*member : not_known;
   };
   source.row.keep = [member](Response& response, const QuantityPlace& at, double number) {
-    std::optional<ColumnPeaks>& column = response.points.at(at.item).column;
-    if (std::isnan(number)) return;  // no column is struck there
-    if (!column) column.emplace();
-    *column.*member = number;
+    keep_column(response.points, at, member, number);
+  };
+  source.plan.value = [member](const PlanRun& run, const QuantityPlace& at) {
+    const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
+    return column ? *column.*member : not_known;
+  };
+  source.plan.keep = [member](PlanRun& run, const QuantityPlace& at, double number) {
+    keep_column(run.response.points, at, member, number);
   };
   return source;
 }
@@ -146,6 +170,10 @@ QuantitySource of_struck(double (*value)(const ColumnPeaks&, const ContactPoint&
   source.row.value = [value](const RunView& run, const QuantityPlace& at) {
     const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
     return column ? value(*column, run.problem.points[at.item]) : not_known;
+  };
+  source.plan.value = [value](const PlanRun& run, const QuantityPlace& at) {
+    const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
+    return column ? value(*column, capacities_of(*contact_at(run.problem, at.item).contact)) : not_known;
   };
   return source;
 }

@@ -19,6 +19,7 @@ std::optional<MemberForces> forces_at(const Case& c, const PlanProblem& problem,
   const Plan* const plan = std::get_if<Plan>(&c.buildings.at(place.building).structure);
   if (plan == nullptr || place.plane >= std::ssize(plan->planes) || !plan->planes[place.plane].frame) return {};
   PlaneFrame frame = as_plane(*plan->planes[place.plane].frame);
+  if (!frame.nodes.empty()) return {};  // no history has how these sway
   frame.elastic_modulus *= plan->stiffness_factor.value_or(1);
   const Hinges& hinges = problem.buildings[place.building].model.planes.at(place.plane).hinges;
   if (!hinges.columns.empty() || !MemberForces::knows(frame, hinges.places)) return {};
@@ -27,7 +28,7 @@ std::optional<MemberForces> forces_at(const Case& c, const PlanProblem& problem,
 
 /// All degrees of freedom of a building, dofs × samples.
 MatrixXd dof_histories(const PlanHistories& histories, const PlanModel& model, Index building) {
-  MatrixXd all(model.dofs(), std::ssize(histories.time));
+  MatrixXd all = MatrixXd::Zero(model.dofs(), std::ssize(histories.time));  // of nodes nothing is kept
   for (Index f = 0; f < model.floors(); ++f) {
     all.row(3 * f) = histories.x[building].row(f);
     all.row(3 * f + 1) = histories.y[building].row(f);
@@ -130,10 +131,10 @@ std::vector<FloorSpectra::Floor> spectrum_floors(const PlanProblem& problem, con
   const PlanContactPlace place = contact_at(problem, hardest->point);
   const PlanGap& gap = problem.gaps[place.gap];
   const PlanPoint across = gap.at(*place.contact).normal;
-  for (const auto& [building, floor] :
-       {std::pair(gap.left, place.contact->left_floor), {gap.right, place.contact->right_floor}}) {
+  for (const int side : {0, 1}) {
+    const Index building = side == 0 ? gap.left : gap.right;
     add(building, roof(building), across);
-    add(building, floor, across);
+    add(building, floor_at(problem, gap, *place.contact, side), across);
   }
   return floors;
 }

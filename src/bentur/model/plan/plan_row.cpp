@@ -23,6 +23,10 @@ Building building_of(const PlanBuilding& building) {
   row.model.storey_heights = building.model.storey_heights;
   row.model.floor_masses = building.model.floor_masses;
   row.model.slab = building.model.slab;
+  for (const PlanModel::Node& node : building.model.nodes) {
+    row.model.node_elevations.push_back(node.elevation);
+    row.model.node_masses.push_back(node.mass);
+  }
   row.modes.omega = building.modes.omega;
   row.has_gravity_loads = building.has_gravity_loads();
   return row;
@@ -30,15 +34,19 @@ Building building_of(const PlanBuilding& building) {
 
 void add_gap(const PlanGap& gap, Index number, Problem& row) {
   row.sides.push_back({gap.left, gap.right});
-  for (const PlanContact& contact : gap.contacts) {
-    if (!contact.is_of_joint()) break;
+  for (const Index i : contacts_in_row(gap)) {
+    const PlanContact& contact = gap.contacts[static_cast<std::size_t>(i)];
     row.points.push_back({.left = gap.left,
                           .left_floor = contact.left_floor,
                           .right_floor = contact.right_floor,
                           .elevation = contact.elevation,
                           .width = gap.width_at(contact),
                           .beyond = gap.at(contact).beyond,
+                          .opens = gap.opens(contact),
+                          .beside = contact.beside.has_value(),
                           .law = contact.law,
+                          .column_shear_capacity = contact.column_shear_capacity,
+                          .column_moment_capacity = contact.column_moment_capacity,
                           .right = gap.right,
                           .gap = number});
   }
@@ -51,16 +59,20 @@ void add_gap(const PlanGap& gap, Index number, Problem& row) {
     floor.floor = watched.floor;
     floor.facing_floor = watched.facing_floor;
     floor.elevation = watched.elevation;
-    floor.width = gap.stretch.width_at(watched.along);
-    floor.beyond = gap.stretch.at(watched.along).beyond;
+    floor.width = gap.width_at(watched);
+    floor.beyond = gap.at(watched).beyond;
+    floor.opens = gap.opens(watched);
+    floor.beside = watched.beside.has_value();
   }
 }
 
-/// What contacts beside the joint did, as done by the first of the joint's at their level.
-/// @param points those of the joint, one after the other
-void add_beside(const PlanGap& gap, const PlanContact& contact, const PointSummary& did, PointSummary* points) {
-  for (std::size_t i = 0; i < gap.contacts.size() && gap.contacts[i].is_of_joint(); ++i) {
-    if (gap.contacts[i].elevation != contact.elevation) continue;
+/// What a contact of no joint did, as done by the first at its level of the joint of its pair of parts.
+/// @param in_row contacts_in_row() of the gap, whose summaries are `points`
+void add_beside(const PlanGap& gap, const std::vector<Index>& in_row, const PlanContact& contact,
+                const PointSummary& did, PointSummary* points) {
+  for (std::size_t i = 0; i < in_row.size(); ++i) {
+    const PlanContact& one = gap.contacts[static_cast<std::size_t>(in_row[i])];
+    if (one.elevation != contact.elevation || one.pair != contact.pair) continue;
     points[i].impacts += did.impacts;
     points[i].settling += did.settling;
     points[i].peak_force = std::max(points[i].peak_force, did.peak_force);
@@ -68,38 +80,57 @@ void add_beside(const PlanGap& gap, const PlanContact& contact, const PointSumma
   }
 }
 
-/// The points of the joints out of those of all contacts, with what those beside them did.
+/// The points of the row out of those of all contacts, with what those beside them did.
 std::vector<PointSummary> points_of_joints(const PlanProblem& problem, const std::vector<PointSummary>& all) {
   std::vector<PointSummary> points;
   std::size_t first = 0;
   for (const PlanGap& gap : problem.gaps) {
     const std::size_t begin = points.size();
+    const std::vector<Index> in_row = contacts_in_row(gap);
+    for (const Index i : in_row) points.push_back(all[first + static_cast<std::size_t>(i)]);
     for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
-      if (gap.contacts[i].is_of_joint()) points.push_back(all[first + i]);
-    }
-    for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
-      if (!gap.contacts[i].is_of_joint()) add_beside(gap, gap.contacts[i], all[first + i], points.data() + begin);
+      const PlanContact& contact = gap.contacts[i];
+      if (!contact.is_of_pair()) add_beside(gap, in_row, contact, all[first + i], points.data() + begin);
     }
     first += gap.contacts.size();
   }
   return points;
 }
 
-/// How far the edges of the floors of a building move across a gap [length]; of an oblique one not less than that.
-Eigen::VectorXd moves_across(const PlanPeaks& peaks, const Stretch& stretch) {
-  const PlanPoint across = stretch.n.cwiseAbs();
+/// How far the edges of the floors of a building move along a normal [length]; of an oblique one not less than that.
+Eigen::VectorXd moves_across(const PlanPeaks& peaks, const PlanPoint& normal) {
+  const PlanPoint across = normal.cwiseAbs();
   return across.x() * peaks.south.cwiseMax(peaks.north) + across.y() * peaks.west.cwiseMax(peaks.east);
+}
+
+/// Along which normals the places of a row move, contact points or what is watched.
+template <class Place>
+std::vector<PlanPoint> normals_of(const PlanProblem& problem, const std::vector<Place>& places) {
+  std::vector<PlanPoint> normals;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    constexpr bool is_point = std::is_same_v<Place, ContactPoint>;
+    const PlanGap& gap = problem.gaps[static_cast<std::size_t>(places[i].gap)];
+    std::size_t before = i;
+    while (before > 0 && places[before - 1].gap == places[i].gap) --before;
+    const auto normal = [&](const auto& one) { return one.beside ? one.beside->normal : gap.stretch.n; };
+    if constexpr (is_point) {
+      normals.push_back(normal(gap.contacts[contacts_in_row(gap)[i - before]]));
+    } else {
+      normals.push_back(normal(gap.watched[i - before]));
+    }
+  }
+  return normals;
 }
 
 /// Peaks of faces that are floors, where those were not asked for.
 template <class Summary, class Place>
 void know_peaks(const PlanRun& run, const std::vector<Place>& places, std::vector<Summary>& summaries) {
+  const std::vector<PlanPoint> normals = normals_of(run.problem, places);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Place& at = places[i];
-    const Stretch& stretch = run.problem.gaps[at.gap].stretch;
     const auto peak = [&](Index building, std::optional<Index> floor, double& of) {
       if (!std::isnan(of) || !floor) return;
-      const Eigen::VectorXd floors = moves_across(run.response.buildings_no_contact[building], stretch);
+      const Eigen::VectorXd floors = moves_across(run.response.buildings_no_contact[building], normals[i]);
       if (*floor < floors.size()) of = floors(*floor);
     };
     if constexpr (std::is_same_v<Place, ContactPoint>) {
@@ -182,20 +213,33 @@ std::shared_ptr<const RunResults> row_of(const PlanRun& run) {
   return made;
 }
 
-PlaceInGap place_in_gap(const Problem& row, bool is_point, Index index) {
+std::vector<Index> contacts_in_row(const PlanGap& gap) {
+  std::vector<Index> places;
+  for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
+    if (gap.contacts[i].is_of_pair()) places.push_back(static_cast<Index>(i));
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [&](Index a, Index b) { return gap.contacts[a].elevation < gap.contacts[b].elevation; });
+  return places;
+}
+
+PlaceInGap place_in_gap(const PlanProblem& problem, const Problem& row, bool is_point, Index index) {
   const auto place = [&](const auto& all) {
     const Index gap = all.at(static_cast<std::size_t>(index)).gap;
     Index first = index;
     while (first > 0 && all[first - 1].gap == gap) --first;
     return PlaceInGap{static_cast<std::size_t>(gap), index - first};
   };
-  return is_point ? place(row.points) : place(row.watched);
+  if (!is_point) return place(row.watched);
+  PlaceInGap at = place(row.points);
+  at.index = contacts_in_row(problem.gaps.at(at.gap)).at(static_cast<std::size_t>(at.index));
+  return at;
 }
 
 PlanPoint place_of(const PlanProblem& problem, const Problem& row, bool is_point, Index index) {
-  const PlaceInGap at = place_in_gap(row, is_point, index);
+  const PlaceInGap at = place_in_gap(problem, row, is_point, index);
   const PlanGap& gap = problem.gaps.at(at.gap);
-  return is_point ? gap.middle(gap.contacts.at(at.index)) : gap.stretch.middle(gap.watched.at(at.index).along);
+  return is_point ? gap.middle(gap.contacts.at(at.index)) : gap.middle(gap.watched.at(at.index));
 }
 
 std::optional<GoverningLevel> governing_level(const PlanRun& run, std::size_t gap) {

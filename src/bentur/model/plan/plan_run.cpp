@@ -10,8 +10,10 @@
 
 #include "bentur/contact/axial_stiffness.h"
 #include "bentur/contact/laws/rubbing.h"
+#include "bentur/core/algebra/factors.h"
 #include "bentur/core/errors.h"
 #include "bentur/model/plan/plan_row.h"
+#include "bentur/model/plan/struck_in_plan.h"
 #include "bentur/structure/plan/plan_masses.h"
 
 namespace bentur {
@@ -79,14 +81,55 @@ std::shared_ptr<const Rubbing> rubbing_of(const ContactSpec& contact, std::size_
   return std::make_shared<const Rubbing>(law, friction, given ? share * *given : mindlin * across);
 }
 
-/// Foundations are at rest at first.
+/// The contacts of a level at which a floor strikes columns: at each of them, all with the same share.
+void strike_columns(const GapSpec& gap, std::size_t level, const BuildingSpec& left, const BuildingSpec& right,
+                    std::vector<PlanContact>& contacts) {
+  const LevelPair& floors = gap.levels[level];
+  const int side = floors.struck.value();
+  const BuildingSpec& building = side == 0 ? left : right;
+  const std::vector<StruckInPlan> columns = struck_columns(building, gap.stretch, side, floors.elevation);
+  if (columns.empty()) {
+    throw InvalidParameter("elevations", fmt::format("{}", floors.elevation),
+                           "must be where \"" + building.name + "\" has columns with nodes at the joint");
+  }
+  if (gap.contact.axial) {
+    throw InvalidParameter("stiffness", "axial", "is of floor beams: where a column is struck a number is needed");
+  }
+  const double share = 1.0 / static_cast<double>(columns.size());
+  double mass = 0;
+  for (const StruckInPlan& column : columns) mass += column.mass;
+  const double m_e =
+      effective_mass(side == 0 ? floor_mass(right, floors.right_floor) : floor_mass(left, floors.left_floor), mass);
+  for (const StruckInPlan& column : columns) {
+    const auto law = make_contact_law(gap.contact, input_of(gap.contact, level, m_e, share, {}));
+    PlanContact& contact = contacts.emplace_back();
+    contact.left_floor = floors.left_floor;
+    contact.right_floor = floors.right_floor;
+    (side == 0 ? contact.left_floor : contact.right_floor) = column.floor_or_node;
+    contact.elevation = floors.elevation;
+    contact.along = column.along;
+    contact.law = law;
+    contact.rubbing = rubbing_of(gap.contact, level, share, law);
+    contact.column_shear_capacity =
+        column_shear_capacity(gap, level, column.shear_capacity, column.storey, building.name);
+    if (gap.column_capacity && !gap.column_capacity->moment.empty()) {
+      contact.column_moment_capacity = gap.column_capacity->moment.at(level);
+    }
+  }
+}
+
+/// Foundations are at rest at first. Nodes in columns are where nothing pushes them.
 std::vector<Eigen::VectorXd> initial_vectors(const std::vector<std::vector<double>>& given,
                                              const std::vector<PlanBuilding>& buildings) {
   std::vector<Eigen::VectorXd> vectors;
   for (std::size_t b = 0; b < given.size(); ++b) {
-    const Eigen::Index under = buildings.at(b).model.foundation_dofs(), floors = std::ssize(given[b]);
-    vectors.emplace_back(Eigen::VectorXd::Zero(floors + under));
-    vectors.back().head(floors) = Eigen::Map<const Eigen::VectorXd>(given[b].data(), floors);
+    const PlanModel& model = buildings.at(b).model;
+    const Eigen::Index floors = std::ssize(given[b]), nodes = std::ssize(model.nodes);
+    Eigen::VectorXd& all = vectors.emplace_back(Eigen::VectorXd::Zero(floors + nodes + model.foundation_dofs()));
+    all.head(floors) = Eigen::Map<const Eigen::VectorXd>(given[b].data(), floors);
+    if (nodes == 0) continue;
+    all.segment(floors, nodes) = -Ldlt(model.stiffness.block(floors, floors, nodes, nodes))
+                                      .solve(model.stiffness.block(floors, 0, nodes, floors) * all.head(floors));
   }
   return vectors;
 }
@@ -125,6 +168,10 @@ PlanGap gap_with_contacts(const GapSpec& gap, const BuildingSpec& left, const Bu
   std::vector<PlanContact> others;
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
     const LevelPair& floors = gap.levels[level];
+    if (floors.struck) {
+      strike_columns(gap, level, left, right, made.contacts);
+      continue;
+    }
     const double m_e = effective_mass(floor_mass(left, floors.left_floor), floor_mass(right, floors.right_floor));
     std::optional<double> axial;
     if (gap.contact.axial) {
@@ -168,20 +215,28 @@ FloorLevels levels_of(const PlanModel& model) {
 std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<PlanBuilding>& buildings) {
   const auto touches = [&](int side, int floor) {
     return std::any_of(gap.levels.begin(), gap.levels.end(), [&](const LevelPair& level) {
-      return (side == 0 ? level.left_floor : level.right_floor) == floor;
+      return level.struck != side && (side == 0 ? level.left_floor : level.right_floor) == floor;
     });
   };
   std::vector<PlanWatched> watched;
   if (gap.stretch.is_corner()) return watched;
+  const PlanBuilding &left = buildings.at(gap.left), &right = buildings.at(gap.right);
   for (const FacingFloor& found :
-       facing_floors(levels_of(buildings.at(gap.left).model), levels_of(buildings.at(gap.right).model),
-                     gap.level_tolerance, touches)) {
+       facing_floors(levels_of(left.model), levels_of(right.model), gap.level_tolerance, touches)) {
     PlanWatched one{.floor_of = found.side == 0 ? gap.left : gap.right,
                     .floor = found.floor,
                     .facing_floor = found.facing,
                     .elevation = found.elevation};
     for (const double end : gap.stretch.corners_along()) {
       one.along = end;
+      watched.push_back(one);
+    }
+    const double height = found.elevation - std::min(levels_of(left.model).base, levels_of(right.model).base);
+    for (StretchPoint& point :
+         points_between(left.model.footprint, right.model.footprint, gap.stretch, 2, moves_of_height * height)) {
+      if (point.pair == 0 || point.family > 0 || point.seam) continue;  // what other pairs of parts have in common
+      one.along = point.along;
+      one.beside = std::move(point.beside);
       watched.push_back(one);
     }
   }

@@ -22,8 +22,9 @@ struct RunResults;
 /// @throws InvalidParameter, naming the key at fault, when the values of the law do not go together.
 [[nodiscard]] PlanGap gap_with_contacts(const GapSpec& gap, const BuildingSpec& left, const BuildingSpec& right);
 
-/// What the gap watches: both ends of the stretch at every floor that faces the other building between that one's base
-/// and top and has no contact there; two that are at one level as one. Nothing where they stand corner to corner.
+/// What the gap watches: both ends of the stretch, and those of the joints of other pairs of parts, at every floor that
+/// faces the other building between that one's base and top and has no contact there; two that are at one level as one.
+/// Nothing where they stand corner to corner.
 [[nodiscard]] std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<PlanBuilding>& buildings);
 
 /// Floor levels of a model.

@@ -66,7 +66,7 @@ GapView judged_view_of(const PlanRun& run) {
 
 void add_place(const PlanProblem& problem, const PlanGap& gap, bool is_point, Index index, const std::string& length,
                std::vector<StoryValue>& values) {
-  const StretchCorner place = is_point ? gap.at(gap.contacts[index]) : gap.stretch.at(gap.watched[index].along);
+  const StretchCorner place = is_point ? gap.at(gap.contacts[index]) : gap.at(gap.watched[index]);
   const double elevation = is_point ? gap.contacts[index].elevation : gap.watched[index].elevation;
   const char* corner = nullptr;
   for (const int side : {0, 1}) {
@@ -113,6 +113,8 @@ std::vector<Index> points_from_top(const PlanProblem& problem, std::size_t gap) 
                    [&](Index a, Index b) { return contacts[a - first].elevation > contacts[b - first].elevation; });
   return points;
 }
+
+void tell_columns(const PlanRun& run, std::vector<Statement>& statements) { tell_columns(*row_of(run), statements); }
 
 void put_place(const PlanRun& run, std::size_t gap, Index point, long points, Statement& statement) {
   const PlanGap& of = run.problem.gaps[gap];

@@ -361,7 +361,7 @@ Story story_of(const AnyRun& run) {
   const GapView view = judged_view_of(run);
   Story told;
   tell_collapse(run, told.statements);
-  if constexpr (!is_in_plan<AnyRun>) tell_columns(run, told.statements);
+  tell_columns(run, told.statements);
   tell_drifts(run, told.statements);
   tell_lost_strength(run, told.statements);
   if constexpr (!is_in_plan<AnyRun>) {  // in plan with the hinges of frames

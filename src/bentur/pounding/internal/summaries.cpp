@@ -142,6 +142,22 @@ std::vector<BuildingPeaks> peaks_of(const Problem& problem, const Solution& solu
   return buildings;
 }
 
+}  // namespace
+
+ColumnPeaks column_peaks(const Eigen::Vector<double, 6>& with, const Eigen::Vector<double, 6>& without) {
+  return {.shear = with.head<2>().maxCoeff(),
+          .moment = with.tail<4>().maxCoeff(),
+          .shear_no_contact = without.head<2>().maxCoeff(),
+          .moment_no_contact = without.tail<4>().maxCoeff(),
+          .shear_below = with(0),
+          .shear_above = with(1),
+          .moment_bottom = with(2),
+          .moment_node = std::max(with(3), with(4)),
+          .moment_top = with(5)};
+}
+
+namespace {
+
 /// What the columns bear that are struck, of what their buildings' pieces did.
 void summarise_columns(const Problem& problem, const std::vector<BuildingPeaks>& buildings,
                        std::vector<PointSummary>& points) {
@@ -149,17 +165,8 @@ void summarise_columns(const Problem& problem, const std::vector<BuildingPeaks>&
     const std::optional<StruckColumn> struck = struck_column(problem, problem.points[i]);
     if (!struck) continue;
     const BuildingPeaks& peaks = buildings[struck->building];
-    const Eigen::Vector<double, 6> with = peaks.column_forces.segment<6>(6 * struck->node);
-    const Eigen::Vector<double, 6> without = peaks.column_forces_no_contact.segment<6>(6 * struck->node);
-    points[i].column = ColumnPeaks{.shear = with.head<2>().maxCoeff(),
-                                   .moment = with.tail<4>().maxCoeff(),
-                                   .shear_no_contact = without.head<2>().maxCoeff(),
-                                   .moment_no_contact = without.tail<4>().maxCoeff(),
-                                   .shear_below = with(0),
-                                   .shear_above = with(1),
-                                   .moment_bottom = with(2),
-                                   .moment_node = std::max(with(3), with(4)),
-                                   .moment_top = with(5)};
+    points[i].column = column_peaks(peaks.column_forces.segment<6>(6 * struck->node),
+                                    peaks.column_forces_no_contact.segment<6>(6 * struck->node));
   }
 }
 

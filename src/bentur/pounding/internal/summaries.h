@@ -66,6 +66,9 @@ struct InfillHistories {
 [[nodiscard]] InfillHistories infill_histories(const InfilledFrame& frame, Eigen::MatrixXd across,
                                                const Eigen::MatrixXd& drift_ratios);
 
+/// What a struck column carried, of the six forces at the ends of its pieces with contact and without.
+[[nodiscard]] ColumnPeaks column_peaks(const Eigen::Vector<double, 6>& with, const Eigen::Vector<double, 6>& without);
+
 /// What links did, the joints of a system.
 [[nodiscard]] std::vector<LinkSummary> links_of(const Solution& solution);
 

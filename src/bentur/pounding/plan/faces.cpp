@@ -255,6 +255,22 @@ PlanPoint Stretch::on_edge(int side, double along) const {
   return side == 0 ? found.left : found.right;
 }
 
+std::optional<double> crossing(const Stretch& stretch, int side, const PlanPoint& through, const PlanPoint& direction) {
+  const double round_off = 1e-9 * (stretch.to - stretch.from);
+  const auto off = [&](double along) {
+    const PlanPoint arm = stretch.on_edge(side, along) - through;
+    return direction.x() * arm.y() - direction.y() * arm.x();
+  };
+  const std::vector<double> corners = stretch.corners_along();
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const double from = corners[i - 1], to = corners[i], a = off(from), b = off(to);
+    if (std::abs(b - a) <= round_off) continue;  // it runs along the edge
+    const double at = from - a / (b - a) * (to - from);
+    if (at >= from - round_off && at <= to + round_off) return std::clamp(at, from, to);
+  }
+  return std::nullopt;
+}
+
 std::vector<double> Stretch::corners_along() const {
   std::vector<double> all;
   for (const StretchCorner& one : corners) {

@@ -66,6 +66,10 @@ struct Stretch {
   [[nodiscard]] bool is_oblique() const;
 };
 
+/// Where along a stretch its left (0) or right (1) edge crosses a line; nothing where it does not.
+[[nodiscard]] std::optional<double> crossing(const Stretch& stretch, int side, const PlanPoint& through,
+                                             const PlanPoint& direction);
+
 /// How deep two footprints are in one another: the least way that would part them [length]; below zero they are apart.
 [[nodiscard]] double overlap_depth(const Footprint& one, const Footprint& other);
 

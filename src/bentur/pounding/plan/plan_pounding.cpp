@@ -136,6 +136,7 @@ PlanPeaks peaks_of(const PlanBuilding& building, const std::vector<OutputsFound>
   peaks.shear_y = forces.row(1);
   peaks.torque = forces.row(2);
   peaks.foundation = peak(PlanOutput::foundation);
+  peaks.column_forces = peak(PlanOutput::column_force);
   std::size_t member = 0;
   Index panel = 0, push = 0;
   for (Index p = 0; p < std::ssize(building.model.planes); ++p) {
@@ -176,6 +177,21 @@ std::vector<PlanPeaks> peaks_of(const PlanProblem& problem, const Solution& solu
     peaks.push_back(peaks_of(problem.buildings[b], solution.outputs[b], solution.members[b], solution.coupled, state));
   }
   return peaks;
+}
+
+/// What the columns carry that are struck.
+void summarise_columns(const PlanProblem& problem, const std::vector<PlanPeaks>& with,
+                       const std::vector<PlanPeaks>& without, std::vector<PointSummary>& points) {
+  std::size_t i = 0;
+  for (const PlanGap& gap : problem.gaps) {
+    for (const PlanContact& contact : gap.contacts) {
+      PointSummary& point = points[i++];
+      const auto struck = struck_column(problem, gap, contact);
+      if (!struck) continue;
+      point.column = column_peaks(with[struck->building].column_forces.segment<6>(6 * struck->node),
+                                  without[struck->building].column_forces.segment<6>(6 * struck->node));
+    }
+  }
 }
 
 bool some_contact_is_integrated(const PlanProblem& problem) {
@@ -293,77 +309,10 @@ PlanHistories course_of(const PlanProblem& problem, Solution& solution, const st
   return course;
 }
 
-/// What is left of a drift has no end where nothing holds a storey of a frame any more.
-bool holds_for_good(const BuildingPeaks& frame) {
-  const auto loses = [](const BuildingPeaks::Hinge& hinge) { return hinge.strength_left.has_value(); };
-  return frame.columns.empty() && std::none_of(frame.hinges.begin(), frame.hinges.end(), loses);
-}
-
-/// Every number that is told is one.
-bool is_finite(const PlanResponse& response) {
-  const auto finite = [](const PlanPeaks& peaks) {
-    bool all = true;
-    const PlanPeaks::Bearings& bearings = peaks.bearings;
-    for (const VectorXd* list : {&bearings.x,
-                                 &bearings.y,
-                                 &bearings.force_x,
-                                 &bearings.force_y,
-                                 &bearings.residual_x,
-                                 &bearings.residual_y,
-                                 &bearings.hysteretic_energy,
-                                 &peaks.x,
-                                 &peaks.y,
-                                 &peaks.south,
-                                 &peaks.north,
-                                 &peaks.west,
-                                 &peaks.east,
-                                 &peaks.rotation,
-                                 &peaks.acceleration_x,
-                                 &peaks.acceleration_y,
-                                 &peaks.angular_acceleration,
-                                 &peaks.shear_x,
-                                 &peaks.shear_y,
-                                 &peaks.torque,
-                                 &peaks.foundation}) {
-      all = all && list->allFinite();
-    }
-    const Index slabs = bearings.x.size() > 0 ? 1 : 0;  // no plane is below one
-    const auto of_storeys = [&](const VectorXd& list) {
-      return list.size() == 0 || list.tail(list.size() - slabs).allFinite();
-    };
-    for (const VectorXd* list : {&peaks.drift_south, &peaks.drift_north, &peaks.drift_west, &peaks.drift_east}) {
-      all = all && of_storeys(*list);
-    }
-    return all && std::all_of(peaks.planes.begin(), peaks.planes.end(), [&](const PlanPeaks::Plane& plane) {
-             return of_storeys(plane.drift_ratio) && of_storeys(plane.shear) &&
-                    (of_storeys(plane.yielding.residual_drift_ratio) || !holds_for_good(plane.frame)) &&
-                    plane.yielding.hysteretic_energy.allFinite();
-           });
-  };
-  return std::all_of(response.buildings.begin(), response.buildings.end(), finite) &&
-         std::all_of(response.buildings_no_contact.begin(), response.buildings_no_contact.end(), finite) &&
-         std::all_of(
-             response.friction.begin(), response.friction.end(),
-             [](const PlanFriction& p) {
-               return std::isfinite(p.peak_tangential_force + p.tangential_impulse + p.sliding + p.friction_loss);
-             }) &&
-         std::all_of(response.links.begin(), response.links.end(),
-                     [](const LinkSummary& link) {
-                       return std::isfinite(link.peak_compression + link.peak_tension + link.peak_closing +
-                                            link.peak_opening + link.energy_dissipated);
-                     }) &&
-         std::all_of(response.watched.begin(), response.watched.end(),
-                     [](const WatchedSummary& w) { return std::isfinite(w.gap_needed + w.least_opening); }) &&
-         std::all_of(response.points.begin(), response.points.end(), [](const PointSummary& p) {
-           return std::isfinite(p.gap_needed + p.contact_duration + p.peak_force + p.peak_tension + p.peak_penetration +
-                                p.peak_closing_speed + p.impulse + p.energy_lost);
-         });
-}
-
 std::vector<double> watched_widths(const PlanProblem& problem) {
   std::vector<double> widths;
   for (const PlanGap& gap : problem.gaps) {
-    for (const PlanWatched& watched : gap.watched) widths.push_back(gap.stretch.width_at(watched.along));
+    for (const PlanWatched& watched : gap.watched) widths.push_back(gap.width_at(watched));
   }
   return widths;
 }
@@ -383,7 +332,7 @@ std::vector<double> gap_widths(const PlanProblem& problem) {
   std::vector<double> widths;
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      widths.push_back(contact.is_of_joint() ? gap.width_at(contact) : std::numeric_limits<double>::infinity());
+      widths.push_back(contact.is_of_pair() ? gap.width_at(contact) : std::numeric_limits<double>::infinity());
     }
   }
   return widths;
@@ -404,6 +353,7 @@ PlanResponse free_response(const PlanProblem& problem, const Solution& free) {
     if (is_place(places[i])) response.points[places[i]].gap_needed = free.needed[i];
   }
   for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
+  summarise_columns(problem, response.buildings, response.buildings_no_contact, response.points);
   response.links = links_of(free);
   for (Index i = 0; i < 2; ++i) {
     response.peak_ground_acceleration(i) =
@@ -450,6 +400,7 @@ void take_solution(const PlanProblem& problem, Solution&& solution, PlanResponse
   response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);
   summarise_friction(response.impacts, response.friction);
+  summarise_columns(problem, response.buildings, response.buildings_no_contact, response.points);
   response.energy = std::move(solution.energy);
 }
 

@@ -24,6 +24,9 @@ struct PlanPeaks {
         {};  ///< of a frame what its hinges, its columns that break and its infill did, and its mechanism
   };
   std::vector<Plane> planes;
+  /// max of each of the forces at the ends of struck columns, six a node of PlanModel::nodes, as
+  /// StructuralModel::column_forces [force, force·length]; empty where none is struck.
+  Eigen::VectorXd column_forces = {};
   /// Of the foundation: sway along x and y [length], rocking that moves what is above along x and y, twist [rad]; empty
   /// without soil.
   Eigen::VectorXd foundation = {};
@@ -105,6 +108,9 @@ struct PlanResponse {
   std::vector<LargestDrift> drifts_elsewhere = {};
   std::vector<Discrepancy> discrepancies = {};
 };
+
+/// Whether every number that is reported is one. plan_finite.cpp
+[[nodiscard]] bool is_finite(const PlanResponse& response);
 
 /// The largest drift of each building without contact, wherever its masses may stand.
 [[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const PlanResponse& response);

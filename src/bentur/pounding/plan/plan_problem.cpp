@@ -57,7 +57,7 @@ EdgePlace place_of(const PlanGap& gap, const PlanContact& contact) {
 EdgePlace place_of(const PlanSeam& seam) { return {seam.left_floor, seam.right_floor, seam.elevation, seam.at}; }
 
 EdgePlace place_of(const PlanGap& gap, const PlanWatched& watched) {
-  EdgePlace place{watched.floor, watched.facing_floor, watched.elevation, gap.stretch.at(watched.along)};
+  EdgePlace place{watched.floor, watched.facing_floor, watched.elevation, gap.at(watched)};
   if (watched.floor_of != gap.left) std::swap(place.left_floor, place.right_floor);
   return place;
 }
@@ -112,9 +112,12 @@ void check_gap(const PlanProblem& problem, const PlanGap& gap) {
   require(std::isfinite(gap.stretch.width) && gap.stretch.width >= 0 && gap.stretch.to >= gap.stretch.from, "gaps",
           name, "must have a width ≥ 0 and a stretch");
   for (const PlanContact& contact : gap.contacts) {
-    require(contact.left_floor >= 0 && contact.left_floor < problem.buildings[gap.left].model.floors() &&
-                contact.right_floor >= 0 && contact.right_floor < problem.buildings[gap.right].model.floors(),
-            "gaps", name, "must have its contacts at floors of both buildings");
+    const auto has = [&](Index building, Index floor_or_node) {
+      const PlanModel& model = problem.buildings[building].model;
+      return floor_or_node >= 0 && floor_or_node < model.floors() + std::ssize(model.nodes);
+    };
+    require(has(gap.left, contact.left_floor) && has(gap.right, contact.right_floor), "gaps", name,
+            "must have its contacts at floors of both buildings, or nodes");
     require(contact.law != nullptr && std::isfinite(contact.along), "gaps", name,
             "must have a law and a place for every contact");
     require(contact.rubbing == nullptr || &contact.rubbing->normal() == contact.law.get(), "gaps", name,
@@ -211,6 +214,19 @@ std::string gap_name(const PlanProblem& problem, const PlanGap& gap) {
   return problem.buildings.at(first).name + " | " + problem.buildings.at(second).name;
 }
 
+std::optional<StruckColumn> struck_column(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
+  for (const auto& [b, at] : {std::pair(gap.left, contact.left_floor), {gap.right, contact.right_floor}}) {
+    const Index node = at - problem.buildings[b].model.floors();
+    if (node >= 0) return StruckColumn{b, node};
+  }
+  return std::nullopt;
+}
+
+Index floor_at(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact, int side) {
+  const PlanModel& model = problem.buildings[side == 0 ? gap.left : gap.right].model;
+  return model.floor_at_or_above(side == 0 ? contact.left_floor : contact.right_floor);
+}
+
 void validate(const PlanProblem& problem) {
   require(!problem.buildings.empty(), "buildings", "none", "must not be empty");
   require(std::isfinite(problem.duration) && problem.duration > 0, "duration", fmt::format("{}", problem.duration),
@@ -287,7 +303,8 @@ System system_of(const PlanProblem& problem, bool levels) {
   faces.insert(faces.end(), rubbing_faces.begin(), rubbing_faces.end());
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanWatched& watched : gap.watched) {
-      faces.push_back(interface_of(problem, gap, place_of(gap, watched), gap.stretch.normal(watched.along)));
+      const EdgePlace place = place_of(gap, watched);
+      faces.push_back(interface_of(problem, gap, place, place.at.normal));
       system.watched.push_back(in_order(faces.back()));
     }
   }

@@ -18,18 +18,24 @@ namespace bentur {
 
 /// A place where two buildings in plan can touch.
 struct PlanContact {
-  Eigen::Index left_floor = 0, right_floor = 0;  ///< of L and R, 0 the lowest
-  double elevation = 0;                          ///< [length]
-  double along = 0;                              ///< on the stretch [length]
-  std::shared_ptr<const ContactLaw> law;         ///< with the share of this point
-  std::shared_ptr<const Rubbing> rubbing = {};   ///< that law with friction along the stretch; null: without
+  /// Of L and R, 0 the lowest; after the floors a node in a column that is struck there.
+  Eigen::Index left_floor = 0, right_floor = 0;
+  double elevation = 0;                         ///< [length]
+  double along = 0;                             ///< on the stretch [length]
+  std::shared_ptr<const ContactLaw> law;        ///< with the share of this point
+  std::shared_ptr<const Rubbing> rubbing = {};  ///< that law with friction along the stretch; null: without
   /// Of which family of places at its level: 0 that of the joint, further ones beside it. They touch in the one that
   /// closes last, while all are closed. −1: there is no other.
   Eigen::Index family = -1;
   std::optional<StretchCorner> beside = {};  ///< where it is, of those beside the joint
   Eigen::Index pair = 0;                     ///< of which pair of convex parts, whose families are its own
+  double column_shear_capacity = 0;          ///< of a struck column [force]; 0: not given
+  double column_moment_capacity = 0;         ///< of a struck column [force·length]; 0: not given
 
   [[nodiscard]] bool is_of_joint() const { return !beside; }
+  /// Whether it is of the joint of its pair of parts, so that what it needs they need: of outlines that turn inwards
+  /// each pair has one of its own.
+  [[nodiscard]] bool is_of_pair() const { return family <= 0; }
 };
 
 /// A place of a seam between parts of an outline that is not convex: nothing acts there, but contacts of the same pair
@@ -49,6 +55,7 @@ struct PlanWatched {
   std::optional<Eigen::Index> facing_floor = {};  ///< of the other building; nothing: the edge between two floors
   double elevation = 0;                           ///< [length]
   double along = 0;                               ///< on the stretch [length]
+  std::optional<StretchCorner> beside = {};       ///< where it is, of those beside the joint
 };
 
 /// What lies between two buildings that face each other.
@@ -60,16 +67,26 @@ struct PlanGap {
   std::vector<PlanWatched> watched = {};  ///< likewise
   std::vector<PlanSeam> seams = {};       ///< in any order
 
-  /// Where one of its contacts is.
-  [[nodiscard]] StretchCorner at(const PlanContact& contact) const {
-    return contact.beside ? *contact.beside : stretch.at(contact.along);
+  /// Where a contact of it is, or what is watched.
+  template <class Place>
+  [[nodiscard]] StretchCorner at(const Place& place) const {
+    return place.beside ? *place.beside : stretch.at(place.along);
   }
   /// w there [length]; below zero of a family beside the joint that is closed at rest.
-  [[nodiscard]] double width_at(const PlanContact& contact) const { return stretch.width + at(contact).beyond; }
+  template <class Place>
+  [[nodiscard]] double width_at(const Place& place) const {
+    return stretch.width + at(place).beyond;
+  }
   /// In the middle of both edges.
-  [[nodiscard]] PlanPoint middle(const PlanContact& contact) const {
-    const StretchCorner place = at(contact);
-    return 0.5 * (place.left + place.right);
+  template <class Place>
+  [[nodiscard]] PlanPoint middle(const Place& place) const {
+    const StretchCorner corner = at(place);
+    return 0.5 * (corner.left + corner.right);
+  }
+  /// How much that place opens where the gap widens by 1, its buildings going apart along the joint's normal [-].
+  template <class Place>
+  [[nodiscard]] double opens(const Place& place) const {
+    return place.beside ? place.beside->normal.dot(stretch.n) : 1.0;
   }
 };
 
@@ -105,6 +122,14 @@ struct PlanProblem {
 
 /// "A | B", as the buildings stand in the problem.
 [[nodiscard]] std::string gap_name(const PlanProblem& problem, const PlanGap& gap);
+
+/// The column that is struck at a contact: of L or R, and which of PlanModel::nodes; nothing where floors meet.
+[[nodiscard]] std::optional<StruckColumn> struck_column(const PlanProblem& problem, const PlanGap& gap,
+                                                        const PlanContact& contact);
+
+/// The floor of L (0) or R (1) at a contact; of a column that is struck the floor above.
+[[nodiscard]] Eigen::Index floor_at(const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact,
+                                    int side);
 
 /// Of each point of its system the place among the contacts of all gaps, −1 of seams: those that rub are the system's
 /// last, and seams before them.

@@ -278,10 +278,6 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
   add({.count = drifts.rows(), .rows = drifts});
   add(planes.infill);
   add(planes.pushes);
-  const Index nodes = std::ssize(model.nodes);
-  body.outputs.push_back({.kind = OutputKind::node,
-                          .count = nodes,
-                          .rows = MatrixXd::Identity(dofs, dofs).middleRows(model.first_node_dof(), nodes)});
   add(planes.columns);
   return body;
 }

@@ -28,8 +28,7 @@ enum class PlanOutput {
   edge_drift,
   infill_force,  ///< of panels of infill, one plane after the other, across [force]
   infill_push,   ///< Q + Q₀ + F of struts_on_columns(), likewise [force]
-  node,          ///< sways of nodes in struck columns along their frames [length]
-  column_force,  ///< of the pieces of these columns, six a node as StructuralModel::column_forces
+  column_force,  ///< of the pieces of struck columns, six a node as StructuralModel::column_forces
 };
 
 /// @param axes along which the components of the ground's motion act, a column each

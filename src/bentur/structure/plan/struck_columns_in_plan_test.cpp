@@ -90,8 +90,6 @@ void expect_as_in_row(const PlanBuilding& plan, const Building& row, double degr
   for (const Index frame : {Index{0}, Index{1}}) {
     const Outputs& columns = output(PlanOutput::column_force);
     EXPECT_TRUE(near(columns.rows.middleRows(frame * of_frame, of_frame) * to, in_row(OutputKind::column_force).rows));
-    EXPECT_TRUE(
-        near(output(PlanOutput::node).rows.middleRows(frame * nodes, nodes) * to, in_row(OutputKind::node).rows));
     EXPECT_TRUE(near(output(PlanOutput::plane_shear).rows.middleRows(frame * floors, floors).bottomRows(3) * to,
                      in_row(OutputKind::storey_shear).rows.bottomRows(3)));
     if (row.model.hinges.size() == 0) continue;

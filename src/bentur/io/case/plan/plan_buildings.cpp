@@ -152,7 +152,8 @@ void read_line(const TableView& table, PlanPlane& plane) {
 }
 
 /// @return whether its stiffnesses are known
-bool read_plane(const TableView& table, const std::vector<double>& heights, PlanPlane& plane) {
+bool read_plane(const TableView& table, const std::vector<double>& heights, const std::vector<ColumnNode>& nodes,
+                PlanPlane& plane) {
   const std::size_t storeys = heights.size();
   read_line(table, plane);
   const auto holds = table.exactly_one("holds");
@@ -164,7 +165,7 @@ bool read_plane(const TableView& table, const std::vector<double>& heights, Plan
     });
     table.refuse(yields, "does not go with frame, whose members yield by moment_capacity of their sections");
     const auto frame = table.table("frame");
-    return holds && frame && read_frame_of_plane(*frame, heights, plane);
+    return holds && frame && read_frame_of_plane(*frame, heights, nodes, plane);
   }
   if (!holds) return false;
   plane.storeys.stiffnesses = table.numbers_for_each("stiffnesses", storeys);
@@ -178,8 +179,8 @@ bool read_plane(const TableView& table, const std::vector<double>& heights, Plan
   return known;
 }
 
-/// @return whether all that holds the storeys is known
-bool read_planes(const TableView& building, Plan& plan) {
+/// @param of which building, from 0 @return whether all that holds the storeys is known
+bool read_planes(const TableView& building, std::size_t of, const StruckNodes& nodes, Plan& plan) {
   const auto list = building.find("plane");
   if (!list) return true;
   if (!list->is_list_of("tables")) return false;
@@ -203,7 +204,10 @@ bool read_planes(const TableView& building, Plan& plan) {
     if (std::any_of(plan.planes.begin(), plan.planes.end(), same)) {
       (name ? *name : entry).error(fmt::format("another plane of the building is called {}", in_quotes(plane.name)));
     }
-    known = read_plane(*table, plan.storey_heights, plane) && known;
+    const auto struck = nodes.find({of, i});
+    known = read_plane(*table, plan.storey_heights, struck != nodes.end() ? struck->second : std::vector<ColumnNode>(),
+                       plane) &&
+            known;
     plan.planes.push_back(std::move(plane));
   }
   return known;
@@ -290,7 +294,9 @@ void calibrate(const TomlView& given, Plan& plan) {
   }
 }
 
-void read_floors(const TableView& building, const Units& units, const CaseFiles& files, ReadBuilding& read) {
+/// @param number of the building, from 0
+void read_floors(const TableView& building, std::size_t number, const Units& units, const CaseFiles& files,
+                 const StruckNodes& nodes, ReadBuilding& read) {
   building.refuse({"elevations"}, "goes with rigid = true: floors of other buildings stand in their plan");
   building.refuse({"width", "frame", "stick", "displacements"}, "does not go with buildings in plan");
   Plan plan;
@@ -339,7 +345,7 @@ void read_floors(const TableView& building, const Units& units, const CaseFiles&
     plan.modes = read_modes_in_plan(*modal, units, files, plan.storey_heights, read.spec);
     known = known && !plan.modes->shapes.empty();
   } else {
-    const bool planes = read_planes(building, plan);
+    const bool planes = read_planes(building, number, nodes, plan);
     const bool held = read_rigidity(building, storeys, plan) && planes;
     if (known && held) check_held(building, plan);
   }
@@ -398,7 +404,8 @@ std::vector<PlanPoint> read_pairs(const TableView& table, const char* key, std::
   return pairs.size() == given->size() ? pairs : std::vector<PlanPoint>{};
 }
 
-std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units, const CaseFiles& files) {
+std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units, const CaseFiles& files,
+                                              const StruckNodes& nodes) {
   std::vector<ReadBuilding> buildings;
   const auto list = root.tables("building", "two or more [[building]] tables");
   if (!list || list->has_more_than(case_keys().at("building").most)) return buildings;
@@ -411,7 +418,7 @@ std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units&
       if (view.flag("rigid")) {
         read_wall(view, read);
       } else {
-        read_floors(view, units, files, read);
+        read_floors(view, buildings.size(), units, files, nodes, read);
       }
       for (double& elevation : read.elevations) elevation += read.spec.base_elevation;
     }

@@ -7,6 +7,7 @@
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
+#include "bentur/model/plan/struck_in_plan.h"
 #include "bentur/pounding/plan/outline/common_area.h"
 #include "bentur/pounding/plan/outline/near.h"
 
@@ -115,6 +116,14 @@ void check_laws(const TomlView& contact, const GapSpec& gap, const std::vector<R
   for (std::size_t level = 0; level < gap.levels.size(); ++level) {
     GapSpec one = gap;  // of this level alone, with its entry of every list
     one.levels = {gap.levels[level]};
+    if (const auto& struck = one.levels.front().struck) {
+      const bool is_known =
+          !struck_columns(*struck == 0 ? left : right, gap.stretch, *struck, one.levels.front().elevation).empty();
+      if (!is_known) continue;  // what is wrong has been said
+      for (auto* const list : {&one.column_capacity->shear, &one.column_capacity->moment}) {
+        if (one.column_capacity && list->size() > 1) *list = {list->at(level)};
+      }
+    }
     for (auto& [key, list] : one.contact.numbers) list = {list.size() == 1 ? list.front() : list.at(level)};
     try {
       (void)gap_with_contacts(one, left, right);
@@ -175,6 +184,8 @@ bool Pairs::read_levels(const TableView& table, GapSpec& gap) {
   gap.level_tolerance = tolerance;
   gap.levels = levels_of(gap, tolerance);
   const auto given = table.find("elevations");
+  read_strikes_columns(table, gap);
+  if (gap.strikes_columns && !given) return false;
   if (given && models_no_contact(*given)) {
     gap.levels.clear();
     if (gap.stretch.is_corner()) {
@@ -184,10 +195,11 @@ bool Pairs::read_levels(const TableView& table, GapSpec& gap) {
     return checked_to_face(table, buildings_[gap.left], buildings_[gap.right]);
   }
   const ReadBuilding &left = buildings_[gap.left], &right = buildings_[gap.right];
-  if (gap.levels.empty()) {
+  if (gap.levels.empty() && !gap.strikes_columns) {
     table.error(
         fmt::format("has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let "
-                    "floors that nearly meet do so with level_tolerance, or model no contact with elevations = []: "
+                    "floors that nearly meet do so with level_tolerance, let floors strike columns of frames with "
+                    "strikes_columns = true, or model no contact with elevations = []: "
                     "floors are then watched against the edges they face, for the gap they need",
                     in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
                     fmt::join(right.elevations, ", ")));
@@ -199,6 +211,14 @@ bool Pairs::read_levels(const TableView& table, GapSpec& gap) {
   if (std::adjacent_find(wanted.begin(), wanted.end(), std::greater_equal<>()) != wanted.end()) {
     given->error("must ascend");
     return false;
+  }
+  if (gap.strikes_columns) {
+    std::vector<LevelPair> all;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (auto level = read_struck_level(given->item(i), wanted[i], gap, left, right)) all.push_back(*level);
+    }
+    gap.levels = all.size() == wanted.size() ? std::move(all) : std::vector<LevelPair>();
+    return !gap.levels.empty();
   }
   const std::vector<double> named =
       named_elevations(*given, wanted, gap.levels, floor_levels(left), floor_levels(right));
@@ -217,7 +237,6 @@ void Pairs::read_named(const TomlView& entry) {
   if (!made) return;
   const TableView& table = *made;
   table.refuse({"width"}, "is not for buildings in plan: their footprints say how far they are apart");
-  table.refuse({"strikes_columns", "column_capacity"}, "does not go with buildings in plan");
   const auto between = read_between(table, buildings_, "two buildings");
   const std::optional<std::int64_t> points = table.whole("points");
   if (!between) return;
@@ -242,12 +261,14 @@ void Pairs::read_named(const TomlView& entry) {
   GapSpec gap = pair_of(*stretch, one, other);
   gap.points = static_cast<int>(points.value_or(defaults_.points));
   if (!read_levels(table, gap)) return;
+  std::vector<double> elevations;
+  for (const LevelPair& level : gap.levels) elevations.push_back(level.elevation);
+  const GapSides sides{buildings_[gap.left], buildings_[gap.right], elevations};
+  read_column_capacity(table, sides, gap);
   if (!table.has("contact")) {
     if (!gap.levels.empty()) take_default_contact(table, gap);
   } else {
-    std::vector<double> elevations;
-    for (const LevelPair& level : gap.levels) elevations.push_back(level.elevation);
-    const auto contact = read_contact(table, {buildings_[gap.left], buildings_[gap.right], elevations}, Need::required);
+    const auto contact = read_contact(table, sides, Need::required);
     if (contact) {
       gap.contact = *contact;
       check_laws(*table.find("contact"), gap, buildings_);

@@ -15,9 +15,18 @@
 // The parts of a case that buildings in plan alone have, beside those of case_parts.h.
 namespace bentur {
 
+/// Of buildings and planes of them, both by number from 0, the nodes of frames in columns that are struck.
+using StruckNodes = std::map<std::pair<std::size_t, std::size_t>, std::vector<ColumnNode>>;
+
 /// plan_buildings.cpp
 [[nodiscard]] std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units& units,
-                                                            const CaseFiles& files);
+                                                            const CaseFiles& files, const StruckNodes& nodes = {});
+/// plan_columns.cpp: those that gaps say, of buildings that have been read without. No error is said of these.
+[[nodiscard]] StruckNodes struck_nodes(const TomlView& root, const std::vector<ReadBuilding>& buildings);
+/// plan_columns.cpp: the level at which a floor of one of the two buildings of a gap strikes columns of the other;
+/// nothing (and an error) where none can.
+[[nodiscard]] std::optional<LevelPair> read_struck_level(const TomlView& elevation, double wanted, const GapSpec& gap,
+                                                         const ReadBuilding& left, const ReadBuilding& right);
 /// The buildings with modes and damping, of what is right otherwise; an error at each that cannot be made.
 [[nodiscard]] std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
                                                        const std::vector<ReadBuilding>& buildings);
@@ -59,6 +68,21 @@ struct ReadBearings {
 
 /// plan_gaps.cpp: the pairs that may touch, in the order of their buildings.
 [[nodiscard]] std::vector<GapSpec> read_plan_gaps(const TomlView& root, const std::vector<ReadBuilding>& buildings);
+
+/// case_gaps.cpp: whether floors strike columns in a gap, and what these carry, where `spec` has its levels.
+void read_strikes_columns(const TableView& gap, GapSpec& spec);
+void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& spec);
+
+/// case_columns.cpp: whether a building has a floor at an elevation, to within a part of its height.
+[[nodiscard]] bool has_floor(const FloorLevels& levels, double elevation);
+/// case_columns.cpp: a number, where a value is one; no error is said.
+[[nodiscard]] std::optional<double> number_in(const std::optional<TomlView>& view);
+/// case_columns.cpp: elevations that a gap names to be struck [length], as far as they are numbers: what is wrong with
+/// it is said where it is read.
+[[nodiscard]] std::vector<double> elevations_to_strike(const TomlView& gap);
+/// case_columns.cpp: why no column can be struck at an elevation [length], by the storeys of its building; nothing
+/// where one can.
+[[nodiscard]] std::optional<std::string> no_column_at(const ReadBuilding& struck, double elevation);
 
 /// case_gaps.cpp: `elevations = []`.
 [[nodiscard]] bool models_no_contact(const TomlView& elevations);

@@ -110,6 +110,9 @@ Json plan_point_json(const PlanRun& run, Index index) {
   const PlanContact& contact = *place.contact;
   Json json = {{"elevation", contact.elevation}, {"at", {place.at.x(), place.at.y()}}};
   if (contact.beside) json["normal"] = direction_json(contact.beside->normal);
+  if (const auto struck = struck_column(run.problem, run.problem.gaps[place.gap], contact)) {
+    json["struck"] = run.problem.buildings[struck->building].name;
+  }
   put_quantities(json, Owner::point, run, {{index}});
   json["contact"] = contact_json(*contact.law, run.c.gaps.at(place.gap).contact);
   if (!contact.rubbing) return json;

@@ -24,6 +24,7 @@ void put_place(const PlanRun& run, std::size_t gap, Eigen::Index point, long poi
 
 /// Columns beyond what they carry: of each gap of a row the worst in shear and in moment.
 void tell_columns(const RunResults& run, std::vector<Statement>& statements);
+void tell_columns(const PlanRun& run, std::vector<Statement>& statements);
 
 /// Of bearings in plan, along x or along y. Results do not keep what they do without contact.
 [[nodiscard]] double ductility_of_bearings(const PlanRun& run, Eigen::Index building);

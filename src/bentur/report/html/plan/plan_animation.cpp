@@ -201,7 +201,8 @@ Json points_json(const PlanRun& run, const PlanScene& scene, const std::vector<d
     const PlanContactPlace place = contact_at(run.problem, i);
     const PlanGap& gap = run.problem.gaps[place.gap];
     const PlanContact& contact = *place.contact;
-    Json& one = points.emplace_back(facing_json(gap, contact.left_floor, contact.right_floor, gap.at(contact), scene));
+    Json& one = points.emplace_back(facing_json(gap, floor_at(run.problem, gap, contact, 0),
+                                                floor_at(run.problem, gap, contact, 1), gap.at(contact), scene));
     one.update({{"gap", place.gap},
                 {"elevation", contact.elevation},
                 {"level", number_of(levels, contact.elevation)},

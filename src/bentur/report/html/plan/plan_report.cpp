@@ -117,6 +117,30 @@ class PlanPage {
     return {"peaks", say_("heading.peaks"), content};
   }
 
+  /// Columns that are struck, gap after gap from the top down; empty where none is.
+  [[nodiscard]] html::PageSection columns() const {
+    std::vector<Index> points;
+    std::vector<std::string> struck;
+    std::vector<QuantityPlace> places;
+    for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) {
+      const PlanGap& gap = run_.problem.gaps[g];
+      for (Index i = std::ssize(gap.contacts); i-- > 0;) {
+        const auto column = struck_column(run_.problem, gap, gap.contacts[static_cast<std::size_t>(i)]);
+        if (!column) continue;
+        points.push_back(first_contact(run_.problem, g) + i);
+        places.push_back({points.back()});
+        struck.push_back(run_.problem.buildings[column->building].name);
+      }
+    }
+    if (points.empty()) return {};
+    HtmlTable table;
+    add_places(run_, points, say_, table);
+    table.add(say_("columns.struck"), "", struck, false);
+    html::add_columns(table, table_columns(Owner::point, run_, places, say_.number(), QuantityTable::struck));
+    return {"columns", say_("heading.columns"),
+            table.markup() + element("p", Html::text(say_("columns.note_in_plan")), "class=\"note\"")};
+  }
+
   [[nodiscard]] html::PageSection impacts(const std::vector<Index>& listed) const {
     const std::vector<Impact>& all = run_.response.impacts;
     if (all.empty()) return {"impacts", say_("heading.impacts"), element("p", say_("impacts.none"))};
@@ -309,7 +333,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
   html::PageBody body{
       .header = html::title_block(run.c.project, title, say("report.by", {{"version", options.version}}), say) +
                 html::identity(run.c.source, records, say),
-      .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
+      .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(), sections.columns(),
                    sections.impacts(listed),
                    html::sensitivity_section(options.sensitivity, run.c, say, options.language),
                    html::figures_section(say, figures),

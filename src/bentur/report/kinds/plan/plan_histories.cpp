@@ -26,7 +26,7 @@ struct Side {
 Side side_at(const PlanRun& run, Index point, int side) {
   const PlanContact& contact = *contact_at(run.problem, point).contact;
   const PlanGap& gap = gap_at(run, point);
-  return side == 0 ? Side{gap.left, contact.left_floor} : Side{gap.right, contact.right_floor};
+  return {side == 0 ? gap.left : gap.right, floor_at(run.problem, gap, contact, side)};
 }
 
 std::vector<double> times(std::vector<double> values, double factor) {

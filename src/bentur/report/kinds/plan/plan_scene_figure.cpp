@@ -343,7 +343,10 @@ class PlanPicture {
       }
       for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
         const PlanContact& contact = gap.contacts[i];
-        if (contact.left_floor != floors_[gap.left] || contact.right_floor != floors_[gap.right]) continue;
+        if (floor_at(run_.problem, gap, contact, 0) != floors_[gap.left] ||
+            floor_at(run_.problem, gap, contact, 1) != floors_[gap.right]) {
+          continue;
+        }
         const Index point = first_contact(run_.problem, g) + i;
         const StretchCorner place = gap.at(contact);
         const PlanPoint left = moved(gap.left, place.left), right = moved(gap.right, place.right);
