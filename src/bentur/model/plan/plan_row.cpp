@@ -103,20 +103,15 @@ Eigen::VectorXd moves_across(const PlanPeaks& peaks, const PlanPoint& normal) {
   return across.x() * peaks.south.cwiseMax(peaks.north) + across.y() * peaks.west.cwiseMax(peaks.east);
 }
 
-/// Along which normals the places of a row move, contact points or what is watched.
-template <class Place>
-std::vector<PlanPoint> normals_of(const PlanProblem& problem, const std::vector<Place>& places) {
+/// Along which normals the places of a row move: its points, else what is watched, gap after gap.
+std::vector<PlanPoint> normals_of(const PlanProblem& problem, bool of_points) {
   std::vector<PlanPoint> normals;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    constexpr bool is_point = std::is_same_v<Place, ContactPoint>;
-    const PlanGap& gap = problem.gaps[static_cast<std::size_t>(places[i].gap)];
-    std::size_t before = i;
-    while (before > 0 && places[before - 1].gap == places[i].gap) --before;
-    const auto normal = [&](const auto& one) { return one.beside ? one.beside->normal : gap.stretch.n; };
-    if constexpr (is_point) {
-      normals.push_back(normal(gap.contacts[contacts_in_row(gap)[i - before]]));
+  for (const PlanGap& gap : problem.gaps) {
+    const auto add = [&](const auto& one) { normals.push_back(one.beside ? one.beside->normal : gap.stretch.n); };
+    if (of_points) {
+      for (const Index i : contacts_in_row(gap)) add(gap.contacts[static_cast<std::size_t>(i)]);
     } else {
-      normals.push_back(normal(gap.watched[i - before]));
+      for (const PlanWatched& watched : gap.watched) add(watched);
     }
   }
   return normals;
@@ -125,7 +120,7 @@ std::vector<PlanPoint> normals_of(const PlanProblem& problem, const std::vector<
 /// Peaks of faces that are floors, where those were not asked for.
 template <class Summary, class Place>
 void know_peaks(const PlanRun& run, const std::vector<Place>& places, std::vector<Summary>& summaries) {
-  const std::vector<PlanPoint> normals = normals_of(run.problem, places);
+  const std::vector<PlanPoint> normals = normals_of(run.problem, std::is_same_v<Place, ContactPoint>);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Place& at = places[i];
     const auto peak = [&](Index building, std::optional<Index> floor, double& of) {

@@ -136,7 +136,8 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
     }
     double overlap = 0, stiffness = 0;  // that at the start; 0: no law has one that is constant
     for (; i < row.points.size() && row.points[i].gap == first.gap && row.points[i].elevation == first.elevation; ++i) {
-      stiffness += stiffness_of(law, row.points[i].law->parameters()).value_or(0);
+      // Beside the joint other walls have a contact of their own.
+      if (!row.points[i].beside) stiffness += stiffness_of(law, row.points[i].law->parameters()).value_or(0);
       if (!overlaps.empty()) overlap = std::max(overlap, overlaps[i]);
     }
     const double width = first.width - first.beyond;

@@ -11,6 +11,7 @@
 #include "bentur/io/input_file.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/compare.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/study/design/study_check.h"
@@ -356,7 +357,7 @@ class Work {
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
     return {.record = record,
-            .collapsed = response.status == Status::collapsed,
+            .collapsed = falls_without_contact(problem, response),
             .separations = separations(problem, response, read.c.code, read.c.units),
             .gaps = {}};
   }
@@ -380,7 +381,7 @@ class Work {
       throw std::runtime_error(record + ": " + run.response.message);
     const auto row = bentur::row_of(run);
     return {.record = record,
-            .collapsed = run.response.collapse_no_contact.has_value(),
+            .collapsed = falls_without_contact(problem, run.response),
             .separations = separations(row->problem, row->response, row->c.code, row->c.units),
             .gaps = {}};
   }

@@ -74,6 +74,12 @@ Story remedy_story(const RemedySearch& search) {
                           .severity = Severity::warning,
                           .values = {{"evaluations", count}, {"most", static_cast<long>(search.spec().evaluations)}}});
   }
+  // The search knows its objective alone: neither the motion reversed, unless the study asks for it, nor rules.
+  if (best != nullptr || smallest != nullptr) {
+    statements.push_back({.kind = "remedy_by_objective",
+                          .severity = Severity::remark,
+                          .values = {{"objective", search.spec().objective}}});
+  }
   sort_by_severity(statements);
   return story;
 }
