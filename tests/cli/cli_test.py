@@ -1196,7 +1196,7 @@ class PlanCases(CommandLine):
             words = " ".join(self.done(command, case).stdout.split())
             self.assertIn("POUNDING THAT IS NOT MODELLED: The floor of", words)
             self.assertIn("between two of its floors at", words)
-            self.assertIn("In plan floors strike floors alone", words)
+            self.assertIn("strike columns of frames of", words)
         gap = json.loads(self.done("gap", case, "--json").stdout)["gaps"][0]
         self.assertEqual({(floor["floor_of"], floor["elevation"], floor["faces"]) for floor in gap["watched_floors"]},
                          {("Walled", 5.5, "edge")} if gap["watched_floors"][0]["floor_of"] == "Walled"

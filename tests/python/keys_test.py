@@ -62,6 +62,7 @@ BEYOND = {
             isolation-strength-alone link-does-nothing link-place-of-row plan-backbone-twice plan-beside-row plan-frame-yields
             contact-spread-in-row plan-friction-of-law plan-gap-width plan-link-without-place
             plan-accidental-below plan-accidental-spectrum
+            plan-struck-without-frame plan-struck-without-mass
             plan-size-without-corner plan-suite-kinds plan-suite-same plan-suite-y-record matrices-damping-none
             matrices-damping-twice modal-with-calibration modal-with-p-delta modal-with-soil
             shear-capacity-dynamic shear-capacity-twice

@@ -108,6 +108,7 @@ Section read_section(const TomlView& given, const KeyTable& keys, double gravity
   read_hinges(*view, lines, section);
   read_shear(*view, lines, section);
   if (&keys == &plane_section_keys()) {
+    if (lines == 0) view->refuse({"density"}, "is of columns, which may be struck");
     section.line_mass = view->number("density").value_or(0) * section.area;
     return section;
   }

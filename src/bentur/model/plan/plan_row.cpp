@@ -90,7 +90,7 @@ std::vector<PointSummary> points_of_joints(const PlanProblem& problem, const std
     for (const Index i : in_row) points.push_back(all[first + static_cast<std::size_t>(i)]);
     for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
       const PlanContact& contact = gap.contacts[i];
-      if (!contact.is_of_pair()) add_beside(gap, in_row, contact, all[first + i], points.data() + begin);
+      if (!gap.is_of_pair(contact)) add_beside(gap, in_row, contact, all[first + i], points.data() + begin);
     }
     first += gap.contacts.size();
   }
@@ -211,7 +211,7 @@ std::shared_ptr<const RunResults> row_of(const PlanRun& run) {
 std::vector<Index> contacts_in_row(const PlanGap& gap) {
   std::vector<Index> places;
   for (std::size_t i = 0; i < gap.contacts.size(); ++i) {
-    if (gap.contacts[i].is_of_pair()) places.push_back(static_cast<Index>(i));
+    if (gap.is_of_pair(gap.contacts[i])) places.push_back(static_cast<Index>(i));
   }
   std::stable_sort(places.begin(), places.end(),
                    [&](Index a, Index b) { return gap.contacts[a].elevation < gap.contacts[b].elevation; });

@@ -51,7 +51,7 @@ StandingBuilding standing(const PlanModel& model, const Plan& plan, bool is_back
 double narrowest(const PlanGap& gap) {
   double width = std::numeric_limits<double>::infinity();
   for (const PlanContact& one : gap.contacts) {
-    if (one.is_of_pair()) width = std::min(width, gap.width_at(one));
+    if (gap.is_of_pair(one)) width = std::min(width, gap.width_at(one));
   }
   for (const PlanWatched& one : gap.watched) width = std::min(width, gap.width_at(one));
   return width;

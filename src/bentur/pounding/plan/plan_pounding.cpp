@@ -332,7 +332,7 @@ std::vector<double> gap_widths(const PlanProblem& problem) {
   std::vector<double> widths;
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      widths.push_back(contact.is_of_pair() ? gap.width_at(contact) : std::numeric_limits<double>::infinity());
+      widths.push_back(gap.is_of_pair(contact) ? gap.width_at(contact) : std::numeric_limits<double>::infinity());
     }
   }
   return widths;

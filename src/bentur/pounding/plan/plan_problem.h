@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -33,9 +34,6 @@ struct PlanContact {
   double column_moment_capacity = 0;         ///< of a struck column [force·length]; 0: not given
 
   [[nodiscard]] bool is_of_joint() const { return !beside; }
-  /// Whether it is of the joint of its pair of parts, so that what it needs they need: of outlines that turn inwards
-  /// each pair has one of its own.
-  [[nodiscard]] bool is_of_pair() const { return family <= 0; }
 };
 
 /// A place of a seam between parts of an outline that is not convex: nothing acts there, but contacts of the same pair
@@ -67,6 +65,14 @@ struct PlanGap {
   std::vector<PlanWatched> watched = {};  ///< likewise
   std::vector<PlanSeam> seams = {};       ///< in any order
 
+  /// Whether a contact is of the joint of its pair of parts, so that what it needs they need: of outlines that turn
+  /// inwards each pair has one of its own, or where that is a seam its other places that are open at rest.
+  [[nodiscard]] bool is_of_pair(const PlanContact& contact) const {
+    if (contact.family <= 0) return true;
+    return width_at(contact) >= 0 && std::none_of(contacts.begin(), contacts.end(), [&](const PlanContact& other) {
+             return other.family <= 0 && other.pair == contact.pair && other.elevation == contact.elevation;
+           });
+  }
   /// Where a contact of it is, or what is watched.
   template <class Place>
   [[nodiscard]] StretchCorner at(const Place& place) const {
