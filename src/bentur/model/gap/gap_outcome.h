@@ -23,7 +23,7 @@ struct GoverningLevel {
   double gap_needed = 0;                           ///< [length]
   std::optional<double> gap_needed_reversed = {};  ///< there, under the ground motion times −1 [length]
   double scale = 0;                                ///< displacement_scale() [length]
-  /// The same at its place, as people are told: beside a joint in plan what is given and needed there [length].
+  /// The same at its place, for people: beside a joint in plan what is given and needed there [length].
   double width_here = 0, needed_here = 0;
 
   /// Whether the gap is too narrow by more than round-off.

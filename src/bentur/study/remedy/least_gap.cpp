@@ -97,7 +97,7 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
   const auto add = [&](const char* name, bool is_said, const char* text) {
     statement.values.push_back({name, is_said ? text : "", {}, is_said});
   };
-  const bool asks_more = one.asked && *one.asked > one.width;
+  const bool asks_more = one.asked.value_or(0) - one.width > 0;
   add("doubt", one.is_doubted, "story.least_gap_more");
   add("rules", asks_more, "story.least_gap_asked");
   if (asks_more) statement.values.push_back({"asked", *one.asked, length});
