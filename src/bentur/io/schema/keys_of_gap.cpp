@@ -28,7 +28,8 @@ const KeyTable& gap_keys() {
                       "its law, see below; may be left out with `elevations = []`")
            .optional("needed but for `elevations = []`"),
        Key::of("strikes_columns", Key::Kind::flag, {"Floors strike columns", "Lantai membentur kolom"},
-               "`elevations` may name a floor that faces a column of the other building, a frame or one with `columns`, in plan "
+               "`elevations` may name a floor that faces a column of the other building, a frame or one with "
+               "`columns`, in plan "
                "columns of its frames across the joint")
            .by_default(0),
        Key::sub_table(

@@ -99,17 +99,6 @@ std::vector<LargestDrift> drifts_no_contact(const RunResults& run) {
 
 std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) { return drifts_no_contact(run.response); }
 
-bool falls_without_contact(const Problem& problem, const Response& response) {
-  std::vector<LargestDrift> drifts;
-  for (const BuildingPeaks& one : response.buildings) drifts.push_back(largest_drift(one.drift_ratio_no_contact));
-  return response.collapse_no_contact || !beyond(drifts, problem.buildings, problem.collapse_drift).empty();
-}
-
-bool falls_without_contact(const PlanProblem& problem, const PlanResponse& response) {
-  return response.collapse_no_contact ||
-         !beyond(drifts_no_contact(response), problem.buildings, problem.collapse_drift).empty();
-}
-
 RunFacts run_facts(const RunResults& run) {
   RunFacts facts =
       with_gaps(common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation)), run);

@@ -14,11 +14,6 @@ namespace bentur {
 [[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const RunResults& run);
 [[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const PlanRun& run);
 
-/// Whether some building collapses without contact, or drifts beyond what counts as that where nothing looks for it:
-/// then no gap is known to be wide enough.
-[[nodiscard]] bool falls_without_contact(const Problem& problem, const Response& response);
-[[nodiscard]] bool falls_without_contact(const PlanProblem& problem, const PlanResponse& response);
-
 /// What the gaps of a run of a row have in common.
 [[nodiscard]] RunFacts run_facts(const RunResults& run);
 /// The same of buildings in plan.

@@ -38,7 +38,9 @@ struct PlaceColumns {
 StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
   const std::string& length = facts.c.units.length;
   const double scale = facts.scale(gap);
-  const auto governing = governing_level(levels, scale);
+  std::vector<LevelSeparation> either = levels;  // as given and reversed, whichever needs more
+  for (LevelSeparation& one : either) one.gap_needed = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
+  const auto governing = governing_level(either, scale);
   const Judgement& judged = judged_of(facts, gap);
   StoryColumn elevation{"column.elevation", length}, kind{.label = "gap.faces", .are_words = true};
   StoryColumn owner{.label = "gap.floor_of"}, given{"column.given", length};

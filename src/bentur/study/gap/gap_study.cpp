@@ -11,7 +11,6 @@
 #include "bentur/io/input_file.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/compare.h"
-#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/study/design/study_check.h"
@@ -357,7 +356,7 @@ class Work {
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
     return {.record = record,
-            .collapsed = falls_without_contact(problem, response),
+            .collapsed = response.status == Status::collapsed,
             .separations = separations(problem, response, read.c.code, read.c.units),
             .gaps = {}};
   }
@@ -381,7 +380,7 @@ class Work {
       throw std::runtime_error(record + ": " + run.response.message);
     const auto row = bentur::row_of(run);
     return {.record = record,
-            .collapsed = falls_without_contact(problem, run.response),
+            .collapsed = run.response.collapse_no_contact.has_value(),
             .separations = separations(row->problem, row->response, row->c.code, row->c.units),
             .gaps = {}};
   }
