@@ -120,7 +120,8 @@ TEST_F(LeastGapOf, AGapThatIsTooSmallKeepsItsDoubtsAndRules) {
   gap.judged = Sufficiency::too_small;
   gap.is_short = true;
   const auto word = [&](const std::string& name) {
-    for (const StoryValue& value : least_gap_story(found).statements.front().values) {
+    const Story story = least_gap_story(found);
+    for (const StoryValue& value : story.statements.front().values) {
       if (value.name == name) return std::get<std::string>(value.value);
     }
     return std::string("none");
