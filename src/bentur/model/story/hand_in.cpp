@@ -173,8 +173,8 @@ void check_contact(const GapView& view, Index gap, Checks& checks) {
                                      [](const Reason& one) { return !says_too_small(one.kind); });
     const bool known =
         !is_open && (!facts.has_other_way || facts.reversed.looked_at) && facts.reversed.contact_looked_at;
-    checks.add(check, "check.by_motion", gap_name(view.problem, gap), "0", "0",
-               known ? "check.met" : "story.silence.unknown", !known);
+    checks.add(check, "check.by_motion", gap_name(view.problem, gap), "0", "0", known ? "check.met" : "check.not_known",
+               !known);
   }
 }
 
@@ -187,7 +187,7 @@ void check_need(const GapView& facts, Index gap, Checks& checks) {
     if (!found) return;
     const std::string where = level_text(facts, gap, found->elevation), limit = with_unit(found->width_here, length);
     if (!is_known) {
-      checks.add(check, "check.by_motion", where, "–", limit, "story.silence.unknown", true);
+      checks.add(check, "check.by_motion", where, "–", limit, "check.not_known", true);
       return;
     }
     add_against(facts, gap, found->is_short(), checks, check, "check.by_motion", where,

@@ -12,7 +12,7 @@ namespace bentur {
 namespace {
 
 constexpr double of_hundred = 100;
-constexpr const char* not_known_word = "story.silence.unknown";
+constexpr const char* not_known_word = "check.not_known";
 constexpr const char* collapsed_word = "story.silence.collapsed";
 
 std::optional<double> known(double value) { return !std::isfinite(value) ? std::nullopt : std::optional(value); }
