@@ -56,13 +56,11 @@ bool some_point_has(const Quantity& quantity, const Problem& problem) {
                      [&](const ContactPoint& point) { return holds(quantity.source.when, problem, point); });
 }
 
-/// Whether a quantity is of a contact in plan.
-bool holds(When when, const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
-  const bool shear = contact.column_shear_capacity > 0, moment = contact.column_moment_capacity > 0;
-  const bool is_struck = struck_column(problem, gap, contact).has_value();
+/// Whether a quantity is of a point of a row, or of a contact in plan.
+template <class Point>
+bool holds_at(When when, bool is_struck, const Point& point) {
+  const bool shear = point.column_shear_capacity > 0, moment = point.column_moment_capacity > 0;
   switch (when) {
-    case When::rubs:
-      return contact.rubbing != nullptr;
     case When::struck:
       return is_struck;
     case When::struck_shear:
@@ -76,14 +74,18 @@ bool holds(When when, const PlanProblem& problem, const PlanGap& gap, const Plan
   }
 }
 
+bool holds(When when, const PlanProblem& problem, const PlanGap& gap, const PlanContact& contact) {
+  if (when == When::rubs) return contact.rubbing != nullptr;
+  return holds_at(when, struck_column(problem, gap, contact).has_value(), contact);
+}
+
 bool some_point_has(const Quantity& quantity, const PlanProblem& problem) {
   const When when = quantity.source.when;
-  const bool is_of_some = when == When::rubs || when == When::struck || when == When::struck_shear ||
-                          when == When::struck_moment || when == When::struck_capacity;
-  return !is_of_some || std::any_of(problem.gaps.begin(), problem.gaps.end(), [&](const PlanGap& gap) {
-    return std::any_of(gap.contacts.begin(), gap.contacts.end(),
-                       [&](const PlanContact& contact) { return holds(when, problem, gap, contact); });
-  });
+  const bool is_of_all = when != When::rubs && holds_at(when, false, PlanContact{});
+  return is_of_all || std::any_of(problem.gaps.begin(), problem.gaps.end(), [&](const PlanGap& gap) {
+           return std::any_of(gap.contacts.begin(), gap.contacts.end(),
+                              [&](const PlanContact& contact) { return holds(when, problem, gap, contact); });
+         });
 }
 
 /// How many values an owner has that is none of a building.
@@ -212,19 +214,7 @@ bool holds(When when, const PlanBuilding& building) {
 }
 
 bool holds(When when, const Problem& problem, const ContactPoint& point) {
-  const bool shear = point.column_shear_capacity > 0, moment = point.column_moment_capacity > 0;
-  switch (when) {
-    case When::struck:
-      return struck_column(problem, point).has_value();
-    case When::struck_shear:
-      return shear && struck_column(problem, point);
-    case When::struck_moment:
-      return moment && struck_column(problem, point);
-    case When::struck_capacity:
-      return (shear || moment) && struck_column(problem, point);
-    default:
-      return true;
-  }
+  return holds_at(when, struck_column(problem, point).has_value(), point);
 }
 
 std::vector<RowPart> row_parts(const Problem& problem, const Units& units, bool energy_audit) {

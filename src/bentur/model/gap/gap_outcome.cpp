@@ -196,9 +196,8 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
           number(remedy.level), other);
     case Remedy::Kind::give_floor:
       return fmt::format(
-          "gap.strikes_columns = true with {0} among gap.elevations lets it strike columns of {1} there, where frames "
-          "of "
-          "that run across the joint; else a rough model gives it a floor at level {0} {2}",
+          "gap.strikes_columns = true with {0} among gap.elevations lets it strike columns of {1} there, where its "
+          "frames run across the joint; else a rough model gives it a floor at level {0} {2}",
           number(remedy.level), other, length);
     case Remedy::Kind::give_wall:
       return fmt::format("a base cannot be struck: a case with a wall (rigid = true) in place of {} shows what it does",

@@ -124,10 +124,6 @@ QuantitySource struck(When when) {
   return source;
 }
 
-}  // namespace
-
-namespace {
-
 /// What a struck column can carry, as a point of a row has it.
 ContactPoint capacities_of(const PlanContact& contact) {
   ContactPoint point;

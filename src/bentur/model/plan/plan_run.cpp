@@ -221,6 +221,7 @@ std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<Pl
   std::vector<PlanWatched> watched;
   if (gap.stretch.is_corner()) return watched;
   const PlanBuilding &left = buildings.at(gap.left), &right = buildings.at(gap.right);
+  const bool are_convex = left.model.footprint.is_convex() && right.model.footprint.is_convex();
   for (const FacingFloor& found :
        facing_floors(levels_of(left.model), levels_of(right.model), gap.level_tolerance, touches)) {
     PlanWatched one{.floor_of = found.side == 0 ? gap.left : gap.right,
@@ -231,6 +232,7 @@ std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<Pl
       one.along = end;
       watched.push_back(one);
     }
+    if (are_convex) continue;  // of which there is one pair of parts
     const double height = found.elevation - std::min(levels_of(left.model).base, levels_of(right.model).base);
     for (StretchPoint& point :
          points_between(left.model.footprint, right.model.footprint, gap.stretch, 2, moves_of_height * height)) {

@@ -171,8 +171,7 @@ void check_contact(const GapView& view, Index gap, Checks& checks) {
     }
     const bool is_open = std::any_of(judged.reasons.begin(), judged.reasons.end(),
                                      [](const Reason& one) { return !says_too_small(one.kind); });
-    const bool known =
-        !is_open && (!facts.has_other_way || facts.reversed.looked_at) && facts.reversed.contact_looked_at;
+    const bool known = !is_open && facts.reversed.contact_looked_at;
     checks.add(check, "check.by_motion", gap_name(view.problem, gap), "0", "0", known ? "check.met" : "check.not_known",
                !known);
   }

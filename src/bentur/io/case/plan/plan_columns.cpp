@@ -17,7 +17,7 @@ std::optional<std::size_t> building_of(const TomlView& name, const std::vector<R
   return std::nullopt;
 }
 
-/// The frames of one side of a joint that run across it, with how much mass their columns have in a storey.
+/// Whether the columns of all of these frames have mass in a storey.
 bool have_mass(const ReadBuilding& struck, const std::vector<FrameAcross>& frames, std::size_t storey) {
   const Plan& plan = std::get<Plan>(struck.spec.structure);
   return std::all_of(frames.begin(), frames.end(), [&](const FrameAcross& one) {

@@ -120,8 +120,10 @@ void check_laws(const TomlView& contact, const GapSpec& gap, const std::vector<R
       const bool is_known =
           !struck_columns(*struck == 0 ? left : right, gap.stretch, *struck, one.levels.front().elevation).empty();
       if (!is_known) continue;  // what is wrong has been said
-      for (auto* const list : {&one.column_capacity->shear, &one.column_capacity->moment}) {
-        if (one.column_capacity && list->size() > 1) *list = {list->at(level)};
+      if (auto& capacity = one.column_capacity) {
+        for (auto* const list : {&capacity->shear, &capacity->moment}) {
+          if (list->size() > 1) *list = {list->at(level)};
+        }
       }
     }
     for (auto& [key, list] : one.contact.numbers) list = {list.size() == 1 ? list.front() : list.at(level)};
