@@ -44,11 +44,12 @@ void put_nodes(const TomlView& gap, ReadBuilding& left, ReadBuilding& right) {
   if (elevations.empty() || a.elevations.empty() || b.elevations.empty()) return;
   const std::vector<LevelPair> pairs = level_floors(a, b, number_in(gap.find("level_tolerance")));
   for (const double elevation : elevations) {
-    const bool of_left = has_floor(a, elevation);
-    if (pair_at(elevation, pairs, a, b) != nullptr || (!of_left && !has_floor(b, elevation))) continue;
-    ReadBuilding& struck = of_left ? right : left;
+    const std::optional<Strike> strike = strike_at(a, b, elevation);
+    if (pair_at(elevation, pairs, a, b) != nullptr || !strike) continue;
+    ReadBuilding& struck = strike->struck == 0 ? left : right;
     if (refusal(struck, elevation)) continue;
-    column_nodes(struck.spec)->push_back({.left = of_left, .elevation = elevation - struck.spec.base_elevation});
+    column_nodes(struck.spec)
+        ->push_back({.left = strike->struck == 1, .elevation = elevation - struck.spec.base_elevation});
     struck.modes = 0;
     struck.made = nullptr;
   }
@@ -62,11 +63,17 @@ std::optional<double> number_in(const std::optional<TomlView>& view) {
   return std::nullopt;
 }
 
-bool has_floor(const FloorLevels& levels, double elevation) {
+std::optional<Strike> strike_at(const FloorLevels& left, const FloorLevels& right, double elevation) {
   constexpr double round_off = 1e-6;
-  const double height = levels.elevations.back() - levels.base;
-  return std::any_of(levels.elevations.begin(), levels.elevations.end(),
-                     [&](double floor) { return std::abs(floor - elevation) <= round_off * height; });
+  for (const int side : {0, 1}) {
+    const FloorLevels& levels = side == 0 ? left : right;
+    const double height = levels.elevations.back() - levels.base;
+    const auto floor = std::find_if(levels.elevations.begin(), levels.elevations.end(),
+                                    [&](double one) { return std::abs(one - elevation) <= round_off * height; });
+    if (floor == levels.elevations.end()) continue;
+    return Strike{.struck = 1 - side, .floor = static_cast<int>(floor - levels.elevations.begin())};
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> no_column_at(const ReadBuilding& struck, double elevation) {
@@ -136,10 +143,10 @@ std::vector<double> read_struck_columns(const TomlView& list, const std::vector<
   std::vector<double> named;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const LevelPair* const pair = pair_at(wanted[i], pairs, a, b);
-    const bool of_left = has_floor(a, wanted[i]);
-    if (pair == nullptr && !of_left && !has_floor(b, wanted[i])) {
+    const std::optional<Strike> strike = strike_at(a, b, wanted[i]);
+    if (pair == nullptr && !strike) {
       list.item(i).error_value("neither building has a floor there");
-    } else if (const auto why = pair ? std::nullopt : refusal(of_left ? right : left, wanted[i])) {
+    } else if (const auto why = pair ? std::nullopt : refusal(strike->struck == 0 ? left : right, wanted[i])) {
       list.item(i).error_value(*why);
     } else {
       named.push_back(pair ? pair->elevation : wanted[i]);

@@ -63,12 +63,14 @@ void put_nodes(const TomlView& gap, const std::vector<ReadBuilding>& buildings, 
   const std::vector<LevelPair> pairs = level_floors(levels[0], levels[1], number_in(gap.find("level_tolerance")));
   for (const double elevation : elevations) {
     if (pair_at(elevation, pairs, levels[0], levels[1]) != nullptr) continue;
-    const int side = has_floor(levels[0], elevation) ? 1 : 0;
-    const ReadBuilding& struck = buildings[sides[side]];
-    if (!has_floor(levels[1 - side], elevation) || refusal(struck, *stretch, side, elevation)) continue;
-    for (const FrameAcross& frame : frames_across(struck.spec, *stretch, side)) {
+    const std::optional<Strike> strike = strike_at(levels[0], levels[1], elevation);
+    if (!strike) continue;
+    const std::size_t at = sides[strike->struck];
+    const ReadBuilding& struck = buildings[at];
+    if (refusal(struck, *stretch, strike->struck, elevation)) continue;
+    for (const FrameAcross& frame : frames_across(struck.spec, *stretch, strike->struck)) {
       const ColumnNode node{.left = frame.left, .elevation = elevation - struck.spec.base_elevation};
-      std::vector<ColumnNode>& all = nodes[{sides[side], frame.plane}];
+      std::vector<ColumnNode>& all = nodes[{at, frame.plane}];
       const auto same = [&](const ColumnNode& other_node) {
         return other_node.left == node.left && other_node.elevation == node.elevation;
       };
@@ -91,24 +93,22 @@ std::optional<LevelPair> read_struck_level(const TomlView& elevation, double wan
                                            const ReadBuilding& left, const ReadBuilding& right) {
   const FloorLevels a = floor_levels(left), b = floor_levels(right);
   if (const LevelPair* const pair = pair_at(wanted, level_floors(a, b, gap.level_tolerance), a, b)) return *pair;
-  const bool of_left = has_floor(a, wanted);
-  if (!of_left && !has_floor(b, wanted)) {
+  const std::optional<Strike> strike = strike_at(a, b, wanted);
+  if (!strike) {
     elevation.error_value("neither building has a floor there");
     return std::nullopt;
   }
-  const int side = of_left ? 1 : 0;
-  if (const auto why = refusal(of_left ? right : left, gap.stretch, side, wanted)) {
+  const bool of_left = strike->struck == 0;
+  if (const auto why = refusal(of_left ? left : right, gap.stretch, strike->struck, wanted)) {
     elevation.error_value(*why);
     return std::nullopt;
   }
-  const auto floor = [&](const FloorLevels& levels, bool strikes) {
-    constexpr double round_off = 1e-6;  // as has_floor() takes it
-    const double at = strikes ? wanted - round_off * (levels.elevations.back() - levels.base) : wanted;
-    return static_cast<int>(std::lower_bound(levels.elevations.begin(), levels.elevations.end(), at) -
-                            levels.elevations.begin());
-  };
-  return LevelPair{
-      .left_floor = floor(a, of_left), .right_floor = floor(b, !of_left), .elevation = wanted, .struck = side};
+  const std::vector<double>& floors = (of_left ? a : b).elevations;  // of the struck one the floor above
+  const auto above = static_cast<int>(std::lower_bound(floors.begin(), floors.end(), wanted) - floors.begin());
+  return LevelPair{.left_floor = of_left ? above : strike->floor,
+                   .right_floor = of_left ? strike->floor : above,
+                   .elevation = wanted,
+                   .struck = strike->struck};
 }
 
 }  // namespace bentur

@@ -73,8 +73,14 @@ struct ReadBearings {
 void read_strikes_columns(const TableView& gap, GapSpec& spec);
 void read_column_capacity(const TableView& gap, const GapSides& sides, GapSpec& spec);
 
-/// case_columns.cpp: whether a building has a floor at an elevation, to within a part of its height.
-[[nodiscard]] bool has_floor(const FloorLevels& levels, double elevation);
+/// A floor of one of two buildings that strikes a column of the other.
+struct Strike {
+  int struck = 0;  ///< whose column: 0 the left one's, 1 the right one's
+  int floor = 0;   ///< of the other
+};
+/// case_columns.cpp: which floor may strike at an elevation [length], of those of the left building first, to within a
+/// part of its height; nothing where neither has one there.
+[[nodiscard]] std::optional<Strike> strike_at(const FloorLevels& left, const FloorLevels& right, double elevation);
 /// case_columns.cpp: a number, where a value is one; no error is said.
 [[nodiscard]] std::optional<double> number_in(const std::optional<TomlView>& view);
 /// case_columns.cpp: elevations that a gap names to be struck [length], as far as they are numbers: what is wrong with
