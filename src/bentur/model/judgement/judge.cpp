@@ -171,9 +171,8 @@ Judgement judge(const GapFacts& facts) {
     reasons.push_back({.kind = Reason::Kind::doubt, .count = static_cast<long>(i), .subject = facts.doubts[i].subject});
   }
   std::stable_sort(reasons.begin(), reasons.end(), [](const Reason& a, const Reason& b) { return a.kind < b.kind; });
-  const bool is_known =
-      std::all_of(reasons.begin(), reasons.end(), [](const Reason& one) { return says_too_small(one.kind); }) &&
-      !more_may_come(facts);  // which is no reason beside a need that falls short now, but holds at other levels
+  // More that may come is no reason beside a need that falls short now, but holds at other levels.
+  const bool is_known = !made.is_open() && !more_may_come(facts);
   made.levels.assign(facts.levels.size(), is_known ? Sufficiency::enough : Sufficiency::unknown);
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     for (const Way way : ways_of_motion) {

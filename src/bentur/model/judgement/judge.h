@@ -65,6 +65,8 @@ struct Judgement {
   bool alone = false;                    ///< what is needed is needed if no other gap closes, as one does
 
   [[nodiscard]] bool is_enough() const { return value == Sufficiency::enough; }
+  /// Whether something that decides it is not known, whatever else makes it too small.
+  [[nodiscard]] bool is_open() const { return !reasons.empty() && !says_too_small(reasons.back().kind); }
 };
 
 /// The one judgement of a gap, from all facts: "enough", "to spare", "met", "stay apart" are said by it alone.
@@ -96,6 +98,8 @@ struct JudgementOfMany {
   std::vector<Found> reasons = {};  ///< worst first
 
   [[nodiscard]] bool is_enough() const { return value == Sufficiency::enough; }
+  /// As Judgement::is_open().
+  [[nodiscard]] bool is_open() const { return !reasons.empty() && !says_too_small(reasons.back().worst.kind); }
 };
 /// What is judged of a gap but for what rules ask.
 [[nodiscard]] Sufficiency without_rules(const Judgement& judgement);

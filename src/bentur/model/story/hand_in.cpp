@@ -169,9 +169,7 @@ void check_contact(const GapView& view, Index gap, Checks& checks) {
                  "0", false);
       continue;
     }
-    const bool is_open = std::any_of(judged.reasons.begin(), judged.reasons.end(),
-                                     [](const Reason& one) { return !says_too_small(one.kind); });
-    const bool known = !is_open && facts.reversed.contact_looked_at;
+    const bool known = !judged.is_open() && facts.reversed.contact_looked_at;
     checks.add(check, "check.by_motion", gap_name(view.problem, gap), "0", "0", known ? "check.met" : "check.not_known",
                !known);
   }
