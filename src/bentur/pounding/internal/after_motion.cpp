@@ -59,7 +59,7 @@ bool some_yield(const System& system) {
 /// Whether a bound says little, of what yields or is tied to others, and the run has gone on as long as any does.
 bool has_gone_on(const System& system) {
   const double longest = most_periods_after * slowest_period(system);
-  return (some_yield(system) || !system.joints.empty()) &&
+  return motion_ends(system) && (some_yield(system) || !system.joints.empty()) &&
          system.duration + step_of(system) >= end_of_records(system) + longest;
 }
 
@@ -132,13 +132,14 @@ FreeSolution free_solution(System system, const Solver& solver, const std::funct
 void take_to_come(const FreeSolution& free, const std::vector<Index>& places, std::vector<PointSummary>& points,
                   std::vector<WatchedSummary>& watched) {
   const System& system = free.system();
-  if (!motion_ends(system) || free.solution().status != Status::done || has_gone_on(system)) return;
+  if (free.solution().status != Status::done || has_gone_on(system)) return;
   const std::vector<ToCome>& all = free.solution().to_come;
   const bool mirrored = is_mirrored(system);
-  const bool is_cut = goes_on_after(system);
+  const bool is_cut = goes_on_after(system), ends = motion_ends(system);
   const auto take = [&](const ToCome& one, auto& summary) {
-    if (is_cut) summary.to_come = summary.to_come_reversed = std::numeric_limits<double>::infinity();
-    if (!one.known || is_cut) return;
+    const bool is_open = is_cut || (!one.known && !ends);
+    if (is_open) summary.to_come = summary.to_come_reversed = std::numeric_limits<double>::infinity();
+    if (!one.known || is_open) return;
     summary.to_come = std::max(0.0, one.most(0));
     if (mirrored) summary.to_come_reversed = std::max(0.0, one.most(0, -1));
   };

@@ -1,8 +1,12 @@
 #include "bentur/solve/engine/run/account/to_come.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numbers>
+#include <variant>
 
 namespace bentur::engine {
 namespace {
@@ -15,7 +19,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// What is left of the motion of one body.
 struct Left {
   VectorXd rest;            ///< of its modes, where they come to rest
-  VectorXd q, v;            ///< from there
+  Eigen::MatrixXcd steady;  ///< how they swing with each harmonic motion, a column each: Re(steady e^(iνt))
+  VectorXd q, v;            ///< from both
+  bool goes_on = false;     ///< under a harmonic motion of whose steady response nothing is known
   VectorXd omega_squared;   ///< Ω² [1/s²]
   VectorXd two_sigma = {};  ///< [1/s]; empty: modes are not apart
   double twice_energy = 0;  ///< of all of them together
@@ -47,6 +53,51 @@ std::vector<char> tied_bodies(const System& given) {
   return tied;
 }
 
+/// A harmonic motion as G of a_g = Re(G e^(iνt)), t from `time` after its start on.
+std::complex<double> from_there(const HarmonicMotion& motion, double time) {
+  const double nu = 2 * std::numbers::pi / motion.period;
+  const std::complex<double> of_displacement =
+      motion.phase == HarmonicMotion::Phase::sine ? std::complex<double>(0, -1) : std::complex<double>(1, 0);
+  return -nu * nu * motion.displacement_amplitude * of_displacement * std::polar(1.0, nu * time);
+}
+
+/// How the modes of a body swing with a harmonic motion of ν that goes on: q = Re(Q e^(iνt)),
+/// (Ω² − ν² + iνD) Q = γ G.
+Eigen::VectorXcd steady_of(const ModalSystem& system, const ModalSystem::Block& block, Index component,
+                           const std::complex<double>& ground, double nu) {
+  const auto of = [&](const VectorXd& x) { return x.segment(block.begin, block.modes); };
+  const Eigen::VectorXcd pushed = ground * system.gamma.col(component).segment(block.begin, block.modes);
+  const std::complex<double> speed(0, nu);
+  Eigen::VectorXcd stiffness = (of(system.omega_squared).array() - nu * nu).cast<std::complex<double>>();
+  if (block.damping) {
+    Eigen::MatrixXcd all = speed * block.damping->topLeftCorner(block.modes, block.modes);
+    all.diagonal() += stiffness;
+    return all.partialPivLu().solve(pushed);
+  }
+  stiffness += speed * of(system.two_sigma);
+  return pushed.cwiseQuotient(stiffness);
+}
+
+/// Takes off how a body swings with harmonic motions, which no later swing exceeds.
+void take_steady(const System& given, const ModalSystem& system, std::size_t body, bool is_tied, Left& left) {
+  const ModalSystem::Block& block = system.blocks[body];
+  left.steady = Eigen::MatrixXcd::Zero(block.modes, system.components());
+  for (Index c = 0; c < system.components(); ++c) {
+    const auto* const motion = std::get_if<HarmonicMotion>(&given.motions[static_cast<std::size_t>(c)]);
+    if (motion == nullptr || block.modes == 0) continue;
+    const Body& of = given.bodies[body];
+    const double since = given.duration - given.delay(body), nu = 2 * std::numbers::pi / motion->period;
+    const Eigen::VectorXcd steady = steady_of(system, block, c, from_there(*motion, since), nu);
+    if (is_tied || since < 0 || !of.elements.empty() || !of.coupled.empty() || !steady.allFinite()) {
+      left.goes_on = true;
+      continue;
+    }
+    left.steady.col(c) = steady;
+    left.q -= steady.real();
+    left.v -= (std::complex<double>(0, nu) * steady).real();
+  }
+}
+
 /// Where forces of a body's own elements beyond those of K hold its modes.
 VectorXd rest_of(const ModalSystem& system, const ModalSystem::Block& block, const State& state) {
   VectorXd pushed = VectorXd::Zero(block.modes);
@@ -71,6 +122,7 @@ std::vector<Left> left_of(const System& given, const ModalSystem& system, const 
     left.rest = tied[b] != 0 ? VectorXd(VectorXd::Zero(block.modes)) : rest_of(system, block, state);
     left.q = of(state.q) - left.rest;
     left.v = of(state.v);
+    take_steady(given, system, b, tied[b] != 0, left);
     left.omega_squared = of(system.omega_squared);
     left.twice_energy = left.v.squaredNorm() + left.omega_squared.dot(left.q.cwiseAbs2());
     if (tied[b] != 0) {
@@ -86,9 +138,12 @@ std::vector<Left> left_of(const System& given, const ModalSystem& system, const 
 }
 
 /// Modes of both sides of a gap that swing alike, as those of two like buildings, are one.
-void add_side(const Left& left, const VectorXd& row, std::vector<Swing>& swings, ToCome& to) {
+/// @param steady of δ under each component, a term of each side added
+void add_side(const Left& left, const VectorXd& row, std::vector<Swing>& swings, Eigen::VectorXcd& steady, ToCome& to) {
   const VectorXd modes = row.head(left.rest.size());
   to.rest += modes.dot(left.rest);
+  steady += left.steady.transpose() * modes;
+  if (left.goes_on) to.fading.push_back({infinite, 0.0});
   double compliance = 0.0;
   for (Index k = 0; k < modes.size(); ++k) {
     if (modes(k) == 0.0) continue;
@@ -123,8 +178,10 @@ std::vector<ToCome> to_come(const System& given, const ModalSystem& system, cons
     to.known = !of_ground(at.left, at.left_row) && (at.right_size == 0 || !of_ground(at.right, at.right_row));
     if (!to.known) return;
     std::vector<Swing> swings;
-    add_side(bodies[at.left], at.left_row, swings, to);
-    if (at.right_size > 0) add_side(bodies[at.right], at.right_row, swings, to);
+    Eigen::VectorXcd steady = Eigen::VectorXcd::Zero(system.components());
+    add_side(bodies[at.left], at.left_row, swings, steady, to);
+    if (at.right_size > 0) add_side(bodies[at.right], at.right_row, swings, steady, to);
+    if (const double size = steady.cwiseAbs().sum(); size > 0) to.fading.push_back({size, 0.0});
     for (const Swing& one : swings) {
       if (one.q != 0.0 || one.v != 0.0) to.fading.push_back(one.bound());
     }

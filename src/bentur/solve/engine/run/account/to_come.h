@@ -8,7 +8,7 @@
 namespace bentur::engine {
 
 /// How far every contact's δ (those that rub last) and then every watched one can still go after `state`, in which no
-/// bodies touch, while the ground rests. (T-9)
+/// bodies touch, while the ground rests or swings on in harmony. (T-9)
 [[nodiscard]] std::vector<ToCome> to_come(const System& given, const ModalSystem& system, const State& state,
                                           const Elements& elements);
 
