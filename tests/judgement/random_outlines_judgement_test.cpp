@@ -134,5 +134,32 @@ TEST(RandomOutlines, AreNeverEnoughWhereSomeWallMeets) {
   EXPECT_GT(tally.beside, 0.1 * count);
 }
 
+// Where contacts beside a joint say what their pair of parts needs, floors are watched that contacts leave out.
+TEST(RandomOutlines, AreWatchedWhereTheyWouldTouch) {
+  const auto [first, count] = seeds_of("BENTUR_JUDGED_OUTLINES", {1, 1500}, {1, 15});
+  long places = 0, seams = 0;
+  for (unsigned seed = first; seed < first + count; ++seed) {
+    SCOPED_TRACE(fmt::format("block {}", seed));
+    Case c = block(seed);
+    const PlanProblem touching = make_plan_problem(c);
+    for (GapSpec& gap : c.gaps) gap.levels.clear();
+    const PlanProblem watching = make_plan_problem(c);
+    for (std::size_t g = 0; g < touching.gaps.size(); ++g) {
+      const std::vector<PlanWatched>& watched = watching.gaps[g].watched;
+      for (const PlanContact& contact : touching.gaps[g].contacts) {
+        if (contact.pair == 0 || !touching.gaps[g].is_of_pair(contact)) continue;
+        ++places;
+        seams += contact.family > 0 ? 1 : 0;
+        EXPECT_TRUE(std::any_of(watched.begin(), watched.end(), [&](const PlanWatched& one) {
+          return one.beside && one.elevation == contact.elevation && one.beside->left == contact.beside->left &&
+                 one.beside->right == contact.beside->right;
+        }));
+      }
+    }
+  }
+  fmt::print("{} places, {} of pairs whose joint is a seam\n", places, seams);
+  EXPECT_GT(places, count);
+}
+
 }  // namespace
 }  // namespace bentur

@@ -212,6 +212,14 @@ FloorLevels levels_of(const PlanModel& model) {
   return {model.elevations, model.elevations.front() - model.storey_heights.front()};
 }
 
+/// As PlanGap::is_of_pair() of contacts, of the points of one level. @param width of the joint [length]
+bool says_need(const std::vector<StretchPoint>& points, const StretchPoint& point, double width) {
+  if (point.seam || point.family <= 0) return !point.seam;
+  return width + point.beside->beyond >= 0 && std::none_of(points.begin(), points.end(), [&](const StretchPoint& one) {
+           return !one.seam && one.family <= 0 && one.pair == point.pair;
+         });
+}
+
 std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<PlanBuilding>& buildings) {
   const auto touches = [&](int side, int floor) {
     return std::any_of(gap.levels.begin(), gap.levels.end(), [&](const LevelPair& level) {
@@ -219,7 +227,6 @@ std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<Pl
     });
   };
   std::vector<PlanWatched> watched;
-  if (gap.stretch.is_corner()) return watched;
   const PlanBuilding &left = buildings.at(gap.left), &right = buildings.at(gap.right);
   const bool are_convex = left.model.footprint.is_convex() && right.model.footprint.is_convex();
   for (const FacingFloor& found :
@@ -228,17 +235,18 @@ std::vector<PlanWatched> watched_floors(const GapSpec& gap, const std::vector<Pl
                     .floor = found.floor,
                     .facing_floor = found.facing,
                     .elevation = found.elevation};
-    for (const double end : gap.stretch.corners_along()) {
+    for (const double end : gap.stretch.is_corner() ? std::vector<double>() : gap.stretch.corners_along()) {
       one.along = end;
       watched.push_back(one);
     }
     if (are_convex) continue;  // of which there is one pair of parts
     const double height = found.elevation - std::min(levels_of(left.model).base, levels_of(right.model).base);
-    for (StretchPoint& point :
-         points_between(left.model.footprint, right.model.footprint, gap.stretch, 2, moves_of_height * height)) {
-      if (point.pair == 0 || point.family > 0 || point.seam) continue;  // what other pairs of parts have in common
+    const std::vector<StretchPoint> points =
+        points_between(left.model.footprint, right.model.footprint, gap.stretch, 2, moves_of_height * height);
+    for (const StretchPoint& point : points) {
+      if (point.pair == 0 || !says_need(points, point, gap.stretch.width)) continue;
       one.along = point.along;
-      one.beside = std::move(point.beside);
+      one.beside = point.beside;
       watched.push_back(one);
     }
   }
