@@ -198,13 +198,6 @@ void read_collapses(const UnorderedJson& json, const fs::path& file, const Build
   if (response.collapse) response.status = Status::collapsed;
 }
 
-/// Drifts of storeys of which the largest alone is known.
-Eigen::VectorXd with_one(Eigen::Index storeys, const LargestDrift& largest) {
-  Eigen::VectorXd drifts = Eigen::VectorXd::Zero(std::max<Eigen::Index>(storeys, largest.storey + 1));
-  drifts(largest.storey) = largest.ratio;
-  return drifts;
-}
-
 void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& results) {
   results.c.title = json.at("title");
   results.c.units.length = json.at("units").at("length");
@@ -236,7 +229,7 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
   const std::vector<LargestDrift> drifts = take_judged_by(json.at("judged_by"), results.response);
   for (std::size_t b = 0; b < std::min(drifts.size(), results.response.buildings.size()); ++b) {
     results.response.buildings[b].drift_ratio_no_contact =
-        with_one(results.problem.buildings[b].model.floors(), drifts[b]);
+        drift_ratios_with(results.problem.buildings[b].model.floors(), drifts[b]);
   }
 }
 
@@ -310,7 +303,7 @@ void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun&
   for (std::size_t b = 0; b < std::min(drifts.size(), run.response.buildings_no_contact.size()); ++b) {
     PlanPeaks& peaks = run.response.buildings_no_contact[b];
     peaks.drift_south = peaks.drift_north = peaks.drift_west = peaks.drift_east =
-        with_one(run.problem.buildings[b].model.floors(), drifts[b]);
+        drift_ratios_with(run.problem.buildings[b].model.floors(), drifts[b]);
   }
   for (const UnorderedJson& entry : json.at("remarks")) run.remarks.push_back(remark(entry));
   for (const UnorderedJson& one : json.at("discrepancies")) {

@@ -187,6 +187,8 @@ struct LargestDrift {
 
 /// Of the storeys of a building; those of which nothing is known are left out.
 [[nodiscard]] LargestDrift largest_drift(const Eigen::VectorXd& ratios);
+/// The other way round: of the storeys of a building of which the largest alone is known, the others 0.
+[[nodiscard]] Eigen::VectorXd drift_ratios_with(Eigen::Index storeys, const LargestDrift& largest);
 
 /// The run with the ground motion times −1, as far as gaps are judged by it.
 struct ReversedRun {
@@ -231,5 +233,8 @@ struct Response {
   std::optional<ReversedRun> reversed = {};     ///< where both ways were asked for and the ground moves
   std::vector<Discrepancy> discrepancies = {};  ///< that the solver explains: more is a failure (self_checks.h)
 };
+
+/// The largest drift of each building without contact.
+[[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const Response& response);
 
 }  // namespace bentur

@@ -49,15 +49,6 @@ Json separation_json(const LevelSeparation& separation) {
   return json;
 }
 
-/// Of a response without contact that ends in collapse nothing is known of what is needed.
-void forget_needs(std::vector<LevelSeparation>& levels) {
-  for (LevelSeparation& one : levels) {
-    one.gap_needed = one.abs = one.srss = one.ddc = not_known;
-    one.gap_needed_reversed.reset();
-    for (CodeSeparation& code : one.codes) code.gap = not_known, code.to_left = code.to_right = {};
-  }
-}
-
 /// What each rule asks where it falls short the most.
 Json findings_json(const std::vector<RuleFinding>& findings, const std::vector<LevelSeparation>& levels,
                    const Problem& problem, const PlanProblem* plan) {
@@ -137,11 +128,17 @@ Json unmodelled_list(const Problem& problem, const Response& response, Eigen::In
   return list;
 }
 
-Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels, double scale,
-                 bool collapsed, Eigen::Index gap, const std::vector<ScreeningFinding>& screened,
-                 const PlanProblem* plan) {
-  const std::vector<RuleFinding> findings = rule_findings(problem, levels, c.code, scale, collapsed, plan != nullptr);
-  if (collapsed) forget_needs(levels);
+void forget_needs(std::vector<LevelSeparation>& levels) {
+  for (LevelSeparation& one : levels) {
+    one.gap_needed = one.abs = one.srss = one.ddc = not_known;
+    one.gap_needed_reversed.reset();
+    for (CodeSeparation& code : one.codes) code.gap = not_known, code.to_left = code.to_right = {};
+  }
+}
+
+Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels,
+                 const std::vector<RuleFinding>& findings, Eigen::Index gap,
+                 const std::vector<ScreeningFinding>& screened, const PlanProblem* plan) {
   Json points = Json::array(), watched = Json::array();
   for (const LevelSeparation& one : levels) {
     if (one.level.is_point) {

@@ -221,7 +221,8 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
     }
   }
   for (const Gap& gap : gaps_of(problem)) {
-    gaps.push_back(gap_json_of(c, problem, of_gap(spectral.levels, gap.number), 0, false, gap.number,
+    const std::vector<LevelSeparation> levels = of_gap(spectral.levels, gap.number);
+    gaps.push_back(gap_json_of(c, problem, levels, rule_findings(problem, levels, c.code, 0, false), gap.number,
                                spectral.plan ? plan_screening(c, *spectral.plan, static_cast<std::size_t>(gap.number))
                                              : screening(problem, gap.number, c.screening, c.units)));
   }

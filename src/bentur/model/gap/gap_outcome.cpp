@@ -91,6 +91,27 @@ GoverningLevel governing_level(const Problem& problem, const Response& response,
   return governing_level(needs_of(problem, response, number), scale).value_or(GoverningLevel{});
 }
 
+namespace {
+
+/// @param drifts largest one of each building, without contact
+bool drifts_beyond(const Problem& problem, const std::vector<LargestDrift>& drifts) {
+  for (std::size_t b = 0; b < std::min(problem.buildings.size(), drifts.size()); ++b) {
+    if (!problem.buildings[b].has_gravity_loads && drifts[b].ratio > problem.collapse_drift) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool falls_without_contact(const Problem& problem, const Response& response) {
+  return response.collapse_no_contact || drifts_beyond(problem, drifts_no_contact(response));
+}
+
+bool falls_without_contact_reversed(const Problem& problem, const Response& response) {
+  const std::optional<ReversedRun>& other = response.reversed;
+  return other && (other->collapse_no_contact || drifts_beyond(problem, other->drifts));
+}
+
 double gap_needed(const Problem& problem, const Response& response, Eigen::Index number) {
   if (response.collapse_no_contact) return not_known;
   return largest_of(needs_of(problem, response, number)).gap_needed;

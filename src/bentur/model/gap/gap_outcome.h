@@ -40,6 +40,12 @@ struct GoverningLevel {
 /// When they move freely. Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
 [[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index gap);
 
+/// Whether without contact a storey collapses, or drifts that far where nothing looks for it: what gaps need is not
+/// known then.
+[[nodiscard]] bool falls_without_contact(const Problem& problem, const Response& response);
+/// The same under the ground motion times −1; where that was not looked at, not.
+[[nodiscard]] bool falls_without_contact_reversed(const Problem& problem, const Response& response);
+
 /// The gap needed: the width of the whole gap with which none of its contact points and watched floors closes, the
 /// gap's own width + max(need − width of the place) [length].
 [[nodiscard]] double gap_needed(const Problem& problem, const Response& response, Eigen::Index gap);

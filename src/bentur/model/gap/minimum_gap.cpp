@@ -167,7 +167,7 @@ LevelSeparation largest_of(const std::vector<LevelSeparation>& levels) {
 }
 
 std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
-                                       const CodeSpec& code, double scale, bool collapsed, bool in_plan) {
+                                       const CodeSpec& code, double scale, bool falls, bool in_plan) {
   using Silence = RuleFinding::Silence;
   std::vector<RuleFinding> findings;
   const auto add = [&](std::string_view rule, std::string_view title, const auto& asked) {
@@ -192,7 +192,7 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
       if (!is_known_by_peaks(problem, one.level.gap)) needed = std::max(needed, one.level.of_gap(simulated));
       found.most = std::max(found.most, one.level.of_gap(asked(one)));
     }
-    if (known && !collapsed && falls_short(found.most, needed, scale)) found.lacks = needed - found.most;
+    if (known && !falls && falls_short(found.most, needed, scale)) found.lacks = needed - found.most;
     found.is_short = found.at && falls_short(levels[*found.at].level.width, found.gap, scale);
     if (!found.is_short) {
       const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);
@@ -206,7 +206,7 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
                       : !known       ? (!is_unsaid ? Silence::unknown
                                         : at_way   ? Silence::public_way
                                                    : Silence::property_line)
-                      : collapsed    ? Silence::collapsed
+                      : falls        ? Silence::collapsed
                                      : Silence::none;
     }
     if (found.silence != Silence::none) found.at.reset();

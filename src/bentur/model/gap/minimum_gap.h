@@ -62,7 +62,7 @@ struct RuleFinding {
   enum class Silence {
     none,           ///< it does
     no_level,       ///< the neighbours face one another nowhere
-    collapsed,      ///< the free response ends before the motion does
+    collapsed,      ///< falls_without_contact()
     linked,         ///< links tie the buildings, so that they have no periods of their own
     unknown,        ///< what it combines is not known at some level
     property_line,  ///< a property line stands in the gap, of which its clause does not speak
@@ -88,10 +88,10 @@ struct RuleFinding {
 /// nothing is "wide enough" that was not looked at on every level.
 /// @param levels of one gap
 /// @param scale displacement_scale() [length], for round-off
-/// @param collapsed whether the free response ended before its time
+/// @param falls falls_without_contact()
 /// @param in_plan of a pair of buildings in plan
 [[nodiscard]] std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
-                                                     const CodeSpec& code, double scale, bool collapsed,
+                                                     const CodeSpec& code, double scale, bool falls,
                                                      bool in_plan = false);
 
 /// Whether one of the two is known by its peak displacements alone: how they move together is not known.

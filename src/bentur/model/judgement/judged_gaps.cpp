@@ -43,12 +43,12 @@ bool moves(const GroundMotion& motion, const ExcitationSpec& excitation) {
 
 /// What rows and plans tell alike.
 template <class Run>
-RunFacts common_facts(const Run& run, const std::vector<LargestDrift>& drifts, bool has_other_way) {
+RunFacts common_facts(const Run& run, bool has_other_way) {
   RunFacts facts;
   facts.given = {.looked_at = true,
                  .fall = fall_of(run.response.collapse_no_contact, run.problem.buildings),
                  .fall_with_contact = fall_of(run.response.collapse, run.problem.buildings),
-                 .drifts = beyond(drifts, run.problem.buildings, run.problem.collapse_drift)};
+                 .drifts = beyond(drifts_no_contact(run.response), run.problem.buildings, run.problem.collapse_drift)};
   facts.has_other_way = has_other_way;
   if (const auto& other = run.response.reversed) {
     facts.reversed = {.looked_at = true,
@@ -73,12 +73,12 @@ RunFacts with_gaps(RunFacts facts, const RunResults& row) {
 /// @param row likewise
 std::vector<JudgedGap> judged(const RunResults& row, const RunFacts& run, bool in_plan) {
   const auto all = separations(row.problem, row.response, row.c.code, row.c.units);
-  const bool collapsed = row.response.collapse_no_contact.has_value();
+  const bool falls = falls_without_contact(row.problem, row.response);
   std::vector<JudgedGap> made;
   for (Index gap = 0; gap < gap_count(row.problem); ++gap) {
     const std::vector<LevelSeparation> levels = of_gap(all, gap);
     const double scale = displacement_scale(row.problem, row.response, gap);
-    std::vector<RuleFinding> rules = rule_findings(row.problem, levels, row.c.code, scale, collapsed, in_plan);
+    std::vector<RuleFinding> rules = rule_findings(row.problem, levels, row.c.code, scale, falls, in_plan);
     const bool others_close = run.others_close(static_cast<std::size_t>(gap));
     GapFacts facts = gap_facts(row.problem, row.response, gap, levels, std::move(rules), run, others_close);
     Judgement judgement = judge(facts);
@@ -89,19 +89,9 @@ std::vector<JudgedGap> judged(const RunResults& row, const RunFacts& run, bool i
 
 }  // namespace
 
-std::vector<LargestDrift> drifts_no_contact(const RunResults& run) {
-  std::vector<LargestDrift> drifts;
-  for (const BuildingPeaks& peaks : run.response.buildings) {
-    drifts.push_back(largest_drift(peaks.drift_ratio_no_contact));
-  }
-  return drifts;
-}
-
-std::vector<LargestDrift> drifts_no_contact(const PlanRun& run) { return drifts_no_contact(run.response); }
-
 RunFacts run_facts(const RunResults& run) {
   RunFacts facts =
-      with_gaps(common_facts(run, drifts_no_contact(run), moves(run.problem.motion, run.c.excitation)), run);
+      with_gaps(common_facts(run, moves(run.problem.motion, run.c.excitation)), run);
   facts.lacks_rules = !run.c.code.is_known;
   return facts;
 }
@@ -109,7 +99,7 @@ RunFacts run_facts(const RunResults& run) {
 RunFacts run_facts(const PlanRun& run) {
   bool either = false;
   for (const std::size_t i : {0U, 1U}) either = either || moves(run.problem.motions[i], *run.c.excitations()[i]);
-  RunFacts facts = with_gaps(common_facts(run, drifts_no_contact(run), either), *row_of(run));
+  RunFacts facts = with_gaps(common_facts(run, either), *row_of(run));
   facts.masses_elsewhere = !mass_choices(run.problem).empty();
   return facts;
 }

@@ -10,10 +10,6 @@
 
 namespace bentur {
 
-/// Without contact, of each building.
-[[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const RunResults& run);
-[[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const PlanRun& run);
-
 /// What the gaps of a run of a row have in common.
 [[nodiscard]] RunFacts run_facts(const RunResults& run);
 /// The same of buildings in plan.

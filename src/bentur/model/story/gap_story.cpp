@@ -162,7 +162,7 @@ StoryTable screening_table(const GapView& facts, Eigen::Index gap) {
 
 std::vector<RuleFinding> findings_of(const GapView& facts, const std::vector<LevelSeparation>& levels,
                                      Eigen::Index gap) {
-  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.collapsed, facts.plan != nullptr);
+  return rule_findings(facts.problem, levels, facts.c.code, facts.scale(gap), facts.falls, facts.plan != nullptr);
 }
 
 const char* motion_word(const GroundMotion& motion, const ExcitationSpec& excitation, bool cut) {

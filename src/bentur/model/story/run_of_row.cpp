@@ -41,7 +41,7 @@ GapView view_of(const RunResults& run) {
           .problem = run.problem,
           .response = &run.response,
           .levels = separations(run.problem, run.response, run.c.code, run.c.units),
-          .collapsed = run.response.collapse_no_contact.has_value(),
+          .falls = falls_without_contact(run.problem, run.response),
           .is_cut = std::any_of(points.begin(), points.end(), goes_on) ||
                     std::any_of(watched.begin(), watched.end(), goes_on),
           .screened = screened(run.c, run.problem)};

@@ -304,6 +304,12 @@ LargestDrift largest_drift(const Eigen::VectorXd& ratios) {
   return largest;
 }
 
+Eigen::VectorXd drift_ratios_with(Eigen::Index storeys, const LargestDrift& largest) {
+  Eigen::VectorXd ratios = Eigen::VectorXd::Zero(std::max(storeys, largest.storey + 1));
+  ratios(largest.storey) = largest.ratio;
+  return ratios;
+}
+
 std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, double duration) {
   constexpr double at_once = 1e-9;  // of the duration
   std::vector<std::pair<double, Eigen::Index>> yields;

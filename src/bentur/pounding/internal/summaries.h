@@ -25,8 +25,6 @@ inline void take_meetings(const Problem&, const System&, const FreeSolution&, co
 [[nodiscard]] Response free_response(const Problem& problem, const Solution& free);
 /// What rules for gaps combine. @param reversed whether the reversed motion gives the response times −1
 void take_levels(const Problem& problem, const Solution& free, bool reversed, Response& response);
-/// The largest drift of each building without contact.
-[[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const Response& response);
 
 /// Puts what storey `storey` of so many has lost of its strength among what yielding did.
 void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index storey, BuildingPeaks::Yielding& yielding);

@@ -327,7 +327,7 @@ TEST(HandIn, WhatARecordDoesNotTellCountsAsNotMet) {
   };
   EXPECT_EQ(result("check.contact_records"), "check.not_met");
   EXPECT_EQ(result("check.gap_records"), "check.not_met");
-  gaps.needs.front().records.front().collapsed = true;
+  gaps.needs.front().records.front().falls = true;
   EXPECT_EQ(result("check.gap_records"), "story.silence.collapsed");
 }
 

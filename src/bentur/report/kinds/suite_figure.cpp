@@ -6,7 +6,6 @@
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
-#include "bentur/model/story/judgement_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
@@ -60,7 +59,7 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
     most = std::max({most, given, values[i]});
     const Sufficiency judged = without_rules(one.judged[gap].judgement);
     panel.curves.push_back(bar(0, values[i], place, 0.6, area_tone_of(judged)));
-    if (named.insert(judged).second) panel.curves.back().label = Words(options.language)(judgement_word(judged));
+    if (named.insert(judged).second) panel.curves.back().label = Words(options.language)(record_word(run, i, gap));
     const bool is_unmodelled = one.is_not_modelled();
     panel.texts.push_back(
         {.x = values[i], .y = place, .text = numbers[i] + " " + length + (is_unmodelled ? " ×" : "")});

@@ -203,7 +203,7 @@ class Work {
         }
         for (const RecordNeed& record : needs.records) {
           const std::vector<LevelSeparation> needed = of_gap(record.separations, gap);
-          const bool falls = record.collapsed && !needed.empty();  // no gap is wide enough
+          const bool falls = record.falls && !needed.empty();  // no gap is wide enough
           given.beyond += falls || needs_more(needed, facing_levels(problem, gap)) ? 1 : 0;
         }
         needs.gaps[gap].given.push_back(std::move(given));
@@ -243,7 +243,7 @@ class Work {
         demand.codes.push_back(is_mean || std::isnan(mean) ? mean : largest);
       }
       demand.collapsed = std::count_if(needs.records.begin(), needs.records.end(),
-                                       [](const RecordNeed& record) { return record.collapsed; });
+                                       [](const RecordNeed& record) { return record.falls; });
       needs.gaps[gap].demand = std::move(demand);
     }
   }
@@ -264,7 +264,7 @@ class Work {
         for (std::size_t i = 0; i < levels.size(); ++i) {
           double asked = 0;
           for (const RecordNeed& record : needs.records) {
-            const double one = record.collapsed ? not_known : of_gap(record.separations, gap).at(i).codes[rule].gap;
+            const double one = record.falls ? not_known : of_gap(record.separations, gap).at(i).codes[rule].gap;
             asked = std::isnan(one) ? one : takes_mean ? asked + one / count : std::max(asked, one);
             if (std::isnan(one)) break;
           }
@@ -327,7 +327,7 @@ class Work {
     }
     for (Eigen::Index gap = 0; gap < std::ssize(result_.gaps); ++gap) {
       result.gaps.push_back(need_of(result.separations, gap));
-      if (result.collapsed && !of_gap(result.separations, gap).empty()) take_as_fallen(result.gaps.back());
+      if (result.falls && !of_gap(result.separations, gap).empty()) take_as_fallen(result.gaps.back());
     }
     if (result_.title.empty() && result_.needs.empty()) {
       result_.title = chosen.c.title;
@@ -356,7 +356,7 @@ class Work {
     if (response.status != Status::done && response.status != Status::collapsed)
       throw std::runtime_error(record + ": " + response.message);
     return {.record = record,
-            .collapsed = response.status == Status::collapsed,
+            .falls = falls_without_contact(problem, response),
             .separations = separations(problem, response, read.c.code, read.c.units),
             .gaps = {}};
   }
@@ -380,7 +380,7 @@ class Work {
       throw std::runtime_error(record + ": " + run.response.message);
     const auto row = bentur::row_of(run);
     return {.record = record,
-            .collapsed = run.response.collapse_no_contact.has_value(),
+            .falls = falls_without_contact(row->problem, row->response),
             .separations = separations(row->problem, row->response, row->c.code, row->c.units),
             .gaps = {}};
   }
@@ -400,7 +400,7 @@ class Work {
     std::vector<LevelSeparation> reversed = levels;
     if (!is_known && !levels.empty()) {
       RecordNeed other = reversed_need();
-      need.collapsed = need.collapsed || other.collapsed;
+      need.falls = need.falls || other.falls;
       reversed = std::move(other.separations);
       for (LevelSeparation& one : reversed) one.gap_needed_reversed = one.gap_needed;
     }

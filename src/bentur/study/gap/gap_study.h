@@ -30,7 +30,7 @@ struct RecordNeed {
   std::string record;                        ///< what the study calls it
   std::size_t motion = 0;                    ///< which record it is, whichever way it is applied
   std::optional<double> intensity = {};      ///< of a cloud [its unit]
-  bool collapsed = false;                    ///< the response without contact ends before its time
+  bool falls = false;                        ///< falls_without_contact()
   std::vector<LevelSeparation> separations;  ///< per facing level
   std::vector<GapNeed> gaps;                 ///< per gap
 };

@@ -93,7 +93,7 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
 Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) {
   Json records = Json::array();
   for (const RecordNeed& record : needs.records) {
-    records.push_back({{"record", record.record}, {"collapsed", record.collapsed}});
+    records.push_back({{"record", record.record}, {"collapsed", record.falls}});
     if (record.intensity) records.back()["intensity"] = *record.intensity;
     records.back().update(need_json(record.gaps[gap], study.code));
     Json points = Json::array(), watched = Json::array();

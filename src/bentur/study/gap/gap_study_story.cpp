@@ -121,7 +121,7 @@ void tell_rules(const Told& told, Eigen::Index gap, std::vector<Statement>& stat
 /// Records under which a building falls without contact: they need more than any gap.
 void tell_collapsed(const Told& told, Eigen::Index gap, std::vector<Statement>& statements) {
   const long collapsed = std::count_if(told.needs.records.begin(), told.needs.records.end(),
-                                       [](const RecordNeed& one) { return one.collapsed; });
+                                       [](const RecordNeed& one) { return one.falls; });
   if (collapsed == 0) return;
   Statement statement = statement_of(told, gap, "records_collapsed");
   statement.severity = Severity::danger;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -35,6 +36,17 @@ std::vector<double> gap_needed(const RecordNeeds& needs) {
   std::vector<double> result;
   for (const RecordNeed& record : needs.records) result.push_back(record.gaps[0].gap_needed);
   return result;
+}
+
+TEST(GapStudies, NoGapIsWideEnoughWhereABuildingDriftsAsFarAsCollapse) {
+  const GapStudy of =
+      needs_of("[[vary]]\nparameter = 'analysis.collapse_drift'\nname = 'limit'\nvalues = [10, 1e-12]\n").value();
+  ASSERT_EQ(of.needs.size(), 2U);
+  EXPECT_FALSE(of.needs[0].records.at(0).falls);
+  EXPECT_TRUE(std::isfinite(gap_needed(of.needs[0])[0]));
+  EXPECT_TRUE(of.needs[1].records.at(0).falls);
+  EXPECT_TRUE(std::isinf(gap_needed(of.needs[1])[0]));
+  EXPECT_EQ(of.needs[1].gaps.at(0).given.at(0).beyond, 1U);
 }
 
 TEST(GapStudies, QuantilesAndTheShareThatNeedsMoreThanGiven) {

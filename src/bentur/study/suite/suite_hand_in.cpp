@@ -50,7 +50,7 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
   const GivenGap& given = over.given.front();
   const std::string& name = study.gaps.at(gap).name;
   const bool collapses =
-      std::any_of(needs.records.begin(), needs.records.end(), [](const RecordNeed& one) { return one.collapsed; });
+      std::any_of(needs.records.begin(), needs.records.end(), [](const RecordNeed& one) { return one.falls; });
   const std::optional<double> narrowest = given.narrowest();
   const bool faces = narrowest.has_value();
   const auto found = [&](Reason::Kind kind) {
@@ -60,9 +60,7 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
     }
     return records;
   };
-  const bool is_open = std::any_of(judged.many.reasons.begin(), judged.many.reasons.end(),
-                                   [](const auto& one) { return !says_too_small(one.worst.kind); });
-  const bool looked = !is_open && run.is_whole();
+  const bool looked = !judged.many.is_open() && run.is_whole();
   const auto count_row = [&](const char* check, long records) {
     CheckRow made{.check = check,
                   .by = "check.by_records",

@@ -74,10 +74,12 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
   return result;
 }
 
-/// The gap that a run needs at these levels, in both ways of the motion; infinite where one falls without contact.
+/// The gap that a run needs at these levels, in both ways of the motion; infinite where a building falls without contact.
 /// @param row the run, of buildings in plan row_of() it
 double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation>& levels) {
-  if (row.response.collapse_no_contact) return std::numeric_limits<double>::infinity();
+  if (falls_without_contact(row.problem, row.response) || falls_without_contact_reversed(row.problem, row.response)) {
+    return std::numeric_limits<double>::infinity();
+  }
   const LevelSeparation largest = largest_of(levels);
   return std::max(largest.gap_needed, largest.gap_needed_reversed.value_or(0));
 }
@@ -213,8 +215,7 @@ void say_once(std::vector<Statement>& statements) {
 /// How the only gap is judged under each record.
 StoryColumn verdicts_of(const SuiteRun& run) {
   StoryColumn column{.label = "gap.given_is", .are_words = true};
-  for (const SuiteRecordRun& one : run.records)
-    column.texts.emplace_back(judgement_word(without_rules(judgement_of(one, 0))));
+  for (std::size_t i = 0; i < run.records.size(); ++i) column.texts.emplace_back(record_word(run, i, 0));
   column.texts.resize(run.records.size() + 2);
   return column;
 }
@@ -275,6 +276,14 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
 
 bool SuiteRecordRun::is_not_modelled() const {
   return std::any_of(statements.begin(), statements.end(), is_of_unmodelled);
+}
+
+const char* record_word(const SuiteRun& run, std::size_t record, std::size_t gap) {
+  const auto judged = [&](const SuiteRecordRun& one) { return judgement_of(one, static_cast<Eigen::Index>(gap)); };
+  const Sufficiency by_motion = without_rules(judged(run.records[record]));
+  const bool all_enough = std::all_of(run.records.begin(), run.records.end(),
+                                      [&](const SuiteRecordRun& one) { return judged(one).is_enough(); });
+  return by_motion == Sufficiency::enough && !all_enough ? "gap.asks_less" : judgement_word(by_motion);
 }
 
 bool SuiteRun::all_ran() const {

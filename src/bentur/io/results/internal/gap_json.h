@@ -23,9 +23,12 @@ namespace bentur {
                                    const std::string& length, const PlanProblem* plan = nullptr);
 
 /// What one gap needs: the largest over its levels, what each rule asks, every level, how the buildings stand.
-[[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, std::vector<LevelSeparation> levels, double scale,
-                               bool collapsed, Eigen::Index gap, const std::vector<ScreeningFinding>& screened,
-                               const PlanProblem* plan = nullptr);
+[[nodiscard]] Json gap_json_of(const Case& c, const Problem& problem, const std::vector<LevelSeparation>& levels,
+                               const std::vector<RuleFinding>& findings, Eigen::Index gap,
+                               const std::vector<ScreeningFinding>& screened, const PlanProblem* plan = nullptr);
+
+/// Of a response without contact that ends in collapse nothing is known of what is needed.
+void forget_needs(std::vector<LevelSeparation>& levels);
 
 /// Puts what is judged of each gap into its object of a list: "judgement".
 void put_judgements(const std::vector<ToldJudgement>& told, Json& gaps);

@@ -121,7 +121,7 @@ template <class Run, class Seen>
                {"remarks", remarks_json(run.remarks)},
                {"buildings", std::move(buildings)},
                {"gaps", std::move(gaps)},
-               {"judged_by", judged_by_json(run.response, drifts_no_contact(run))}};
+               {"judged_by", judged_by_json(run.response, drifts_no_contact(run.response))}};
   if (const auto& collapse = run.response.collapse) json["collapse"] = collapse_json(run.problem, *collapse);
   if (const auto& collapse = run.response.collapse_no_contact) {
     json["collapse_no_contact"] = collapse_json(run.problem, *collapse);
@@ -143,8 +143,12 @@ template <class Run>
   const std::vector<LevelSeparation> all = separations(row.problem, row.response, row.c.code, row.c.units);
   Json gaps = Json::array();
   for (Eigen::Index gap = 0; gap < gap_count(row.problem); ++gap) {
-    gaps.push_back(gap_json_of(row.c, row.problem, of_gap(all, gap), displacement_scale(row.problem, row.response, gap),
-                               row.response.collapse_no_contact.has_value(), gap, screened.at(gap), plan));
+    std::vector<LevelSeparation> levels = of_gap(all, gap);
+    const double scale = displacement_scale(row.problem, row.response, gap);
+    const std::vector<RuleFinding> findings = rule_findings(
+        row.problem, levels, row.c.code, scale, falls_without_contact(row.problem, row.response), plan != nullptr);
+    if (row.response.collapse_no_contact) forget_needs(levels);
+    gaps.push_back(gap_json_of(row.c, row.problem, levels, findings, gap, screened.at(gap), plan));
   }
   put_judgements(told_judgements(run), gaps);
   return text_of({{"title", run.c.title},

@@ -26,7 +26,7 @@ struct GapView {
   const Problem& problem;
   const Response* response = nullptr;                        ///< nothing: by a spectrum
   std::vector<LevelSeparation> levels;                       ///< of all gaps
-  bool collapsed = false;                                    ///< the free response
+  bool falls = false;                                        ///< falls_without_contact()
   bool is_cut = false;                                       ///< the ground motion goes on after the end of the run
   std::vector<std::vector<ScreeningFinding>> screened = {};  ///< per gap; empty: how they stand is not known
   const PlanProblem* plan = nullptr;                         ///< of row_of() buildings in plan: where its levels are
