@@ -44,6 +44,11 @@ void expect_spectral_twins(const PlanProblem& plan, const Problem& row) {
     const double needed = largest(of_row, std::min(plan.gaps[gap].left, plan.gaps[gap].right));
     EXPECT_NEAR(largest(of_plan, static_cast<Eigen::Index>(gap)), needed, 1e-9 * needed);
   }
+  for (std::size_t b = 0; b < plan.buildings.size(); ++b) {
+    const double demand = of_row.demands[b].ratio;
+    EXPECT_NEAR(of_plan.demands[b].ratio, demand, 1e-9 * demand);
+    EXPECT_GE(of_plan.drifts[b].ratio, (1 - 1e-9) * of_row.drifts[b].ratio);  // it moves along its other axis too
+  }
 }
 
 // Two that twist, as they stand and turned by a right angle: one spectrum along both axes.

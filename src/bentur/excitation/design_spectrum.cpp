@@ -117,6 +117,17 @@ double spectral_displacement(const DesignSpectrum& spectrum, double period, doub
   return spectral_acceleration(spectrum, period, damping_ratio) / (omega * omega);
 }
 
+double largest_ordinate(const DesignSpectrum& spectrum) {
+  struct Of {
+    double operator()(const TwoPeriodSpectrum& shape) const { return shape.short_period; }
+    double operator()(const EurocodeSpectrum& shape) const { return ordinate(shape, shape.corner_b, 1); }
+    double operator()(const TableSpectrum& shape) const {
+      return *std::max_element(shape.accelerations.begin(), shape.accelerations.end());
+    }
+  };
+  return std::visit(Of{}, spectrum.shape);
+}
+
 void validate(const DesignSpectrum& spectrum) {
   std::visit([](const auto& shape) { check(shape); }, spectrum.shape);
   if (!(spectrum.damping_ratio >= 0 && spectrum.damping_ratio < 1)) {

@@ -56,6 +56,9 @@ struct DesignSpectrum {
 /// S_d = S_a (T/2π)² [length]. @throws InvalidParameter likewise.
 [[nodiscard]] double spectral_displacement(const DesignSpectrum& spectrum, double period, double damping_ratio);
 
+/// The largest ordinate, for the spectrum's own damping ratio [length/s²].
+[[nodiscard]] double largest_ordinate(const DesignSpectrum& spectrum);
+
 /// @throws InvalidParameter naming the first parameter that is out of its range.
 void validate(const DesignSpectrum& spectrum);
 

@@ -53,7 +53,9 @@ std::optional<double> read_acceleration(const TomlView& value, const Units& unit
     return value.error_value(fmt::format("must be a number, or one with its unit as \"0.35 g\"; units are {}", known));
   }
   const std::string unit(trimmed(text.substr(static_cast<std::size_t>(read.ptr - text.data()))));
-  if (unit.empty()) return value.error_value("has no unit; one of " + known + ", or without quotes length/s²");
+  if (unit.empty())
+    return value.error_value(
+        fmt::format("has no unit; one of {}, or without quotes {}", known, of_number == 1 ? "length/s²" : "g"));
   const bool gal = unit == "gal" || unit == "Gal";
   const std::vector<std::string>& all = acceleration_units();
   if (!gal && std::find(all.begin(), all.end(), unit) == all.end()) {

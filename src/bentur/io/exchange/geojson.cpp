@@ -82,14 +82,21 @@ class GeoReader {
 
   /// RFC 7946 has WGS 84 alone; what stood before it, and some programs still write, names it.
   void check_crs(const GeoNode& crs) {
-    if (crs.is_null() || options_.metres) return;
+    if (crs.is_null()) return;
     const GeoNode* const properties = geo_member(crs, "properties");
     const GeoNode* const name = properties != nullptr ? geo_member(*properties, "name") : nullptr;
     static const std::set<std::string> known = {"urn:ogc:def:crs:OGC:1.3:CRS84", "urn:ogc:def:crs:OGC::CRS84",
                                                 "urn:ogc:def:crs:EPSG::4326", "EPSG:4326"};
-    if (name != nullptr && name->is_string() && known.count(name->get_ref<const std::string&>()) > 0) return;
+    const std::string called = name != nullptr && name->is_string() ? name->get_ref<const std::string&>() : "";
     House whole;
     whole.position.file = file_;
+    if (options_.metres) {
+      if (!called.ends_with(":3857") && !called.ends_with(":900913")) return;
+      return error_at(whole, "crs", shown_geo(*name),
+                      "is Web Mercator, whose metres are longer than those on the ground: give the file in a plane "
+                      "system of the country or in degrees");
+    }
+    if (known.count(called) > 0) return;
     error_at(whole, "crs", name != nullptr ? shown_geo(*name) : "a table",
              "must be WGS 84 (CRS84), in degrees; give --metres where coordinates are metres");
   }

@@ -12,6 +12,7 @@
 #include "bentur/core/require.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/plan/plan_row.h"
+#include "bentur/structure/plan/plan_body.h"
 
 namespace bentur {
 namespace {
@@ -113,6 +114,10 @@ void take_hinges(const Hinges& hinges, Eigen::Index first_storey, const Peak& pe
   }
 }
 
+void raise(double drift_ratio, Eigen::Index storey, LargestDrift& largest) {
+  if (drift_ratio > largest.ratio) largest = {drift_ratio, storey};
+}
+
 double least_yield(const HystereticLaw& law) {
   return std::min(law.yield_deformation(), law.yield_deformation_below());
 }
@@ -156,6 +161,7 @@ SpectralGaps gaps_of(const Buildings& buildings, const SpectrumSpec& spectrum) {
     gaps.modes.push_back(spectral_modes(building, spectrum.spectrum));
     gaps.peaks.push_back(spectral_peaks(building, gaps.modes.back()));
     gaps.demands.push_back(capacity_demand(building, gaps.modes.back(), spectrum.combination));
+    gaps.drifts.push_back(spectral_drift(building, gaps.modes.back(), spectrum.combination));
   }
   return gaps;
 }
@@ -213,8 +219,7 @@ CapacityDemand capacity_demand(const Building& building, const SpectralModes& mo
   const auto peak = [&](const Eigen::VectorXd& row) { return peak_of(modes, row, combination); };
   const Eigen::MatrixXd drifts = drift_rows(model);
   for (const BuildingElement& element : building.elements) {
-    const double height = model.storey_heights[element.storey] > 0 ? model.storey_heights[element.storey] : 1;
-    const double ratio = peak(drifts.row(element.storey)) * height / least_yield(*element.law);
+    const double ratio = peak(drifts.row(element.storey)) / least_yield(*element.law);
     if (ratio > worst.ratio) worst = {ratio, element.storey};
   }
   take_hinges(model.hinges, model.first_storey(), peak, worst);
@@ -235,6 +240,33 @@ CapacityDemand capacity_demand(const PlanBuilding& building, const SpectralModes
     take_hinges(plane.hinges, building.model.first_storey(), peak, worst);
   }
   return worst;
+}
+
+LargestDrift spectral_drift(const Building& building, const SpectralModes& modes, ModalCombination combination) {
+  LargestDrift largest;
+  if (modes.omega.size() == 0) return largest;
+  const Eigen::MatrixXd drifts = drift_rows(building.model);
+  for (Eigen::Index storey = building.model.first_storey(); storey < drifts.rows(); ++storey) {
+    const double height = building.model.storey_heights[storey];
+    if (height > 0) raise(peak_of(modes, drifts.row(storey), combination) / height, storey, largest);
+  }
+  return largest;
+}
+
+LargestDrift spectral_drift(const PlanBuilding& building, const SpectralModes& modes, ModalCombination combination) {
+  LargestDrift largest;
+  if (modes.omega.size() == 0) return largest;
+  const PlanModel& model = building.model;
+  const Eigen::MatrixXd edges = model.planes.empty() ? edge_drift_rows(model) : Eigen::MatrixXd();
+  for (Eigen::Index row = 0; row < edges.rows(); ++row) {
+    raise(peak_of(modes, edges.row(row), combination), row % model.floors(), largest);
+  }
+  for (const PlanModel::Plane& plane : model.planes) {
+    for (Eigen::Index j = model.first_storey(); j < plane.drifts.rows(); ++j) {
+      raise(peak_of(modes, plane.drifts.row(j), combination) / model.storey_heights[j], j, largest);
+    }
+  }
+  return largest;
 }
 
 SpectralGaps spectral_gaps(const Problem& problem, const SpectrumSpec& spectrum, const CodeSpec& code,

@@ -11,6 +11,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/gap/minimum_gap.h"
 #include "bentur/pounding/plan/plan_problem.h"
+#include "bentur/pounding/response.h"
 
 namespace bentur {
 
@@ -48,11 +49,19 @@ struct CapacityDemand {
 [[nodiscard]] CapacityDemand capacity_demand(const PlanBuilding& building, const SpectralModes& modes,
                                              ModalCombination combination);
 
+/// The storey with the largest peak drift over its height, of a building in plan along its edges and planes; 0 of a
+/// rigid building.
+[[nodiscard]] LargestDrift spectral_drift(const Building& building, const SpectralModes& modes,
+                                          ModalCombination combination);
+[[nodiscard]] LargestDrift spectral_drift(const PlanBuilding& building, const SpectralModes& modes,
+                                          ModalCombination combination);
+
 /// The gaps needed under a spectrum.
 struct SpectralGaps {
   std::vector<SpectralModes> modes;     ///< per building
   std::vector<SpectralPeaks> peaks;     ///< per building
   std::vector<CapacityDemand> demands;  ///< per building
+  std::vector<LargestDrift> drifts;     ///< per building
   /// Per facing level; `gap_needed` is the spectral difference: the peak of x_left − x_right by the case's combination
   /// over the modes of both buildings (with one mode each and CQC it is DDC); of buildings known by their peaks the sum
   /// of both. ABS, SRSS and DDC combine the peaks of both faces. Rules of codes take these peaks divided by `reduction`

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "bentur/core/errors.h"
 #include "bentur/model/gap/separation_rules.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
 
@@ -44,6 +46,32 @@ Case spectral_pair(BuildingSpec left, BuildingSpec right, std::vector<double> el
 }
 
 const DesignSpectrum asce_spectrum{TwoPeriodSpectrum{9.8, 6.0, 8.0}};
+
+// Of one storey of whatever height: k S_d over V_y, and S_d over the height; beyond collapse is not known.
+TEST(SpectralGaps, CapacityAndDriftOfAStorey) {
+  constexpr double mass = 2, stiffness = 800, yield = 5, height = 4, ordinate = 6;
+  const double displacement = ordinate * mass / stiffness;
+  const DesignSpectrum flat{TableSpectrum{{0.01, 10}, {ordinate, ordinate}}};
+  BuildingSpec spec = stick_of("A", {mass}, {stiffness}, 0.05);
+  auto& stick = std::get<Stick>(spec.structure);
+  stick.storey_heights = {height};
+  stick.yield_forces = {yield};
+  Case c = spectral_pair(spec, stick_of("B", {3}, {1e5}, 0.05), {height}, flat);
+  std::get<Stick>(c.buildings[1].structure).storey_heights = {height};
+  const auto judged = [&](double collapse_drift) {
+    c.analysis.collapse_drift = collapse_drift;
+    const Problem problem = make_still_problem(c);
+    const SpectralGaps gaps = spectral_gaps(problem, *c.excitation.spectrum);
+    EXPECT_NEAR(gaps.demands.at(0).ratio, stiffness * displacement / yield, 1e-12);
+    EXPECT_NEAR(gaps.drifts.at(0).ratio, displacement / height, 1e-15);
+    const std::vector<JudgedGap> made = judged_gaps(c, problem, gaps);
+    const std::vector<Reason>& reasons = made.at(0).judgement.reasons;
+    return std::count_if(reasons.begin(), reasons.end(),
+                         [](const Reason& one) { return one.kind == Reason::Kind::drift; });
+  };
+  EXPECT_EQ(judged(1.01 * displacement / height), 0);
+  EXPECT_EQ(judged(0.99 * displacement / height), 1);
+}
 
 TEST(ModalCombination, OneModeModesFarApartAndModesThatCoincide) {
   const VectorXd ratio = VectorXd::Constant(2, 0.05);

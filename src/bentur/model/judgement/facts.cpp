@@ -104,7 +104,11 @@ GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
   for (const Way way : ways_of_motion) {
     const WayFacts& of = facts.in(way);
     if (!of.fall && of.drifts.empty()) continue;
-    for (LevelFacts& level : facts.levels) level.in(way).need.reset();
+    for (LevelFacts& level : facts.levels) {
+      std::optional<double>& need = level.in(way).need;
+      // What falls short by an elastic response does all the same.
+      if (of.fall || (need && !falls_short(level.at.width, *need, facts.scale))) need.reset();
+    }
   }
   return facts;
 }

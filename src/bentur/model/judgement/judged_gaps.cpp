@@ -90,8 +90,7 @@ std::vector<JudgedGap> judged(const RunResults& row, const RunFacts& run, bool i
 }  // namespace
 
 RunFacts run_facts(const RunResults& run) {
-  RunFacts facts =
-      with_gaps(common_facts(run, moves(run.problem.motion, run.c.excitation)), run);
+  RunFacts facts = with_gaps(common_facts(run, moves(run.problem.motion, run.c.excitation)), run);
   facts.lacks_rules = !run.c.code.is_known;
   return facts;
 }
@@ -117,8 +116,11 @@ std::vector<JudgedGap> judged_gaps(const Case& c, const Problem& problem, const 
     const Building& building = problem.buildings[b];
     facts.names.push_back(building.name);
     const CapacityDemand& most = spectral.demands.at(b);
-    if (!(most.ratio > 1)) continue;
-    facts.given.capacities.push_back({building.name, building.model.storey_number(most.storey), most.ratio});
+    if (most.ratio > 1)
+      facts.given.capacities.push_back({building.name, building.model.storey_number(most.storey), most.ratio});
+    const LargestDrift& drift = spectral.drifts.at(b);
+    if (drift.ratio > problem.collapse_drift)
+      facts.given.drifts.push_back({building.name, building.model.storey_number(drift.storey), drift.ratio});
   }
   for (Index gap = 0; gap < gap_count(problem); ++gap) facts.names.push_back(gap_name(problem, gap));
   std::vector<JudgedGap> all;

@@ -67,9 +67,9 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     reversed.numbers.push_back(other ? shown(*other) : not_known);
     if (is_bound(facts, level, facts_of_level.given.need)) needed.at_most.push_back(needed.numbers.size() - 1);
     if (is_bound(facts, level, other)) reversed.at_most.push_back(reversed.numbers.size() - 1);
-    abs.numbers.push_back(one->abs);
-    srss.numbers.push_back(one->srss);
-    ddc.numbers.push_back(shown(one->ddc));
+    abs.numbers.push_back(facts.falls ? not_known : one->abs);
+    srss.numbers.push_back(facts.falls ? not_known : one->srss);
+    ddc.numbers.push_back(facts.falls ? not_known : shown(one->ddc));
     verdict.texts.emplace_back(judged_word(value, judged, facts.is_cut));
     governs.texts.emplace_back(is_governing ? "gap.governs" : "");
     const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];

@@ -157,9 +157,11 @@ void check_contact(const GapView& view, Index gap, Checks& checks) {
   const Judgement& judged = view.gaps.at(static_cast<std::size_t>(gap)).judgement;
   for (const auto& [kind, check] :
        {std::pair(Reason::Kind::contact, "check.contact"), std::pair(Reason::Kind::unmodelled, "check.unmodelled")}) {
-    const auto found = std::find_if(judged.reasons.begin(), judged.reasons.end(),
-                                    [&, of = kind](const Reason& one) { return one.kind == of; });
-    if (found != judged.reasons.end()) {
+    const Reason* found = nullptr;  // of both directions the worse one
+    for (const Reason& one : judged.reasons) {
+      if (one.kind == kind && (found == nullptr || one.value > found->value)) found = &one;
+    }
+    if (found != nullptr) {
       const ShownUnits shown = shown_units(view.c.units, *view.response);
       const bool is_force = kind == Reason::Kind::contact;
       const std::string demand = !is_force          ? with_unit(found->value, view.c.units.length)
@@ -183,12 +185,12 @@ void check_need(const GapView& facts, Index gap, Checks& checks) {
     const auto found = governing_level(levels, facts.scale(gap));
     if (!found) return;
     const std::string where = level_text(facts, gap, found->elevation), limit = with_unit(found->width_here, length);
+    const char* const by = facts.response == nullptr ? "check.by_spectrum" : "check.by_motion";
     if (!is_known) {
-      checks.add(check, "check.by_motion", where, "–", limit, "check.not_known", true);
+      checks.add(check, by, where, "–", limit, "check.not_known", true);
       return;
     }
-    add_against(facts, gap, found->is_short(), checks, check, "check.by_motion", where,
-                with_unit(found->needed_here, length), limit);
+    add_against(facts, gap, found->is_short(), checks, check, by, where, with_unit(found->needed_here, length), limit);
   };
   if (is_known_by_peaks(facts.problem, gap)) return;  // rules alone say what peaks are held against
   if (facts.response == nullptr) return add("check.gap_spectrum", true);
@@ -321,8 +323,25 @@ HandIn hand_in(const PlanRun& run) {
           unchecked_of(run.c, facts, needs_seismicity, &run.problem, !run.response.energy)};
 }
 
+namespace {
+
+/// By a spectrum what yields or breaks, and drifts beyond what counts as collapse.
+void check_spectral(const Problem& problem, const SpectralGaps& spectral, Checks& checks) {
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
+    const Building& building = problem.buildings[b];
+    if (const double ratio = spectral.demands.at(b).ratio; ratio > 0) {
+      checks.add("check.capacity", "check.by_spectrum", building.name, number(ratio), "1", !(ratio > 1));
+    }
+    check_drift(building.name, false, spectral.drifts.at(b).ratio, false, problem.collapse_drift, checks);
+  }
+}
+
+}  // namespace
+
 HandIn hand_in(const Case& c, const Problem& problem, const SpectralGaps& spectral) {
-  HandIn made = hand_in(story::judged_view_of(c, problem, spectral), {}, nullptr);
+  Checks checks;
+  check_spectral(problem, spectral, checks);
+  HandIn made = hand_in(story::judged_view_of(c, problem, spectral), std::move(checks), nullptr);
   const bool is_given = std::any_of(problem.buildings.begin(), problem.buildings.end(),
                                     [](const Building& one) { return one.given.has_value(); });
   if (is_given) {

@@ -192,10 +192,16 @@ double lacking(const GoverningNeed& need) {
 }
 
 /// The largest contact force [force]; 0: none.
-double peak_force_of(const GapFacts& facts) {
+double peak_force_of(const GapFacts& facts, Way way = Way::given) {
   double most = 0;
-  for (const LevelFacts& level : facts.levels) most = std::max(most, level.given.peak_force);
+  for (const LevelFacts& level : facts.levels) most = std::max(most, level.in(way).peak_force);
   return most;
+}
+
+/// Whether the buildings of a gap touch.
+bool touch(const GapFacts& facts, Way way) {
+  return std::any_of(facts.levels.begin(), facts.levels.end(),
+                     [&](const LevelFacts& level) { return level.in(way).impacts > 0; });
 }
 
 }  // namespace
@@ -326,6 +332,39 @@ void tell_pushed(const GapView& view, const std::vector<std::size_t>& order, std
   }
 }
 
+/// Of a row or block that is run under the motion reversed too what contact does there, where that is more than under
+/// the motion as given: it closes another gap, or strikes harder.
+void tell_reversed_contact(const GapView& view, const ShownUnits& shown, std::vector<Statement>& statements) {
+  long closed = 0;
+  bool is_more = false;
+  double most = 0, given = 0;
+  std::size_t hardest = 0;
+  for (std::size_t g = 0; g < view.gaps.size(); ++g) {
+    const GapFacts& facts = view.gaps[g].facts;
+    given = std::max(given, peak_force_of(facts));
+    if (!touch(facts, Way::reversed)) continue;
+    ++closed;
+    is_more = is_more || !touch(facts, Way::given);
+    const double force = peak_force_of(facts, Way::reversed);
+    if (force > most) most = force, hardest = g;
+  }
+  constexpr double round_off = 1e-6;
+  if (closed == 0 || !(is_more || most > (1 + round_off) * given)) return;
+  const GapFacts& facts = view.gaps[hardest].facts;
+  const auto level = std::find_if(facts.levels.begin(), facts.levels.end(),
+                                  [&](const LevelFacts& one) { return one.reversed.peak_force == most; });
+  Statement statement{.kind = most > 0 ? "row_reversed" : "row_reversed_impulse",
+                      .severity = Severity::warning,
+                      .values = {count_of("closed", closed), count_of("count", std::ssize(view.gaps))}};
+  if (most > 0) {
+    statement.values.push_back(text_of("left", facts.left));
+    statement.values.push_back(text_of("right", facts.right));
+    statement.values.push_back(value_in("force", shown.force * most, shown.units.force));
+    statement.values.push_back(value_in("level", level->at.elevation, view.c.units.length));
+  }
+  statements.push_back(std::move(statement));
+}
+
 }  // namespace
 
 std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Story& told) {
@@ -355,6 +394,7 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
   }
   statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));
+  tell_reversed_contact(view, shown, told.statements);
   tell_pushed(view, order, told.statements);
   return static_cast<Index>(order.front());
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_row.h"
@@ -30,7 +31,8 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
                       .values = {value_in("needed", level.needed_here, length)}};
   add_level(facts, !level.watched, level.watched.value_or(level.point), level.elevation, statement.values);
   statement.values.push_back(value_in("width", level.width_here, length));
-  statement.values.push_back(value_in("difference", std::abs(level.needed_here - level.width_here), length));
+  const double difference = without_round_off(std::abs(level.needed_here - level.width_here), facts.scale(gap));
+  statement.values.push_back(value_in("difference", difference, length));
   statement.gap = gap;
   statement.buildings = buildings_of(facts.problem, gap);
   if (level.watched) {
@@ -42,8 +44,22 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
   return statement;
 }
 
+/// Whether what may still come after the end leaves less to spare than what has been needed so far.
+bool may_leave_less(const GapFacts& facts) {
+  constexpr double round_off = 1e-6;
+  double so_far = -std::numeric_limits<double>::infinity(), later = so_far;
+  for (const LevelFacts& level : facts.levels) {
+    for (const Way way : ways_of_motion) {
+      const LevelFacts::OneWay& one = level.in(way);
+      if (one.need) so_far = std::max(so_far, *one.need - level.at.width);
+      if (one.to_come) later = std::max(later, *one.to_come - level.at.width);
+    }
+  }
+  return later > so_far + round_off * facts.scale;
+}
+
 /// "to spare" is said of what is judged enough alone.
-/// @param leaves_less the motion reversed leaves less to spare
+/// @param leaves_less the motion reversed leaves less to spare, or what may still come does
 const char* need_kind(const GoverningLevel& level, const Judgement& judged, bool leaves_less) {
   if (judged.alone) return level.is_short() ? "gap_short_alone" : "gap_need_alone";
   if (level.is_short()) return "gap_short";
@@ -66,10 +82,11 @@ void tell_reversed(const GapView& facts, Eigen::Index gap, const std::vector<Lev
     // The larger of both is a sentence.
     const bool has_more = leaves_less(governing_level(levels, facts.scale(gap)), level);
     const Judgement& judged = judged_of(facts, gap);
-    const char* const kind = judged.alone                     ? "reversed_alone"
-                             : level->is_short()              ? "reversed_short"
-                             : judged.is_enough() && has_more ? "reversed_spare"
-                                                              : "reversed_enough";
+    const bool has_spare = judged.is_enough() && has_more && !may_leave_less(known);
+    const char* const kind = judged.alone        ? "reversed_alone"
+                             : level->is_short() ? "reversed_short"
+                             : has_spare         ? "reversed_spare"
+                                                 : "reversed_enough";
     statements.push_back(need_statement(facts, gap, *level, kind));
     if (level->is_short() && !has_more) statements.back().shown = Shown::row;
   } else if (known.has_other_way) {
@@ -149,7 +166,7 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
   const bool is_known = std::all_of(known.levels.begin(), known.levels.end(),
                                     [](const LevelFacts& one) { return one.given.need.has_value(); });
   if (is_known) {
-    const bool less = leaves_less(level, governing_reversed(levels, facts.scale(gap)));
+    const bool less = leaves_less(level, governing_reversed(levels, facts.scale(gap))) || may_leave_less(known);
     statements.push_back(need_statement(facts, gap, level, need_kind(level, judged_of(facts, gap), less)));
     if (facts.is_cut) statements.back().values.push_back(value_in("end", facts.problem.duration, "s"));
     statements.back().values.push_back(

@@ -117,6 +117,18 @@ std::vector<double> overlaps(const PlanProblem& problem) {
   return found;
 }
 
+/// How far the floors of a contact lie apart in height, and how deep the upper one's beam is, within which they meet
+/// [length]; nothing where a column is struck. @param metre 1 m in the case's unit
+std::optional<std::pair<double, double>> apart_and_depth(const Case& c, const Problem& row, const ContactPoint& point,
+                                                         double metre) {
+  const StructuralModel &left = row.buildings[point.left].model, &right = row.buildings[point.right].model;
+  if (point.left_floor >= left.floors() || point.right_floor >= right.floors()) return std::nullopt;
+  const double above = left.elevations[point.left_floor] - right.elevations[point.right_floor];
+  const auto depth = above > 0 ? beam_depth(c, point.left, point.left_floor - left.first_storey())
+                               : beam_depth(c, point.right, point.right_floor - right.first_storey());
+  return std::pair(std::abs(above), depth.value_or(0.6 * metre));
+}
+
 /// Level after level of every gap, with all contacts of its joint together. @param row the problem, of buildings in
 /// plan row_of() it @param overlaps overlaps()
 void check_levels(const Case& c, const Problem& row, const std::vector<double>& overlaps, List& list) {
@@ -125,15 +137,9 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
     const ContactPoint& first = row.points[i];
     const std::string name = gap_name(row, first.gap);
     const std::string law = first.gap < std::ssize(c.gaps) ? c.gaps[first.gap].contact.law : "";
-    const StructuralModel &left = row.buildings[first.left].model, &right = row.buildings[first.right].model;
-    if (first.left_floor < left.floors() && first.right_floor < right.floors()) {
-      // Floors meet though the beam of the upper one ends above the lower one.
-      const double above = left.elevations[first.left_floor] - right.elevations[first.right_floor];
-      const double depth = (above > 0 ? beam_depth(c, first.left, first.left_floor - left.first_storey())
-                                      : beam_depth(c, first.right, first.right_floor - right.first_storey()))
-                               .value_or(0.6 * metre);
-      list.check("level_tolerance", name, std::abs(above), depth, depth);
-    }
+    // Floors meet though the beam of the upper one ends above the lower one.
+    if (const auto floors = apart_and_depth(c, row, first, metre))
+      list.check("level_tolerance", name, floors->first, floors->second, floors->second);
     double overlap = 0, stiffness = 0;  // that at the start; 0: no law has one that is constant
     for (; i < row.points.size() && row.points[i].gap == first.gap && row.points[i].elevation == first.elevation; ++i) {
       // Beside the joint other walls have a contact of their own.
@@ -164,9 +170,17 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
   }
 }
 
-/// Floors that are said to be aligned and face columns. @param row as of check_levels()
+/// Floors that are said to be aligned and face columns, or meet though they lie further apart than a beam is deep.
+/// @param row as of check_levels()
 void check_alignment(const Case& c, const Problem& row, List& list) {
   std::vector<double> facing(static_cast<std::size_t>(gap_count(row)), 0);
+  for (std::size_t i = 0; i < row.points.size(); ++i) {
+    const ContactPoint& point = row.points[i];
+    const bool is_first =
+        i == 0 || row.points[i - 1].gap != point.gap || row.points[i - 1].elevation != point.elevation;
+    const auto floors = is_first ? apart_and_depth(c, row, point, 1 / list.si("L")) : std::nullopt;
+    if (floors && floors->first > floors->second) ++facing[static_cast<std::size_t>(point.gap)];
+  }
   for (const WatchedFloor& floor : row.watched) {
     if (!floor.facing_floor && !floor.beside) ++facing[static_cast<std::size_t>(floor.gap)];
   }
@@ -211,6 +225,8 @@ void check_motions(const Case& c, const AnyProblem& problem, List& list) {
     if (excitation.record) check_record(*excitation.record, subject, list);
     check_motion(*motions[i], excitation, subject, problem.duration, list);
   }
+  if (const auto& spectrum = c.excitation.spectrum; spectrum && !spectrum->of_displacements)
+    list.check("spectrum", "", largest_ordinate(spectrum->spectrum) / list.units().gravity);
   if (!c.excitation.suite) return;
   for (const SuiteRecord& record : c.excitation.suite->records) {
     check_record(record.echo, record.echo.file, list);
@@ -220,7 +236,9 @@ void check_motions(const Case& c, const AnyProblem& problem, List& list) {
 
 template <class AnyProblem>
 void check_before(const Case& c, const AnyProblem& problem, List& list) {
+  list.check("gravity", "", c.units.gravity * list.si("L"));
   check_buildings(c, problem, list);
+  check_strengths(c, problem, list);
   check_gaps(c, problem, list);
   check_motions(c, problem, list);
   double shortest = problem.duration;

@@ -199,6 +199,26 @@ TEST(Remarks, OfMotionsInTheWrongUnit) {
   EXPECT_EQ(remarks_of(c), Names{"pga"});
 }
 
+// A table in g that is read as of cm/s².
+TEST(Remarks, OfASpectrumInAnotherUnit) {
+  Case c = ordinary();
+  const auto with = [&](double ordinate) {
+    c.excitation.spectrum =
+        SpectrumSpec{.spectrum = {TableSpectrum{{0.1, 1}, {ordinate * c.units.gravity, 0}}}, .shape = "table"};
+    c.excitation.motion = NoMotion{};
+    std::vector<bool> doubts;
+    for (const Remark& one : remarks(c, make_still_problem(c))) {
+      if (one.key == "spectrum") doubts.push_back(one.is_doubt);
+    }
+    return doubts;
+  };
+  EXPECT_EQ(with(1), std::vector<bool>{});
+  EXPECT_EQ(with(0.09), std::vector<bool>{false});
+  EXPECT_EQ(with(1.0 / 981), std::vector<bool>{true});
+  EXPECT_EQ(with(0), std::vector<bool>{true});
+  EXPECT_EQ(with(80), std::vector<bool>{true});
+}
+
 // Times in milliseconds that are taken for seconds, and records that are cut or joined.
 TEST(Remarks, OfARecordAlone) {
   const auto of = [](double step, long count, double pga) {

@@ -66,7 +66,9 @@ void add_reversed(const AnyProblem& problem, const SolveOptions& options, const 
                   ReversedFree<Parts, AnyProblem>& other, AnyResponse& response) {
   std::optional<ReversedRun> reversed = reversed_free(options, system, other, response);
   if (!reversed) return;
-  if (gap_count(problem) > 1 && some_point_closes(response.points, gap_widths(problem))) {
+  const bool others_close = gap_count(problem) > 1 && some_point_closes(response.points, gap_widths(problem));
+  // Of what ends in collapse nothing is known without contact, but contact may come before.
+  if (others_close || reversed->collapse_no_contact) {
     if (!is_over(other.parts().response.status)) return;
     SolveOptions rest;
     rest.limits = options.limits;

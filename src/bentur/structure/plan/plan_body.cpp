@@ -215,6 +215,22 @@ FoundationRows rows_of_foundation(const PlanModel& model) {
 
 }  // namespace
 
+MatrixXd edge_drift_rows(const PlanModel& model) {
+  const PlanPoint x = PlanPoint::UnitX(), y = PlanPoint::UnitY();
+  const PlanPoint low = model.footprint.lower(), high = model.footprint.far_corner();
+  const std::array<std::pair<PlanPoint, PlanPoint>, 4> edges = {
+      {{low, x}, {high, x}, {low, y}, {high, y}}};  // places and directions
+  const Index floors = model.floors();
+  MatrixXd drifts = MatrixXd::Zero(4 * floors, model.dofs());
+  for (Index j = model.first_storey(); j < floors; ++j) {
+    for (Index edge = 0; edge < 4; ++edge) {
+      const auto& [at, along] = edges[static_cast<std::size_t>(edge)];
+      drifts.row(edge * floors + j) = model.drift(j, at, along).transpose() / model.storey_heights[j];
+    }
+  }
+  return drifts;
+}
+
 Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
   PlanModel model = building.model;
   model.footprint.corner.setZero();  // the same rows to the bit wherever it stands
@@ -266,15 +282,7 @@ Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes) {
     return !plane.hinges.backbones.empty();  // of others their law knows it
   });
   add(planes.breaking);
-  MatrixXd drifts = MatrixXd::Zero(model.planes.empty() ? 4 * floors : 0, dofs);
-  for (Index j = model.first_storey(); j < drifts.rows() / 4; ++j) {
-    const std::array<std::pair<PlanPoint, PlanPoint>, 4> edges = {
-        {{low, x}, {high, x}, {low, y}, {high, y}}};  // places and directions
-    for (Index edge = 0; edge < 4; ++edge) {
-      const auto& [at, along] = edges[static_cast<std::size_t>(edge)];
-      drifts.row(edge * floors + j) = model.drift(j, at, along).transpose() / model.storey_heights[j];
-    }
-  }
+  const MatrixXd drifts = model.planes.empty() ? edge_drift_rows(model) : MatrixXd(0, dofs);
   add({.count = drifts.rows(), .rows = drifts});
   add(planes.infill);
   add(planes.pushes);

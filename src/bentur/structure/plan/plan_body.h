@@ -31,6 +31,9 @@ enum class PlanOutput {
   column_force,  ///< of the pieces of struck columns, six a node as StructuralModel::column_forces
 };
 
+/// Drift ratios of edges as PlanOutput::edge_drift has them, over the dofs [1/length]; 0 of a slab on bearings.
+[[nodiscard]] Eigen::MatrixXd edge_drift_rows(const PlanModel& model);
+
 /// @param axes along which the components of the ground's motion act, a column each
 [[nodiscard]] Body body_of(const PlanBuilding& building, const Eigen::Matrix2Xd& axes);
 

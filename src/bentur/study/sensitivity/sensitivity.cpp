@@ -121,6 +121,15 @@ Asked asked_numbers(const TomlValue& root, const std::filesystem::path& file, co
   return numbers;
 }
 
+/// Whether a number of a gap or a link says at which floors it is, not how high these are: another one names none.
+bool names_a_floor(const ParameterPath& path) {
+  const auto is = [&](std::size_t step, const char* key) {
+    const auto* const text = step < path.size() ? std::get_if<std::string>(&path[step]) : nullptr;
+    return text != nullptr && *text == key;
+  };
+  return (is(0, "gap") || is(0, "link")) && (is(1, "elevations") || is(2, "elevations"));
+}
+
 class Maker {
  public:
   Maker(const TomlValue& root, const std::filesystem::path& file) : root_(root), file_(file) {}
@@ -315,8 +324,9 @@ std::optional<Sensitivity> found_by(const ReadCase& read, Maker& maker, const To
     const Given given = *number_in(*find_value(root, path));
     const CaseNumber number{path_text(path), given.value, is_of_footprint(path)};
     const double step = relative_step * std::abs(number.value);
-    if (step == 0.0) {
-      result.left_out.emplace_back(number.path, "is zero: no part of it can be added");
+    if (step == 0.0 || names_a_floor(path)) {
+      const char* const why = step == 0.0 ? "is zero: no part of it can be added" : "names a floor: another names none";
+      result.left_out.emplace_back(number.path, why);
       continue;
     }
     std::string why;

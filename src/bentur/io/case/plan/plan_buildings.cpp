@@ -179,6 +179,22 @@ bool read_plane(const TableView& table, const std::vector<double>& heights, cons
   return known;
 }
 
+/// A plane that stands beside its building by more than half of what that measures across it.
+void check_stands_in(const Footprint& footprint, const PlanPlane& plane, const TableView& table) {
+  const PlanPoint across(-plane.direction.y(), plane.direction.x());
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const PlanPoint& corner : {PlanPoint(0, 0), PlanPoint(footprint.size.x(), 0), PlanPoint(0, footprint.size.y()),
+                                  PlanPoint(footprint.size)}) {
+    const double at = across.dot(corner - plane.through);
+    least = std::min(least, at);
+    most = std::max(most, at);
+  }
+  if (std::max(least, -most) <= 0.5 * (most - least)) return;
+  const auto place = table.find(table.has("at") ? "at" : "through");
+  const std::string size = fmt::format("{} by {}", footprint.size.x(), footprint.size.y());
+  if (place) place->error(fmt::format("is far outside the footprint of {}", size));
+}
+
 /// @param of which building, from 0 @return whether all that holds the storeys is known
 bool read_planes(const TableView& building, std::size_t of, const StruckNodes& nodes, Plan& plan) {
   const auto list = building.find("plane");
@@ -208,6 +224,7 @@ bool read_planes(const TableView& building, std::size_t of, const StruckNodes& n
     known = read_plane(*table, plan.storey_heights, struck != nodes.end() ? struck->second : std::vector<ColumnNode>(),
                        plane) &&
             known;
+    if (plan.footprint.size.minCoeff() > 0) check_stands_in(plan.footprint, plane, *table);
     plan.planes.push_back(std::move(plane));
   }
   return known;

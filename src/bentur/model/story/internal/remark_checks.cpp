@@ -34,6 +34,9 @@ void check_frame(const std::string& name, const PlaneFrame& frame, List& list) {
       for (const double side : {depth, section.area / depth}) list.check("section", name, std::max(side, depth));
     }
   }
+  for (const std::optional<Infill>& infill : frame.infills) {
+    if (infill && infill->thickness > 0) list.check("infill_thickness", name, infill->thickness);
+  }
   // Beams that their load would make yield within the span before the sagging end does (docs/theory/hinges.md,
   // Gravity).
   const double widest = *std::max_element(frame.bay_widths.begin(), frame.bay_widths.end());
@@ -77,7 +80,8 @@ void check_motion(const GroundMotion& motion, const ExcitationSpec& excitation, 
   const auto& record = excitation.record;
   const double asked = record ? record->pga_without_unit.value_or(0) : 0;
   const RemarkKind& pga = remark_kind("pga");
-  if (peak > 0 && in_g < pga.least && asked >= pga.least && asked <= pga.most &&
+  const double most = in_g < pga.least ? pga.most : 1;  // up to which a number is rather meant in g
+  if (peak > 0 && asked >= pga.least && asked <= most &&
       record->pga_read * acceleration_factor(record->unit, list.units()) > pga.least * list.units().gravity) {
     list.add("pga_without_unit", subject, in_g, asked, asked);
   } else {

@@ -6,6 +6,8 @@
 
 #include "bentur/model/case.h"
 #include "bentur/model/story/internal/remark_list.h"
+#include "bentur/pounding/plan/plan_problem.h"
+#include "bentur/pounding/problem.h"
 
 // What is looked at of what a case gives, of rows and plans alike.
 namespace bentur::remarking {
@@ -15,6 +17,10 @@ void check_given(const BuildingSpec& spec, const std::vector<double>& heights, c
                  List& list);
 /// The depth of the beams at a floor [length], in plan of the deepest of its frames; nothing where it is not known.
 [[nodiscard]] std::optional<double> beam_depth(const Case& c, Eigen::Index building, Eigen::Index floor);
+
+/// What yields, breaks, bears and damps, over the weight that it is there for: how a wrong unit of a strength shows.
+void check_strengths(const Case& c, const Problem& problem, List& list);
+void check_strengths(const Case& c, const PlanProblem& problem, List& list);
 
 /// One component of the ground's motion. @param subject "" where there is one alone
 void check_motion(const GroundMotion& motion, const ExcitationSpec& excitation, const std::string& subject,

@@ -59,6 +59,17 @@ constexpr RemarkKind kinds[] = {
     {"floors_aligned", "", none, 0},
     {"ductility", "", none, 8},          // about the largest that codes reduce forces by
     {"drift_yielding", "%", none, 2.5},  // about the largest that they let a building have
+    {"spectrum", "g", 0.2, 2.5, 0.1, 4, far},
+    {"gravity", "m/s²", 9.7, 9.9, 9.7, 9.9, 1.05},
+    // Over the weight of their building, moments over that times a storey height:
+    {"yield_strength", "", 0.02, 2, 0.005, 10, far},
+    {"moment_capacity", "", 1e-3, 0.3, 1e-4, 2, far},
+    {"shear_capacity", "", 0.005, 2, 1e-3, 10, far},
+    {"rotation_limit", "rad", 1e-3, 0.06, 5e-4, 0.15, 5},
+    {"bearing_period", "s", 1.5, 5, 0.8, 10, far},
+    {"bearing_yield", "L", 2e-3, 0.05, 5e-4, 0.2, far},
+    {"link_damping", "", none, 0.5, none, 2, far},  // of the critical one
+    {"infill_thickness", "L", 0.1, 0.5, 0.05, 1, far},
 };
 
 std::size_t number_of(std::string_view key) {
