@@ -187,7 +187,7 @@ struct LargestDrift {
 
 /// Of the storeys of a building; those of which nothing is known are left out.
 [[nodiscard]] LargestDrift largest_drift(const Eigen::VectorXd& ratios);
-/// The other way round: of the storeys of a building of which the largest alone is known, the others 0.
+/// The ratios of the storeys of a building of which the largest alone is known, the others 0.
 [[nodiscard]] Eigen::VectorXd drift_ratios_with(Eigen::Index storeys, const LargestDrift& largest);
 
 /// The run with the ground motion times −1, as far as gaps are judged by it.

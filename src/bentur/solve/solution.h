@@ -73,7 +73,7 @@ struct Reach {
   double time = 0;   ///< when [s]
 };
 
-/// How far a δ can still go after a run has ended, while the ground rests, or swings on in harmony, and nothing touches:
+/// How far a δ can still go after a run has ended, while the ground rests or swings on in harmony and nothing touches:
 /// in t [s] from then on
 ///   rest − Σ size e^(−rate t) ≤ δ ≤ rest + Σ size e^(−rate t).                                          (T-9)
 /// Of bodies that yield as long as they yield no more.

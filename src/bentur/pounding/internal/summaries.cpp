@@ -305,9 +305,7 @@ LargestDrift largest_drift(const Eigen::VectorXd& ratios) {
 }
 
 Eigen::VectorXd drift_ratios_with(Eigen::Index storeys, const LargestDrift& largest) {
-  Eigen::VectorXd ratios = Eigen::VectorXd::Zero(std::max(storeys, largest.storey + 1));
-  ratios(largest.storey) = largest.ratio;
-  return ratios;
+  return largest.ratio * Eigen::VectorXd::Unit(std::max(storeys, largest.storey + 1), largest.storey);
 }
 
 std::vector<std::vector<Eigen::Index>> hinge_order(const BuildingPeaks& peaks, double duration) {

@@ -74,7 +74,7 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
   return result;
 }
 
-/// The gap that a run needs at these levels, in both ways of the motion; infinite where a building falls without contact.
+/// The gap that a run needs at these levels, in both ways of the motion; infinite where a building falls there.
 /// @param row the run, of buildings in plan row_of() it
 double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation>& levels) {
   if (falls_without_contact(row.problem, row.response) || falls_without_contact_reversed(row.problem, row.response)) {

@@ -63,7 +63,7 @@ struct SuiteJudgement {
 /// One per gap. @param gaps of the same records
 [[nodiscard]] std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps);
 
-/// A word for how a gap does under one record, but for what rules ask: "enough" is said where it is under all records, by
+/// A word for how a gap does under one record, but for what rules ask: "enough" is said where it is under all records by
 /// all that is known; else of such a record that it asks for less.
 [[nodiscard]] const char* record_word(const SuiteRun& run, std::size_t record, std::size_t gap);
 

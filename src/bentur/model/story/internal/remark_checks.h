@@ -18,7 +18,7 @@ void check_given(const BuildingSpec& spec, const std::vector<double>& heights, c
 /// The depth of the beams at a floor [length], in plan of the deepest of its frames; nothing where it is not known.
 [[nodiscard]] std::optional<double> beam_depth(const Case& c, Eigen::Index building, Eigen::Index floor);
 
-/// What yields, breaks, bears and damps, over the weight that it is there for: how a wrong unit of a strength shows.
+/// Strengths, bearings and dashpots over the weight that they are there for, by which a wrong unit shows.
 void check_strengths(const Case& c, const Problem& problem, List& list);
 void check_strengths(const Case& c, const PlanProblem& problem, List& list);
 
