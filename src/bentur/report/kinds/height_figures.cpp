@@ -186,7 +186,8 @@ void set_apart(Figure& figure, bool narrow) {
       if (i != labelled) one.x.label = "";
       if (rows > 1) one.height = std::min(one.height, most_high);
       one.y = figure.panels.front().y;
-      if (panels.size() % columns != 0) leave_to_neighbour(one.y);
+      one.begins_row = i == 0;
+      if (i % columns != 0) leave_to_neighbour(one.y);
       panels.push_back(std::move(one));
     }
   }
