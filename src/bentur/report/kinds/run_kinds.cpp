@@ -177,7 +177,7 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
                      hardest_impact(run, point) != nullptr, options);
     }
     if (kind == "scene" || kind == "overview") {
-      if (const std::string inside = inside_elsewhen(run, options); !inside.empty()) {
+      if (const std::string inside = inside_besides(run, options); !inside.empty()) {
         figure.part += (figure.part.empty() ? "" : ". ") + inside;
         if (kind == "scene") figure.finding += "; " + inside;
       }
