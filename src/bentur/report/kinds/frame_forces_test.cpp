@@ -11,6 +11,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/box.h"
 #include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
@@ -265,6 +266,20 @@ TEST(FrameForces, SpectraOfFloorsAreDrawnInG) {
 
 /// The number of a diagram stands within its picture, on none of its lines, as the picture is drawn; beside its dot, or
 /// joined to it by a line of at most a centimetre. Each building has a row over the width of a page.
+TEST(FrameForces, SpectraSayWhichFloorsTheyAreOf) {
+  FloorSpectra spectra{.periods = {0.03, 2}, .floors = std::vector<FloorSpectra::Floor>(6)};
+  const std::vector<std::string> gaps = {"A | B", "B | C"};
+  FigureOptions options;
+  options.gap = 1;
+  EXPECT_TRUE(floors_text(spectra, 0, gaps, {}, 3, options).starts_with("Shown is A | B, with the hardest impact"));
+  options.gap = 0;
+  EXPECT_EQ(floors_text(spectra, 0, gaps, {}, 3, options), "");
+  EXPECT_EQ(floors_text(spectra, {}, gaps, {}, 12, {}), "Shown are roofs of 6 of 12 buildings, the first of the case");
+  spectra.periods.front() = 0.175;
+  EXPECT_EQ(floors_text(spectra, 0, gaps, {}, 3, options),
+            "Periods begin at 0.175 s: of shorter ones samples are too far apart");
+}
+
 TEST(FrameForces, NumbersLieOnNoLineAndAtTheirDots) {
   const RunResults run = test::drawn_run(test::hinged);
   int looked_at = 0;

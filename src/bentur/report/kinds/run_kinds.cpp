@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
@@ -186,6 +187,13 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
       const std::size_t shown = shown_buildings(run, options).size(), all = run.problem.buildings.size();
       if (shown < all) {
         figure.part = word(options,
+    if (kind == "floor-spectrum") {
+      const Impact* const hardest = hardest_impact(run.response.impacts);
+      std::optional<std::size_t> hit;
+      if (hardest != nullptr) hit = static_cast<std::size_t>(run.problem.points[hardest->point].gap);
+      figure.part = floors_text(run.figures.floor_spectra, hit, gap_names(run.problem), judged_gaps(run),
+                                run.problem.buildings.size(), options);
+    }
                            "Shown are {} of {} buildings: those of the hardest impact, those that the verdict names, "
                            "and as many of the worst gaps as have room",
                            std::to_string(shown), std::to_string(all));

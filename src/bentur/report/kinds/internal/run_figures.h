@@ -121,5 +121,10 @@ void leave_to_neighbour(Axis& axis);
 /// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone = {});
 [[nodiscard]] Mark mark_of(std::size_t index);
+/// Of spectra of floors: at which gap they are, or whose roofs, where there are others; and where their periods begin,
+/// where samples are too far apart for shorter ones. @param hit the gap of the hardest impact
+[[nodiscard]] std::string floors_text(const FloorSpectra& spectra, std::optional<std::size_t> hit,
+                                      const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
+                                      std::size_t buildings, const FigureOptions& options);
 
 }  // namespace bentur

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_places.h"
@@ -121,6 +122,13 @@ Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOpti
   }
   const std::vector<std::string> of_rows = row_figure_names();
   const bool is_of_rows = std::find(of_rows.begin(), of_rows.end(), kind) != of_rows.end();
+    if (kind == "floor-spectrum") {
+      const Impact* const hardest = hardest_impact(run.response.impacts);
+      std::optional<std::size_t> hit;
+      if (hardest != nullptr) hit = static_cast<std::size_t>(contact_at(run.problem, hardest->point).gap);
+      figure.part = floors_text(run.closer.floors, hit, gap_names(run.problem), judged_gaps(run),
+                                run.problem.buildings.size(), options);
+    }
   refuse_figure(kind, is_of_rows ? "buildings in plan, but of a row" : "this run", figure_kinds(run));
 }
 
