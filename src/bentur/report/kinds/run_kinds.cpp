@@ -137,9 +137,15 @@ const RunKind run_kinds[] = {
 
 /// Whether a kind shows buildings beside one another, of many a part.
 bool is_of_buildings(const std::string& kind) {
-  constexpr std::string_view all[] = {"forces",       "envelope",    "amplification", "drift",    "modes",
-                                      "hinges",       "hinge-loop",  "storey-loop",   "spectrum", "bearing-loop",
-                                      "frame-moment", "frame-shear", "frame-axial"};
+  constexpr std::string_view all[] = {"forces",       "envelope",       "amplification", "drift",       "modes",
+                                      "hinges",       "hinge-loop",     "storey-loop",   "spectrum",    "bearing-loop",
+                                      "frame-forces", "frame-envelope", "frame-moment",  "frame-shear", "frame-axial"};
+  return std::find(std::begin(all), std::end(all), kind) != std::end(all);
+}
+
+/// Whether each building has a place of its own there, over its height.
+bool is_over_the_height(const std::string& kind) {
+  constexpr std::string_view all[] = {"forces", "envelope", "amplification", "drift", "modes"};
   return std::find(std::begin(all), std::end(all), kind) != std::end(all);
 }
 
@@ -184,7 +190,8 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
       }
     }
     if (is_of_buildings(kind) && !options.gap && !options.elevation) {
-      const std::size_t shown = shown_buildings(run, options).size(), all = run.problem.buildings.size();
+      const std::size_t most = is_over_the_height(kind) ? most_apart : most_together;
+      const std::size_t shown = shown_buildings(run, options, most).size(), all = run.problem.buildings.size();
       if (shown < all) {
         figure.part = word(options,
     if (kind == "floor-spectrum") {

@@ -22,9 +22,12 @@ namespace bentur {
 [[nodiscard]] bool is_at(const FigureOptions& options, double elevation);
 /// The point at which they ask for a struck column: that with the largest shear. @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options);
-/// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point and, unless
-/// a point is asked for, those that the verdict names, then those whose gap lacks most, up to eight.
-[[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options);
+/// Of so many buildings a figure shows all: where each has a place of its own, and where their curves stand together.
+constexpr std::size_t most_apart = 12, most_together = 6;
+/// Indices of the buildings to be shown beside one another: all, or of more than `most` the two at the point and,
+/// unless a point is asked for, those that the verdict names, then those whose gap lacks most, up to eight, or `most`.
+[[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options,
+                                                        std::size_t most = most_together);
 /// The hardest impact of a point; nullptr without one.
 [[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);
 /// Whether the impact in close-up gives back all the energy it takes, so that its loop has no area.
