@@ -16,7 +16,7 @@
 namespace bentur {
 namespace {
 
-bool stands_above(const RunResults&) { return false; }
+bool stands_above(const RunResults&) { return false; }  // or another has it too
 
 using RunKind = KindOf<RunResults>;
 
@@ -129,10 +129,13 @@ const RunKind run_kinds[] = {
      run_spectrum_figure},
     {"floor-spectrum", "response spectra of the motion of the floors that are hit and the roofs", has_floor_spectra,
      floor_spectrum_figure},
-    {"frame-moment", "moments over the frames, at the hardest impact and the largest of the run", has_frames,
-     frame_moment_figure},
-    {"frame-shear", "shears over the frames, likewise", has_frames, frame_shear_figure},
-    {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure},
+    {"frame-forces", "moments, shears and axial forces over the frames at the hardest impact", has_frames,
+     frame_forces_figure},
+    {"frame-envelope", "the largest of the run of all three", has_frames, frame_envelope_figure},
+    {"frame-moment", "moments over the frames alone, at the hardest impact and the largest of the run", has_frames,
+     frame_moment_figure, stands_above},
+    {"frame-shear", "shears over the frames, likewise", has_frames, frame_shear_figure, stands_above},
+    {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure, stands_above},
 };
 
 /// Whether a kind shows buildings beside one another, of many a part.
@@ -183,6 +186,13 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
           place_text(gap_names(run.problem), judged_gaps(run), static_cast<std::size_t>(run.problem.points[point].gap),
                      hardest_impact(run, point) != nullptr, options);
     }
+    if (kind == "floor-spectrum") {
+      const Impact* const hardest = hardest_impact(run.response.impacts);
+      std::optional<std::size_t> hit;
+      if (hardest != nullptr) hit = static_cast<std::size_t>(run.problem.points[hardest->point].gap);
+      figure.part = floors_text(run.figures.floor_spectra, hit, gap_names(run.problem), judged_gaps(run),
+                                run.problem.buildings.size(), options);
+    }
     if (kind == "scene" || kind == "overview") {
       if (const std::string inside = inside_besides(run, options); !inside.empty()) {
         figure.part += (figure.part.empty() ? "" : ". ") + inside;
@@ -194,13 +204,6 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
       const std::size_t shown = shown_buildings(run, options, most).size(), all = run.problem.buildings.size();
       if (shown < all) {
         figure.part = word(options,
-    if (kind == "floor-spectrum") {
-      const Impact* const hardest = hardest_impact(run.response.impacts);
-      std::optional<std::size_t> hit;
-      if (hardest != nullptr) hit = static_cast<std::size_t>(run.problem.points[hardest->point].gap);
-      figure.part = floors_text(run.figures.floor_spectra, hit, gap_names(run.problem), judged_gaps(run),
-                                run.problem.buildings.size(), options);
-    }
                            "Shown are {} of {} buildings: those of the hardest impact, those that the verdict names, "
                            "and as many of the worst gaps as have room",
                            std::to_string(shown), std::to_string(all));

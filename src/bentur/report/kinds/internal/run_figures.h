@@ -99,6 +99,8 @@ template <class AnyRun>
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_forces_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_envelope_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_moment_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_shear_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_axial_figure(const RunResults& run, const FigureOptions& options);
@@ -119,15 +121,15 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
 /// approach, where that is not the gap that the verdict puts first. @param gap shown @param judged all
 [[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
                                      std::size_t gap, bool is_hit, const FigureOptions& options);
-/// An axis whose label and numbers are those of the panel beside it.
-void leave_to_neighbour(Axis& axis);
-/// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.
-void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone = {});
-[[nodiscard]] Mark mark_of(std::size_t index);
 /// Of spectra of floors: at which gap they are, or whose roofs, where there are others; and where their periods begin,
 /// where samples are too far apart for shorter ones. @param hit the gap of the hardest impact
 [[nodiscard]] std::string floors_text(const FloorSpectra& spectra, std::optional<std::size_t> hit,
                                       const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
                                       std::size_t buildings, const FigureOptions& options);
+/// An axis whose label and numbers are those of the panel beside it.
+void leave_to_neighbour(Axis& axis);
+/// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.
+void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone = {});
+[[nodiscard]] Mark mark_of(std::size_t index);
 
 }  // namespace bentur
