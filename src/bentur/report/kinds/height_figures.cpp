@@ -140,10 +140,18 @@ bool is_stepped(const Curve& curve) {
 
 constexpr std::size_t most_dashes = 4;  // of so many curves none has those of another; of more marks tell them apart
 
-/// Of several buildings shown: in the tone of this one, and with dashes and marks that no other one of them has.
+/// Of several buildings shown: in the tone of this one, with a mark that no other one of them has, and with dashes that
+/// none has whose tone is as dark.
 void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Index building) {
-  const auto place = std::find(shown.begin(), shown.end(), building) - shown.begin();
-  bentur::tell_apart(curve, static_cast<std::size_t>(place), building_tone(static_cast<std::size_t>(building)));
+  const auto tone = [&](std::size_t place) { return building_tone(static_cast<std::size_t>(shown[place])); };
+  const auto place = static_cast<std::size_t>(std::find(shown.begin(), shown.end(), building) - shown.begin());
+  std::size_t alike = 0;  // before it
+  for (std::size_t other = 0; other < place; ++other) alike += are_distinct_in_grey(tone(other), tone(place)) ? 0 : 1;
+  bentur::tell_apart(curve, place, tone(place));
+  Curve dashes;
+  bentur::tell_apart(dashes, alike);
+  curve.line = dashes.line;
+  curve.width = dashes.width;
 }
 
 /// More curves than can be followed in one frame have one each, side by side at one scale, whose titles name them; of

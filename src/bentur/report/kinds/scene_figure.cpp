@@ -203,12 +203,6 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
   if (are_parts_of(in_short, panel.x.names)) panel.x.short_names = in_short;
   constexpr double points = 72 / 2.54 / 0.75;  // widths to a centimetre
   const double storey = scene.storey / tall * height * points;
-  std::vector<bool> dashed;  // every second one that moves, so that neighbours are distinct in grey, as their curves
-  bool is_second = false;
-  for (const Building& building : run.problem.buildings) {
-    dashed.push_back(is_second && !building.is_rigid());
-    is_second = building.is_rigid() ? is_second : !is_second;
-  }
   for (const SceneShape& shape : scene.shapes) {
     Curve curve = curve_of(shape, places);
     if (shape.role == SceneRole::ground) curve.width = 1.8;
@@ -216,7 +210,9 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
       curve.label = run.problem.buildings[shape.item].name;
       curve.in_legend = false;
       curve.width = 1.5;
-      if (shape.role == SceneRole::column && dashed[shape.item]) curve.line = Line::dashed;
+      if (shape.role == SceneRole::column && shape.item > 0) {
+        curve.line = line_beside(shape.tone, building_tone(static_cast<std::size_t>(shape.item) - 1));
+      }
     }
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);
     panel.curves.push_back(std::move(curve));

@@ -215,6 +215,8 @@ void leave_to_neighbour(Axis& axis) {
   axis.numbers = false;
 }
 
+Line line_beside(Tone tone, Tone other) { return are_distinct_in_grey(tone, other) ? Line::solid : Line::dashed; }
+
 void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone) {
   constexpr Tone tones[] = {Tone::black, Tone::teal, Tone::grey};
   constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};

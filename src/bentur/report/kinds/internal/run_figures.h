@@ -128,6 +128,8 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
                                       std::size_t buildings, const FigureOptions& options);
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
+/// Of a curve beside another: dashed where their tones are not distinct in grey.
+[[nodiscard]] Line line_beside(Tone tone, Tone other);
 /// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone = {});
 [[nodiscard]] Mark mark_of(std::size_t index);
