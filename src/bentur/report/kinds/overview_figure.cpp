@@ -80,7 +80,7 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   figure.panels.push_back(gap_panel(judged_gaps(run), run.c.units.length, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
-    figure.panels.front().height = 3.5;
+    figure.panels.front().height = 3.2;
     for (std::size_t below : {1, 2}) figure.panels[below].height = 2.2;
   } else if (is_wide) {
     constexpr double height = 6, frames = 12.5;  // about [cm]
