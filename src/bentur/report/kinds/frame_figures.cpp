@@ -307,9 +307,10 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
   const bool leaves_room = columns.size() % beside > 0;
   // Of rows so high that frames over the width of a panel can be read; two of them leave room for others on a page.
   const double above = leaves_room ? 1.0 : 0.8;  // title of a row and what is free between two [cm]
-  const double highest = are_three ? 6.2 : 7.8, of_legend = are_three ? 0.5 : 0;  // [cm]
+  const double highest = are_three ? 6.9 : 7.8, of_legend = are_three ? 0.5 : 0;  // [cm]
   const std::size_t rows = frames.size() * ((columns.size() + beside - 1) / beside);
-  const double height = std::min(highest, (page_height - of_legend) / static_cast<double>(rows) - above);
+  const double room = are_three && !options.narrow ? 15.6 : page_height;  // two thirds of a page [cm]
+  const double height = std::min(highest, (room - of_legend) / static_cast<double>(rows) - above);
   constexpr double between = 0.8;  // of the panels of a row, and beside them [cm]
   const double width = figure.width / figure.columns - between;
   constexpr double below = 1.1;           // the frame, a number and a bar [cm]
