@@ -57,7 +57,7 @@ class Gallery(unittest.TestCase):
             self.assertLess(len(picture), 250_000, name)
             root = xml.fromstring(picture)
             texts = ["".join(text.itertext()) for text in root.iter("{http://www.w3.org/2000/svg}text")]
-            if name.endswith(("-scene.svg", "-hinges.svg", "-frame-moment.svg")):
+            if name.endswith(("-scene.svg", "-hinges.svg", "-frame-forces.svg")):
                 continue  # have no axes
             # A label with a unit on both axes of at least one panel.
             self.assertGreaterEqual(len([text for text in texts if re.search(r"\[.+\]$", text)]), 2, f"{name}: {texts}")

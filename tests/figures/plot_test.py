@@ -26,7 +26,7 @@ EL_CENTRO = SOURCE / "examples/m12-el-centro.toml"
 SVG = "{http://www.w3.org/2000/svg}"
 WITH_AXES = ["displacement", "opening", "force", "impact", "loop", "forces", "envelope", "amplification", "drift", "modes", "spectrum",
              "floor-spectrum"]
-WITH_IMPACTS = ["overview", "scene", "frame-moment", "frame-shear", "frame-axial", *WITH_AXES]
+WITH_IMPACTS = ["overview", "scene", "frame-forces", "frame-envelope", "frame-moment", "frame-shear", "frame-axial", *WITH_AXES]
 NASTY = ["<script>alert(1)</script>", "\"; system('touch pwned') #", "'; system('touch pwned') #", "`touch pwned`",
          "$(touch pwned)", "@touch ^a _b {/Bold c} \\042 %s", "]]></text><script/>", "a !touch pwned", "'.system('touch pwned').'"]
 
@@ -157,7 +157,7 @@ class Run(Figures):
         case.write_text(case.read_text().replace("width = 0.2 ", "width = 5.0 "))
         self.bentur(0, "run", case, "-o", "out", "--figures", "svg")
         quiet = ["overview", "scene", "displacement", "opening", "envelope", "drift", "modes", "spectrum",
-                 "floor-spectrum", "frame-moment", "frame-shear", "frame-axial"]
+                 "floor-spectrum", "frame-forces", "frame-envelope", "frame-moment", "frame-shear", "frame-axial"]
         names = {file.name for file in (self.folder / "out/figures").iterdir()}
         self.assertEqual(names, {f"{kind}{ending}" for kind in quiet for ending in ("-data.csv", ".py", ".svg")} | {"mine.svg"})
 

@@ -117,12 +117,12 @@ def test_what_frames_carry_and_spectra_of_floors_are_drawn(program, tmp_path):
     case.write_text(text[:first] + FRAMES.lstrip() + text[first:])
     subprocess.run([program, "run", case, "-q", "-o", tmp_path / "out", "--figures", "svg"], check=True)
     found = bentur.run(case)
-    for kind in "floor-spectrum", "frame-moment", "frame-shear", "frame-axial":
+    for kind in "floor-spectrum", "frame-forces", "frame-envelope", "frame-moment", "frame-shear", "frame-axial":
         svg = (tmp_path / f"out/figures/{kind}.svg").read_text()
         assert found.plot(kind).svg == svg, kind
         subprocess.run([program, "plot", tmp_path / "out", kind, "-o", tmp_path / "again.svg"], check=True)
         assert (tmp_path / "again.svg").read_text() == svg, kind
-    assert found.report().count("framed, M [kN") == 2  # for a screen and for a telephone
+    assert found.report().count("framed, M [kN") == 4  # at the instant and largest, for a screen and for a telephone
     with pytest.raises(ValueError, match="members of a frame"):
         bentur.run(CASE).plot("frame-moment")
 

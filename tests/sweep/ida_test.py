@@ -350,7 +350,7 @@ class Gap(Ida):
             self.assertEqual(gap["largest"][name], max(first, second))
             self.assertEqual(gap["median"][name], (first + second) / 2)
         text = self.bentur("gap", STUDIES / "m12-gaps.toml").stdout
-        for word in "El Centro", "harmonic", "largest", "median", "Simulated", "DDC", "Model 1 | Model 2":
+        for word in "El Centro", "harmonic", "largest", "median", "Needed", "DDC", "Model 1 | Model 2":
             self.assertIn(word, text)
 
     def test_a_neighbour_of_whom_little_is_known(self):

@@ -197,7 +197,9 @@ test("of buildings in plan the page has what the command line has", () => {
   assert.ok(Math.abs(all.amplification - 0.06088 / 0.05921) < 2e-4);
   assert.deepEqual(all.figures.map(({ kind }) => kind), ["overview", "scene", "displacement", "opening", "orbit", "force", "friction-cone", "floor-spectrum"]);
   assert.match(all.figures[0].caption, /dari atas/);
-  assert.match(JSON.parse(one.tables("id")).tables[0].markup, /north frame/);
+  const { tables } = JSON.parse(one.tables("id"));
+  assert.deepEqual(tables.map(({ id }) => id), ["gaps", "peaks"]);
+  assert.match(tables[1].markup, /north frame/);
   const data = JSON.parse(one.motion("id"));
   assert.equal(data.impacts.length, 7);
   assert.equal(data.words.level, "elevasi");

@@ -173,6 +173,8 @@ test("a block of thirty houses runs with all that a page shows, the worst of its
     const worst = await page.locator(".verdict > details[data-gap]").first().getAttribute("data-gap");
     assert.equal(await page.locator(".gap-slider select option:checked").textContent(), worst);
     assert.match(await page.textContent(".brief"), new RegExp(`^All ${gaps} gaps:`));
+    await page.click('[data-table="gaps"] > summary'); // a row for each, at the level that governs it
+    assert.equal(await page.locator('[data-table="gaps"] .joined tbody tr').count(), gaps);
     const forces = await page.$$eval('#impacts tbody td[data-head^="Peak force"]', (all) => all.map((one) => Number(one.textContent)));
     assert.ok(forces.length > 20 && forces.every((one, i) => i === 0 || one <= forces[i - 1]));
   }, { slow: true });

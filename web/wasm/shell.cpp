@@ -267,8 +267,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       if (const auto failed = run_within(options, progress, needed, refused, run)) return *failed;
       const double seconds = response.wall_time;
       plan_run_ = run_results(c, problem, std::move(response));
-      constexpr double numbers = 5e6;  // in memory, of a page's
-      if (output_step.isNull()) plan_run_->closer = dense_findings(*plan_run_, numbers);
+      if (output_step.isNull()) plan_run_->closer = dense_findings(*plan_run_);
       return solved(seconds);
     }
     if (!problem_) return failure("no case is open");

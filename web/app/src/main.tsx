@@ -8,7 +8,7 @@ import { Editor, Errors, FilePicker, Form, GapNotesBelow, GapSlider, goTo, liste
 import { Figures } from "./figures";
 import { fromFragment, linked } from "./link";
 import { MotionView } from "./animation";
-import type { Overview } from "./solver";
+import type { Overview, Said } from "./solver";
 import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
 import { nameOf } from "./schema";
 import { isStill } from "./still";
@@ -59,6 +59,19 @@ function RecordChoice({ suite }: Pick<Overview, "suite">) {
   );
 }
 
+/** The first two; of more the others when they are asked for, so that what is edited stands beside the buildings. */
+function Remarks({ all }: { all: Said[] }) {
+  const whole = useSignal(false);
+  const most = 2, isShort = !whole.value && all.length > most;
+  if (all.length === 0) return null;
+  return (
+    <details open><summary>{say("verdict.remark")}</summary>
+      <ul data-remarks class={isShort ? "short" : ""}>{all.map((one, i) => <li key={one.text}>{i > 0 ? " " : ""}{one.text}</li>)}</ul>
+      {isShort && <button type="button" onClick={() => { whole.value = true; }}>{say("remarks.whole", { n: all.length })}</button>}
+    </details>
+  );
+}
+
 function App() {
   const area = useRef<HTMLTextAreaElement>(null);
   const dropping = useSignal(false);
@@ -91,7 +104,7 @@ function App() {
           <div class="said">
             <Errors goTo={(line, column) => goTo(area.current, line, column)} />
             <Verdict />
-            {remarks.length > 0 && <details open><summary>{say("verdict.remark")}</summary><ul data-remarks>{remarks.map((one, i) => <li key={one.text}>{i > 0 ? " " : ""}{one.text}</li>)}</ul></details>}
+            <Remarks all={remarks} />
             {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{curveDone.value < 1 && ` ${say("curve.runs", { percent: Math.round(100 * curveDone.value) })}`}</p>}
           </div>
           <section id="edit" class="edit">

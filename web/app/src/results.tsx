@@ -95,6 +95,7 @@ export function Verdict() {
 }
 
 const LISTED = 200;
+const telephone = matchMedia("(max-width: 40rem)");
 
 /** What stands in a column, the hardest impact first where that is equal, but of times the first; what is no number is the
  *  least. */
@@ -108,6 +109,7 @@ function order({ cells, numbers, unit }: ImpactColumn, descends: boolean): numbe
 export function Impacts({ now }: { now: Result }) {
   const { impactColumns: columns, impactCount, force } = now.overview;
   const [chosen, sort] = useState<{ head: string; descends: boolean } | null>(null);
+  const [whole, setWhole] = useState(false);
   const hardness = columns.findIndex(({ numbers }, k) => k > 0 && numbers); // by which they come
   const found = columns.findIndex(({ head }) => head === chosen?.head), by = found < 0 ? hardness : found, descends = found < 0 || chosen!.descends;
   const sorted = useMemo(() => (columns.length > 0 ? order(columns[by], descends) : []), [columns, by, descends]);
@@ -119,11 +121,14 @@ export function Impacts({ now }: { now: Result }) {
     document.getElementById("motion")?.scrollIntoView();
   };
   const heading = ({ head, unit }: ImpactColumn) => (unit ? `${head} [${unit}]` : head);
+  const most = telephone.matches ? 8 : 15, isShort = !whole && Math.min(listed, LISTED) > most;
   return (
     <section id="impacts">
       <h2>{say("impacts")}</h2>
+      {isShort && <p class="controls"><span>{say(by === hardness && descends ? "impact.hardest" : "impact.first", { n: most, all: impactCount })}</span>
+        <button type="button" onClick={() => setWhole(true)}>{say("impact.whole", { n: Math.min(listed, LISTED) })}</button></p>}
       <div class="wide scroll" tabIndex={0} role="region" aria-label={say("impacts")}>
-        <table class="cards">
+        <table class={isShort ? "cards short" : "cards"}>
           <thead><tr>{columns.map(({ head, unit, numbers }, k) => <th scope="col" key={k} class={numbers ? "" : "t"} aria-sort={k === by ? (descends ? "descending" : "ascending") : undefined}>
             <button type="button" onClick={() => choose(k)}>{head}{k === by && <span aria-hidden="true">{`\u00a0${descends ? "▼" : "▲"}`}</span>}</button>{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
           <tbody>{sorted.slice(0, LISTED).map((row) => (
@@ -133,7 +138,7 @@ export function Impacts({ now }: { now: Result }) {
                 : column.cells[row]}</td>)}</tr>))}</tbody>
         </table>
       </div>
-      {impactCount > LISTED && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}{impactCount > listed && ` ${say("impact.cut", { n: listed })}`}</p>}
+      {impactCount > LISTED && !isShort && <p class="note">{say("impact.more", { n: LISTED, all: impactCount })}{impactCount > listed && ` ${say("impact.cut", { n: listed })}`}</p>}
     </section>
   );
 }

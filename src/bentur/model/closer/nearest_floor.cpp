@@ -14,18 +14,46 @@ bool is_held(const Eigen::VectorXd& row, const StructuralModel& model) {
   return others.isZero(0);
 }
 
+/// Whether the opening of a watched floor can be found of histories.
+bool has_opening(const Problem& problem, const WatchedFloor& floor) {
+  return problem.kinematics != Kinematics::absolute && is_held(floor.left_row, problem.buildings[floor.left].model) &&
+         is_held(floor.right_row, problem.buildings[floor.right].model);
+}
+
+/// dof_histories() of so many samples from one on.
+Eigen::MatrixXd dofs_over(const Histories& histories, const Problem& problem, Eigen::Index building, Eigen::Index from,
+                          Eigen::Index samples) {
+  const StructuralModel& model = problem.buildings[building].model;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(model.dofs(), samples);
+  all.topRows(model.floors()) = histories.displacement[building].middleCols(from, samples);
+  if (model.nodes() > 0) {
+    all.middleRows(model.floors(), model.nodes()) = histories.node_displacement[building].middleCols(from, samples);
+  }
+  if (model.foundation) {
+    all.row(model.foundation->sway) = histories.foundation[building].row(0).segment(from, samples);
+    all.row(model.foundation->rocking) = histories.foundation[building].row(1).segment(from, samples);
+  }
+  return all;
+}
+
 }  // namespace
 
 Eigen::MatrixXd dof_histories(const Histories& histories, const Problem& problem, Eigen::Index building) {
-  const StructuralModel& model = problem.buildings[building].model;
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(model.dofs(), std::ssize(histories.time));
-  all.topRows(model.floors()) = histories.displacement[building];
-  if (model.nodes() > 0) all.middleRows(model.floors(), model.nodes()) = histories.node_displacement[building];
-  if (model.foundation) {
-    all.row(model.foundation->sway) = histories.foundation[building].row(0);
-    all.row(model.foundation->rocking) = histories.foundation[building].row(1);
+  return dofs_over(histories, problem, building, 0, std::ssize(histories.time));
+}
+
+std::vector<double> depths_inside(const Problem& problem, const Histories& histories, Eigen::Index sample) {
+  std::vector<double> depths;
+  for (const WatchedFloor& floor : problem.watched) {
+    depths.push_back(0);
+    if (!has_opening(problem, floor)) continue;
+    const auto towards = [&](const Eigen::VectorXd& row, Eigen::Index building) {
+      return row.dot(dofs_over(histories, problem, building, sample, 1).col(0));
+    };
+    const double opening = floor.width - (towards(floor.left_row, floor.left) - towards(floor.right_row, floor.right));
+    depths.back() = std::max(0.0, -opening);
   }
-  return all;
+  return depths;
 }
 
 std::optional<NearestFloor> nearest_floor(const Problem& problem, const Response& response) {
@@ -33,8 +61,10 @@ std::optional<NearestFloor> nearest_floor(const Problem& problem, const Response
       response.watched.begin(), response.watched.end(),
       [](const WatchedSummary& a, const WatchedSummary& b) { return a.least_opening < b.least_opening; });
   if (least == response.watched.end()) return std::nullopt;
-  const WatchedFloor& floor = problem.watched[least - response.watched.begin()];
-  NearestFloor nearest{.gap = floor.gap,
+  const Eigen::Index number = least - response.watched.begin();
+  const WatchedFloor& floor = problem.watched[number];
+  NearestFloor nearest{.watched = number,
+                       .gap = floor.gap,
                        .left = floor.left,
                        .right = floor.right,
                        .floor_of = floor.floor_of,
@@ -46,11 +76,7 @@ std::optional<NearestFloor> nearest_floor(const Problem& problem, const Response
                        .least_time = least->least_time,
                        .closes = least->closes};
   const Histories& histories = response.course.time.empty() ? response.histories : response.course;
-  if (histories.time.empty() || problem.kinematics == Kinematics::absolute ||
-      !is_held(floor.left_row, problem.buildings[floor.left].model) ||
-      !is_held(floor.right_row, problem.buildings[floor.right].model)) {
-    return nearest;
-  }
+  if (histories.time.empty() || !has_opening(problem, floor)) return nearest;
   const Eigen::VectorXd opening =
       floor.width - (dof_histories(histories, problem, floor.left).transpose() * floor.left_row -
                      dof_histories(histories, problem, floor.right).transpose() * floor.right_row)

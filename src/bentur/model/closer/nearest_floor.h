@@ -10,6 +10,7 @@ namespace bentur {
 
 /// The watched floor of a run that comes nearest to what it faces, where no contact is modelled.
 struct NearestFloor {
+  Eigen::Index watched = 0;                   ///< its number among Problem::watched
   Eigen::Index gap = 0, left = 0, right = 0;  ///< buildings on both sides
   Eigen::Index floor_of = 0, floor = 0;       ///< whose floor it is, and which
   bool faces_floor = false;                   ///< else a column between two floors
@@ -26,6 +27,11 @@ struct NearestFloor {
 
 /// Nothing without watched floors.
 [[nodiscard]] std::optional<NearestFloor> nearest_floor(const Problem& problem, const Response& response);
+
+/// How far each watched floor is inside what it faces at a sample of the histories, in their order; 0: it is not, or
+/// its opening is not known over time. [length]
+[[nodiscard]] std::vector<double> depths_inside(const Problem& problem, const Histories& histories,
+                                                Eigen::Index sample);
 
 /// Displacements of all degrees of freedom of a building that histories hold, dofs × samples: of floors, nodes and
 /// foundation; zero of others. [length], of rocking [rad]

@@ -39,11 +39,13 @@ enum class Tone {
   gold,
   pale_teal
 };
-/// Those of buildings, in their order.
+/// Those of buildings, in their order, dark and less dark by turns, so that neighbours are distinct in grey.
 inline constexpr Tone building_tones[] = {Tone::blue,  Tone::orange, Tone::green, Tone::purple, Tone::magenta,
-                                          Tone::olive, Tone::indigo, Tone::brown, Tone::cyan,   Tone::navy};
+                                          Tone::olive, Tone::indigo, Tone::brown, Tone::navy,   Tone::cyan};
 /// That of building number `index` in every picture, and of nothing else; of more than ten they come again.
 [[nodiscard]] Tone building_tone(std::size_t index);
+/// Whether lines of two tones are distinct on paper without colours; others need dashes.
+[[nodiscard]] bool are_distinct_in_grey(Tone one, Tone other);
 
 constexpr double column_width = 8.8;  ///< of a journal [cm]
 constexpr double page_width = 17;     ///< [cm]
@@ -125,9 +127,10 @@ struct Axis {
 struct Panel {
   std::string title = {};
   Axis x = {}, y = {};
-  double height = 4.2;  ///< of the frame [cm]
-  int rows = 1;         ///< of the figure that it takes: of more than one as high as those beside it
-  int across = 1;       ///< columns of the figure that it takes, from the first on where these are more than one
+  double height = 4.2;      ///< of the frame [cm]
+  int rows = 1;             ///< of the figure that it takes: of more than one as high as those beside it
+  int across = 1;           ///< columns of the figure that it takes, from the first on where these are more than one
+  bool begins_row = false;  ///< stands in the first column, some way below what is before it
   /// A picture of things: lengths are alike both ways, there are no axes, and the frame is at most as high as is
   /// needed.
   bool to_scale = false;
@@ -179,7 +182,7 @@ struct PlacedFigure {
 };
 [[nodiscard]] PlacedFigure placed_figure(const Figure& figure, std::string_view label);
 
-/// The colours of figures on paper, each with its name: "blue", "#1f5fa8".
+/// The colours of figures on paper, each with its name: "blue", "#143f7d".
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> palette();
 
 /// Those of buildings, in their order.

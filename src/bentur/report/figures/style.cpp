@@ -34,6 +34,11 @@ std::string style(const char* where, bool with_page) {
 
 Tone building_tone(std::size_t index) { return building_tones[index % std::size(building_tones)]; }
 
+bool are_distinct_in_grey(Tone one, Tone other) {
+  constexpr double least = 1.8;
+  return contrast(colour(one).paper, colour(other).paper) >= least;
+}
+
 std::vector<std::pair<std::string, std::string>> palette() {
   std::vector<std::pair<std::string, std::string>> all;
   for (const Colour& one : colours) all.emplace_back(one.name, one.paper);

@@ -32,11 +32,14 @@ Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, s
   }
   content += element("p",
                      element("button", Html::text(say("impacts.download")), "type=\"button\" id=\"download\"") +
-                         Html::markup(" ") +
-                         element("button", say("impacts.whole", {{"n", std::to_string(listed)}}),
-                                 "type=\"button\" id=\"whole-list\" hidden") +
                          Html::markup(" ") + element("span", Html::text(say("impacts.sort")), "class=\"note\""),
                      "class=\"screen\"");
+  const std::vector<std::pair<std::string, std::string>> of = {{"n", std::to_string(all)}};
+  content += element("p",  // the script fills in how many are in sight, and shows it where these are not all
+                     Html::markup("<b></b> ") + element("span", say("impacts.hardest", of)) +
+                         element("span", say("impacts.first", of), "hidden") + Html::markup(" ") +
+                         element("button", say("impacts.whole", {{"n", std::to_string(listed)}}), "type=\"button\""),
+                     "class=\"screen\" id=\"in-sight\" hidden");
   if (listed > impacts_in_print) {
     content +=
         element("p", say("impacts.print", {{"n", std::to_string(impacts_in_print)}, {"all", std::to_string(all)}}),

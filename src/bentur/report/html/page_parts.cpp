@@ -44,8 +44,8 @@ std::vector<Eigen::Index> listed_impacts(const std::vector<Impact>& impacts) {
 
 std::vector<PagePart> html::parts(const std::vector<PageSection>& sections) {
   std::vector<PagePart> all;
-  for (const auto& [id, heading, content] : sections) {
-    if (!content.str().empty()) all.push_back({id, heading, content.str()});
+  for (const auto& [id, heading, content, behind] : sections) {
+    if (!content.str().empty()) all.push_back({id, heading, (content + behind).str()});
   }
   return all;
 }

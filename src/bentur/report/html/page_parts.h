@@ -41,7 +41,7 @@ struct PagePart {
 /// The tables of a run as its report has them: the gap each level needs, simulated and by every rule, what contact and
 /// floors reach, and struck columns. @throws InvalidParameter for an unknown language.
 [[nodiscard]] std::vector<PagePart> table_parts(const RunResults& results, const std::string& language);
-/// The same of buildings in plan: contacts, floors and planes.
+/// The same of buildings in plan: the gap each level needs, contacts, floors and planes.
 [[nodiscard]] std::vector<PagePart> table_parts(const PlanRun& run, const std::string& language);
 
 }  // namespace bentur

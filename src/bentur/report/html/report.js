@@ -52,6 +52,10 @@
       if (i === column) cell.setAttribute("aria-sort", direction > 0 ? "ascending" : "descending");
       else cell.removeAttribute("aria-sort");
     });
+    const byForce = column === Number(table.dataset.sorted) && direction < 0;
+    const [hardest, first] = document.querySelectorAll("#in-sight span");
+    hardest.hidden = !byForce;
+    first.hidden = byForce;
   }
 
   function save() {
@@ -103,21 +107,30 @@
     });
   }
 
-  /** On a telephone details are folded away, and of a long list there are the first. */
-  function foldOnTelephones() {
-    if (!matchMedia("(max-width: 40rem)").matches) return;
-    for (const one of document.querySelectorAll("details.fold")) one.open = false;
-    const most = 8, button = document.getElementById("whole-list"), table = document.getElementById("impact-list");
+  const telephone = matchMedia("(max-width: 40rem)").matches;
+
+  /** Of a long list the first are in sight, which says of how many, until all are asked for. */
+  function shortenList() {
+    const most = telephone ? 8 : 15, table = document.getElementById("impact-list");
     if (!table || table.tBodies[0].rows.length <= most) return;
+    const note = document.getElementById("in-sight");
     table.classList.add("short");
-    button.hidden = false;
-    button.addEventListener("click", () => {
+    note.querySelector("b").textContent = most;
+    note.hidden = false;
+    note.querySelector("button").addEventListener("click", () => {
       table.classList.remove("short");
-      button.hidden = true;
+      note.hidden = true;
     });
   }
 
+  /** On a telephone details are folded away. */
+  function foldOnTelephones() {
+    if (!telephone) return;
+    for (const one of document.querySelectorAll("details.fold")) one.open = false;
+  }
+
   buildList();
+  shortenList();
   buildUnfold();
   foldOnTelephones();
   document.documentElement.classList.add("ready");

@@ -133,9 +133,11 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     }
   }
   block += each.folded(say, "appendix.gaps");
-  if (known) block += table_of(*known, HtmlTable::OnTelephone::said);
-  return {"verdict", say("heading.verdict"),
-          element("div", block, fmt::format("class=\"verdict {}\"", verdict_tone(all)))};
+  // Of several tables one can be parted from the others by the end of a page, so that pictures have room before it.
+  const std::string box = fmt::format("class=\"verdict {}\"", verdict_tone(all));
+  Html behind;
+  if (known) behind = element("div", table_of(*known, HtmlTable::OnTelephone::said), box);
+  return {"verdict", say("heading.verdict"), element("div", block, box), behind};
 }
 
 PageSection verdict_section(const Report& report) {
@@ -185,7 +187,7 @@ Html opening_figure(const std::function<Figure(const FigureOptions&)>& make, con
   for (const auto& [width, name] : {std::pair(page_width, "broad"), std::pair(column_width, "slim")}) {
     options.width = width;
     Figure figure = make(options);
-    bound_height(figure, width == page_width ? 8.2 : page_height);  // below a verdict there is a third of a page
+    bound_height(figure, width == page_width ? 7.8 : page_height);  // below a verdict there is a third of a page
     part = figure.part;
     drawn += element("div", Html::markup(figure_element(figure, caption)), fmt::format("class=\"{}\"", name));
   }

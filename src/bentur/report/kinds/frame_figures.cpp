@@ -19,10 +19,9 @@ namespace {
 
 /// One of the three that members carry, along each member: at MemberForces::stations, or the same from end to end.
 struct Carried {
-  const char *form, *symbol;  ///< of its unit; what it is called in short
+  const char *form = "", *symbol = "";  ///< of its unit; what it is called in short
   bool is_moment = false, is_axial = false;
-  const char* title;    ///< of the data
-  const char* largest;  ///< "largest moment {}: {}"
+  const char* largest = "";  ///< "largest moment {}, {}"
 
   [[nodiscard]] std::vector<double> of(const FrameForces::Forces& forces, Eigen::Index member) const {
     if (!is_moment) return std::vector(2, (is_axial ? forces.axial : forces.shears)(member));
@@ -163,51 +162,73 @@ std::string member_text(const FigureOptions& options, const Carried& carried, co
   return hinge_name(options.say, {member.of_beam, member.level, member.number, end});
 }
 
-/// A frame and the forces that its diagrams have to show.
-struct Drawn {
-  const FrameForces* frame = nullptr;
-  double right = 0, top = 0;  ///< how far its members reach [length]
-  double reach = 0;           ///< of its largest force [length]
-  LargestForce then = {}, largest = {}, alone = {};
-  double scale = 0;  ///< of its forces [length per unit]
-  bool is_of_own_scale = false;
+/// What the panels of a column show of each frame: one of the three at the instant, or the largest of the run.
+struct Shown {
+  Carried carried = {};
+  bool at_instant = false;
 
-  [[nodiscard]] double most() const {
-    return std::max({std::abs(then.value), std::abs(largest.value), std::abs(alone.value)});
+  /// What is drawn of a frame; without contact where there is any.
+  [[nodiscard]] std::vector<const FrameForces::Forces*> of(const FrameForces& frame, bool touches) const {
+    if (at_instant) return touches ? std::vector{&frame.instant} : std::vector<const FrameForces::Forces*>{};
+    if (touches) return {&frame.most, &frame.least};
+    return {&frame.most_without_contact, &frame.least_without_contact};
   }
-  [[nodiscard]] double high() const { return top + 1.15 * reach; }
 };
 
-Drawn drawn_of(const RunResults& run, const Carried& carried, const FrameForces& frame) {
+/// A frame and the forces that a diagram of it has to show.
+struct Drawn {
+  const FrameForces* frame = nullptr;
+  LargestForce largest = {}, alone = {};  ///< with contact and without
+  double in_columns = 0, in_beams = 0;    ///< largest of both, as sizes
+  double scale = 0;                       ///< of its forces [length per unit]
+  bool is_of_own_scale = false;
+
+  [[nodiscard]] double most() const { return std::max(in_columns, in_beams); }
+  /// How wide and how high it is with its diagrams, and a little beyond [length].
+  [[nodiscard]] double wide() const { return extent_of(*frame).right + 2.2 * scale * in_columns; }
+  [[nodiscard]] double high() const { return extent_of(*frame).top + 1.1 * scale * in_beams; }
+};
+
+/// To a scale at which diagrams of neighbouring columns, and of beams one above another, do not meet.
+Drawn drawn_of(const RunResults& run, const Shown& shown, const FrameForces& frame) {
   const StructuralModel& model = run.problem.buildings[frame.building].model;
-  const auto [right, top] = extent_of(frame);
-  double shortest = INFINITY;  // bay or storey
+  double bay = INFINITY, storey = INFINITY;  // the shortest
   for (const FrameMember& member : frame.members) {
-    if (member.of_beam) shortest = std::min(shortest, member.length());
+    if (member.of_beam) bay = std::min(bay, member.length());
   }
   for (Eigen::Index f = model.first_storey(); f < model.floors(); ++f) {
-    shortest = std::min(shortest, model.storey_heights[f]);
+    storey = std::min(storey, model.storey_heights[f]);
   }
-  // A third of the shortest bay or storey; of a tall frame more, so that it can be seen.
-  Drawn drawn{.frame = &frame, .right = right, .top = top, .reach = std::max(shortest / 3, 0.04 * top)};
-  drawn.then.take(carried, frame, frame.instant);
-  for (const FrameForces::Forces* one : {&frame.most, &frame.least}) drawn.largest.take(carried, frame, *one);
-  if (run.response.impacts.empty()) return drawn;
-  for (const FrameForces::Forces* one : {&frame.most_without_contact, &frame.least_without_contact}) {
-    drawn.alone.take(carried, frame, *one);
+  bay = std::min(bay, 2 * extent_of(frame).top);
+  Drawn drawn{.frame = &frame};
+  for (const bool touches : {true, false}) {
+    if (!touches && run.response.impacts.empty()) continue;
+    for (const FrameForces::Forces* const forces : shown.of(frame, touches)) {
+      (touches ? drawn.largest : drawn.alone).take(shown.carried, frame, *forces);
+      for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
+        double& most = frame.members[n].of_beam ? drawn.in_beams : drawn.in_columns;
+        for (const double value : shown.carried.of(*forces, n)) most = std::fmax(most, std::abs(value));
+      }
+    }
   }
+  constexpr double part = 0.45, least = 0.04;  // of a bay or storey; of the height of a tall frame, so that it is seen
+  const double high = least * extent_of(frame).top;
+  const auto of_room = [&](double room, double most) {
+    return most > 0 ? std::max(part * room, high) / most : INFINITY;
+  };
+  drawn.scale = std::min(of_room(bay, drawn.in_columns), of_room(storey, drawn.in_beams));
+  if (!(drawn.most() > 0)) drawn.scale = 0;
   return drawn;
 }
 
-/// Frames and what they carry have one scale, so that they can be compared; but what would be too small to be read has
-/// its own. @returns the largest force
+/// All frames have one scale, so that they can be compared; but what would be too small to be read has its own.
+/// @returns the largest force
 double choose_scales(std::vector<Drawn>& drawn) {
   constexpr double too_small = 0.1;  // of the largest
   double most = 0, scale = INFINITY;
   for (const Drawn& one : drawn) most = std::max(most, one.most());
   for (Drawn& one : drawn) {
     if (!(one.most() > 0)) continue;
-    one.scale = one.reach / one.most();
     one.is_of_own_scale = one.most() < too_small * most;
     if (!one.is_of_own_scale) scale = std::min(scale, one.scale);
   }
@@ -217,7 +238,7 @@ double choose_scales(std::vector<Drawn>& drawn) {
   return most;
 }
 
-Figure frame_figure(const RunResults& run, const FigureOptions& options, const Carried& carried) {
+std::vector<const FrameForces*> frames_shown(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = shown_buildings(run, options);
   std::vector<const FrameForces*> frames;
   for (const FrameForces& one : run.figures.frames) {
@@ -228,137 +249,185 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const C
         "nothing is known of members of a frame: \"bentur run --figures\" adds that of building.frame and of planes "
         "that are frames");
   }
+  return frames;
+}
+
+/// The lines of the members themselves.
+Curve members_of(const Diagram& diagram, const FrameForces& frame, Tone tone) {
+  Curve members{.tone = tone, .width = 1.2, .complete = true};
+  for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
+    for (const double station : {0.0, 1.0}) {
+      const auto [x, y] = diagram.at(n, station, 0);
+      members.x.push_back(x);
+      members.y.push_back(y);
+    }
+    members.x.push_back(not_known);
+    members.y.push_back(not_known);
+  }
+  return members;
+}
+
+/// Writes the largest value beside its dot, of several that are alike where there is most room.
+void name_largest(Panel& panel, const Diagram& diagram, const Carried& carried, const FrameForces& frame,
+                  const LargestForce& force, const std::vector<const FrameForces::Forces*>& among,
+                  const std::string& text, double one_cm) {
+  if (force.member < 0) return;
+  std::optional<Panel> best;
+  double nearest = INFINITY;
+  for (const LargestForce& alike : alike_to(force, carried, frame, among)) {
+    for (const double station :
+         carried.is_moment ? std::vector{carried.stations()[alike.station]}
+                           : std::vector{0.5, 0.35, 0.65, 0.2, 0.8, 0.1, 0.9}) {  // it is alike along the member
+      const auto [x, y] = diagram.at(alike.member, station, alike.value);
+      Panel here = panel;
+      here.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
+      const double far = add_beside(here, x, y, text, one_cm);
+      if (far > nearest - 0.02 * one_cm) continue;
+      nearest = far;
+      best = std::move(here);
+    }
+  }
+  panel = std::move(*best);
+}
+
+/// A row for each frame, a column for what is shown of it; on a telephone two columns at most.
+Figure frame_figure(const RunResults& run, const FigureOptions& options, const std::string& title,
+                    const std::vector<Shown>& columns) {
+  const std::vector<const FrameForces*> frames = frames_shown(run, options);
   const bool are_slender = std::all_of(frames.begin(), frames.end(), [](const FrameForces* one) {
     return extent_of(*one).top > 1.2 * extent_of(*one).right;  // so that two stand side by side on a telephone
   });
-  Figure figure{.title = carried.title,
-                .columns = options.narrow && !are_slender ? 1 : 2,  // a building's two panels beside one another
-                .width = options.narrow ? options.width : broad(options.width)};
+  const bool are_three = columns.size() > 2;
+  const std::size_t beside = !options.narrow ? columns.size() : are_slender || are_three ? 2 : 1;
+  Figure figure{.title = title,
+                .columns = static_cast<int>(beside),
+                .width = options.narrow ? options.width : broad(options.width),
+                .shared_legend = are_three};
   const bool has_impacts = !run.response.impacts.empty();
+  const bool leaves_room = columns.size() % beside > 0;
   // Of rows so high that frames over the width of a panel can be read; two of them leave room for others on a page.
-  constexpr double title = 0.8, highest = 7.8;  // with what is free between two rows; of a row [cm]
-  const std::size_t rows = 2 * frames.size() / static_cast<std::size_t>(figure.columns);
-  const double height = std::min(highest, page_height / static_cast<double>(rows) - title);
-  constexpr double between = 0.8;  // of the two panels of a row, and beside them [cm]
+  const double above = leaves_room ? 1.0 : 0.8;  // title of a row and what is free between two [cm]
+  const double highest = are_three ? 6.9 : 7.8, of_legend = are_three ? 0.5 : 0;  // [cm]
+  const std::size_t rows = frames.size() * ((columns.size() + beside - 1) / beside);
+  const double room = are_three && !options.narrow ? 15.6 : page_height;  // two thirds of a page [cm]
+  const double height = std::min(highest, (room - of_legend) / static_cast<double>(rows) - above);
+  constexpr double between = 0.8;  // of the panels of a row, and beside them [cm]
   const double width = figure.width / figure.columns - between;
-  const double factor = shown_factor(run, carried.form);
-  const std::string unit = shown_unit(run, carried.form);
-  constexpr double below = 1.1;  // the frame, a number and a bar [cm]
-  std::vector<Drawn> drawn;
-  double high = 0, one_cm = 0;  // [length]
-  for (const FrameForces* frame : frames) {
-    drawn.push_back(drawn_of(run, carried, *frame));
-    high = std::max(high, drawn.back().high());
+  constexpr double below = 1.1;           // the frame, a number and a bar [cm]
+  std::vector<std::vector<Drawn>> drawn;  // of each column
+  std::vector<double> most;               // forces
+  double high = 0, one_cm = 0;            // [length]
+  for (const Shown& shown : columns) {
+    std::vector<Drawn>& all = drawn.emplace_back();
+    for (const FrameForces* frame : frames) all.push_back(drawn_of(run, shown, *frame));
+    most.push_back(choose_scales(all));
+    for (const Drawn& one : all) {
+      high = std::max(high, one.high());
+      one_cm = std::max({one_cm, one.high() / (height - below), one.wide() / width});
+    }
   }
-  for (const Drawn& one : drawn) {
-    one_cm = std::max({one_cm, high / (height - below), (one.right + 2.3 * one.reach) / width});
-  }
-  const double most = choose_scales(drawn);
   const double low = -below * one_cm, bar = -0.85 * one_cm;
-  const auto first = std::find_if(drawn.begin(), drawn.end(), [](const Drawn& one) { return !one.is_of_own_scale; });
-  const std::string own_scale = ", " + word(options, "own scale");
-  for (const Drawn& one : drawn) {
-    const FrameForces* const frame = one.frame;
-    const Building& building = run.problem.buildings[frame->building];
-    const auto [right, top] = std::pair(one.right, one.top);
-    LargestForce then = one.then, largest = one.largest;
-    const Diagram diagram(carried, *frame, one.scale);
-    const double beside = (one_cm * width - right) / 2;  // for numbers too
-    Panel panel{.x = {.from = -beside, .to = right + beside, .numbers = false},
-                .y = {.from = low, .to = one.high(), .numbers = false},
-                .height = (one.high() - low) / one_cm,
-                .to_scale = true};
-    Curve members{.tone = tone_of(options, frame->building), .width = 1.2, .complete = true};
-    for (Eigen::Index n = 0; n < std::ssize(frame->members); ++n) {
-      for (const double station : {0.0, 1.0}) {
-        const auto [x, y] = diagram.at(n, station, 0);
-        members.x.push_back(x);
-        members.y.push_back(y);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const FrameForces& frame = *frames[f];
+    const Building& building = run.problem.buildings[frame.building];
+    const auto [right, top] = extent_of(frame);
+    double highest_of_row = top;
+    for (const std::vector<Drawn>& all : drawn) highest_of_row = std::max(highest_of_row, all[f].high());
+    std::string finding;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const Shown& shown = columns[c];
+      const Carried& carried = shown.carried;
+      const Drawn& one = drawn[c][f];
+      const double factor = shown_factor(run, carried.form);
+      const std::string unit = shown_unit(run, carried.form);
+      const Diagram diagram(carried, frame, one.scale);
+      const double side = (one_cm * width - right) / 2;  // for numbers too
+      Panel panel{.x = {.from = -side, .to = right + side, .numbers = false},
+                  .y = {.from = low, .to = highest_of_row, .numbers = false},
+                  .height = (highest_of_row - low) / one_cm,
+                  .begins_row = c == 0 && leaves_room,
+                  .to_scale = true};
+      panel.title = building.name + ", " + with_unit(carried.symbol, unit);
+      if (shown.at_instant) {
+        panel.title += " " + word(options, "at {}", seconds_text(frame.time));
+      } else if (!are_three) {
+        panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
       }
-      members.x.push_back(not_known);
-      members.y.push_back(not_known);
-    }
-    panel.curves.push_back(std::move(members));
-    const auto named = [&](Panel& of, LargestForce& force, const std::vector<const FrameForces::Forces*>& among) {
-      if (force.member < 0) return;
-      const std::string text = number(factor * std::abs(force.value)) + " " + unit;
-      std::optional<Panel> best;
-      double nearest = INFINITY;
-      for (const LargestForce& alike : alike_to(force, carried, *frame, among)) {
-        for (const double station : carried.is_moment ? std::vector{carried.stations()[alike.station]}
-                                                      : std::vector{0.5, 0.35, 0.65}) {  // it is alike along the member
-          const auto [x, y] = diagram.at(alike.member, station, alike.value);
-          Panel here = of;
-          here.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
-          const double far = add_beside(here, x, y, text, one_cm);
-          if (far > nearest - 0.02 * one_cm) continue;
-          nearest = far;
-          best = std::move(here);
-          force = alike;
-        }
+      if (one.is_of_own_scale) panel.title += ", " + word(options, "own scale");
+      panel.curves.push_back(members_of(diagram, frame, tone_of(options, frame.building)));
+      const auto first = std::find_if(drawn[c].begin(), drawn[c].end(),
+                                      [](const Drawn& each) { return !each.is_of_own_scale && each.most() > 0; });
+      if (one.is_of_own_scale || &one == &*first) {  // that of all others is said once
+        const double largest = factor * (one.is_of_own_scale ? one.most() : most[c]);
+        add_scale(panel, one.scale / factor, largest, one_cm, unit, bar);
       }
-      of = std::move(*best);
-    };
-    Panel instant = panel;
-    if (one.is_of_own_scale || &one == &*first) {  // that of all others is said once
-      add_scale(instant, one.scale / factor, factor * (one.is_of_own_scale ? one.most() : most), one_cm, unit, bar);
-    }
-    instant.title = building.name + ", " + with_unit(carried.symbol, unit) + " " +
-                    word(options, "at {}", seconds_text(frame->time)) + (one.is_of_own_scale ? own_scale : "");
-    instant.curves.push_back(
-        diagram.outline(frame->instant, {.width = 0.5, .complete = true}, 0.03 * std::max(top, right)));
-    instant.curves.push_back(diagram.outline(frame->instant, {.width = 0.9, .complete = true}));
-    named(instant, then, {&frame->instant});
-    figure.panels.push_back(std::move(instant));
-
-    panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run") +
-                  (one.is_of_own_scale ? own_scale : "");
-    if (has_impacts) {
-      for (const FrameForces::Forces* of : {&frame->most_without_contact, &frame->least_without_contact}) {
+      const auto label = [&](const char* text, bool is_first) {  // in the legend
+        const bool is_there = is_first && f == 0 && c == 0 && are_three && !shown.at_instant && has_impacts;
+        return is_there ? word(options, text) : std::string();
+      };
+      if (shown.at_instant) {
         panel.curves.push_back(
-            diagram.outline(*of, {.tone = Tone::grey, .line = Line::dashed, .width = 0.9, .complete = true}));
+            diagram.outline(frame.instant, {.width = 0.5, .complete = true}, 0.03 * std::max(top, right)));
+      }
+      const std::vector<const FrameForces::Forces*> with = shown.of(frame, true), without = shown.of(frame, false);
+      for (std::size_t i = 0; i < without.size() && has_impacts; ++i) {
+        panel.curves.push_back(diagram.outline(*without[i], {.label = label("without contact", i == 0),
+                                                             .tone = Tone::grey,
+                                                             .line = Line::dashed,
+                                                             .width = 0.9,
+                                                             .complete = true}));
+      }
+      for (std::size_t i = 0; i < with.size(); ++i) {
+        panel.curves.push_back(
+            diagram.outline(*with[i], {.label = label("with contact", i == 0), .width = 0.9, .complete = true}));
+      }
+      const LargestForce& largest = one.largest;
+      const auto text_of = [&](double value) { return number(factor * std::abs(value)) + " " + unit; };
+      name_largest(panel, diagram, carried, frame, largest, with, text_of(largest.value), one_cm);
+      figure.panels.push_back(std::move(panel));
+      if (largest.member < 0 || (shown.at_instant && columns.size() == 2)) continue;
+      finding += (finding.empty() ? "" : ", ") +
+                 word(options, carried.largest, text_of(largest.value), member_text(options, carried, frame, largest));
+      if (has_impacts && !shown.at_instant) {
+        finding += ", " + word(options, "without contact {}", text_of(one.alone.value));
       }
     }
-    for (const FrameForces::Forces* of : {&frame->most, &frame->least}) {
-      panel.curves.push_back(diagram.outline(*of, {.width = 0.9, .complete = true}));
-    }
-    named(panel, largest, {&frame->most, &frame->least});
-    figure.panels.push_back(std::move(panel));
-    if (largest.member < 0) continue;
-    figure.finding += (figure.finding.empty() ? "" : "; ") + building.name + ": " +
-                      word(options, carried.largest, number(factor * std::abs(largest.value)) + " " + unit,
-                           member_text(options, carried, *frame, largest));
-    if (!has_impacts) continue;
-    figure.finding +=
-        ", " + word(options, "without contact {}", number(factor * std::abs(one.alone.value)) + " " + unit);
+    if (finding.empty()) continue;
+    const std::string when =
+        are_three && columns.front().at_instant ? " " + word(options, "at {}", seconds_text(frame.time)) : "";
+    figure.finding += (figure.finding.empty() ? "" : "; ") + building.name + when + ": " + finding;
   }
   return figure;
 }
 
+constexpr Carried moment{.form = "F L", .symbol = "M", .is_moment = true, .largest = "largest moment {}, {}"};
+constexpr Carried shear{.form = "F", .symbol = "V", .largest = "largest shear {}, {}"};
+constexpr Carried axial{.form = "F", .symbol = "N", .is_axial = true, .largest = "largest axial force {}, {}"};
+
 }  // namespace
 
+Figure frame_forces_figure(const RunResults& run, const FigureOptions& options) {
+  return frame_figure(run, options, "What members of frames carry at one instant",
+                      {{moment, true}, {shear, true}, {axial, true}});
+}
+
+Figure frame_envelope_figure(const RunResults& run, const FigureOptions& options) {
+  return frame_figure(run, options, "The largest that members of frames carry, both ways",
+                      {{moment, false}, {shear, false}, {axial, false}});
+}
+
 Figure frame_moment_figure(const RunResults& run, const FigureOptions& options) {
-  return frame_figure(run, options,
-                      {.form = "F L",
-                       .symbol = "M",
-                       .is_moment = true,
-                       .title = "Moments in the members of frames, on the side in tension",
-                       .largest = "largest moment {}, {}"});
+  return frame_figure(run, options, "Moments in the members of frames, on the side in tension",
+                      {{moment, true}, {moment, false}});
 }
 
 Figure frame_shear_figure(const RunResults& run, const FigureOptions& options) {
-  return frame_figure(
-      run, options,
-      {.form = "F", .symbol = "V", .title = "Shears in the members of frames", .largest = "largest shear {}, {}"});
+  return frame_figure(run, options, "Shears in the members of frames", {{shear, true}, {shear, false}});
 }
 
 Figure frame_axial_figure(const RunResults& run, const FigureOptions& options) {
-  return frame_figure(run, options,
-                      {.form = "F",
-                       .symbol = "N",
-                       .is_axial = true,
-                       .title = "Axial forces in the columns of frames by the motion, compression to the right",
-                       .largest = "largest axial force {}, {}"});
+  return frame_figure(run, options, "Axial forces in the columns of frames by the motion, compression to the right",
+                      {{axial, true}, {axial, false}});
 }
 
 }  // namespace bentur

@@ -66,7 +66,7 @@ void end_round(Axis& axis, double largest) {
 
 /// Those of the buildings shown that do not move with the ground.
 std::vector<Eigen::Index> moving(const RunResults& run, const FigureOptions& options) {
-  std::vector<Eigen::Index> shown = shown_buildings(run, options);
+  std::vector<Eigen::Index> shown = shown_buildings(run, options, most_apart);
   std::erase_if(shown, [&](Eigen::Index b) { return run.problem.buildings[b].is_rigid(); });
   if (shown.empty()) throw NoFigure("every building shown moves with the ground");
   return shown;
@@ -140,25 +140,34 @@ bool is_stepped(const Curve& curve) {
 
 constexpr std::size_t most_dashes = 4;  // of so many curves none has those of another; of more marks tell them apart
 
-/// Of several buildings shown: in the tone of this one, and with dashes and marks that no other one of them has.
+/// Of several buildings shown: in the tone of this one, with a mark that no other one of them has, and with dashes that
+/// none has whose tone is as dark.
 void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Index building) {
-  const auto place = std::find(shown.begin(), shown.end(), building) - shown.begin();
-  bentur::tell_apart(curve, static_cast<std::size_t>(place), building_tone(static_cast<std::size_t>(building)));
+  const auto tone = [&](std::size_t place) { return building_tone(static_cast<std::size_t>(shown[place])); };
+  const auto place = static_cast<std::size_t>(std::find(shown.begin(), shown.end(), building) - shown.begin());
+  std::size_t alike = 0;  // before it
+  for (std::size_t other = 0; other < place; ++other) alike += are_distinct_in_grey(tone(other), tone(place)) ? 0 : 1;
+  bentur::tell_apart(curve, place, tone(place));
+  Curve dashes;
+  bentur::tell_apart(dashes, alike);
+  curve.line = dashes.line;
+  curve.width = dashes.width;
 }
 
 /// More curves than can be followed in one frame have one each, side by side at one scale, whose titles name them; of
-/// more than six half of them below the others, if that leaves none over; narrow ones two side by side, or as many as
-/// it takes for the figure to be no higher than a page.
+/// more than six half of them below the others, if that leaves none over or they are more than eight; narrow ones two
+/// side by side, or as many as it takes for the figure to be no higher than a page.
 void set_apart(Figure& figure, bool narrow) {
-  constexpr std::size_t most_together = 3;
+  constexpr std::size_t in_one_frame = 3;
   const std::size_t count = figure.panels.front().curves.size();
   const bool are_alike = std::all_of(figure.panels.begin(), figure.panels.end(),
                                      [&](const Panel& one) { return one.curves.size() == count; });
-  if (count <= most_together || !are_alike) return;
+  if (count <= in_one_frame || !are_alike) return;
   constexpr double highest = 5, beside = 1.5;  // of a frame [cm], of its title and numbers [cm]
-  constexpr std::size_t most_narrow = 4;
+  constexpr std::size_t most_narrow = 4, most_beside = 8;
   const auto rows_of = [&](std::size_t columns) { return figure.panels.size() * ((count + columns - 1) / columns); };
-  std::size_t columns = narrow ? 2 : count > 6 && count % 2 == 0 ? count / 2 : count;
+  const bool has_two_rows = count > 6 && (count % 2 == 0 || count > most_beside);
+  std::size_t columns = narrow ? 2 : has_two_rows ? (count + 1) / 2 : count;
   const auto are_high = [&] { return static_cast<double>(rows_of(columns)) * (highest + beside) > page_height; };
   while (narrow && columns < most_narrow && are_high()) ++columns;
   const std::size_t rows = rows_of(columns);
@@ -186,7 +195,8 @@ void set_apart(Figure& figure, bool narrow) {
       if (i != labelled) one.x.label = "";
       if (rows > 1) one.height = std::min(one.height, most_high);
       one.y = figure.panels.front().y;
-      if (panels.size() % columns != 0) leave_to_neighbour(one.y);
+      one.begins_row = i == 0;
+      if (i % columns != 0) leave_to_neighbour(one.y);
       panels.push_back(std::move(one));
     }
   }
@@ -260,7 +270,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
 
 Figure amplification_figure(const RunResults& run, const FigureOptions& options) {
   const Quantity& amplification = quantity_named("amplification", Owner::floor);
-  const std::vector<Eigen::Index> shown = shown_buildings(run, options);
+  const std::vector<Eigen::Index> shown = shown_buildings(run, options, most_apart);
   Panel panel =
       height_panel(run, options, shown,
                    {.label = word(options, "Amplification of max |x| by contact [–]"), .least = {{0.95, 1.05}}}, 1);
@@ -370,7 +380,8 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
 
 Figure modes_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
-  Figure figure = beside(run, options, shown, 2.7);
+  constexpr std::size_t most_of_room = 8;
+  Figure figure = beside(run, options, shown, shown.size() > most_of_room ? 2.5 : 2.7);
   figure.title = "Mode shapes, largest sway 1";
   for (const Eigen::Index b : shown) {
     const Building& building = run.problem.buildings[b];

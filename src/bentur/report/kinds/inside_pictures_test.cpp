@@ -68,6 +68,24 @@ TEST(InsidePictures, TheStillNamesTheFloorAndHatchesIt) {
   EXPECT_NE(make_figure(unmodelled(), "scene").finding.find(roof_inside), std::string::npos);
 }
 
+/// Watched floors that are inside what they face at the peak of the hardest impact.
+long inside_now(const RunResults& run) {
+  const std::vector<Impact>& impacts = run.response.impacts;
+  const double time = std::max_element(impacts.begin(), impacts.end(), [](const Impact& a, const Impact& b) {
+                        return a.peak_force < b.peak_force;
+                      })->peak_force_time;
+  const Histories& course = run.response.course;
+  const auto sample = std::min_element(course.time.begin(), course.time.end(),
+                                       [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); }) -
+                      course.time.begin();
+  return std::count_if(run.problem.watched.begin(), run.problem.watched.end(), [&](const WatchedFloor& floor) {
+    const auto moved = [&](const Eigen::VectorXd& row, Eigen::Index building) {
+      return row.head(course.displacement[building].rows()).dot(course.displacement[building].col(sample));
+    };
+    return moved(floor.left_row, floor.left) - moved(floor.right_row, floor.right) > floor.width;
+  });
+}
+
 /// Where first floors collide, too, the still is of an impact: it says what it does not show.
 TEST(InsidePictures, AnImpactElsewhereHidesNoFloorInside) {
   const RunResults run = five_beside_eight("0.005");
@@ -77,8 +95,17 @@ TEST(InsidePictures, AnImpactElsewhereHidesNoFloorInside) {
     const Figure figure = make_figure(run, kind);
     EXPECT_NE(figure.panels.front().title.find("impact"), std::string::npos) << figure.panels.front().title;
     EXPECT_NE(figure.part.find("inside High, contact not modelled, deepest at"), std::string::npos) << figure.part;
+    // What is inside at the instant that is drawn is hatched and counted.
+    const std::vector<Curve>& curves = figure.panels.front().curves;
+    const auto hatched = std::count_if(curves.begin(), curves.end(), [](const Curve& one) {
+      return one.tone == Tone::red && one.width == 0.9;  // bursts are thicker
+    });
+    const std::string counted = "Floors inside at this instant, hatched: " + std::to_string(hatched) + "; the deepest:";
+    EXPECT_EQ(figure.part.starts_with(counted), hatched > 0) << figure.part;
+    EXPECT_EQ(hatched, inside_now(run)) << kind;
   }
-  EXPECT_EQ(make_figure(unmodelled(), "scene").part, "");
+  const std::string part = make_figure(unmodelled(), "scene").part;
+  EXPECT_TRUE(part.starts_with("Floors inside at this instant, hatched: ") && part.ends_with(roof_inside)) << part;
 }
 
 /// The least opening is that of the continuous response, which the solver finds without any history.

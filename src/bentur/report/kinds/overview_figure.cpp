@@ -72,7 +72,7 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
                 .finding = first_finding(run, options),
                 .columns = is_wide ? 2 : 1,
                 .width = options.width};
-  figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 7 : 0.65 * options.width));
+  figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 6 : 0.65 * options.width));
   constexpr double longish = 2;  // width over height
   const double aspect = aspect_of(figure.panels.front());
   if (instant.point || asked_inside(run, options) != nullptr)
@@ -80,10 +80,10 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   figure.panels.push_back(gap_panel(judged_gaps(run), run.c.units.length, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
-    figure.panels.front().height = 2.7;
-    for (std::size_t below : {1, 2}) figure.panels[below].height = 2;
+    figure.panels.front().height = 3.2;
+    for (std::size_t below : {1, 2}) figure.panels[below].height = 2.2;
   } else if (is_wide) {
-    constexpr double height = 7, frames = 12.5;  // about [cm]
+    constexpr double height = 6, frames = 12.5;  // about [cm]
     const double left = std::clamp(height * aspect, 4.5, 8.0);
     figure.panels.front().rows = static_cast<int>(figure.panels.size()) - 1;
     figure.shares = {left, frames - left};

@@ -132,6 +132,15 @@ TEST(Pictures, CurvesAreToldApartInGrey) {
       test::expect_told_apart_in_grey(make_figure(*run, kind.name), kind.name);
     }
   }
+  // Neighbours are by their tones, so that their displacements and columns need no dashes.
+  for (std::size_t b = 0; b < std::size(building_tones); ++b) {
+    EXPECT_TRUE(are_distinct_in_grey(building_tone(b), building_tone(b + 1))) << b;
+  }
+  for (const char* const kind : {"displacement", "scene"}) {
+    for (const Panel& panel : make_figure(hinged_frames(), kind).panels) {
+      for (const Curve& curve : panel.curves) EXPECT_NE(curve.line, Line::dashed) << kind << ": " << curve.label;
+    }
+  }
 }
 
 TEST(Pictures, NoLineIsAHairline) {

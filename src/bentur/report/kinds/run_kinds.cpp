@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
@@ -15,7 +16,7 @@
 namespace bentur {
 namespace {
 
-bool stands_above(const RunResults&) { return false; }
+bool stands_above(const RunResults&) { return false; }  // or another has it too
 
 using RunKind = KindOf<RunResults>;
 
@@ -128,17 +129,26 @@ const RunKind run_kinds[] = {
      run_spectrum_figure},
     {"floor-spectrum", "response spectra of the motion of the floors that are hit and the roofs", has_floor_spectra,
      floor_spectrum_figure},
-    {"frame-moment", "moments over the frames, at the hardest impact and the largest of the run", has_frames,
-     frame_moment_figure},
-    {"frame-shear", "shears over the frames, likewise", has_frames, frame_shear_figure},
-    {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure},
+    {"frame-forces", "moments, shears and axial forces over the frames at the hardest impact", has_frames,
+     frame_forces_figure},
+    {"frame-envelope", "the largest of the run of all three", has_frames, frame_envelope_figure},
+    {"frame-moment", "moments over the frames alone, at the hardest impact and the largest of the run", has_frames,
+     frame_moment_figure, stands_above},
+    {"frame-shear", "shears over the frames, likewise", has_frames, frame_shear_figure, stands_above},
+    {"frame-axial", "axial forces of columns over the frames, likewise", has_frames, frame_axial_figure, stands_above},
 };
 
 /// Whether a kind shows buildings beside one another, of many a part.
 bool is_of_buildings(const std::string& kind) {
-  constexpr std::string_view all[] = {"forces",       "envelope",    "amplification", "drift",    "modes",
-                                      "hinges",       "hinge-loop",  "storey-loop",   "spectrum", "bearing-loop",
-                                      "frame-moment", "frame-shear", "frame-axial"};
+  constexpr std::string_view all[] = {"forces",       "envelope",       "amplification", "drift",       "modes",
+                                      "hinges",       "hinge-loop",     "storey-loop",   "spectrum",    "bearing-loop",
+                                      "frame-forces", "frame-envelope", "frame-moment",  "frame-shear", "frame-axial"};
+  return std::find(std::begin(all), std::end(all), kind) != std::end(all);
+}
+
+/// Whether each building has a place of its own there, over its height.
+bool is_over_the_height(const std::string& kind) {
+  constexpr std::string_view all[] = {"forces", "envelope", "amplification", "drift", "modes"};
   return std::find(std::begin(all), std::end(all), kind) != std::end(all);
 }
 
@@ -176,14 +186,22 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
           place_text(gap_names(run.problem), judged_gaps(run), static_cast<std::size_t>(run.problem.points[point].gap),
                      hardest_impact(run, point) != nullptr, options);
     }
+    if (kind == "floor-spectrum") {
+      const Impact* const hardest = hardest_impact(run.response.impacts);
+      std::optional<std::size_t> hit;
+      if (hardest != nullptr) hit = static_cast<std::size_t>(run.problem.points[hardest->point].gap);
+      figure.part = floors_text(run.figures.floor_spectra, hit, gap_names(run.problem), judged_gaps(run),
+                                run.problem.buildings.size(), options);
+    }
     if (kind == "scene" || kind == "overview") {
-      if (const std::string inside = inside_elsewhen(run, options); !inside.empty()) {
+      if (const std::string inside = inside_besides(run, options); !inside.empty()) {
         figure.part += (figure.part.empty() ? "" : ". ") + inside;
         if (kind == "scene") figure.finding += "; " + inside;
       }
     }
     if (is_of_buildings(kind) && !options.gap && !options.elevation) {
-      const std::size_t shown = shown_buildings(run, options).size(), all = run.problem.buildings.size();
+      const std::size_t most = is_over_the_height(kind) ? most_apart : most_together;
+      const std::size_t shown = shown_buildings(run, options, most).size(), all = run.problem.buildings.size();
       if (shown < all) {
         figure.part = word(options,
                            "Shown are {} of {} buildings: those of the hardest impact, those that the verdict names, "

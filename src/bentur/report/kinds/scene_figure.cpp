@@ -41,27 +41,43 @@ std::string instant_text(const RunResults& run, const SceneInstant& instant, con
                          : word(options, "closest, without contact"));
 }
 
-/// How far a floor is inside what it faces at an instant [length], between two samples on the line through them; 0:
-/// it is not, or its opening is not known over time.
-double depth_at(const NearestFloor& nearest, double time) {
-  const auto after = std::lower_bound(nearest.time.begin(), nearest.time.end(), time);
-  if (after == nearest.time.end()) return 0;
-  const auto i = static_cast<std::size_t>(after - nearest.time.begin());
-  double opening = nearest.opening[i];
-  if (i > 0) {
-    const double part = (*after - time) / (*after - nearest.time[i - 1]);
-    opening += part * (nearest.opening[i - 1] - opening);
+/// A floor that is inside what it faces at an instant, where no contact is modelled.
+struct Inside {
+  const WatchedFloor* floor = nullptr;
+  double depth = 0;  ///< [length]
+};
+
+/// All of them, the deepest first.
+std::vector<Inside> inside_at(const RunResults& run, const SceneInstant& instant) {
+  std::vector<double> depths = depths_inside(run.problem, *instant.histories, instant.column);
+  if (instant.nearest != nullptr) depths.at(instant.nearest->watched) = -instant.nearest->least_opening;
+  std::vector<Inside> inside;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (run.response.watched[i].closes && depths[i] > 0) inside.push_back({&run.problem.watched[i], depths[i]});
   }
-  return std::max(0.0, -opening);
+  std::stable_sort(inside.begin(), inside.end(), [](const Inside& a, const Inside& b) { return a.depth > b.depth; });
+  return inside;
 }
 
-/// A band of hatches where a floor is inside what it faces. @param inside how far [length]
-Curve hatches(const Scene& scene, const ScenePlaces& places, const NearestFloor& nearest, double inside) {
-  const bool of_left = nearest.floor_of == nearest.left;
-  const double offset = of_left ? scene.breadths[nearest.floor_of] : 0;
-  const auto [end, z] =
-      places({nearest.elevation, {{.building = nearest.floor_of, .row = nearest.floor, .offset = offset}}});
-  const double depth = scene.magnification * inside, tall = 0.22 * scene.storey;
+/// "roof of Low 0.0714 m inside High, contact not modelled".
+std::string text_of(const RunResults& run, const Inside& inside, const FigureOptions& options) {
+  const std::vector<Building>& buildings = run.problem.buildings;
+  const Building& building = buildings[inside.floor->floor_of];
+  const std::string depth = shown_value(run, inside.depth, "L"), faced = buildings[inside.floor->faced()].name;
+  if (inside.floor->floor + 1 == building.model.floors()) {
+    return word(options, "roof of {} {} inside {}, contact not modelled", building.name, depth, faced);
+  }
+  return word(options, "floor of {} at level {} {} inside {}, contact not modelled", building.name,
+              shown_value(run, inside.floor->elevation, "L"), depth, faced);
+}
+
+/// A band of hatches where a floor is inside what it faces.
+Curve hatches(const Scene& scene, const ScenePlaces& places, const Inside& inside) {
+  const WatchedFloor& floor = *inside.floor;
+  const bool of_left = floor.floor_of == floor.left;
+  const double offset = of_left ? scene.breadths[floor.floor_of] : 0;
+  const auto [end, z] = places({floor.elevation, {{.building = floor.floor_of, .row = floor.floor, .offset = offset}}});
+  const double depth = scene.magnification * inside.depth, tall = 0.22 * scene.storey;
   const double left = of_left ? end - depth : end;
   Curve curve{.tone = Tone::red, .width = 0.9, .complete = true};
   constexpr int lines = 7;
@@ -133,22 +149,24 @@ const NearestFloor* asked_inside(const RunResults& run, const FigureOptions& opt
 }
 
 std::string inside_text(const RunResults& run, const NearestFloor& nearest, const FigureOptions& options) {
-  const std::vector<Building>& buildings = run.problem.buildings;
-  const Building& building = buildings[nearest.floor_of];
-  const std::string depth = shown_value(run, -nearest.least_opening, "L"), faced = buildings[nearest.faced()].name;
-  if (nearest.floor + 1 == building.model.floors()) {
-    return word(options, "roof of {} {} inside {}, contact not modelled", building.name, depth, faced);
-  }
-  return word(options, "floor of {} at level {} {} inside {}, contact not modelled", building.name,
-              shown_value(run, nearest.elevation, "L"), depth, faced);
+  return text_of(run, {&run.problem.watched[nearest.watched], -nearest.least_opening}, options);
 }
 
-std::string inside_elsewhen(const RunResults& run, const FigureOptions& options) {
+std::string inside_besides(const RunResults& run, const FigureOptions& options) {
   const std::optional<NearestFloor>& nearest = run.figures.nearest;
-  if (!nearest || !nearest->closes || chosen_instant(run, options).nearest != nullptr) return {};
-  return word(
-      options, "At another instant: {}",
-      word(options, "{}, deepest at {}", inside_text(run, *nearest, options), seconds_text(nearest->least_time)));
+  if (!nearest || !nearest->closes) return {};
+  const SceneInstant instant = chosen_instant(run, options);
+  const bool is_of_it = instant.nearest != nullptr;
+  const std::vector<Inside> now = inside_at(run, instant);
+  std::string text;
+  if (now.size() > (is_of_it ? 1U : 0U)) {
+    text = word(options, "Floors inside at this instant, hatched: {}; the deepest: {}", std::to_string(now.size()),
+                text_of(run, now.front(), options));
+  }
+  if (is_of_it) return text;
+  const std::string deepest =
+      word(options, "{}, deepest at {}", inside_text(run, *nearest, options), seconds_text(nearest->least_time));
+  return text + (text.empty() ? "" : ". ") + word(options, "At another instant: {}", deepest);
 }
 
 Panel scene_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options, double height) {
@@ -185,12 +203,6 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
   if (are_parts_of(in_short, panel.x.names)) panel.x.short_names = in_short;
   constexpr double points = 72 / 2.54 / 0.75;  // widths to a centimetre
   const double storey = scene.storey / tall * height * points;
-  std::vector<bool> dashed;  // every second one that moves, so that neighbours are distinct in grey, as their curves
-  bool is_second = false;
-  for (const Building& building : run.problem.buildings) {
-    dashed.push_back(is_second && !building.is_rigid());
-    is_second = building.is_rigid() ? is_second : !is_second;
-  }
   for (const SceneShape& shape : scene.shapes) {
     Curve curve = curve_of(shape, places);
     if (shape.role == SceneRole::ground) curve.width = 1.8;
@@ -198,7 +210,9 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
       curve.label = run.problem.buildings[shape.item].name;
       curve.in_legend = false;
       curve.width = 1.5;
-      if (shape.role == SceneRole::column && dashed[shape.item]) curve.line = Line::dashed;
+      if (shape.role == SceneRole::column && shape.item > 0) {
+        curve.line = line_beside(shape.tone, building_tone(static_cast<std::size_t>(shape.item) - 1));
+      }
     }
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);
     panel.curves.push_back(std::move(curve));
@@ -208,12 +222,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     const auto [x, y] = places(scene.contacts[*instant.point]);
     panel.curves.push_back({.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle});
   }
-  if (instant.nearest != nullptr && instant.nearest->closes) {
-    panel.curves.push_back(hatches(scene, places, *instant.nearest, -instant.nearest->least_opening));
-  } else if (const std::optional<NearestFloor>& other = run.figures.nearest; other && other->closes) {
-    const double inside = depth_at(*other, instant.time);
-    if (inside > 0) panel.curves.push_back(hatches(scene, places, *other, inside));
-  }
+  for (const Inside& one : inside_at(run, instant)) panel.curves.push_back(hatches(scene, places, one));
   for (const Impact& impact : run.response.impacts) {
     if (!instant.impact || impact.start > instant.time || impact.end < instant.time) continue;
     const auto [x, y] = places(scene.contacts[impact.point]);

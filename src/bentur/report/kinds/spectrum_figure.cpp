@@ -174,6 +174,27 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
   return figure;
 }
 
+std::string floors_text(const FloorSpectra& spectra, std::optional<std::size_t> hit,
+                        const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
+                        std::size_t buildings, const FigureOptions& options) {
+  std::string text;
+  if (hit && options.gap && *options.gap != *hit) {
+    text = word(options, "Shown is {}, with the hardest impact of all; floors at other gaps have no spectra",
+                gaps.at(*hit));
+  } else if (hit && !options.gap) {
+    text = place_text(gaps, judged, *hit, true, options);
+  } else if (!hit && spectra.floors.size() < buildings) {
+    text = word(options, "Shown are roofs of {} of {} buildings, the first of the case",
+                std::to_string(spectra.floors.size()), std::to_string(buildings));
+  }
+  constexpr double usual = 0.031;  // where samples are as near to one another as they ever are [s]
+  if (spectra.periods.front() > usual) {
+    text += (text.empty() ? "" : ". ") + word(options, "Periods begin at {}: of shorter ones samples are too far apart",
+                                              seconds_text(spectra.periods.front()));
+  }
+  return text;
+}
+
 Figure design_spectrum_figure(const Case& c, const Problem& problem, const SpectralGaps& spectral,
                               const FigureOptions& options) {
   const DesignSpectrum& spectrum = c.excitation.spectrum.value().spectrum;

@@ -15,12 +15,12 @@ struct Colour {
 };
 inline constexpr Colour colours[] = {
     // in the order of Tone
-    {"ink", "#000000", "#e8ebee"},         {"blue", "#1f5fa8", "#7fb4ee"},      {"orange", "#b4540a", "#f0a05c"},
+    {"ink", "#000000", "#e8ebee"},         {"blue", "#143f7d", "#7fb4ee"},      {"orange", "#b4540a", "#f0a05c"},
     {"grey", "#5f6b76", "#a4aeb8"},        {"pale", "#d9d9d9", "#4a525a"},      {"pale-blue", "#c3d7ee", "#2c4a6b"},
-    {"pale-orange", "#f2d3b8", "#6b4426"}, {"green", "#3d6b20", "#97cc74"},     {"purple", "#7d4a9c", "#cfa3e6"},
-    {"red", "#b3191e", "#ff8a85"},         {"teal", "#0c6b70", "#5cc4c0"},      {"magenta", "#a3276f", "#ef8fc4"},
-    {"olive", "#686000", "#cdc36a"},       {"amber", "#946200", "#f2c14e"},     {"indigo", "#4b3fd0", "#a39bff"},
-    {"brown", "#5a3420", "#c79a7f"},       {"cyan", "#007ba8", "#5fd0f5"},      {"navy", "#12284f", "#c9d6f5"},
+    {"pale-orange", "#f2d3b8", "#6b4426"}, {"green", "#26480f", "#97cc74"},     {"purple", "#9054b2", "#cfa3e6"},
+    {"red", "#b3191e", "#ff8a85"},         {"teal", "#0c6b70", "#5cc4c0"},      {"magenta", "#75154d", "#ef8fc4"},
+    {"olive", "#746a00", "#cdc36a"},       {"amber", "#946200", "#f2c14e"},     {"indigo", "#332aa3", "#a39bff"},
+    {"brown", "#935a37", "#c79a7f"},       {"cyan", "#007ba8", "#5fd0f5"},      {"navy", "#12284f", "#c9d6f5"},
     {"gold", "#d79a2b", "#b48326"},        {"pale-teal", "#b5dad7", "#2b5557"},
 };
 inline constexpr Colour paper = {"paper", "#ffffff", "#15191d"};

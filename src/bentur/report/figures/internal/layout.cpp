@@ -22,6 +22,7 @@ constexpr double label_room = 0.45;     // of an axis' label
 constexpr double edge = 0.3;            // free to the right of a frame
 constexpr double beside_number = 0.14;  // free beside the first and the last number of an x axis
 constexpr double beside_label = 0.1;    // free on both sides of an x axis' label
+constexpr double beyond_label = 0.3;    // free below the rows before one that begins others
 constexpr double scale_width = 0.45;    // of a map's colours with the room to its left
 
 /// The value below which so large a part of the others lies.
@@ -140,6 +141,7 @@ class Arrangement {
     std::vector<std::size_t> taken(columns_, 0);  // rows of each column
     for (const Panel& panel : figure.panels) {
       const std::size_t across = std::clamp<std::size_t>(static_cast<std::size_t>(panel.across), 1, columns_);
+      if (panel.begins_row) std::fill(taken.begin(), taken.end(), *std::max_element(taken.begin(), taken.end()));
       const auto column = across > 1 ? taken.begin() : std::min_element(taken.begin(), taken.end());
       const auto beyond = column + static_cast<std::ptrdiff_t>(across);
       const std::size_t row = *std::max_element(column, beyond);
@@ -334,6 +336,7 @@ class Arrangement {
   /// stands above their frames.
   void place_row(std::size_t row) {
     const std::vector<std::size_t> begun = panels_where([&](std::size_t i) { return cells_[i].row == row; });
+    if (row > 0 && !begun.empty() && result_.panels[begun.front()].panel->begins_row) depth_ += beyond_label;
     double legend = 0;
     double frame = 0;
     double numbers = 0.1, below = 0;  // room of the numbers and of the label of the x axis

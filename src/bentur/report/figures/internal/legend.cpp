@@ -62,8 +62,8 @@ void add_entries(const PlacedPanel& placed, std::vector<LegendEntry>& list) {
     const Curve& curve = panel.curves[c];
     const auto is_of = [&](const CurveName& name) { return name.curve == c; };
     if (!curve.in_legend || std::any_of(placed.names.begin(), placed.names.end(), is_of)) continue;
-    add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark, curve.width,
-         !curve.top.empty(), false, curve.mark_size});
+    add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark,
+         std::max(1.0, curve.width), !curve.top.empty(), false, curve.mark_size});
   }
   for (const RuleLine& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
   if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});

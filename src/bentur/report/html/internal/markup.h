@@ -105,6 +105,7 @@ class HtmlTable {
 struct PageSection {
   std::string id, heading;  ///< the id stands in the sources
   Html content;
+  Html behind = {};  ///< what stands behind all that is added to the content
 };
 
 /// Names and their values: a table of two columns without a header; with `sources` a third one, of where each is from.

@@ -40,11 +40,12 @@ std::string css_text(std::string_view text) {
 /// The list of sections between the header and the main part, which holds them.
 Html markup_of(const Words& say, const PageBody& body) {
   Html links, sections;
-  for (const auto& [id, heading, content] : body.sections) {
+  for (const auto& [id, heading, content, behind] : body.sections) {
     if (content.str().empty()) continue;
     links += element("li", element("a", heading, "href=\"#" + id + "\""));
-    sections += element("section", element("h2", heading) + Html::markup("\n") + content, "id=\"" + id + "\"") +
-                Html::markup("\n");
+    sections +=
+        element("section", element("h2", heading) + Html::markup("\n") + content + behind, "id=\"" + id + "\"") +
+        Html::markup("\n");
   }
   const std::string on = body.running_head.empty() ? "screen" : "contents";
   const Html list = element("nav", element("ol", links),

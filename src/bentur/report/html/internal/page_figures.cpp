@@ -1,9 +1,11 @@
 #include "bentur/report/html/internal/page_figures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/figure_width.h"
+#include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/words.h"
 
 namespace bentur::html {
@@ -23,20 +25,39 @@ void spread(Figure& figure) {
   beside.numbers = beside.numbers || figure.panels.back().x.numbers;
 }
 
-/// Of what is on paper a line by itself, or half a line: three lines of pictures so high, with captions, fill a page.
-constexpr double third_of_page = 7.3;  // [cm]
+/// Of what is on paper a line by itself, or half a line: three of pictures so high with their captions fill a page.
+constexpr double third_of_page = 8.05;  // [cm]
+/// Histories of one place come first, below the heading of all figures, two lines to a page.
+constexpr double half_of_page = 11.9;  // [cm]
+constexpr std::size_t lines_of_histories = 2, lines_of_page = 3;
 
-/// As high as a line; somewhat higher where its frames would be too low.
-void bound_to_lines(Figure& figure) {
-  constexpr double least = 2.2, somewhat_higher = 8.7;  // of a frame, of the figure [cm]
+/// Of a caption below a figure over the page, or over half of it, in lines as report.css prints them [cm].
+double caption_height(const std::string& caption, bool is_wide) {
+  constexpr double of_line = 0.34, free = 0.25;                                           // [cm]
+  const double letters = is_wide ? 120 : 58;                                              // of a line
+  return free + of_line * std::ceil(static_cast<double>(caption.size() + 10) / letters);  // with its number
+}
+
+/// As high as a line without its caption; somewhat higher where its frames would be too low.
+void bound_to_lines(Figure& figure, double most) {
+  constexpr double least = 2.2, higher = 1.2;  // of a frame, than a line [cm]
   Figure low = figure;
-  bound_height(low, third_of_page);
+  bound_height(low, most);
   const bool is_too_low = std::any_of(low.panels.begin(), low.panels.end(),
                                       [](const Panel& one) { return !one.to_scale && one.height < least; });
   if (is_too_low)
-    bound_height(figure, somewhat_higher);
+    bound_height(figure, most + higher);
   else
     figure = std::move(low);
+}
+
+/// One that is higher than a line takes two, so that it and a line fill a page: with frames higher by a half at most.
+void fill_two_lines(Figure& figure, double most) {
+  constexpr double highest = 1.5;  // times as they were
+  const auto is_to_scale = [](const Panel& one) { return one.to_scale; };
+  if (std::any_of(figure.panels.begin(), figure.panels.end(), is_to_scale)) return;
+  for (Panel& panel : figure.panels) panel.height *= highest;
+  bound_height(figure, most);
 }
 
 /// In an order that leaves no holes: those of a column's width two to a line, behind wide ones that come first, and
@@ -60,12 +81,16 @@ std::vector<PageFigure> in_lines(std::vector<PageFigure> figures) {
   const auto put = [&](std::vector<PageFigure>& line) {
     for (PageFigure& one : line) figures.push_back(std::move(one));
   };
-  const std::size_t first = low.size() - std::min(low.size(), high.size());
-  for (std::size_t i = 0; i < first; ++i) put(low[i]);
-  for (std::size_t i = 0; i < high.size(); ++i) {
-    put(high[i]);
-    if (first + i < low.size()) put(low[first + i]);
+  std::size_t first = low.size() - std::min(low.size(), high.size());
+  const std::size_t last = first < lines_of_histories ? 0 : (first - lines_of_histories) % lines_of_page;
+  if (!high.empty() && last == 2) --first;  // beside two lines none that is higher has room on a page
+  std::size_t next = 0;
+  while (next < first) put(low[next++]);
+  for (std::vector<PageFigure>& one : high) {
+    put(one);
+    if (next < low.size()) put(low[next++]);
   }
+  while (next < low.size()) put(low[next++]);
   return figures;
 }
 
@@ -88,8 +113,11 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
       const Figure narrowest = figure;
       spread(figure);
       const bool is_wide = figure.width > column_width;
-      bound_to_lines(figure);
-      const bool is_high = is_wide && layout(figure).height > 1.5 * third_of_page;
+      const double below = caption_height(caption, is_wide);
+      const bool is_history = !is_wide && is_of_a_place(kind.name) && kind.name != "loop";
+      bound_to_lines(figure, (is_history ? half_of_page : third_of_page) - below);
+      const bool is_high = is_wide && layout(figure).height + below > 1.3 * third_of_page;
+      if (is_high) fill_two_lines(figure, 2 * third_of_page - below);
       figures.push_back(
           {.caption = caption, .svg = figure_element(figure, caption), .wide = is_wide, .is_high = is_high});
       if (!is_wide) continue;

@@ -286,7 +286,8 @@ html::HtmlTable html::impact_table(const PlanRun& run, const std::vector<Index>&
 
 std::vector<PagePart> table_parts(const PlanRun& run, const std::string& language) {
   const Words say(language);
-  return html::parts({PlanPage(run, say).peaks()});
+  const PlanPage page(run, say);
+  return html::parts({page.gap_needs(), page.peaks()});
 }
 
 double report_output_step(const PlanProblem& problem) {

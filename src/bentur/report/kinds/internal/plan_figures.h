@@ -55,6 +55,8 @@ constexpr double high_name = 0.4;  ///< with room above and below it [cm]
 [[nodiscard]] Figure bearing_loop_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure soil_loop_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure floor_spectrum_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_forces_figure(const PlanRun& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_envelope_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_moment_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_shear_figure(const PlanRun& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_axial_figure(const PlanRun& run, const FigureOptions& options);

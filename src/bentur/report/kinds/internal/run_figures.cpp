@@ -90,17 +90,17 @@ const Histories& histories_with(const RunResults& run, std::vector<Eigen::Matrix
   return has ? run.response.course : run.response.histories;
 }
 
-std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options) {
-  constexpr Eigen::Index most = 6;
+std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options, std::size_t most) {
   std::vector<Eigen::Index> all(run.problem.buildings.size());
   std::iota(all.begin(), all.end(), Eigen::Index{0});
-  if (std::ssize(all) <= most) return all;
+  const bool is_asked = options.gap || options.elevation;
+  if (all.size() <= (is_asked ? most_together : most)) return all;
   const std::vector<ContactPoint>& points = run.problem.points;
   const Eigen::Index left =
       points.empty() ? static_cast<Eigen::Index>(options.gap.value_or(0)) : points[chosen_point(run, options)].left;
   std::set<Eigen::Index> shown = {left, left + 1};
-  if (options.gap || options.elevation) return {shown.begin(), shown.end()};
-  constexpr std::size_t most_named = 8;
+  if (is_asked) return {shown.begin(), shown.end()};
+  const std::size_t most_named = std::max<std::size_t>(8, most);
   const auto add = [&](std::set<Eigen::Index> more) {
     more.insert(shown.begin(), shown.end());
     const bool has_room = more.size() <= most_named;
@@ -214,6 +214,8 @@ void leave_to_neighbour(Axis& axis) {
   axis.label = "";
   axis.numbers = false;
 }
+
+Line line_beside(Tone tone, Tone other) { return are_distinct_in_grey(tone, other) ? Line::solid : Line::dashed; }
 
 void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone) {
   constexpr Tone tones[] = {Tone::black, Tone::teal, Tone::grey};

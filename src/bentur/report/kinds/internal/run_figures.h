@@ -22,9 +22,12 @@ namespace bentur {
 [[nodiscard]] bool is_at(const FigureOptions& options, double elevation);
 /// The point at which they ask for a struck column: that with the largest shear. @throws NoFigure when there is none.
 [[nodiscard]] Eigen::Index chosen_struck_point(const RunResults& run, const FigureOptions& options);
-/// Indices of the buildings to be shown beside one another: all, or of more than six the two at the point and, unless
-/// a point is asked for, those that the verdict names, then those whose gap lacks most, up to eight.
-[[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options);
+/// Of so many buildings a figure shows all: where each has a place of its own, and where their curves stand together.
+constexpr std::size_t most_apart = 12, most_together = 6;
+/// Indices of the buildings to be shown beside one another: all, or of more than `most` the two at the point and,
+/// unless a point is asked for, those that the verdict names, then those whose gap lacks most, up to eight, or `most`.
+[[nodiscard]] std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOptions& options,
+                                                        std::size_t most = most_together);
 /// The hardest impact of a point; nullptr without one.
 [[nodiscard]] const Impact* hardest_impact(const RunResults& run, Eigen::Index point);
 /// Whether the impact in close-up gives back all the energy it takes, so that its loop has no area.
@@ -96,6 +99,8 @@ template <class AnyRun>
 [[nodiscard]] Figure energy_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_forces_figure(const RunResults& run, const FigureOptions& options);
+[[nodiscard]] Figure frame_envelope_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_moment_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_shear_figure(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Figure frame_axial_figure(const RunResults& run, const FigureOptions& options);
@@ -116,8 +121,15 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
 /// approach, where that is not the gap that the verdict puts first. @param gap shown @param judged all
 [[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
                                      std::size_t gap, bool is_hit, const FigureOptions& options);
+/// Of spectra of floors: at which gap they are, or whose roofs, where there are others; and where their periods begin,
+/// where samples are too far apart for shorter ones. @param hit the gap of the hardest impact
+[[nodiscard]] std::string floors_text(const FloorSpectra& spectra, std::optional<std::size_t> hit,
+                                      const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
+                                      std::size_t buildings, const FigureOptions& options);
 /// An axis whose label and numbers are those of the panel beside it.
 void leave_to_neighbour(Axis& axis);
+/// Of a curve beside another: dashed where their tones are not distinct in grey.
+[[nodiscard]] Line line_beside(Tone tone, Tone other);
 /// Line, mark and tone of curve number `index` of several that must be distinguished; marks for few points alone.
 void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone = {});
 [[nodiscard]] Mark mark_of(std::size_t index);

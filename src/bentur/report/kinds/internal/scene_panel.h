@@ -15,9 +15,9 @@ namespace bentur {
 [[nodiscard]] const NearestFloor* asked_inside(const RunResults& run, const FigureOptions& options);
 /// "roof of Low 0.0714 m inside High, contact not modelled".
 [[nodiscard]] std::string inside_text(const RunResults& run, const NearestFloor& nearest, const FigureOptions& options);
-/// The same of a still that shows an impact: the floor that goes inside what it faces at another instant, so that a
-/// picture of what is modelled does not pass over what is not; empty where there is none.
-[[nodiscard]] std::string inside_elsewhen(const RunResults& run, const FigureOptions& options);
+/// What a still's title does not say of floors inside what they face: how many are at this instant, and the deepest of
+/// the run, so that a picture of what is modelled does not pass over what is not; empty where there is none.
+[[nodiscard]] std::string inside_besides(const RunResults& run, const FigureOptions& options);
 /// The lines of a shape as one curve, with a gap between each two.
 [[nodiscard]] Curve curve_of(const SceneShape& shape, const ScenePlaces& places);
 /// The buildings at that instant, at most so high [cm]; its title tells time, magnification and impact.

@@ -95,6 +95,14 @@ Figure floor_spectrum_figure(const PlanRun& run, const FigureOptions& options) {
   return floor_spectrum_figure(row, options);
 }
 
+Figure frame_forces_figure(const PlanRun& run, const FigureOptions& options) {
+  return of_frames(run, options, frame_forces_figure);
+}
+
+Figure frame_envelope_figure(const PlanRun& run, const FigureOptions& options) {
+  return of_frames(run, options, frame_envelope_figure);
+}
+
 Figure frame_moment_figure(const PlanRun& run, const FigureOptions& options) {
   return of_frames(run, options, frame_moment_figure);
 }

@@ -175,7 +175,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
                         .x = histories.time,
                         .y = times(row_of(quantity.list[b], floor), quantity.factor),
                         .tone = building_tone(b),
-                        .line = side == 0 ? Line::solid : Line::dashed});
+                        .line = curves.empty() ? Line::solid : line_beside(building_tone(b), curves.front().tone)});
       if (run.response.course.time.empty()) {
         add_peak(curves.back(), quantity.factor * (run.response.buildings[b].*quantity.peaks)(floor));
       }

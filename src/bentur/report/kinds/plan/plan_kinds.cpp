@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_frames.h"
 #include "bentur/model/plan/plan_places.h"
@@ -94,10 +95,13 @@ const PlanKind plan_kinds[] = {
      frame_loop_figure},
     {"floor-spectrum", "response spectra of the motion of the floors that are hit and the roofs, across the joint",
      has_floor_spectra, floor_spectrum_figure},
-    {"frame-moment", "moments over the frames that carry most, at the hardest impact and the largest of the run",
-     has_frames, frame_moment_figure},
-    {"frame-shear", "shears over these frames, likewise", has_frames, frame_shear_figure},
-    {"frame-axial", "axial forces of columns over these frames, likewise", has_frames, frame_axial_figure},
+    {"frame-forces", "moments, shears and axial forces over the frames that carry most, at the hardest impact",
+     has_frames, frame_forces_figure},
+    {"frame-envelope", "the largest of the run of all three over these frames", has_frames, frame_envelope_figure},
+    {"frame-moment", "moments over these frames alone, at the hardest impact and the largest of the run", has_frames,
+     frame_moment_figure, tells_above},
+    {"frame-shear", "shears over these frames, likewise", has_frames, frame_shear_figure, tells_above},
+    {"frame-axial", "axial forces of columns over these frames, likewise", has_frames, frame_axial_figure, tells_above},
     {"energy", "where the energy is", has_energy, energy_figure, always<PlanRun>, true},
 };
 
@@ -116,6 +120,13 @@ Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOpti
       const Eigen::Index point = chosen_point(run, options);
       figure.part = place_text(gap_names(run.problem), judged_gaps(run), contact_at(run.problem, point).gap,
                                run.response.points[point].impacts > 0, options);
+    }
+    if (kind == "floor-spectrum") {
+      const Impact* const hardest = hardest_impact(run.response.impacts);
+      std::optional<std::size_t> hit;
+      if (hardest != nullptr) hit = static_cast<std::size_t>(contact_at(run.problem, hardest->point).gap);
+      figure.part = floors_text(run.closer.floors, hit, gap_names(run.problem), judged_gaps(run),
+                                run.problem.buildings.size(), options);
     }
     return figure;
   }

@@ -134,7 +134,7 @@ class PlanPicture {
                   .width = 1.5,
                   .complete = true,
                   .in_legend = false};
-      if (has_centres() && b % 2 == 1) curve.line = Line::dashed;  // distinct in grey, as curves are
+      if (has_centres() && b > 0) curve.line = line_beside(curve.tone, building_tone(b - 1));
       for (const std::vector<PlanPoint>& line : seen_parts(ring, above)) {
         if (!curve.x.empty()) add(curve, PlanPoint::Constant(not_known));
         for (const PlanPoint& at : line) add(curve, at);
