@@ -139,12 +139,16 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
   }
   if (over.given.size() == 1) {
     const GivenGap& given = over.given.front();
-    Statement statement = statement_of(told, gap, told.together ? "runs_short" : "records_short");
-    if (given.beyond > 0) statement.severity = Severity::warning;
+    const bool is_open = given.open.runs > 0;
+    Statement statement = statement_of(told, gap, std::string(told.together ? "runs" : "records") + "_short");
+    if (is_open) statement.kind += "_open";
+    if (given.beyond > 0 || is_open) statement.severity = Severity::warning;
     statement.values = {{"beyond", static_cast<long>(given.beyond)},
                         count_value(told),
                         {"share", share_of(told, given), "%"},
-                        {"width", width_of(given), length}};
+                        {"width", width_of(given), length},
+                        {"open", given.open.runs}};
+    statement.items = open_needs_statement(given.open, told.count()).items;
     statements.push_back(std::move(statement));
   }
   tell_collapsed(told, gap, statements);
@@ -161,6 +165,10 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
     statement.values.push_back({"median", over.median.gap_needed, length});
     statement.values.push_back({"most", quantile(over, most_asked).gap_needed, length});
   }
+  const long open = std::count_if(told.needs.records.begin(), told.needs.records.end(),
+                                  [](const RecordNeed& one) { return !one.falls && one.open != 0; });
+  statement.values.push_back({"open", open});
+  statement.values.push_back({"known", std::string(open > 0 ? "story.gaps_over_known" : ""), {}, open > 0});
   statements.push_back(std::move(statement));
 }
 
@@ -251,13 +259,18 @@ StoryTable rule_table(const Told& told, Eigen::Index gap) {
 /// How many need more than is given, a row a width.
 StoryTable given_table(const Told& told, Eigen::Index gap) {
   StoryColumn width{"column.given", told.study.units.length}, beyond{.label = "column.beyond", .are_counts = true};
-  StoryColumn share{"column.share", "%"};
+  StoryColumn share{"column.share", "%"}, open{.label = "gap.not_known", .are_counts = true};
+  bool some_open = false;
   for (const GivenGap& one : told.needs.gaps[gap].given) {
+    open.texts.push_back(fmt::format("{} / {}", one.open.runs, told.count()));
+    some_open = some_open || one.open.runs > 0;
     width.numbers.push_back(width_of(one));
     beyond.texts.push_back(fmt::format("{} / {}", one.beyond, told.count()));
     share.numbers.push_back(share_of(told, one));
   }
-  return {.kind = "given", .gap = gap, .values = heading(told, gap), .columns = {width, beyond, share}};
+  StoryTable table{.kind = "given", .gap = gap, .values = heading(told, gap), .columns = {width, beyond, share}};
+  if (some_open) table.columns.push_back(std::move(open));
+  return table;
 }
 
 /// A row for each choice of what else varies.
@@ -265,6 +278,8 @@ StoryTable choice_table(const GapStudy& study, Eigen::Index gap) {
   const std::string& length = study.units.length;
   StoryColumn choice{.label = "column.choice"}, median{"column.half", length}, most{"column.most_records", length};
   StoryColumn largest{"column.hardest_record", length}, beyond{.label = "column.beyond", .are_counts = true};
+  StoryColumn open{.label = "gap.not_known", .are_counts = true};
+  bool some_open = false;
   StoryTable table{.kind = "choices", .gap = gap, .values = {{"between", study.gaps.at(gap).name}}};
   for (const RecordNeeds& needs : study.needs) {
     const GapOverRecords& over = needs.gaps[gap];
@@ -275,9 +290,14 @@ StoryTable choice_table(const GapStudy& study, Eigen::Index gap) {
     most.numbers.push_back(quantile(over, most_asked).gap_needed);
     largest.numbers.push_back(over.largest.gap_needed);
     beyond.texts.push_back(fmt::format("{} / {}", most_beyond, needs.records.size()));
+    const long unknown = over.given.front().open.runs;
+    open.texts.push_back(fmt::format("{} / {}", unknown, needs.records.size()));
+    some_open = some_open || unknown > 0;
   }
   table.columns = {choice, median, most, largest};
-  if (study.needs.front().gaps[gap].given.size() == 1) table.columns.push_back(beyond);
+  const bool is_one = study.needs.front().gaps[gap].given.size() == 1;
+  if (is_one) table.columns.push_back(beyond);
+  if (is_one && some_open) table.columns.push_back(std::move(open));
   return table;
 }
 

@@ -145,6 +145,9 @@ void tell_shares(const RiskReport& report, const CaseRisk& risk, std::vector<Sta
 
 Story risk_story(const RiskReport& report, const RiskRequest& request) {
   Story story;
+  if (report.results.open.runs > 0) {
+    story.statements.push_back(open_needs_statement(report.results.open, report.results.done));
+  }
   const bool has_cases = report.cases.size() > 1;
   for (const CaseRisk& risk : report.cases) {
     const std::string subject = has_cases ? risk_case_name(report.results, risk.c) : "";

@@ -74,7 +74,8 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
   return result;
 }
 
-/// The gap that a run needs at these levels, in both ways of the motion; infinite where a building falls without contact.
+/// The gap that a run needs at these levels, in both ways of the motion; infinite where a building falls without
+/// contact.
 /// @param row the run, of buildings in plan row_of() it
 double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation>& levels) {
   if (falls_without_contact(row.problem, row.response) || falls_without_contact_reversed(row.problem, row.response)) {
@@ -196,7 +197,8 @@ void say_once(std::vector<Statement>& statements) {
   for (Statement& one : statements) {
     if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
     if (one.kind == "gaps_over_records") one.shown = Shown::table;
-    if (one.kind == "records_short" && is_said(one.gap, "records_too_small")) one.shown = Shown::table;
+    const bool is_judged = is_said(one.gap, "records_too_small") || is_said(one.gap, "records_not_known");
+    if (one.kind.starts_with("records_short") && is_judged) one.shown = Shown::table;
     if (one.kind != "records_too_small") continue;
     const auto has_sentence = [&](const std::vector<StoryValue>& item) {
       return std::any_of(item.begin(), item.end(), [&](const StoryValue& value) {
