@@ -11,6 +11,7 @@
 #include "bentur/core/not_known.h"
 #include "bentur/core/version.h"
 #include "bentur/files/ida_reading.h"
+#include "bentur/report/story_text.h"
 #include "bentur/study/fragility/fragility_report.h"
 #include "commands.h"
 #include "session.h"
@@ -291,7 +292,12 @@ std::string text(const FragilityReport& report, const FragilityRequest& request,
                           ? say("fragility.unscaled")
                           : say("fragility.levels", {{"levels", fmt::format("{}", results.table.levels.size())}})},
            {"intensity", results.intensity + (unit.empty() ? "" : " [" + unit + "]")}});
-  result += "\n\n" + curves_text(report, unit, is_cloud, say);
+  result += "\n";
+  if (results.open.runs > 0) {
+    Story open{.statements = {open_needs_statement(results.open, results.done)}};
+    result += "\n" + story_text(std::vector<std::string>(), open, say, Told::all);
+  }
+  result += "\n" + curves_text(report, unit, is_cloud, say);
   if (!report.gaps.empty()) result += gaps_text(report, request, unit, say);
   std::string by = say("fragility.by." + std::string(name_of(request.method)));
   if (is_cloud && !results.table.is_cloud()) by += say("fragility.ks_of_that");

@@ -100,7 +100,8 @@ void report_end(const SweepArguments& arguments, const SweepReport& report) {
                        .failed = count(report.failed),
                        .unmodelled = count(report.unmodelled),
                        .remarked = count(report.remarked),
-                       .doubted = count(report.doubted)};
+                       .doubted = count(report.doubted),
+                       .open = report.open};
   for (const auto& [key, runs] : report.remarks) outcome.remarks.emplace_back(key, count(runs));
   for (const SaidStatement& one : said(study_story(outcome).statements, Words("en"))) {
     if (one.severity == Severity::danger) message("warning: " + one.text);

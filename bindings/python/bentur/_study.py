@@ -130,18 +130,31 @@ def _solved(core: _core.Study, threads: int, progress: Progress) -> xarray.Datas
     return found
 
 
-def _warn_of_runs(found: xarray.Dataset) -> None:
-    """How many runs have remarks, and about what."""
-    if "remarks" not in found or not (found.remarks > 0).any():
-        return
-    flags = np.nan_to_num(found.remark_kinds.to_numpy()).astype(np.uint64).ravel()
+def _counted_flags(flagged: xarray.DataArray) -> str:
+    """In how many runs each flag of a variable is set: "drift (3), pga (1)"."""
+    flags = np.nan_to_num(flagged.to_numpy()).astype(np.uint64).ravel()
     about = []
-    for bit, key in enumerate(str(found.remark_kinds.attrs["flag_meanings"]).split()):
+    for bit, key in enumerate(str(flagged.attrs["flag_meanings"]).split()):
         if runs := int((flags >> np.uint64(bit) & np.uint64(1)).sum()):
             about.append(f"{key} ({runs})")
+    return ", ".join(about)
+
+
+def _warn_of_runs(found: xarray.Dataset) -> None:
+    """How many runs have remarks, and about what; of how many it is not known what gap they need."""
+    if "open_needs" in found and (unknown := int((found.open_needs > 0).sum())):
+        warnings.warn(
+            f"of {unknown} of {found.open_needs.size} runs it is not known what gap they need: "
+            f"{_counted_flags(found.open_needs)}; `open_needs` says which",
+            RemarkWarning,
+            stacklevel=4,
+        )
+    if "remarks" not in found or not (found.remarks > 0).any():
+        return
     remarked, doubted = int((found.remarks > 0).sum()), int((found.doubts > 0).sum())
     warnings.warn(
-        f"{remarked} of {found.remarks.size} runs have remarks, {doubted} in doubt: {', '.join(about)}; `remarks`, "
+        f"{remarked} of {found.remarks.size} runs have remarks, {doubted} in doubt: "
+        f"{_counted_flags(found.remark_kinds)}; `remarks`, "
         "`doubts` and `remark_kinds` say which",
         RemarkWarning,
         stacklevel=4,

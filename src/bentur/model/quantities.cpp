@@ -8,6 +8,8 @@
 #include "bentur/excitation/ground_motion.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/internal/plan_sources.h"
+#include "bentur/model/judgement/open_needs.h"
+#include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/remarks.h"
 
 namespace bentur {
@@ -89,6 +91,20 @@ constexpr auto doubts_of_run = [](const auto& run, const QuantityPlace&) {
 constexpr auto kinds_of_remarks = [](const auto& run, const QuantityPlace&) {
   return remarks_of(run) != nullptr ? static_cast<double>(remark_kinds(*remarks_of(run))) : not_known;
 };
+double open_needs_of(const RunView& run, const QuantityPlace&) {
+  if (run.remarks == nullptr) return not_known;
+  return static_cast<double>(open_needs(run.problem, run.response, *run.remarks));
+}
+double open_needs_in_plan(const PlanRun& run, const QuantityPlace&) {
+  const auto row = row_of(run);
+  return static_cast<double>(open_needs(row->problem, row->response, run.remarks));
+}
+QuantitySource of_open_needs() {
+  QuantitySource source;
+  source.row.value = open_needs_of;
+  source.plan.value = open_needs_in_plan;
+  return source;
+}
 constexpr auto end_time = [](const auto& run, const QuantityPlace&) {
   return run.response.collapse ? run.response.collapse->time : run.response.duration;
 };
@@ -243,6 +259,7 @@ std::deque<Quantity>& list() {
       {"remarks", run, "1", "", "remarks on the case and what came out", {}, count(of_any(remarks_of_run)), "/remark_counts/all"},
       {"doubts", run, "1", "", "those by which an input may not be meant", {}, count(of_any(doubts_of_run)), "/remark_counts/doubts"},
       {"remark_kinds", run, "1", "", "what the remarks are about, a bit for each of flag_meanings from the lowest", {}, of_any(kinds_of_remarks), "/remark_counts/kinds"},
+      {"open_needs", run, "1", "", "what keeps the gaps needed from being known, a bit for each of flag_meanings from the lowest", {}, of_open_needs()},
       // Impacts, in the order of impacts.csv.
       {"start", impact, "s", "t₀", "start", {"Start", "Mulai"}, of_impacts(&Impact::start), {}, {}, 1, 4},
       {"end", impact, "s", "t₁", "end", {}, of_impacts(&Impact::end)},

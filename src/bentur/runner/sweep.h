@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/story/study_story.h"
 #include "bentur/runner/ranks.h"
 #include "bentur/study/study_output.h"
 
@@ -33,6 +34,7 @@ struct SweepTotals {
   std::size_t unmodelled = 0;                       ///< runs in which a watched floor closed
   std::size_t remarked = 0, doubted = 0;            ///< runs with a remark, with a doubt
   std::map<std::string, std::size_t> remarks = {};  ///< runs with a remark, by what it is about
+  OpenNeeds open = {};                              ///< runs of which it is not known what gap they need
   std::size_t failed = 0;                           ///< runs whose numbers failed or whose values make no case
   std::string first_failure;                        ///< "run 17: REASON"
 };

@@ -13,6 +13,7 @@
 #include "bentur/io/results/run_variables.h"
 #include "bentur/io/schema/parameter_units.h"
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/model/judgement/open_needs.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/study/fragility/ida_results.h"
@@ -208,9 +209,12 @@ class StudyList {
     if (part.is_of_building()) {
       variable.attributes.push_back({"building", buildings_[part.building]});
     }
-    if (part.name == "remark_kinds") {
+    const bool is_of_remarks = part.name == "remark_kinds";
+    if (is_of_remarks || part.name == "open_needs") {
       std::string meanings;
-      for (const std::string_view key : remark_keys()) meanings += (meanings.empty() ? "" : " ") + std::string(key);
+      for (const std::string_view key : is_of_remarks ? remark_keys() : open_need_keys()) {
+        meanings += (meanings.empty() ? "" : " ") + std::string(key);
+      }
       variable.attributes.push_back({"flag_meanings", meanings});
     }
     if (part.quantity->by_size) variable.attributes.push_back({"compared_by", "size"});

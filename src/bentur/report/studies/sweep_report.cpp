@@ -13,6 +13,7 @@
 
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_toml.h"
+#include "bentur/model/judgement/open_needs.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/model/story/study_story.h"
 #include "bentur/report/figures/internal/text.h"
@@ -77,7 +78,7 @@ StudyOutcome outcome_of(const SweepData& sweep) {
   const std::vector<double> unmodelled = by_run(sweep, "unmodelled_contacts", true);
   const std::vector<double> needed = by_run(sweep, "gap_needed", false);
   const std::vector<double> remarked = by_run(sweep, "remarks", true), doubted = by_run(sweep, "doubts", true);
-  const std::vector<double> about = by_run(sweep, "remark_kinds", true);
+  const std::vector<double> about = by_run(sweep, "remark_kinds", true), open = by_run(sweep, "open_needs", true);
   std::vector<long> in(remark_keys().size(), 0);  // runs with a remark about each
   StudyOutcome outcome{.runs = std::ssize(status)};
   std::optional<std::size_t> hardest, widest;
@@ -94,10 +95,10 @@ StudyOutcome outcome_of(const SweepData& sweep) {
     for (std::size_t k = 0; about[run] > 0 && k < in.size(); ++k) {
       in[k] += (static_cast<std::uint64_t>(about[run]) >> k & 1U) != 0 ? 1 : 0;
     }
-    if (std::isnan(needed[run])) {
-      ++outcome.not_known;
-      continue;
-    }
+    const auto bits = static_cast<std::uint64_t>(open[run]);
+    // Results of earlier versions say of collapse alone that it keeps a need from being known.
+    outcome.open.add(bits == 0 && std::isnan(needed[run]) ? static_cast<unsigned>(OpenNeed::collapse) : bits);
+    if (bits != 0 || std::isnan(needed[run])) continue;
     if (!widest || needed[run] > needed[*widest]) widest = run;
   }
   const auto placed = [&](std::size_t run, const std::vector<double>& values, const std::string& variable) {
@@ -347,6 +348,7 @@ html::PageSection risk_section(const SweepData& sweep, const HazardCurve& hazard
                                     hazard, asked, error);
     if (!report) throw std::runtime_error("--hazard " + error);
     for (const SaidStatement& one : said(risk_story(*report, asked).statements, say)) {
+      if (one.kind == "study_not_known") continue;  // the verdict says so
       const bool is_gap = one.kind == "risk_gap" || one.kind == "risk_no_gap";
       if (is_gap || target == 0.1) content += element("p", one.text);
     }

@@ -113,7 +113,8 @@ SweepTotals SweepFile::write(const Journal& journal) {
                         [&](const RowPart& quantity) { return quantity.name == name; });
   };
   const auto impacts = named("impacts"), unmodelled = named("unmodelled_contacts");
-  const auto remarked = named("remarks"), doubted = named("doubts"), about = named("remark_kinds");
+  const auto remarked = named("remarks"), doubted = named("doubts"), about = named("remark_kinds"),
+             open = named("open_needs");
   std::map<std::size_t, std::string> failures;
   for (std::size_t first = 0; first < runs_.design().runs();) {
     const RunBlock block = block_at(first);
@@ -127,6 +128,7 @@ SweepTotals SweepFile::write(const Journal& journal) {
         totals.unmodelled += some ? 1 : 0;
         totals.remarked += result.values[remarked->first] > 0 ? 1 : 0;
         totals.doubted += result.values[doubted->first] > 0 ? 1 : 0;
+        totals.open.add(static_cast<std::uint64_t>(result.values[open->first]));
         const auto bits = static_cast<std::uint64_t>(result.values[about->first]);
         for (std::size_t k = 0; k < remark_keys().size(); ++k) {
           if ((bits >> k & 1U) != 0) ++totals.remarks[std::string(remark_keys()[k])];

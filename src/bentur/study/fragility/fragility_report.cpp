@@ -8,6 +8,7 @@
 
 #include "bentur/io/toml/toml_view.h"
 #include "bentur/study/fragility/internal/collapse_json.h"
+#include "bentur/study/fragility/internal/open_json.h"
 
 namespace bentur {
 
@@ -258,6 +259,7 @@ std::string fragility_json(const FragilityReport& report, const FragilityRequest
        {{"resamples", request.bootstrap.resamples},
         {"confidence", request.bootstrap.confidence},
         {"seed", request.bootstrap.seed}}},
+      {"open_needs", open_json(report.results)},
       {"curves", curves},
       {"gaps", gaps_json(report, request)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,6 +7,7 @@
 
 #include "bentur/core/not_known.h"
 #include "bentur/io/toml/toml_view.h"
+#include "bentur/model/judgement/open_needs.h"
 #include "bentur/study/fragility/ida_results.h"
 #include "bentur/study/study_variables.h"
 
@@ -178,11 +179,21 @@ class Reader {
       const std::vector<double> ends = file_.numbers("status", i);
       std::vector<bool> events(ends.size(), false), gone(ends.size(), false);
       std::vector<double> demands(ends.size(), not_known);
-      // What collapses, and what no longer can be computed, is beyond any threshold.
+      // What collapses or drifts that far, and what no longer can be computed, is beyond any threshold.
       if (file_.find("collapsed") != nullptr) {
         const std::vector<double> collapsed = file_.numbers("collapsed", i);
         for (std::size_t k = 0; k < collapsed.size(); ++k) events[k] = gone[k] = collapsed[k] > 0;
       }
+      if (file_.find("open_needs") != nullptr) {
+        const std::vector<double> open = file_.numbers("open_needs", i);
+        for (std::size_t k = 0; k < open.size(); ++k) {
+          if (ends[k] != 0) continue;
+          const auto bits = static_cast<std::uint64_t>(open[k]);
+          results_.open.add(bits);
+          if (has(bits, OpenNeed::drift)) events[k] = gone[k] = true;
+        }
+      }
+      results_.done += std::count(ends.begin(), ends.end(), 0.0);
       for (const StoredVariable* variable : variables) {
         const std::vector<double> values = file_.numbers(variable->name, i);
         const std::size_t each = values.size() / ends.size();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bentur/io/results/result_variable.h"
+#include "bentur/model/story/study_story.h"
 #include "bentur/study/fragility/ida_fragility.h"
 
 namespace bentur {
@@ -61,6 +62,8 @@ struct IdaResults {
   std::vector<ResultAxis> axes;      ///< of the cases, the last one fastest; none: a single case
   std::vector<std::string> records;  ///< what users call them, each once, in whichever direction it is applied
   OutcomeTable table;
+  OpenNeeds open;  ///< runs of which it is not known what gap they need
+  long done = 0;   ///< of so many, which make a case
 
   /// Of spectral acceleration [s]; nothing: the levels are of the peak ground acceleration.
   [[nodiscard]] std::optional<double> period() const;

@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "bentur/io/input_file.h"
-#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/compare.h"
+#include "bentur/model/judgement/open_needs.h"
 #include "bentur/model/plan/plan_row.h"
-#include "bentur/pounding/pounding.h"
 #include "bentur/study/design/study_check.h"
+#include "bentur/study/gap/record_need.h"
 #include "bentur/study/quantiles.h"
 
 namespace bentur {
@@ -115,7 +115,7 @@ class Work {
       compare_with_given(widths, choices, needs);
       const bool is_suite = study_.suite && !study_.ida && needs.records.size() == study_.suite->records.size();
       if (is_suite) tell_demand(needs);
-      tell_rules(needs, is_suite && suite_measure(*study_.suite).kind == SuiteMeasure::Kind::mean);
+      tell_rules(needs, is_suite ? suite_measure(*study_.suite) : SuiteMeasure());
       result_.needs.push_back(std::move(needs));
     }
     if (result_.needs.size() > 1) put_together();
@@ -176,9 +176,12 @@ class Work {
       };
       if (!std::all_of(result_.needs.begin(), result_.needs.end(), given_alike)) all.gaps[gap].given.clear();
       for (std::size_t i = 0; i < all.gaps[gap].given.size(); ++i) {
-        all.gaps[gap].given[i].beyond = 0;
+        GivenGap& given = all.gaps[gap].given[i];
+        given.beyond = 0;
+        given.open = {};
         for (const RecordNeeds& one : result_.needs) {
-          all.gaps[gap].given[i].beyond += one.gaps[gap].given.at(i).beyond;
+          given.beyond += one.gaps[gap].given.at(i).beyond;
+          given.open.add(one.gaps[gap].given.at(i).open);
         }
       }
     }
@@ -201,10 +204,11 @@ class Work {
         if (given.widths.empty()) {
           for (const std::size_t i : between.watched) given.widths.push_back(problem.watched[i].width);
         }
+        const std::vector<FacingLevel> levels = facing_levels(problem, gap);
         for (const RecordNeed& record : needs.records) {
-          const std::vector<LevelSeparation> needed = of_gap(record.separations, gap);
-          const bool falls = record.falls && !needed.empty();  // no gap is wide enough
-          given.beyond += falls || needs_more(needed, facing_levels(problem, gap)) ? 1 : 0;
+          const bool is_beyond = !levels.empty() && (record.falls || needs_more(record, gap, levels));
+          given.beyond += is_beyond ? 1 : 0;
+          if (!is_beyond) given.open.add(levels.empty() ? 0 : still_open(record, gap, levels));
         }
         needs.gaps[gap].given.push_back(std::move(given));
       }
@@ -248,8 +252,10 @@ class Work {
     }
   }
 
-  /// What each rule of [code] asks of all records. @param takes_mean as the code that scales them does
-  void tell_rules(RecordNeeds& needs, bool takes_mean) const {
+  /// What each rule of [code] asks of all records. @param measure of the code that scales them
+  void tell_rules(RecordNeeds& needs, const SuiteMeasure& measure) const {
+    const bool takes_mean = measure.kind == SuiteMeasure::Kind::mean;
+    const bool too_few = !measure.code.empty() && measure.kind == SuiteMeasure::Kind::too_few;
     const auto count = static_cast<double>(needs.records.size());
     for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
       GapOverRecords& over = needs.gaps[gap];
@@ -257,8 +263,10 @@ class Work {
       const std::vector<LevelSeparation> levels = of_gap(needs.records.front().separations, gap);
       for (std::size_t rule = 0; rule < result_.code.rules.size(); ++rule) {
         const CodeRule& code = *find_code_rule(result_.code.rules[rule].rule);
-        RuleOverRecords found{
-            .rule = std::string(code.name), .title = std::string(code.title), .takes_mean = takes_mean};
+        RuleOverRecords found{.rule = std::string(code.name),
+                              .title = std::string(code.title),
+                              .takes_mean = takes_mean,
+                              .too_few = too_few};
         double most = -std::numeric_limits<double>::infinity();
         bool is_known = !levels.empty();
         for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -283,11 +291,25 @@ class Work {
     }
   }
 
-  static bool needs_more(const std::vector<LevelSeparation>& needed, const std::vector<FacingLevel>& given) {
+  static bool needs_more(const RecordNeed& record, Eigen::Index gap, const std::vector<FacingLevel>& given) {
+    const std::vector<LevelSeparation> needed = of_gap(record.separations, gap);
     for (std::size_t i = 0; i < needed.size(); ++i) {
       if (falls_short(given.at(i).width, needed[i].gap_needed, needed[i].gap_needed)) return true;
     }
     return false;
+  }
+
+  /// What keeps it from being known that a record needs no more than is given; bits of OpenNeed.
+  static std::uint64_t still_open(const RecordNeed& record, Eigen::Index gap, const std::vector<FacingLevel>& given) {
+    const auto left = static_cast<std::uint64_t>(OpenNeed::motion_left);
+    const std::uint64_t others = record.open & ~left;
+    std::size_t level = 0;
+    for (std::size_t i = 0; i < record.separations.size(); ++i) {
+      if (record.separations[i].level.gap != gap) continue;
+      const double to_come = record.to_come.at(i);
+      if (falls_short(given.at(level++).width, to_come, to_come)) return others | left;
+    }
+    return others;
   }
 
   [[nodiscard]] ReadCase case_of(const std::vector<Choice>& choices, Diagnostics& found) const {
@@ -320,7 +342,7 @@ class Work {
     const ReadCase chosen = case_of(choices, found);
     const std::string record = record_name(choices, records, chosen);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
-    RecordNeed result = chosen.plan ? need_in_plan(record, chosen) : need_of_row(record, chosen);
+    RecordNeed result = need_of_record(record, chosen, takes_both_ways_ && chosen.c.analysis.both_ways);
     result.motion = record_axes(study_, false).place(choices);
     if (study_.ida && study_.ida->is_cloud) {
       result.intensity = facts_.intensities.values[facts_.intensities.place(choices)];
@@ -335,86 +357,6 @@ class Work {
       result_.of_either_way = takes_both_ways_ && chosen.c.analysis.both_ways;
     }
     return result;
-  }
-
-  [[nodiscard]] RecordNeed need_of_row(const std::string& record, const ReadCase& read) const {
-    const Problem problem = read.problem();
-    RecordNeed result = need_without_contact(record, read, problem);
-    if (!takes_both_ways_ || !read.c.analysis.both_ways) return result;
-    take_other_way(result, [&] {
-      Problem mirrored = problem;
-      reverse(mirrored.motion);
-      return need_without_contact(record + ", reversed", read, mirrored);
-    });
-    return result;
-  }
-
-  [[nodiscard]] static RecordNeed need_without_contact(const std::string& record, const ReadCase& read,
-                                                       const Problem& problem) {
-    const FreeResponse free(problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
-    const Response& response = free.response();
-    if (response.status != Status::done && response.status != Status::collapsed)
-      throw std::runtime_error(record + ": " + response.message);
-    return {.record = record,
-            .falls = falls_without_contact(problem, response),
-            .separations = separations(problem, response, read.c.code, read.c.units),
-            .gaps = {}};
-  }
-
-  [[nodiscard]] RecordNeed need_in_plan(const std::string& record, const ReadCase& read) const {
-    RecordNeed result = need_without_contact(record, read, *read.plan);
-    if (!takes_both_ways_ || !read.c.analysis.both_ways) return result;
-    take_other_way(result, [&] {
-      PlanProblem mirrored = *read.plan;
-      for (GroundMotion& motion : mirrored.motions) reverse(motion);
-      return need_without_contact(record + ", reversed", read, mirrored);
-    });
-    return result;
-  }
-
-  [[nodiscard]] static RecordNeed need_without_contact(const std::string& record, const ReadCase& read,
-                                                       const PlanProblem& problem) {
-    const PlanFreeResponse free(problem, read.c.analysis.solver, {}, run_limits(read.c.analysis), true);
-    const PlanRun run = run_results(read.c, problem, free.response());
-    if (run.response.status != Status::done && run.response.status != Status::collapsed)
-      throw std::runtime_error(record + ": " + run.response.message);
-    const auto row = bentur::row_of(run);
-    return {.record = record,
-            .falls = falls_without_contact(row->problem, row->response),
-            .separations = separations(row->problem, row->response, row->c.code, row->c.units),
-            .gaps = {}};
-  }
-
-  static void reverse(GroundMotion& motion) {
-    if (auto* const sampled = std::get_if<SampledMotion>(&motion)) {
-      for (double& value : sampled->acceleration) value = -value;
-    }
-  }
-
-  /// Makes each number of a record the larger one of both ways round. @param reversed_need what the reversed record
-  /// needs, asked for where the record itself does not say
-  static void take_other_way(RecordNeed& need, const std::function<RecordNeed()>& reversed_need) {
-    std::vector<LevelSeparation>& levels = need.separations;
-    const bool is_known = std::all_of(levels.begin(), levels.end(),
-                                      [](const LevelSeparation& one) { return one.gap_needed_reversed.has_value(); });
-    std::vector<LevelSeparation> reversed = levels;
-    if (!is_known && !levels.empty()) {
-      RecordNeed other = reversed_need();
-      need.falls = need.falls || other.falls;
-      reversed = std::move(other.separations);
-      for (LevelSeparation& one : reversed) one.gap_needed_reversed = one.gap_needed;
-    }
-    const auto raise = [](double& value, double other) { value = std::isnan(other) ? other : std::max(value, other); };
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-      levels[i].gap_needed_reversed = reversed[i].gap_needed_reversed;
-      raise(levels[i].gap_needed, *reversed[i].gap_needed_reversed);
-      raise(levels[i].abs, reversed[i].abs);
-      raise(levels[i].srss, reversed[i].srss);
-      raise(levels[i].ddc, reversed[i].ddc);
-      for (std::size_t rule = 0; rule < levels[i].codes.size(); ++rule) {
-        raise(levels[i].codes[rule].gap, reversed[i].codes[rule].gap);
-      }
-    }
   }
 
   const Study& study_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "bentur/core/diagnostics.h"
 #include "bentur/model/case.h"
 #include "bentur/model/gap/minimum_gap.h"
+#include "bentur/model/story/study_story.h"
 #include "bentur/model/suite/suite.h"
 
 namespace bentur {
@@ -31,7 +33,9 @@ struct RecordNeed {
   std::size_t motion = 0;                    ///< which record it is, whichever way it is applied
   std::optional<double> intensity = {};      ///< of a cloud [its unit]
   bool falls = false;                        ///< falls_without_contact()
+  std::uint64_t open = 0;                    ///< open_needs(), of both ways where these are taken
   std::vector<LevelSeparation> separations;  ///< per facing level
+  std::vector<double> to_come;               ///< likewise what may still come after the end [length]
   std::vector<GapNeed> gaps;                 ///< per gap
 };
 
@@ -46,6 +50,7 @@ struct GivenGap {
   std::vector<std::pair<std::string, std::string>> others;  ///< name and value of what varies the widths
   std::vector<double> widths;  ///< [length], of its contact points, or of its watched floors where it has none
   std::size_t beyond = 0;      ///< records that need more somewhere
+  OpenNeeds open = {};         ///< other records, of which it is not known whether they do
 
   /// The smallest width [length]; nothing where no floors face one another.
   [[nodiscard]] std::optional<double> narrowest() const {
@@ -77,6 +82,7 @@ struct RuleOverRecords {
   double width = 0;         ///< given there [length]
   bool takes_mean = false;
   bool is_short = false;  ///< more than is given
+  bool too_few = false;   ///< a code scales the records that takes nothing of so few
 };
 
 /// One gap over all records.

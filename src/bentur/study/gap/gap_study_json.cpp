@@ -3,6 +3,7 @@
 
 #include "bentur/io/results/story_json.h"
 #include "bentur/io/results/suite_json.h"
+#include "bentur/model/judgement/open_needs.h"
 #include "bentur/study/gap/gap_study.h"
 #include "bentur/study/gap/gap_study_story.h"
 
@@ -69,6 +70,7 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
     given.push_back({{"with", object_of(one.others)},
                      {"widths", one.widths},
                      {"records_beyond", one.beyond},
+                     {"records_open", one.open.runs},
                      {"share_beyond", static_cast<double>(one.beyond) / static_cast<double>(needs.records.size())}});
   }
   Json json = {{"between", {study.buildings.at(study.gaps[gap].left), study.buildings.at(study.gaps[gap].right)}},
@@ -80,11 +82,12 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
   if (over.demand) json["code"] = demand_json(*over.demand, study.code);
   Json rules = Json::array();
   for (const RuleOverRecords& one : over.rules) {
-    rules.push_back({{"rule", one.rule},
-                     {"takes", one.takes_mean ? "mean" : "largest"},
-                     {"gap", or_null(one.asked)},
-                     {"elevation", or_null(std::isnan(one.asked) ? one.asked : one.elevation)},
-                     {"too_small", std::isnan(one.asked) ? Json(nullptr) : Json(one.is_short)}});
+    rules.push_back(
+        {{"rule", one.rule},
+         {"takes", one.takes_mean ? "mean" : "largest"},
+         {"gap", or_null(one.asked)},
+         {"elevation", or_null(std::isnan(one.asked) ? one.asked : one.elevation)},
+         {"too_small", std::isnan(one.asked) || (one.too_few && !one.is_short) ? Json(nullptr) : Json(one.is_short)}});
   }
   json["rules"] = rules;
   return json;
@@ -94,6 +97,11 @@ Json gap_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap) 
   Json records = Json::array();
   for (const RecordNeed& record : needs.records) {
     records.push_back({{"record", record.record}, {"collapsed", record.falls}});
+    Json open = Json::array();
+    for (std::size_t i = 0; i < open_need_keys().size(); ++i) {
+      if ((record.open >> i & 1U) != 0) open.push_back(open_need_keys()[i]);
+    }
+    records.back()["open_needs"] = open;
     if (record.intensity) records.back()["intensity"] = *record.intensity;
     records.back().update(need_json(record.gaps[gap], study.code));
     Json points = Json::array(), watched = Json::array();

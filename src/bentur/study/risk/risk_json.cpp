@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bentur/study/fragility/internal/collapse_json.h"
+#include "bentur/study/fragility/internal/open_json.h"
 #include "bentur/study/risk/risk_report.h"
 
 namespace bentur {
@@ -77,6 +78,7 @@ std::string risk_json(const RiskReport& report, const RiskRequest& request, std:
       {"target", request.target ? Json(*request.target) : Json(nullptr)},
       {"intensity", {{"name", report.results.intensity}, {"measure", report.measure}, {"unit", report.hazard.unit}}},
       {"hazard", {{"intensity", report.hazard.intensity}, {"rate", report.hazard.rate}}},
+      {"open_needs", open_json(report.results)},
       {"cases", cases},
       {"gaps", gaps}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "bentur/io/results/story_json.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/judgement/open_needs.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
 #include "bentur/structure/known/modal.h"
@@ -98,6 +100,18 @@ template <class AnyResponse>
   return json;
 }
 
+/// What keeps the gaps needed from being known.
+template <class Seen>
+[[nodiscard]] Json open_needs_json(const Seen& run) {
+  Json list = Json::array();
+  const auto bits = static_cast<std::uint64_t>(
+      value_of(quantity_named("open_needs", Owner::run, is_of_plan<Seen>), run, QuantityPlace{}));
+  for (std::size_t i = 0; i < open_need_keys().size(); ++i) {
+    if ((bits >> i & 1U) != 0) list.push_back(open_need_keys()[i]);
+  }
+  return list;
+}
+
 template <class AnyProblem>
 [[nodiscard]] Json told_json(const AnyProblem& problem, const std::vector<Statement>& statements) {
   std::vector<std::string> names;
@@ -126,6 +140,7 @@ template <class Run, class Seen>
   if (const auto& collapse = run.response.collapse_no_contact) {
     json["collapse_no_contact"] = collapse_json(run.problem, *collapse);
   }
+  json["open_needs"] = open_needs_json(seen);  // of studies a bit each
   put_quantities(json, Owner::run, seen, {QuantityPlace{}});
   Json kinds = Json::array();  // of studies a bit each
   for (const Remark& one : run.remarks) {

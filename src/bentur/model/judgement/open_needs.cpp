@@ -1,0 +1,45 @@
+#include "bentur/model/judgement/open_needs.h"
+
+#include <optional>
+
+#include "bentur/model/gap/facing_levels.h"
+#include "bentur/model/gap/gap_outcome.h"
+#include "bentur/model/judgement/compare.h"
+
+namespace bentur {
+namespace {
+
+/// Whether what is to come at some level could need more than what has been.
+bool more_may_come(const Problem& problem, const Response& response) {
+  for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
+    const double scale = displacement_scale(problem, response, gap);
+    const auto is_more = [&](const auto& summary) {
+      return summary.to_come && falls_short(summary.gap_needed, *summary.to_come, scale);
+    };
+    for (const FacingLevel& level : facing_levels(problem, gap)) {
+      const auto index = static_cast<std::size_t>(level.index);
+      if (level.is_point ? is_more(response.points.at(index)) : is_more(response.watched.at(index))) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& open_need_keys() {
+  static const std::vector<std::string_view> keys = {"collapse", "drift_beyond_collapse", "doubt", "motion_left"};
+  return keys;
+}
+
+std::uint64_t open_needs(const Problem& problem, const Response& response, const std::vector<Remark>& remarks) {
+  std::uint64_t bits = 0;
+  const auto set = [&](OpenNeed one, bool is_so) { bits |= is_so ? static_cast<unsigned>(one) : 0U; };
+  const bool collapses = response.collapse_no_contact.has_value();
+  set(OpenNeed::collapse, collapses);
+  set(OpenNeed::drift, !collapses && falls_without_contact(problem, response));
+  set(OpenNeed::doubt, count_of_doubts(remarks) > 0);
+  set(OpenNeed::motion_left, !collapses && more_may_come(problem, response));
+  return bits;
+}
+
+}  // namespace bentur
