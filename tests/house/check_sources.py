@@ -199,7 +199,8 @@ def judgement(root):
     between = r"[^;<>=!?{}]{0,30}"
     compared = re.compile(rf"\b(?:{need})\b{between}\s[<>]=?\s{between}\b(?:{width})\b|"
                           rf"\b(?:{width})\b{between}\s[<>]=?\s{between}\b(?:{need})\b")
-    finders = ("src/bentur/model/judgement/", "src/bentur/model/gap/", "src/bentur/study/gap/gap_study.cpp")
+    finders = ("src/bentur/model/judgement/", "src/bentur/model/gap/", "src/bentur/study/gap/gap_study.cpp",
+               "src/bentur/study/gap/record_need.cpp")
     solver = ("src/bentur/pounding/",)  # which runs the motion reversed where a gap of several closes
     for path in sources(root, "src", "apps", "bindings", "web"):
         name = str(path.relative_to(root))

@@ -124,6 +124,16 @@ GapFacts gap_facts(const Problem& problem, Index gap, const std::vector<LevelSep
   return facts;
 }
 
+double GapFacts::peak_force(Way way) const {
+  double most = 0;
+  for (const LevelFacts& level : levels) most = std::max(most, level.in(way).peak_force);
+  return most;
+}
+
+bool GapFacts::touch(Way way) const {
+  return std::any_of(levels.begin(), levels.end(), [&](const LevelFacts& level) { return level.in(way).impacts > 0; });
+}
+
 bool RunFacts::others_close(std::size_t gap) const {
   for (std::size_t g = 0; g < closes.size(); ++g) {
     if (g != gap && closes[g]) return true;

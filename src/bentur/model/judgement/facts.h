@@ -73,6 +73,10 @@ struct GapFacts {
   bool masses_moved = false;       ///< others close and masses may stand elsewhere: with these contact is not looked at
   bool lacks_rules = false;        ///< of results read back without their case: its [code] is not known
   [[nodiscard]] const WayFacts& in(Way way) const { return way == Way::given ? given : reversed; }
+  /// The largest contact force of all levels [force]; 0: none.
+  [[nodiscard]] double peak_force(Way way = Way::given) const;
+  /// Whether the buildings touch.
+  [[nodiscard]] bool touch(Way way = Way::given) const;
 };
 
 /// What all gaps of a run have in common.

@@ -193,19 +193,6 @@ double lacking(const GoverningNeed& need) {
   return std::max(need.given.needed.value_or(0), need.reversed.needed.value_or(0)) - need.at.width;
 }
 
-/// The largest contact force [force]; 0: none.
-double peak_force_of(const GapFacts& facts, Way way = Way::given) {
-  double most = 0;
-  for (const LevelFacts& level : facts.levels) most = std::max(most, level.in(way).peak_force);
-  return most;
-}
-
-/// Whether the buildings of a gap touch.
-bool touch(const GapFacts& facts, Way way) {
-  return std::any_of(facts.levels.begin(), facts.levels.end(),
-                     [&](const LevelFacts& level) { return level.in(way).impacts > 0; });
-}
-
 }  // namespace
 
 std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) {
@@ -219,7 +206,7 @@ std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) {
   for (const JudgedGap& one : gaps) lacks.push_back(lacking(governing_need(one.facts).value_or(GoverningNeed{})));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
-    return lacks[a] != lacks[b] ? lacks[a] > lacks[b] : peak_force_of(gaps[a].facts) > peak_force_of(gaps[b].facts);
+    return lacks[a] != lacks[b] ? lacks[a] > lacks[b] : gaps[a].facts.peak_force() > gaps[b].facts.peak_force();
   });
   return order;
 }
@@ -300,7 +287,7 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     long count = 0;
     for (const LevelFacts& level : facts.levels) count += level.given.impacts;
     impacts.texts.push_back(std::to_string(count));
-    hardest.numbers.push_back(peak_force_of(facts) > 0 ? shown.force * peak_force_of(facts) : not_known);
+    hardest.numbers.push_back(facts.peak_force() > 0 ? shown.force * facts.peak_force() : not_known);
   }
   set_alike(given, {&needed, &reversed, &lacks});
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -332,39 +319,6 @@ void tell_pushed(const GapView& view, const std::vector<std::size_t>& order, std
                           .values = {value_in("needed", needed, length), value_in("level", need->at.elevation, length)},
                           .shown = Shown::row});
   }
-}
-
-/// Of a row or block that is run under the motion reversed too what contact does there, where that is more than under
-/// the motion as given: it closes another gap, or strikes harder.
-void tell_reversed_contact(const GapView& view, const ShownUnits& shown, std::vector<Statement>& statements) {
-  long closed = 0;
-  bool is_more = false;
-  double most = 0, given = 0;
-  std::size_t hardest = 0;
-  for (std::size_t g = 0; g < view.gaps.size(); ++g) {
-    const GapFacts& facts = view.gaps[g].facts;
-    given = std::max(given, peak_force_of(facts));
-    if (!touch(facts, Way::reversed)) continue;
-    ++closed;
-    is_more = is_more || !touch(facts, Way::given);
-    const double force = peak_force_of(facts, Way::reversed);
-    if (force > most) most = force, hardest = g;
-  }
-  constexpr double round_off = 1e-6;
-  if (closed == 0 || !(is_more || most > (1 + round_off) * given)) return;
-  const GapFacts& facts = view.gaps[hardest].facts;
-  const auto level = std::find_if(facts.levels.begin(), facts.levels.end(),
-                                  [&](const LevelFacts& one) { return one.reversed.peak_force == most; });
-  Statement statement{.kind = most > 0 ? "row_reversed" : "row_reversed_impulse",
-                      .severity = Severity::warning,
-                      .values = {count_of("closed", closed), count_of("count", std::ssize(view.gaps))}};
-  if (most > 0) {
-    statement.values.push_back(text_of("left", facts.left));
-    statement.values.push_back(text_of("right", facts.right));
-    statement.values.push_back(value_in("force", shown.force * most, shown.units.force));
-    statement.values.push_back(value_in("level", level->at.elevation, view.c.units.length));
-  }
-  statements.push_back(std::move(statement));
 }
 
 }  // namespace

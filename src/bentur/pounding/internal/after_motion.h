@@ -20,8 +20,8 @@ namespace bentur {
 /// Whether all motions of a system end before it does, or with it.
 [[nodiscard]] bool motion_ends(const System& system);
 
-/// Puts into summaries what the vibration after a free response can still need, of harmonic motion that goes on; infinite
-/// where the records of its system go on after it has ended, or such motion does and nothing bounds the response.
+/// Puts into summaries what the vibration after a free response can still need, or what harmonic motion that goes on
+/// can; infinite where the records of its system go on after it has ended, or nothing bounds the response to that motion.
 /// @param places of the system's contacts, those that rub last, among the points, −1: none of them; empty: they are
 /// the points
 void take_to_come(const FreeSolution& free, const std::vector<Eigen::Index>& places, std::vector<PointSummary>& points,

@@ -200,4 +200,8 @@ void tell_heights(const Case& c, const Problem& problem, Eigen::Index gap, Story
 /// {building}, {faced_building} and the word {faced}.
 void add_faces(const Problem& problem, const WatchedFloor& floor, bool in_plan, std::vector<StoryValue>& values);
 
+/// Of a row or block that is run under the motion reversed too what contact does there, where that is more than under
+/// the motion as given: it closes another gap, or strikes harder.
+void tell_reversed_contact(const GapView& view, const ShownUnits& shown, std::vector<Statement>& statements);
+
 }  // namespace bentur::story

@@ -11,7 +11,7 @@ namespace bentur {
 /// The buildings of a gap.
 [[nodiscard]] std::vector<std::string> names_across(const Problem& problem, Eigen::Index gap);
 
-/// A gap under all records, told.
+/// What is said of a gap under all records.
 [[nodiscard]] std::vector<Statement> told_of(const SuiteRun& run, Eigen::Index gap, const SuiteJudgement& judged);
 
 /// Of several gaps how many are too small.
