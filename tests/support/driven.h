@@ -3,14 +3,17 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "bentur/elements/coupled_law.h"
 
 namespace bentur::test {
 
-/// The state of a law without dashpots after δ has gone straight from one place to another, event by event.
-inline CoupledState driven(const CoupledLaw& law, CoupledState state, const Eigen::VectorXd& from,
-                           const Eigen::VectorXd& to) {
+/// The state of a law without dashpots after δ has gone straight from one place to another, event by event. `each`
+/// looks at the state after each of them.
+template <class Each>
+CoupledState driven(const CoupledLaw& law, CoupledState state, const Eigen::VectorXd& from, const Eigen::VectorXd& to,
+                    const Each& each) {
   using Eigen::VectorXd;
   CoupledMotion motion{from, to - from, VectorXd::Zero(from.size()), 1e-9};
   state = law.settle(state, state.since, motion);
@@ -33,8 +36,14 @@ inline CoupledState driven(const CoupledLaw& law, CoupledState state, const Eige
     motion.deformation = from + std::min(first, 1.0) * (to - from);
     if (first > 1.0) return law.at(state, motion.deformation);
     state = law.next(state, branch, which, state.since + 1e-3, motion);
+    each(state);
     done = first;
   }
+}
+
+inline CoupledState driven(const CoupledLaw& law, CoupledState state, const Eigen::VectorXd& from,
+                           const Eigen::VectorXd& to) {
+  return driven(law, std::move(state), from, to, [](const CoupledState&) {});
 }
 
 }  // namespace bentur::test

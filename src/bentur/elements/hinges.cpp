@@ -22,10 +22,16 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr double no_slope = 1e-9;                // of what it is a sum of: a rate that is zero
-constexpr double complementary_slack = 0x1p-48;  // of the largest rate: round-off, as complementary() has it
-constexpr std::size_t flowing_at_once = 16;      // for which there is room
+constexpr double no_slope = 1e-9;            // of what it is a sum of: a rate that is zero
+constexpr std::size_t flowing_at_once = 16;  // for which there is room
 constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// Some entries of a list; by Eigen the numbers of these would be copied too.
+VectorXd entries(const VectorXd& list, const std::vector<Index>& at) {
+  VectorXd result(std::ssize(at));
+  for (Index n = 0; n < result.size(); ++n) result(n) = list(at[n]);
+  return result;
+}
 
 }  // namespace
 
@@ -35,10 +41,13 @@ struct HingeLaw::Flow {
   VectorXd b;
   VectorXd held;    ///< K_hh θ of those that rest
   double size = 0;  ///< Σ √K_hh |θ|, each by its own entry: that times √K_hh is what `held` is a sum of, or more
+  int changes = 0;  ///< since `held` was summed anew
 
   [[nodiscard]] const std::vector<Index>& at() const { return set->seen.moving; }
   /// θ of those that flow.
-  [[nodiscard]] VectorXd rotations(const VectorXd& deformation) const { return set->inverse * (deformation(at()) - b); }
+  [[nodiscard]] VectorXd rotations(const VectorXd& deformation) const {
+    return set->inverse * (entries(deformation, at()) - b);
+  }
 };
 
 HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters)), keeps_(kept > 0), sets_(kept) {
@@ -72,6 +81,8 @@ HingeLaw::HingeLaw(Parameters parameters, Index kept) : of_(std::move(parameters
   for (Index h = 0; h < n; ++h) {
     if (!std::isfinite(widths_(h))) widths_(h) = 2.0 * std::min(of_.upper(h), of_.lower(h));
   }
+  near_upper_ = of_.upper - 2.0 * on_line * widths_;
+  near_lower_ = of_.lower - 2.0 * on_line * widths_;
 }
 
 bool HingeLaw::same_as(const CoupledLaw& other) const {
@@ -131,19 +142,33 @@ double HingeLaw::weakened_line(const CoupledState& state, Index h, double s) con
   return 0.5 * (of_.kept(h) * (of_.upper(h) + of_.lower(h)) + s * (of_.upper(h) - of_.lower(h)));
 }
 
-std::shared_ptr<const HingeLaw::Flow> HingeLaw::flow(const CoupledState& state) const {
+/// `before`: from which no other θ have changed than of what flowed; null: not known.
+std::shared_ptr<const HingeLaw::Flow> HingeLaw::flow(const CoupledState& state, const Flow* before) const {
+  constexpr int most_changes = 32;  // by what begins and ceases to flow, each of which adds a round-off
   if (state.known) return std::static_pointer_cast<const Flow>(state.known);
   const auto result = std::make_shared<Flow>();
   std::vector<Index> at;
   at.reserve(flowing_at_once);
-  VectorXd resting = state.memory.col(rotation);
-  for (Index h = 0; h < size(); ++h) {
-    if (state.memory(h, side) == 0.0) continue;
-    at.push_back(h);
-    resting(h) = 0.0;
+  const bool goes_on = before != nullptr && before->changes < most_changes;
+  if (goes_on) {
+    result->held = before->held;
+    result->size = before->size;
+    result->changes = before->changes + 1;
+  } else {
+    result->held.setZero(size());
   }
-  result->held.noalias() = of_.stiffness * resting;
-  result->size = roots_.dot(resting.cwiseAbs());
+  auto flowed = goes_on ? before->at().begin() : at.end();
+  const auto end = goes_on ? before->at().end() : at.end();
+  for (Index h = 0; h < size(); ++h) {
+    const double theta = state.memory(h, rotation);
+    const bool flows = state.memory(h, side) != 0.0, did = flowed != end && *flowed == h;
+    if (did) ++flowed;
+    if (flows) at.push_back(h);
+    const double adds = !flows && (did || !goes_on) ? theta : flows && !did && goes_on ? -theta : 0.0;
+    if (adds == 0.0) continue;
+    result->held += adds * of_.stiffness.col(h);
+    result->size += std::copysign(roots_(h) * std::abs(theta), flows ? -1.0 : 1.0);
+  }
   result->b.resize(std::ssize(at));
   std::vector<double> slopes;
   const bool softens = any_softened(state);
@@ -190,7 +215,7 @@ CoupledState HingeLaw::begin(const VectorXd& deformation) const {
 
 /// borne() of a state in which no other hinges have turned than those that flowed.
 VectorXd HingeLaw::borne_after(const Flow& flowed, const CoupledState& state, const VectorXd& deformation) const {
-  const VectorXd theta = state.memory.col(rotation);
+  const auto theta = state.memory.col(rotation);
   VectorXd y = deformation - flowed.held - of_.hardening.cwiseProduct(theta);
   for (const Index h : flowed.at()) y -= theta(h) * of_.stiffness.col(h);
   return y;
@@ -201,15 +226,21 @@ CoupledBranch HingeLaw::branch(const CoupledState& state) const {
   const auto now = flow(state);
   const CoupledSet& seen = now->set->seen;
   CoupledBranch branch{{now->set, &seen}, -state.memory.col(rotation), {}};
-  branch.base(now->at()) = now->set->inverse * now->b;
-  // y of those at rest beyond their rows, and what it is a sum of.
+  const VectorXd without = now->set->inverse * now->b;
+  for (Index j = 0; j < without.size(); ++j) branch.base(now->at()[j]) = without(j);
+  branch.guards.reserve(2 * now->at().size() + 2);
+  // How far rows of those at rest are past y, and what that is a sum of.
+  VectorXd past = now->held, sizes = now->size * roots_;
+  for (Index j = 0; j < now->b.size(); ++j) {
+    past += now->b(j) * seen.over.col(j);
+    sizes += std::abs(now->b(j)) * seen.over.col(j).cwiseAbs();
+  }
   const VectorXd hardened = of_.hardening.cwiseProduct(hardened_rotations(state, state.memory.col(rotation)));
-  VectorXd constant = -now->held - hardened, sizes = now->size * roots_ + hardened.cwiseAbs();
-  constant.noalias() -= seen.over * now->b;
-  sizes.noalias() += now->set->sizes * now->b.cwiseAbs();
+  past += hardened;
+  sizes += hardened.cwiseAbs();
   CoupledBounds& bounds = branch.bounds;
   const auto limit = [&](const VectorXd& upper, const VectorXd& lower) {
-    bounds = {-lower - constant, upper - constant, lower + sizes, upper + sizes};
+    bounds = {past - lower, past + upper, lower + sizes, upper + sizes};
   };
   if (weakens_) {
     VectorXd upper(n), lower(n);
@@ -268,76 +299,6 @@ CoupledState HingeLaw::at(const CoupledState& state, const VectorXd& deformation
   return now;
 }
 
-/// λ of (H-7) at hinges on their lines by the Q⁻¹ of sets, which recur: from those that are expected to flow by leaving
-/// out what would turn back and taking in what would pass its line. Whether that has come to its end.
-bool HingeLaw::flow_by_sets(const HingeSides& sides, const VectorXd& rate, std::vector<Index> expected,
-                            VectorXd& lambda) const {
-  constexpr int most_sets = 8;
-  const Index count = std::ssize(sides.of);
-  const double round_off = count > 0 ? complementary_slack * rate.cwiseAbs().maxCoeff() : 0.0;
-  for (int tried = 0; tried < most_sets; ++tried) {
-    std::vector<Index> at, next;
-    at.reserve(expected.size());
-    next.reserve(expected.size() + 1);
-    VectorXd speeds(std::ssize(expected));
-    for (const Index i : expected) {
-      speeds(std::ssize(at)) = sides.side[i] * rate(i);
-      at.push_back(sides.of[i]);
-    }
-    const auto of = sets_.paces_of(of_, at);
-    if (!of->apart) return false;
-    const VectorXd turning = of->inverse * speeds;
-    lambda = VectorXd::Zero(count);
-    for (std::size_t n = 0; n < at.size(); ++n) {
-      const Index i = expected[n];
-      lambda(i) = sides.side[i] * turning(static_cast<Index>(n));
-      if (lambda(i) > 0.0) next.push_back(i);
-    }
-    if (next.size() == expected.size()) {
-      for (Index i = 0; i < count; ++i) {
-        if (lambda(i) > 0.0) continue;
-        double held = 0.0;
-        for (std::size_t n = 0; n < at.size(); ++n)
-          held += of_.stiffness(at[n], sides.of[i]) * turning(static_cast<Index>(n));
-        if (!(rate(i) - sides.side[i] * held <= round_off)) next.push_back(i);
-      }
-      if (next.size() == expected.size()) return true;
-      std::sort(next.begin(), next.end());
-    }
-    expected = std::move(next);
-  }
-  return false;
-}
-
-/// λ of (H-7) at hinges on their lines; or, where these would run away, which of them snap. (H-19)
-std::vector<Index> HingeLaw::paces(const CoupledState& state, const HingeSides& sides, const VectorXd& rate,
-                                   std::vector<Index> expected, VectorXd& lambda) const {
-  const Index count = std::ssize(sides.of);
-  const bool mixed = of_.kept.size() > 0;
-  if (!any_softened(state)) {
-    if (keeps_ && !mixed && sides.free == 0 && flow_by_sets(sides, rate, expected, lambda)) return {};
-    lambda = sides.solve(hardened_, rate, mixed, std::move(expected)).value_or(VectorXd::Zero(count));
-    return {};
-  }
-  MatrixXd a = of_.stiffness(sides.of, sides.of);
-  VectorXd slopes(count), sizes(count);
-  for (Index i = 0; i < count; ++i) {
-    slopes(i) = slope(state, sides.of[i], sides.side[i]);
-    sizes(i) = of_.stiffness(sides.of[i], sides.of[i]);
-  }
-  a.diagonal() += slopes;
-  if (!(slopes.array() < 0.0).any()) {
-    HingeSides alone = sides;
-    for (Index i = 0; i < count; ++i) alone.of[i] = i;
-    lambda = alone.solve(a, rate, true).value_or(VectorXd::Zero(count));
-    return {};
-  }
-  const auto s = Eigen::Map<const VectorXd>(sides.side.data(), count);
-  RateSolution found = least_rate(s.asDiagonal() * a * s.asDiagonal(), rate, sides.free, sizes);
-  lambda = found.unbounded ? VectorXd::Zero(count) : found.pace;
-  return found.unbounded ? losing_most(state, sides, found.pace) : std::vector<Index>{};
-}
-
 CoupledState HingeLaw::next(const CoupledState& state, const CoupledBranch& branch, std::size_t guard, double time,
                             const CoupledMotion& motion) const {
   const CoupledGuard ended = branch.guard(guard);
@@ -365,10 +326,14 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     candidates.side.reserve(flowing_at_once);
     expected.reserve(flowing_at_once);
     const VectorXd y = weakens_ ? borne(now, motion.deformation) : borne_after(*flow(state), now, motion.deformation);
-    const std::vector<char> free = moving_freely(now);
+    const std::vector<char> free = weakens_ ? moving_freely(now) : std::vector<char>{};
     for (const bool of_free : {false, true}) {
       if (of_free && !weakens_) break;
       for (Index h = 0; h < size(); ++h) {
+        const bool may_weaken_or_end = weakens_ || (ended != nullptr && ended->of == h);
+        if (!may_weaken_or_end && now.memory(h, side) == 0.0 && y(h) < near_upper_(h) && -y(h) < near_lower_(h)) {
+          continue;  // as most do
+        }
         if (nothing_left(now, h) != of_free || (of_free && free[h] == 0)) continue;
         double s = of_free ? 1.0 : now.memory(h, side);
         for (const double to : {1.0, -1.0}) {
@@ -382,8 +347,11 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
         candidates.add(h, s, of_free);
       }
     }
-    const auto s = Eigen::Map<const VectorXd>(candidates.side.data(), std::ssize(candidates.side));
-    const VectorXd rate = (motion.speed + motion.soon * motion.acceleration)(candidates.of).cwiseProduct(s);
+    VectorXd rate(std::ssize(candidates.of));
+    for (Index i = 0; i < rate.size(); ++i) {
+      const Index h = candidates.of[i];
+      rate(i) = (motion.speed(h) + motion.soon * motion.acceleration(h)) * candidates.side[i];
+    }
     const std::vector<Index> snapping = paces(now, candidates, rate, std::move(expected), lambda);
     again = !snapping.empty();
     if (again) snap(now, motion.deformation, time, snapping);
@@ -394,18 +362,26 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
   now.memory.col(begins).setZero();
   // Rotations and slips side by side, by what they would do to the energy.
   const bool mixed = of_.kept.size() > 0;
-  const VectorXd weights =
-      mixed ? VectorXd(of_.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt()) : VectorXd::Ones(size());
-  const double nil = no_slope * weights(candidates.of).dot(lambda.cwiseAbs());
+  const auto weight = [&](Index h) { return mixed ? roots_(h) : 1.0; };
+  double sum = 0.0;
+  for (Index n = 0; n < lambda.size(); ++n) sum += weight(candidates.of[n]) * std::abs(lambda(n));
+  const double nil = no_slope * sum;
   for (Index n = 0; n < lambda.size(); ++n) {
     const Index h = candidates.of[n];
     // With zeros it turned at next to no rate and ends: the instant is not known well enough to tell that by λ.
     const bool stopped = ended != nullptr && ended->of == h && ended->speed >= 0 && (mixed || ended->zeros > 0);
-    const bool flows_on = lambda(n) > 0.0 && !(stopped && lambda(n) * weights(h) <= nil);
+    const bool flows_on = lambda(n) > 0.0 && !(stopped && lambda(n) * weight(h) <= nil);
     if (flows_on || nothing_left(now, h)) now.memory(h, side) = sides[n];
   }
   // What flows at a rate that is zero whatever x does would never cease to end its branch.
-  auto flows = flow(now);
+  const auto turns_at_rest = [&] {
+    for (Index h = 0; h < size(); ++h) {
+      if (state.memory(h, side) == 0.0 && state.memory(h, rotation) != now.memory(h, rotation)) return true;
+    }
+    return false;
+  };
+  const auto* before = static_cast<const Flow*>(state.known.get());
+  auto flows = flow(now, before != nullptr && !turns_at_rest() ? before : nullptr);
   for (bool changed = true; changed;) {
     changed = false;
     for (const Index h : flows->at()) {
@@ -416,9 +392,10 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
     if (changed) flows = flow(now);
   }
   note_mechanism(now, *flows->set, time);
-  const VectorXd turning = flows->set->inverse * motion.speed(flows->at());
-  const VectorXd weighed = turning.cwiseProduct(weights(flows->at()));
-  const double fastest = weighed.size() > 0 ? weighed.cwiseAbs().maxCoeff() : 0.0;
+  const VectorXd turning = flows->set->inverse * entries(motion.speed, flows->at());
+  const auto weighed = [&](Index k) { return turning(k) * weight(flows->at()[k]); };
+  double fastest = 0.0;
+  for (Index k = 0; k < turning.size(); ++k) fastest = std::max(fastest, std::abs(weighed(k)));
   for (std::size_t n = 0; n < sides.size(); ++n) {
     const Index h = candidates.of[n];
     auto memory = now.memory.row(h);
@@ -429,13 +406,17 @@ CoupledState HingeLaw::settle(const CoupledState& state, double time, const Coup
       memory(begins) = memory(side) * weighed(k) > no_slope * fastest ? 0.0 : 1.0;
       continue;
     }
-    const VectorXd of_others = of_.stiffness(h, flows->at()).transpose().cwiseProduct(turning);
-    const double falls = sides[n] * (of_others.sum() - motion.speed(h));
-    const double size = of_others.cwiseAbs().sum() + std::abs(motion.speed(h));
+    double of_others = 0.0, size = std::abs(motion.speed(h));
+    for (Index k = 0; k < turning.size(); ++k) {
+      const double held = of_.stiffness(flows->at()[k], h) * turning(k);
+      of_others += held;
+      size += std::abs(held);
+    }
+    const double falls = sides[n] * (of_others - motion.speed(h));
     memory(begins) = sides[n] * (falls > no_slope * size ? 1.0 : 2.0);
   }
   if (wear(now, time, motion.deformation)) return settle(now, time, motion, nullptr);
-  if (keeps_) now.known = flows;
+  now.known = flows;
   return now;
 }
 

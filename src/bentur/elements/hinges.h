@@ -112,7 +112,7 @@ class HingeLaw : public CoupledLaw {
   struct Flow;
   struct Fall;
   void note_mechanism(CoupledState& state, const FlowingSet& set, double time) const;
-  [[nodiscard]] std::shared_ptr<const Flow> flow(const CoupledState& state) const;
+  [[nodiscard]] std::shared_ptr<const Flow> flow(const CoupledState& state, const Flow* before = nullptr) const;
   [[nodiscard]] Eigen::VectorXd rotations(const CoupledState& state, const Eigen::VectorXd& deformation) const;
   [[nodiscard]] bool breaks(Eigen::Index hinge) const { return of_.kept.size() > 0 && of_.kept(hinge) < 1.0; }
   [[nodiscard]] bool whole(const CoupledState& state, Eigen::Index hinge) const;
@@ -181,12 +181,13 @@ class HingeLaw : public CoupledLaw {
   void note_flow(CoupledState& state, Eigen::Index hinge, double side, double turned, double began) const;
 
   Parameters of_;
-  Eigen::MatrixXd hardened_;  ///< K_hh + H
-  Eigen::VectorXd roots_;     ///< √ of what K_hh has on its diagonal
-  Eigen::VectorXd widths_;    ///< upper + lower, or twice the one that is finite
-  bool wears_ = false;        ///< a hinge does
-  bool weakens_ = false;      ///< one may break, or lose strength
-  bool keeps_ = true;         ///< states keep what has been worked out of them
+  Eigen::MatrixXd hardened_;                 ///< K_hh + H
+  Eigen::VectorXd roots_;                    ///< √ of what K_hh has on its diagonal
+  Eigen::VectorXd widths_;                   ///< upper + lower, or twice the one that is finite
+  Eigen::VectorXd near_upper_, near_lower_;  ///< below these a hinge that does not weaken is on neither line
+  bool wears_ = false;                       ///< a hinge does
+  bool weakens_ = false;                     ///< one may break, or lose strength
+  bool keeps_ = true;                        ///< sets that have been met, by which λ of (H-7) comes
   FlowingSets sets_;
 };
 

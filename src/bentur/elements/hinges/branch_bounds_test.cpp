@@ -82,5 +82,35 @@ TEST(BranchesOfHinges, SayHowFarMomentsAreFromTheirLines) {
   EXPECT_GT(begun, 50);
 }
 
+/// What resting hinges hold goes on from event to event, by what begins and ceases to flow.
+TEST(BranchesOfHinges, AreThoseWorkedOutAnew) {
+  std::mt19937 random(6);
+  std::normal_distribution<double> number(0, 1);
+  int changed = 0;
+  for (int course = 0; course < 10; ++course) {
+    const Index count = 4 + course;
+    const HingeLaw law = drawn(random, count);
+    VectorXd at = VectorXd::Zero(count);
+    CoupledState state = law.begin(at);
+    for (int leg = 0; leg < 60; ++leg) {
+      const VectorXd to = VectorXd::NullaryExpr(count, [&] { return 1.5 * number(random); });
+      state = test::driven(law, state, at, to, [&](const CoupledState& now) {
+        const CoupledBranch branch = law.branch(now), anew = law.branch({now.since, now.memory});
+        ASSERT_EQ(branch.guard_count(), anew.guard_count());
+        for (std::size_t g = 0; g < branch.guard_count(); ++g) {
+          const CoupledGuard one = branch.guard(g), other = anew.guard(g);
+          if (std::isinf(other.constant)) continue;
+          changed += one.constant != other.constant ? 1 : 0;
+          // 32 sums at most, each to the round-off of what it is a sum of.
+          EXPECT_NEAR(one.constant, other.constant, 1e-14 * other.size);
+          EXPECT_NEAR(one.size, other.size, 1e-14 * other.size);
+        }
+      });
+      at = to;
+    }
+  }
+  EXPECT_GT(changed, 100);  // or it would not be looked at
+}
+
 }  // namespace
 }  // namespace bentur::branch_bounds

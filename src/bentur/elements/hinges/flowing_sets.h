@@ -42,7 +42,6 @@ struct FlowingSet {
   static constexpr double bends = 1e-9;  ///< least part of a frame's stiffness with which it does (H-12)
   CoupledSet seen;
   Eigen::MatrixXd inverse;  ///< Q⁻¹ of (H-4)
-  Eigen::MatrixXd sizes;    ///< |over| of `seen`
   std::vector<char> still;  ///< per hinge: its row is zero whatever x is
   bool movable = false;     ///< the frame moves without bending (H-12)
 };
@@ -66,19 +65,28 @@ class FlowingSets {
 
  private:
   using Key = std::pair<std::vector<Eigen::Index>, std::vector<double>>;
+  using Sought = std::pair<const std::vector<Eigen::Index>&, const std::vector<double>&>;  // one that is not copied
   struct Hash {
-    [[nodiscard]] std::size_t operator()(const Key& key) const;
+    using is_transparent = void;
+    [[nodiscard]] std::size_t operator()(const Sought& key) const;
+    [[nodiscard]] std::size_t operator()(const Key& key) const { return (*this)(Sought(key.first, key.second)); }
+  };
+  struct Same {
+    using is_transparent = void;
+    [[nodiscard]] bool operator()(const auto& one, const auto& other) const {
+      return one.first == other.first && one.second == other.second;
+    }
   };
   struct Known {
     std::shared_ptr<const FlowingPaces> paces;
     std::shared_ptr<const FlowingSet> set;
   };
-  [[nodiscard]] Known found(const Key& key) const;
-  void keep(const Key& key, const Known& known) const;
+  [[nodiscard]] Known found(const Sought& key) const;
+  void keep(const Sought& key, const Known& known) const;
 
   Eigen::Index kept_;
   mutable Eigen::Index numbers_ = 0;
-  mutable std::unordered_map<Key, Known, Hash> sets_;
+  mutable std::unordered_map<Key, Known, Hash, Same> sets_;
   mutable std::mutex mutex_;
 };
 

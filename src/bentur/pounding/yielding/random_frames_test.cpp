@@ -453,7 +453,7 @@ void expect_same_to_the_bit(const Response& one, const Response& other) {
   }
 }
 
-/// With nothing kept λ of (H-7) comes by complementarity, all else is worked out anew at each event.
+/// With nothing kept λ of (H-7) comes by complementarity, and sets are worked out anew at each event.
 TEST_P(RandomHingedFrames, AreTheSameToTheBitWhateverIsKeptOfTheSetsThatFlow) {
   const auto [first, count] = seeds(GetParam());
   for (unsigned seed = first; seed < first + count; ++seed) {

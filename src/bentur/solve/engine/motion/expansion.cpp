@@ -64,17 +64,24 @@ void Expansion::fill_forces(const ElementForces& forces) {
 }
 
 void Expansion::fill_coupled(const ElementForces::Coupled& of) {
-  if (system_->elements[of.at.front()].force < 0) return;
-  const Eigen::MatrixXd& pull = of.modal->pull;
-  const double* begin = c_.data() + of.modal->begin;
-  for (Index n = 0; n < std::ssize(of.at); ++n) {
-    const Index to = system_->elements[of.at[n]].force;
+  if (system_->elements[of.at().front()].force < 0) return;
+  // All powers of four forces, one power after the other, and then of the next four.
+  const kernels::PackedRows& pull = of.modal->packed_pull;
+  const Index powers = degree_ + 1;
+  if (const Index needed = pull.rows() * (highest_degree + 1); values_.size() < needed) {
+    values_.resize(needed);
+    none_.setZero(pull.rows());
+    largest_.setZero(pull.rows());
+  }
+  kernels::raise_peaks(kernels::Peaks::of_values, pull, none_.data(), powers, c_.data() + of.modal->begin, c_.rows(),
+                       largest_.data(), values_.data());
+  for (Index n = 0; n < std::ssize(of.at()); ++n) {
+    const Index to = system_->elements[of.at()[n]].force;
     note_moving(to);
-    Polynomial force;
-    kernels::row_series({0, nullptr, begin}, {pull.rows(), pull.col(n).data(), begin}, c_.rows(), degree_,
-                        force.coefficients.data());
-    force[0] += of.base(n);
-    for (int k = 0; k <= degree_; ++k) c_(to, k) = force[k];
+    const double* from = values_.data() + n / 4 * 4 * powers + n % 4;
+    double* force = c_.data() + to;
+    force[0] = from[0] + of.base(n);
+    for (Index k = 1; k < powers; ++k) force[k * c_.rows()] = from[4 * k];
   }
 }
 

@@ -94,8 +94,9 @@ class Expansion {
   Eigen::Index first_ = 0, count_ = 0;  ///< coordinates that were filled
   Eigen::MatrixXd c_;                   ///< coordinates × (highest_degree + 1)
   Eigen::VectorXd rise_, acceleration_rise_, end_acceleration_;
-  FlagsOfFours used_;         ///< as Coefficients
-  std::vector<char> moving_;  ///< per four coordinates: whether one is a force that is no constant
+  Eigen::VectorXd none_, largest_, values_;  ///< scratch: of forces
+  FlagsOfFours used_;                        ///< as Coefficients
+  std::vector<char> moving_;                 ///< per four coordinates: whether one is a force that is no constant
   std::vector<Polynomial> resting_force_;
   mutable std::vector<Polynomial> deformations_;  ///< those asked for
   mutable std::vector<char> deformation_known_;

@@ -333,6 +333,7 @@ ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at
                                                     const MatrixXd& damping) const {
   ElementForces::Coupled::Modal of;
   const Relation& first = elements[at.front()].relation;
+  of.at = at;
   of.begin = first.left_begin;
   MatrixXd rows(first.size(), std::ssize(at));
   of.push.resizeLike(rows);
@@ -342,6 +343,7 @@ ElementForces::Coupled::Modal ModalSystem::modal_of(const std::vector<Index>& at
     Relation::spread(each.left_push, each.right_push, of.push.col(n));
   }
   of.pull = rows * stiffness.transpose();
+  of.packed_pull = kernels::PackedRows(of.pull.transpose(), of.pull.rows());
   if (rows.rows() <= 2 * rows.cols()) of.tied = of.push * of.pull.transpose();
   const auto norms = [](const MatrixXd& inner, bool symmetric, double& above, double& below) {
     above = below = inner.norm();
@@ -402,13 +404,14 @@ VectorXd ModalSystem::deformations(const std::vector<Index>& at, const std::vect
 }
 
 void ModalSystem::fill_forces(const ElementForces::Coupled& of, State& state) const {
-  if (elements[of.at.front()].force < 0) return;
-  const MatrixXd& pull = of.modal->pull;
-  const VectorXd forces = of.base + pull.transpose() * state.q.segment(of.modal->begin, pull.rows());
-  const VectorXd rates = pull.transpose() * state.v.segment(of.modal->begin, pull.rows());
-  for (Index n = 0; n < forces.size(); ++n) {
-    state.q(elements[of.at[n]].force) = forces(n);
-    state.v(elements[of.at[n]].force) = rates(n);
+  if (elements[of.at().front()].force < 0) return;
+  const ElementForces::Coupled::Modal& modal = *of.modal;
+  const Index size = modal.pull.rows();
+  for (Index n = 0; n < modal.pull.cols(); ++n) {
+    const double* pull = modal.pull.col(n).data();
+    const Index to = elements[modal.at[n]].force;
+    state.q(to) = of.base(n) + kernels::dot(size, pull, state.q.data() + modal.begin);
+    state.v(to) = kernels::dot(size, pull, state.v.data() + modal.begin);
   }
 }
 
@@ -424,9 +427,13 @@ void ModalSystem::push(Index i, double force, VectorXd& result) const {
 
 void ModalSystem::push(const ElementForces::Coupled& of, const State& state, VectorXd& result) const {
   const ElementForces::Coupled::Modal& modal = *of.modal;
-  VectorXd forces = modal.pull.transpose() * state.q.segment(modal.begin, modal.pull.rows());
-  if (of.damping.size() > 0) forces += of.damping * speeds(of.at, state.v);
-  result.segment(modal.begin, modal.push.rows()) += of.steady + modal.push * forces;
+  const Index size = modal.pull.rows();
+  auto pushed = result.segment(modal.begin, size);
+  pushed += of.steady;
+  for (Index n = 0; n < modal.pull.cols(); ++n) {
+    pushed += kernels::dot(size, modal.pull.col(n).data(), state.q.data() + modal.begin) * modal.push.col(n);
+  }
+  if (of.damping().size() > 0) pushed.noalias() += modal.push * (of.damping() * speeds(of.at(), state.v));
 }
 
 const double* ModalSystem::load_of(std::size_t b, const double* q, VectorXd& load) const {

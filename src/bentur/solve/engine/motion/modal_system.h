@@ -31,20 +31,25 @@ struct ElementForces {
   std::vector<Eigen::Index> nonlinear;  ///< elements with a force that no Linear describes
   /// F = base + stiffness δ + damping δ̇ of several elements, whose deformations act on one another.
   struct Coupled {
-    std::vector<Eigen::Index> at;
-    Eigen::VectorXd base;                ///< offsets of δ included: F where all q are zero
-    Eigen::MatrixXd stiffness, damping;  ///< damping empty: none
+    Eigen::VectorXd base;                   ///< offsets of δ included: F where all q are zero
+    std::shared_ptr<const CoupledSet> set;  ///< whose stiffness and damping these are
     /// The same over what moves of their bodies.
     struct Modal {
-      Eigen::Index begin = 0;  ///< first coordinate
-      Eigen::MatrixXd push;    ///< a column each, over both bodies and what lies between
-      Eigen::MatrixXd pull;    ///< forces beyond `base`, a column each: F − base = pullᵀ q
-      Eigen::MatrixXd tied;    ///< push · pullᵀ where that is less than both; else empty
+      std::vector<Eigen::Index> at;     ///< of ModalSystem::elements, those that move
+      Eigen::Index begin = 0;           ///< first coordinate
+      Eigen::MatrixXd push;             ///< a column each, over both bodies and what lies between
+      Eigen::MatrixXd pull;             ///< forces beyond `base`, a column each: F − base = pullᵀ q
+      kernels::PackedRows packed_pull;  ///< the same, a row each
+      Eigen::MatrixXd tied;             ///< push · pullᵀ where that is less than both; else empty
       // Norms of what they add and take away, of stiffness and damping [1/s²], [1/s]:
       double stiffer = 0, softer = 0, damped = 0, driven = 0;
     };
     std::shared_ptr<const Modal> modal;
     Eigen::VectorXd steady;  ///< what `base` does to those coordinates
+
+    [[nodiscard]] const std::vector<Eigen::Index>& at() const { return modal->at; }
+    [[nodiscard]] const Eigen::MatrixXd& stiffness() const { return set->stiffness; }
+    [[nodiscard]] const Eigen::MatrixXd& damping() const { return set->damping; }  ///< empty: none
   };
   std::vector<Coupled> coupled;
   Eigen::VectorXd load;  ///< what the constant ones do to every coordinate …

@@ -85,20 +85,20 @@ void Series::add_pressing(Index i, const ElementForces::Linear& linear, int k) {
 
 /// The same of several elements, whose deformations act on one another.
 void Series::add_coupled(const ElementForces::Coupled& of, int k) {
-  const Index count = std::ssize(of.at);
+  const Index count = std::ssize(of.at());
   along_.resize(count);
   const auto take = [&](int power) {
-    for (Index n = 0; n < count; ++n) along_(n) = system_->elements[of.at[n]].relation.along(c_->col(power).data());
+    for (Index n = 0; n < count; ++n) along_(n) = system_->elements[of.at()[n]].relation.along(c_->col(power).data());
   };
   take(k);
-  pushes_.noalias() = of.stiffness * along_;
+  pushes_.noalias() = of.stiffness() * along_;
   pushes_ *= h_ * h_;
   if (k == 0) pushes_ += h_ * h_ * of.base;
-  if (of.damping.size() > 0) {
+  if (of.damping().size() > 0) {
     take(k + 1);
-    pushes_ += h_ * (k + 1.0) * (of.damping * along_);
+    pushes_ += h_ * (k + 1.0) * (of.damping() * along_);
   }
-  for (Index n = 0; n < count; ++n) system_->push(of.at[n], pushes_(n), force_);
+  for (Index n = 0; n < count; ++n) system_->push(of.at()[n], pushes_(n), force_);
 }
 
 /// Changes c_{k+2} so that δ of the resting elements has no coefficient k + 2.
@@ -123,7 +123,7 @@ void Series::expand(const State& state, const std::vector<GroundInput>& inputs, 
   note_grounds(0, system_->blocks.size(), inputs.data(), h);
   const double* load = scaled(forces.load_or_null(), 0, system_->size);
   const bool damped = std::any_of(forces.coupled.begin(), forces.coupled.end(),
-                                  [](const ElementForces::Coupled& of) { return of.damping.size() > 0; });
+                                  [](const ElementForces::Coupled& of) { return of.damping().size() > 0; });
   if (!system_->classical || !forces.resting.empty() || damped) {
     expand_term_by_term(0, system_->size, load, forces, motion);
   } else {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <mutex>
-#include <utility>
+#include <unordered_map>
+#include <vector>
 
 #include "bentur/solve/engine/motion/modal_system.h"
 
@@ -12,10 +12,9 @@ namespace bentur::engine {
 /// What a set of the law of an element of several deformations is over the coordinates of its bodies.
 struct SetOverModes {
   std::shared_ptr<const CoupledSet> set;
-  Eigen::MatrixXd rows;          ///< what guards look at, over what moves of the bodies: a column each
-  kernels::PackedRows packed;    ///< the same
-  std::vector<Eigen::Index> at;  ///< of ModalSystem::elements, those that move
-  std::shared_ptr<const ElementForces::Coupled::Modal> modal;  ///< of these; none where none moves
+  Eigen::MatrixXd rows;        ///< what guards look at, over what moves of the bodies: a column each
+  kernels::PackedRows packed;  ///< the same
+  std::shared_ptr<const ElementForces::Coupled::Modal> modal;  ///< of those that move; none where none does
 
   /// `rows_of`: δ of all deformations of the element, a column each.
   SetOverModes(const ModalSystem& system, std::size_t element, const Eigen::MatrixXd& rows_of,
@@ -34,8 +33,8 @@ class SetsOverModes {
 
   std::mutex mutex_;
   Eigen::Index numbers_ = 0;
-  /// Two elements may share a law.
-  std::map<std::pair<std::size_t, const CoupledSet*>, std::shared_ptr<const SetOverModes>> known_;
+  /// Per element, as two may share a law.
+  std::vector<std::unordered_map<const CoupledSet*, std::shared_ptr<const SetOverModes>>> known_;
 };
 
 }  // namespace bentur::engine

@@ -156,13 +156,16 @@ void StepBuffer::accept(long segment, double offset, const Flights& flights, std
 
 void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
   Expansion& motion = taken.motion;
-  const auto note = [this](Eigen::MatrixXd& columns, const double* x, double factor = 1.0) {
+  const auto copy = [this](Eigen::MatrixXd& columns, const double* x) {
+    std::copy_n(x, system_->size, columns.col(last_).data());
+  };
+  const auto note = [this](Eigen::MatrixXd& columns, const double* x, double factor) {
     double* to = columns.col(last_).data();
     for (Index j = 0; j < system_->size; ++j) to[j] = factor * x[j];
   };
   if (next_instant()) {
-    note(q_, taken.from.q.data());
-    note(v_, taken.from.v.data());
+    copy(q_, taken.from.q.data());
+    copy(v_, taken.from.v.data());
     note(acceleration_, std::as_const(motion).coefficients().col(2).data(), 2.0 / (motion.h() * motion.h()));
   }
   note_inputs(taken.inputs);
@@ -177,9 +180,9 @@ void StepBuffer::add(long segment, double offset, const SeriesStep& taken) {
   note(rise_, motion.rise().data(), part);
   note(acceleration_rise_, motion.acceleration_rise().data(), part);
   ++last_;
-  note(q_, taken.to.q.data());
-  note(v_, taken.to.v.data());
-  note(acceleration_, taken.acceleration.data());
+  copy(q_, taken.to.q.data());
+  copy(v_, taken.to.v.data());
+  copy(acceleration_, taken.acceleration.data());
 }
 
 }  // namespace bentur::engine

@@ -289,7 +289,7 @@ BodyRange Stepper::island(const ElementForces& forces) const {
   for (bool grows = true; grows;) {
     grows = grows_by(forces.pressing);
     grows = grows_by(forces.resting) || grows;
-    for (const ElementForces::Coupled& of : forces.coupled) grows = grows_by(of.at) || grows;
+    for (const ElementForces::Coupled& of : forces.coupled) grows = grows_by(of.at()) || grows;
   }
   return range;
 }

@@ -87,8 +87,9 @@ CoupledElements::CoupledElements(const ModalSystem& system, const Laws& laws, co
       ModalSystem::Relation::spread(each.left_push, each.right_push, pushes.col(n));
       shifts(n) = offsets[of.first + n];
     }
-    sizes_.emplace_back(rows.cwiseAbs().transpose(), rows.rows());
-    largest_.emplace_back(VectorXd::Zero(sizes_.back().rows()));
+    along_.emplace_back(rows.transpose());
+    sizes_.emplace_back(rows.cwiseAbs().transpose());
+    largest_.emplace_back(VectorXd::Zero(rows.rows()));
     states_.push_back(laws[e]->begin(deformation(e, state)));
   }
 }
@@ -118,8 +119,25 @@ void CoupledElements::enter(std::size_t e) {
   now.begins = true;
   now.known = known(e, now.branch.set);
   now.branch.set = now.known->set;
-  now.may_fly = now.known->at.empty();
+  now.is_new = true;
+  for (std::size_t other = 0; other < own_; ++other) {  // of the same body
+    if (begin_of(other) != begin_of(e)) continue;
+    now_[other].until = -std::numeric_limits<double>::infinity();
+    now_[other].next = -1;
+  }
+  now.may_fly = !now.known->modal;
   if (now.may_fly) tell_monitor(e);
+  const MatrixXd& pushes = pushes_[e];
+  now.constant.clear();
+  now.load.setZero(pushes.rows());
+  auto moving = now.branch.set->moving.begin();
+  for (Index n = 0; n < of.count; ++n) {
+    const bool moves = moving != now.branch.set->moving.end() && *moving == n;
+    if (moves) ++moving;
+    if (moves || now.branch.base(n) == 0.0) continue;
+    now.constant.push_back(of.first + n);
+    now.load += now.branch.base(n) * pushes.col(n);
+  }
   for (CoupledGuard& guard : now.branch.guards) {
     if (guard.deformation >= 0 && e >= own_) {  // offsets of the others are zero
       guard.constant += guard.sense * now.branch.set->row(guard.deformation, of.count).dot(shifts_[e]);
@@ -171,23 +189,23 @@ void CoupledElements::tell_monitor(std::size_t e) {
 }
 
 VectorXd CoupledElements::deformation(std::size_t e, const State& state) const {
-  VectorXd result = rows_[e].transpose() * state.q.segment(begin_of(e), rows_[e].rows());
+  VectorXd result = along_[e] * state.q.segment(begin_of(e), along_[e].cols());
   if (e >= own_) result += shifts_[e];
   return result;
 }
 
 CoupledMotion CoupledElements::motion_of(std::size_t e, const State& state, const VectorXd& acceleration) const {
   const auto along = [&](const VectorXd& x) -> VectorXd {
-    return rows_[e].transpose() * x.segment(begin_of(e), rows_[e].rows());
+    return along_[e] * x.segment(begin_of(e), along_[e].cols());
   };
   return {deformation(e, state), along(state.v), along(acceleration), soon_};
 }
 
-bool CoupledElements::gather(ElementForces& forces, State& state) const {
+bool CoupledElements::gather(ElementForces& forces, State& state) {
   forces.coupled.clear();
   bool may_fly = true;
   for (std::size_t e = 0; e < now_.size(); ++e) {
-    const Now& now = now_[e];
+    Now& now = now_[e];
     const auto [first, count] = system_->coupled[e];
     may_fly = may_fly && now.may_fly;
     const Index force = system_->elements[first].force;  // of its other deformations they follow
@@ -195,44 +213,36 @@ bool CoupledElements::gather(ElementForces& forces, State& state) const {
       state.q.segment(force, count) = now.branch.base;
       state.v.segment(force, count).setZero();
     }
-    auto moving = now.branch.set->moving.begin();
-    for (Index n = 0; n < count; ++n) {
-      forces.linear[first + n] = {.base = now.branch.base(n)};
-      const bool moves = moving != now.branch.set->moving.end() && *moving == n;
-      if (moves) ++moving;
-      if (!moves && now.branch.base(n) != 0.0) forces.constant.push_back(first + n);
-    }
-    if (now.known->at.empty()) continue;
+    for (Index n = 0; now.is_new && n < count; ++n) forces.linear[first + n] = {.base = now.branch.base(n)};
+    now.is_new = false;
+    forces.constant.insert(forces.constant.end(), now.constant.begin(), now.constant.end());
+    if (!now.known->modal) continue;
     const CoupledSet& set = *now.branch.set;
     ElementForces::Coupled& of = forces.coupled.emplace_back();
-    of.at = now.known->at;
-    of.base = now.branch.base(set.moving);
+    of.set = now.branch.set;
+    of.base.resize(std::ssize(set.moving));
+    for (Index n = 0; n < of.base.size(); ++n) of.base(n) = now.branch.base(set.moving[n]);
     if (e >= own_) of.base += set.stiffness * shifts_[e](set.moving);
-    of.stiffness = set.stiffness;
-    of.damping = set.damping;
     of.modal = now.known->modal;
-    of.steady = of.modal->push * of.base;
+    of.steady.noalias() = of.modal->push * of.base;
     system_->fill_forces(of, state);
   }
   return may_fly;
 }
 
 void CoupledElements::add_loads(VectorXd& load) const {
-  for (std::size_t e = 0; e < now_.size(); ++e) {
-    VectorXd constant = now_[e].branch.base;
-    constant(now_[e].branch.set->moving).setZero();
-    load.segment(begin_of(e), pushes_[e].rows()).noalias() += pushes_[e] * constant;
-  }
+  for (std::size_t e = 0; e < now_.size(); ++e) load.segment(begin_of(e), now_[e].load.size()) += now_[e].load;
 }
 
 void CoupledElements::add_forces(const State& state, VectorXd& forces) const {
   for (std::size_t e = 0; e < now_.size(); ++e) {
     const Now& now = now_[e];
     forces.segment(system_->coupled[e].first, system_->coupled[e].count) = now.branch.base;
-    if (now.known->at.empty()) continue;
+    if (!now.known->modal) continue;
     const CoupledSet& set = *now.branch.set;
-    forces(now.known->at) += set.stiffness * system_->deformations(now.known->at, offsets_, state.q);
-    if (set.damping.size() > 0) forces(now.known->at) += set.damping * system_->speeds(now.known->at, state.v);
+    const std::vector<Index>& at = now.known->modal->at;
+    forces(at) += set.stiffness * system_->deformations(at, offsets_, state.q);
+    if (set.damping.size() > 0) forces(at) += set.damping * system_->speeds(at, state.v);
   }
 }
 
@@ -324,53 +334,79 @@ bool CoupledElements::keeps_speed(std::size_t e, const CoupledGuard& guard, cons
   return guard.constant + std::min(start, end) >= kernels::dot_abs(size, row, speed_rise_.data() + begin);
 }
 
-std::optional<CoupledElements::Event> CoupledElements::next_event(const Expansion& motion, const State& from,
-                                                                  const State& to, const Bands& bands) {
-  std::optional<Event> found;
-  bool risen = false;
-  for (std::size_t e = 0; e < now_.size(); ++e) {
-    const Now& now = now_[e];
-    const Index rows = now.known->packed.rows();
-    low_.resize(rows);
-    high_.resize(rows);
-    kernels::ranges_of_rows(now.known->packed, from.q.data() + begin_of(e), to.q.data() + begin_of(e),
-                            motion.rise().data() + begin_of(e), low_.data(), high_.data());
-    asked_ = now.others;
-    const auto ask = [&](int guard, Index row, bool high) {
-      asked_.push_back(guard >= 0 ? guard : now.branch.bound(row, high));
-    };
-    for (Index row = 0; row < rows; ++row) {
-      if (low_(row) >= now.least(row) && high_(row) <= now.most(row)) continue;
+/// The first change of one element; `risen`: speed_rise_ is that of the step.
+std::optional<CoupledElements::Event> CoupledElements::search(std::size_t e, const Expansion& motion, const State& from,
+                                                              const State& to, const Bands& bands, bool& risen) {
+  const Now& now = now_[e];
+  const Index rows = now.known->packed.rows();
+  low_.resize(rows);
+  high_.resize(rows);
+  beyond_.resize(rows);
+  const Index fours = kernels::fours_beyond(now.known->packed, from.q.data() + begin_of(e), to.q.data() + begin_of(e),
+                                            motion.rise().data() + begin_of(e), now.least.data(), now.most.data(),
+                                            low_.data(), high_.data(), beyond_.data());
+  asked_.assign(now.others.begin(), now.others.end());
+  const auto ask = [&](int guard, Index row, bool high) {
+    asked_.push_back(guard >= 0 ? guard : now.branch.bound(row, high));
+  };
+  for (Index n = 0; n < fours; ++n) {
+    for (Index row = beyond_[n]; row < beyond_[n] + 4; ++row) {
       if (!(low_(row) >= now.least(row))) ask(now.below[row], row, false);
       if (!(high_(row) <= now.most(row))) ask(now.above[row], row, true);
     }
-    if (asked_.size() > now.others.size()) std::sort(asked_.begin(), asked_.end());
-    if (!risen && !now.others.empty()) motion.find_speed_rise(speed_rise_);
-    risen = risen || !now.others.empty();
-    for (const int g : asked_) {
-      if (g < 0) continue;  // of rows that are not numbers
-      const CoupledGuard guard = now.branch.guard(g);
-      if (keeps_speed(e, guard, from, to)) continue;
-      const auto s = end_of(e, guard, motion, from, bands);
-      if (s && (!found || *s < found->s)) found = Event{e, static_cast<std::size_t>(g), *s};
-    }
+  }
+  if (asked_.size() > now.others.size()) std::sort(asked_.begin(), asked_.end());
+  if (!risen && !now.others.empty()) motion.find_speed_rise(speed_rise_);
+  risen = risen || !now.others.empty();
+  std::optional<Event> found;
+  for (const int g : asked_) {
+    if (g < 0) continue;  // of rows that are not numbers
+    const CoupledGuard guard = now.branch.guard(g);
+    if (keeps_speed(e, guard, from, to)) continue;
+    const auto s = end_of(e, guard, motion, from, bands);
+    if (s && (!found || *s < found->s)) found = Event{e, static_cast<std::size_t>(g), *s};
   }
   return found;
 }
 
+std::optional<CoupledElements::Event> CoupledElements::next_event(const Expansion& motion, const State& from,
+                                                                  const State& to, const Bands& bands, double time,
+                                                                  bool apart) {
+  constexpr double same_instant = 0x1p-50;  // of the time
+  std::optional<Event> first;
+  bool risen = false;
+  const double end = time + motion.h();
+  const bool lasts = apart && now_.size() == own_;
+  for (std::size_t e = 0; e < now_.size(); ++e) {
+    Now& now = now_[e];
+    std::optional<Event> found;
+    if (lasts && (now.next >= 0 || end <= now.until + same_instant * end)) {
+      const double s = (now.until - time) / motion.h();
+      if (now.next >= 0 && s <= 1.0) found = Event{e, static_cast<std::size_t>(now.next), std::max(s, 0.0)};
+    } else {
+      found = search(e, motion, from, to, bands, risen);
+      now.next = found && lasts ? static_cast<int>(found->guard) : -1;
+      now.until = !lasts ? -std::numeric_limits<double>::infinity() : found ? time + found->s * motion.h() : end;
+    }
+    if (found && (!first || found->s < first->s)) first = found;
+  }
+  return first;
+}
+
 void CoupledElements::gauge(const State& state, double part, std::vector<double>& displacement) {
   for (std::size_t e = 0; e < now_.size(); ++e) {
-    const kernels::PackedRows& rows = sizes_[e];
-    magnitudes_ = state.q.segment(begin_of(e), rows.columns()).cwiseAbs();
-    if (values_.size() < rows.rows()) {
-      values_.resize(rows.rows());
-      none_.setZero(rows.rows());
+    const double* q = state.q.data() + begin_of(e);
+    bool grows = false;
+    for (double& largest : largest_[e]) {
+      const double size = std::abs(*q++);
+      grows = grows || size > largest;
+      largest = std::max(largest, size);
     }
-    kernels::raise_peaks(kernels::Peaks::of_values, rows, none_.data(), 1, magnitudes_.data(), rows.columns(),
-                         largest_[e].data(), values_.data());
+    if (!grows) continue;
+    sums_.noalias() = sizes_[e] * largest_[e];
     for (Index n = 0; n < system_->coupled[e].count; ++n) {
       double& of = displacement[system_->coupled[e].first + n];
-      of = std::max(of, part * largest_[e](n));
+      of = std::max(of, part * sums_(n));
     }
   }
 }
@@ -418,8 +454,9 @@ void CoupledElements::settle(double time, const State& state, const VectorXd& ac
   }
 }
 
-void CoupledElements::resume(const std::vector<CoupledState>& states) {
+void CoupledElements::resume(const std::vector<CoupledState>& states, const std::vector<VectorXd>& largest) {
   std::copy(states.begin(), states.end(), states_.begin());
+  std::copy(largest.begin(), largest.end(), largest_.begin());
   for (std::size_t e = 0; e < states_.size(); ++e) enter(e);
   go_on();  // their branches began before
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,7 +30,7 @@ class CoupledElements {
   void watch(GuardMonitor& monitor);
 
   /// Adds what they do, and writes their force coordinates into `state`. Whether they leave bodies to fly.
-  [[nodiscard]] bool gather(ElementForces& forces, State& state) const;
+  [[nodiscard]] bool gather(ElementForces& forces, State& state);
   /// Adds F of each deformation.
   void add_forces(const State& state, Eigen::VectorXd& forces) const;
   /// Adds what the constant ones of these do to every coordinate.
@@ -45,9 +46,10 @@ class CoupledElements {
     double part = 0;                          ///< of speeds and constants [-]
     double start_slack = 0;                   ///< bands: what begins so far below zero begins at zero
   };
-  /// The first change in the expanded step from one state to another.
+  /// The first change in the expanded step from one state to another, which began at `time` [s]. `apart`: where it is
+  /// cut, bodies of elements that do not change go on as it has them, as nothing joins them to others.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const State& to,
-                                                const Bands& bands);
+                                                const Bands& bands, double time, bool apart);
   /// A change that is due at a state; `acceleration` is q̈ there.
   [[nodiscard]] std::optional<Event> due(const State& state, const Eigen::VectorXd& acceleration,
                                          const Bands& bands) const;
@@ -66,8 +68,10 @@ class CoupledElements {
   [[nodiscard]] bool none() const { return states_.empty(); }
   [[nodiscard]] const CoupledBranch& branch(std::size_t element) const { return now_[element].branch; }
   [[nodiscard]] const std::vector<CoupledState>& states() const { return states_; }
+  /// Of each element, the size of every coordinate at most so far.
+  [[nodiscard]] const std::vector<Eigen::VectorXd>& largest() const { return largest_; }
   /// Of the first ones; the others begin.
-  void resume(const std::vector<CoupledState>& states);
+  void resume(const std::vector<CoupledState>& states, const std::vector<Eigen::VectorXd>& largest);
   // Of the bodies' own:
   /// With what they remember up to date.
   [[nodiscard]] std::vector<CoupledState> states_at(const State& state) const;
@@ -79,8 +83,15 @@ class CoupledElements {
   struct Now {
     CoupledBranch branch;  ///< constants of its guards with the offsets of δ
     std::shared_ptr<const SetOverModes> known;
+    std::vector<Eigen::Index> constant;  ///< of ModalSystem::elements: what does not move and pushes
+    Eigen::VectorXd load;                ///< what these do to what moves of the bodies
     bool may_fly = false;
     bool begins = true;
+    bool is_new = true;  ///< not gathered yet
+    /// What is known of its guards while nothing but other such elements of other bodies changes: which is the next to
+    /// fail, at `until` [s]; −1: none does before then.
+    double until = -std::numeric_limits<double>::infinity();
+    int next = -1;
     // What guards of deformations alone say of each row, least ≤ row ≤ most, and which of the guards say it (−1: the
     // bounds of the branch, or none); the other guards.
     Eigen::VectorXd least, most;
@@ -98,6 +109,8 @@ class CoupledElements {
   [[nodiscard]] Polynomial row_of(std::size_t element, Eigen::Index row, const Expansion& motion) const;
   [[nodiscard]] std::optional<double> end_of(std::size_t element, const CoupledGuard& guard, const Expansion& motion,
                                              const State& from, const Bands& bands) const;
+  [[nodiscard]] std::optional<Event> search(std::size_t element, const Expansion& motion, const State& from,
+                                            const State& to, const Bands& bands, bool& risen);
   [[nodiscard]] bool keeps_speed(std::size_t element, const CoupledGuard& guard, const State& from,
                                  const State& to) const;
   void sort_guards(Now& now) const;
@@ -113,18 +126,18 @@ class CoupledElements {
   std::vector<std::vector<Eigen::Index>> all_;  ///< per element: of ModalSystem::elements
   std::vector<Eigen::MatrixXd> rows_,
       pushes_;  ///< δ of each over what moves of its bodies, and what F does: a column each
-  std::vector<kernels::PackedRows> sizes_;  ///< |δ| likewise, a row each …
-  std::vector<Eigen::VectorXd> largest_;    ///< … and the largest so far
-  std::vector<Eigen::VectorXd> shifts_;     ///< offsets of each δ
-  std::shared_ptr<SetsOverModes> sets_;     ///< of the bodies' own; of what rubs:
+  std::vector<Eigen::MatrixXd> along_, sizes_;  ///< δ again and |δ|, a row each
+  std::vector<Eigen::VectorXd> largest_;        ///< size of each coordinate so far
+  std::vector<Eigen::VectorXd> shifts_;         ///< offsets of each δ
+  std::shared_ptr<SetsOverModes> sets_;         ///< of the bodies' own; of what rubs:
   std::map<std::pair<std::size_t, const CoupledSet*>, std::shared_ptr<const SetOverModes>> known_;
   std::vector<CoupledState> states_;
   std::vector<Now> now_;
   GuardMonitor* monitor_ = nullptr;
-  double soon_ = 0;                             ///< [s]
-  Eigen::VectorXd low_, high_, speed_rise_;     ///< scratch
-  Eigen::VectorXd magnitudes_, values_, none_;  ///< scratch
-  std::vector<int> asked_;                      ///< scratch
+  double soon_ = 0;                                 ///< [s]
+  Eigen::VectorXd low_, high_, speed_rise_, sums_;  ///< scratch
+  std::vector<Eigen::Index> beyond_;                ///< scratch
+  std::vector<int> asked_;                          ///< scratch
 };
 
 }  // namespace bentur::engine

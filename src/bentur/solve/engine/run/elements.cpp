@@ -199,7 +199,7 @@ std::optional<Elements::Event> Elements::next_event(Index i, const Course& cours
 }
 
 std::optional<Elements::Event> Elements::next_event(const Expansion& motion, const State& from, const State& to,
-                                                    double time) {
+                                                    double time, bool by_series) {
   std::optional<Event> first;
   const auto take = [&first](const std::optional<Event>& found) {
     if (found && (!first || found->s < first->s)) first = found;
@@ -215,7 +215,8 @@ std::optional<Elements::Event> Elements::next_event(const Expansion& motion, con
     }
   }
   if (coupled_.none()) return first;
-  if (const auto found = coupled_.next_event(motion, from, to, bands())) {
+  const bool apart = by_series && forces_.pressing.empty() && forces_.resting.empty();
+  if (const auto found = coupled_.next_event(motion, from, to, bands(), time, apart)) {
     take(Event{count() + static_cast<Index>(found->element), found->guard, found->s});
   }
   return first;
@@ -479,7 +480,9 @@ void Elements::change(const Event& event, double time, const std::vector<GroundI
   }
 }
 
-Elements::Memory Elements::memory() const { return {states_, accounts_, tolerances_, coupled_.states()}; }
+Elements::Memory Elements::memory() const {
+  return {states_, accounts_, tolerances_, coupled_.states(), coupled_.largest()};
+}
 
 void Elements::resume(const Memory& memory, State& state) {
   for (Index i = idle_; i < count(); ++i) {
@@ -489,7 +492,7 @@ void Elements::resume(const Memory& memory, State& state) {
     tolerances_[i] = memory.tolerances[i];
   }
   for (Index i = count(); i < system_->rubs; ++i) tolerances_[i] = memory.tolerances[i];
-  coupled_.resume(memory.coupled);
+  coupled_.resume(memory.coupled, memory.largest);
   gather(state);
 }
 

@@ -70,9 +70,9 @@ class Elements {
   }
   /// Takes in how large the displacements are at its end. To be called before events are looked for.
   void gauge(const State& to);
-  /// The first change in the expanded step from one state to another, which began at `time`.
+  /// The first change in the expanded step, which began at `time`; `by_series`: cut, it goes on the same, to round-off.
   [[nodiscard]] std::optional<Event> next_event(const Expansion& motion, const State& from, const State& to,
-                                                double time);
+                                                double time, bool by_series);
 
   /// A change that is due at a state, looking at nothing before it.
   [[nodiscard]] std::optional<Event> due(const State& state, const std::vector<GroundInput>& inputs, double time) const;
@@ -104,7 +104,6 @@ class Elements {
   /// steps, once what ended the last one has changed: its branch may be the one that is left.
   void forget_faded(double time, State& state);
   void go_on() { coupled_.go_on(); }  ///< a flight has been taken: nothing is at the beginning of its branch any more
-
   /// What follows from an event at `time`. An impact that takes no time changes the speeds in `state`.
   void change(const Event& event, double time, const std::vector<GroundInput>& inputs, State& state);
   /// Whether positions, speeds and forces were after the last change what they were before it, to round-off.
@@ -125,6 +124,7 @@ class Elements {
     std::vector<Account> accounts;
     std::vector<double> tolerances;
     std::vector<CoupledState> coupled;
+    std::vector<Eigen::VectorXd> largest;  ///< of CoupledElements
   };
   [[nodiscard]] Memory memory() const;
   void resume(const Memory& memory, State& state);

@@ -313,14 +313,14 @@ void Run::find_event(double time) {
     find_event_by_bisection(time);
     return;
   }
-  event_ = elements_.next_event(motion_, state_, next_, time);
+  event_ = elements_.next_event(motion_, state_, next_, time, stepper_.is_series());
   if (stepper_.is_series()) return;
   constexpr int attempts = 20;
   // A step by approximation is taken again up to its event, and ends a little elsewhere than the longer one was at that
   // place: where it has then gone through an event of another element, that one is the first.
   for (int attempt = 0; attempt < attempts && event_ && event_->s > 0.0 && event_->s < 1.0; ++attempt) {
     retake(event_->s * motion_.h());
-    const auto again = elements_.next_event(motion_, state_, next_, time);
+    const auto again = elements_.next_event(motion_, state_, next_, time, false);
     if (again && again->element != event_->element) {
       event_ = again;
     } else {

@@ -281,13 +281,18 @@ bool reach_of_cubics(Peaks of, const PackedRows& rows, const double* offset, con
 }
 
 BENTUR_FOR_ALL_PROCESSORS
-void ranges_of_rows(const PackedRows& rows, const double* start, const double* end, const double* rise, double* low,
-                    double* high) {
+Index fours_beyond(const PackedRows& rows, const double* start, const double* end, const double* rise,
+                   const double* least, const double* most, double* low, double* high, Index* fours) {
+  Index count = 0;
   for (Index r = 0; r < rows.rows(); r += four) {
     const Ends at = ends_of_rows(rows, r, all(0.0), start, end, rise);
-    store(low + r, -max(-at.start, -at.end) - at.beyond);
-    store(high + r, max(at.start, at.end) + at.beyond);
+    const Four lowest = -max(-at.start, -at.end) - at.beyond, highest = max(at.start, at.end) + at.beyond;
+    if (every((lowest >= load(least + r)) & (highest <= load(most + r)))) continue;
+    store(low + r, lowest);
+    store(high + r, highest);
+    fours[count++] = r;
   }
+  return count;
 }
 
 BENTUR_FOR_ALL_PROCESSORS

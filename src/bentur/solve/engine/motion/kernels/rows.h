@@ -94,9 +94,10 @@ struct CubicCurves {
 bool reach_of_cubics(Peaks of, const PackedRows& weights, const double* offset, const CubicCurves& curves, double* peak,
                      const double* before, double* reach);
 
-/// How low and how high each row can come so.
-void ranges_of_rows(const PackedRows& weights, const double* start, const double* end, const double* rise, double* low,
-                    double* high);
+/// The first rows of all fours of which one can come below its `least` or above its `most` so, in `fours`; how low and
+/// how high each of these rows can come. Returns how many fours these are.
+[[nodiscard]] Index fours_beyond(const PackedRows& weights, const double* start, const double* end, const double* rise,
+                                 const double* least, const double* most, double* low, double* high, Index* fours);
 
 /// For every row r: the largest |Σ_j w_rj x_j + offset_r| over `count` vectors x, one after the other, raises `peak`;
 /// and `reach` is that plus what entries that rise `rise` above their chords between two of the vectors may add. Four

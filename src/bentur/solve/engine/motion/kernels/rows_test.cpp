@@ -147,7 +147,22 @@ TEST(Kernels, ColumnsOfZerosArePassedOver) {
   Numbers peak(rows, 0.0), values(rows * count), low(rows), high(rows), sampled(rows, 0.0);
   Numbers reach(rows, std::numeric_limits<double>::infinity()), limits(rows, 2.0), lumped(columns, 0.0), sum(1);
   raise_peaks(Peaks::of_values, packed, none.data(), count, x.data(), columns, peak.data(), values.data());
-  ranges_of_rows(packed, x.data(), x.data() + columns, rise.data(), low.data(), high.data());
+  const double any = std::numeric_limits<double>::infinity();
+  std::vector<Index> fours(rows, -1);
+  const Numbers below(rows, -any), above(rows, any);
+  EXPECT_EQ(fours_beyond(packed, x.data(), x.data() + columns, rise.data(), below.data(), above.data(), low.data(),
+                         high.data(), fours.data()),
+            0);
+  ASSERT_EQ(fours_beyond(packed, x.data(), x.data() + columns, rise.data(), above.data(), above.data(), low.data(),
+                         high.data(), fours.data()),
+            static_cast<Index>(rows) / 4);
+  EXPECT_EQ(fours[1], 4);
+  Numbers one_above = above;
+  one_above[6] = std::nextafter(high[6], -any);
+  ASSERT_EQ(fours_beyond(packed, x.data(), x.data() + columns, rise.data(), low.data(), one_above.data(), low.data(),
+                         high.data(), fours.data()),
+            1);
+  EXPECT_EQ(fours[0], 4);
   reach_of_samples(packed, none.data(), count, x.data(), rise.data(), sampled.data(), reach.data(), reach.data());
   lump(packed, limits.data(), lumped.data());
   sums(1, rise.data(), columns, packed.runs(), lumped.data(), sum.data());

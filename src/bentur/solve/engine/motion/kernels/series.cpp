@@ -11,7 +11,11 @@ BENTUR_INLINE void add_tied(const Tied& of, int k, Four scale, const double* c0,
   const auto add = [&](Four factor, const double* column) __attribute__((always_inline)) {
     for (Index j = 0; j < of.size; j += four) store(c2 + j, load(c2 + j) + factor * load(column + j));
   };
-  for (Index n = 0; of.matrix != nullptr && n < of.size; ++n) add(by * all(c0[n]), of.matrix + n * of.size);
+  for (Index j = 0; of.matrix != nullptr && j < of.size; j += four) {
+    Four sum = load(c2 + j);
+    for (Index n = 0; n < of.size; ++n) sum += by * all(c0[n]) * load(of.matrix + n * of.size + j);
+    store(c2 + j, sum);
+  }
   for (Index n = 0; of.matrix == nullptr && n < of.count; ++n) {
     add(by * all(sum(product(of.size, of.pull + n * of.size, c0))), of.push + n * of.size);
   }

@@ -69,9 +69,9 @@ void MomentumBalance::push_others(const Expansion& motion, double length, const 
   }
   const auto start = motion.coefficients().col(0);
   for (const ElementForces::Coupled& of : forces.coupled) {
-    VectorXd impulses = length * of.base + of.stiffness * system_->speeds(of.at, of_step_);
-    if (of.damping.size() > 0) impulses += of.damping * system_->speeds(of.at, end_ - start);
-    for (Index n = 0; n < impulses.size(); ++n) system_->push(of.at[n], impulses(n), pushed_);
+    VectorXd impulses = length * of.base + of.stiffness() * system_->speeds(of.at(), of_step_);
+    if (of.damping().size() > 0) impulses += of.damping() * system_->speeds(of.at(), end_ - start);
+    for (Index n = 0; n < impulses.size(); ++n) system_->push(of.at()[n], impulses(n), pushed_);
   }
 }
 

@@ -79,8 +79,7 @@ void PeakSearch::keep_step(std::size_t b, const Curves& curves, Index at) {
   const Index kept = claim((curves.degree + 1) * block.padded_size);
   double* to = kept_.data() + kept;
   for (int k = 0; k <= curves.degree; ++k, to += block.padded_size) {
-    const double* from = curves.c + k * curves.stride;
-    for (Index j = 0; j < block.padded_size; ++j) to[j] = from[j];
+    std::copy_n(curves.c + k * curves.stride, block.padded_size, to);
   }
   steps_.push_back({b, curves.h, curves.end, curves.degree, at});
 }
