@@ -584,8 +584,9 @@ class Run(CommandLine):
         result = self.done("run", "--json")
         summary = json.loads(result.stdout)
         self.assertEqual(list(summary), ["title", "units", "version", "case", "status", "solver", "excitation",
-                                         "statements", "remarks", "buildings", "gaps", "judged_by", "collapsed",
-                                         "remark_counts"])
+                                         "statements", "remarks", "buildings", "gaps", "judged_by", "open_needs",
+                                         "collapsed", "remark_counts"])
+        self.assertEqual(summary["open_needs"], [])
         self.assertEqual(summary["units"], {"length": "cm", "force": "kgf"})
         counts = summary["remark_counts"]
         self.assertEqual(counts["all"], len(summary["remarks"]))

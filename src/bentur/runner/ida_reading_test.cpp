@@ -76,6 +76,7 @@ class MadeUp : public testing::Test {
     if (run == numbers_failed) return {run, RunStatus::failed, "made up", {}};
     if (run == no_case) return {run, RunStatus::invalid, "made up", {}};
     for (const RowPart& quantity : runs.quantities()) {
+      if (quantity.name == "open_needs") result.values[quantity.first] = run == drifted ? 2 : run == doubted ? 4 : 0;
       if (quantity.name == "collapsed") result.values[quantity.first] = run == collapsed ? 1 : 0;
       if (quantity.name == "peak_force") result.values[quantity.first + 1] = force(run);
       if (quantity.name == "residual_drift_ratio_1")
@@ -85,10 +86,12 @@ class MadeUp : public testing::Test {
     return result;
   }
   static constexpr std::size_t numbers_failed = 14, no_case = 5, collapsed = 7;  // 14 and 7: of small forces
+  static constexpr std::size_t drifted = 4, doubted = 0;  // as far as collapse; also of small forces
   /// What collapses or cannot be computed is beyond any threshold.
   static Outcome outcome(std::size_t run) {
     if (run == no_case) return Outcome::failed;
-    return run == numbers_failed || run == collapsed || force(run) > 11.5 ? Outcome::event : Outcome::no_event;
+    return run == numbers_failed || run == collapsed || run == drifted || force(run) > 11.5 ? Outcome::event
+                                                                                            : Outcome::no_event;
   }
   static double force(std::size_t run) { return static_cast<double>(run * 7 % 24); }
 
@@ -114,6 +117,8 @@ TEST_F(MadeUp, EachOutcomeIsFoundWhereItBelongs) {
     const auto results = read_ida_results(file, event, diagnostics);
     ASSERT_TRUE(results.has_value());
     const OutcomeTable& table = results->table;
+    EXPECT_EQ(results->open.runs, 2);
+    EXPECT_EQ(results->open.in, (std::vector<long>{0, 1, 1, 0}));
     EXPECT_EQ(table.levels, (std::vector<double>{0.1, 0.2, 0.4, 0.8}));
     ASSERT_EQ(table.cases, widths);
     ASSERT_EQ(table.records, records);

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "bentur/io/temporary_folder.h"
+#include "bentur/model/judgement/open_needs.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
@@ -95,6 +96,26 @@ class Runs : public testing::Test {
     EXPECT_GT(impacts, 0);
   }
 };
+
+/// By the drift that counts as collapse, and by a displacement that no ground has.
+TEST_F(Runs, SayWhatKeepsTheirNeedsFromBeingKnown) {
+  const auto open = [](const std::string& parameter, const std::string& values) {
+    const StudyRuns runs = runs_of("[[vary]]\nparameter = '" + parameter + "'\nvalues = [" + values + "]\n");
+    const auto part = std::find_if(runs.quantities().begin(), runs.quantities().end(),
+                                   [](const RowPart& q) { return q.name == "open_needs"; });
+    std::vector<std::uint64_t> bits;
+    for (const RunResult& one : runs.solve(std::vector<std::size_t>{0, 1}, [] { return true; })) {
+      bits.push_back(static_cast<std::uint64_t>(one.values.at(part->first)));
+    }
+    return bits;
+  };
+  const std::vector<std::uint64_t> drift = open("analysis.collapse_drift", "10, 1e-12");
+  EXPECT_FALSE(has(drift.at(0), OpenNeed::drift));
+  EXPECT_TRUE(has(drift.at(1), OpenNeed::drift));
+  const std::vector<std::uint64_t> doubt = open("excitation.displacement_amplitude", "1, 1e4");
+  EXPECT_FALSE(has(doubt.at(0), OpenNeed::doubt));
+  EXPECT_TRUE(has(doubt.at(1), OpenNeed::doubt));
+}
 
 TEST_F(Runs, WidthsAlone) {
   const StudyRuns runs = runs_of("[[vary]]\nparameter = 'gap[0].width'\nfrom = 0\nto = 0.08\ncount = 9\n");
