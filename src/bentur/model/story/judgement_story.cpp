@@ -4,6 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
@@ -338,22 +340,13 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
   };
   const long count = std::ssize(view.gaps), small = judged(Sufficiency::too_small),
              unknown = judged(Sufficiency::unknown);
-  Statement statement{.kind = small == count ? "row_all"
-                              : small > 0    ? "row_some"
-                              : unknown > 0  ? "row_unknown"
-                                             : "row_none",
-                      .severity = small + unknown == 0 ? Severity::finding : Severity::warning};
-  statement.values = {count_of("count", count), count_of("small", small), count_of("unknown", unknown),
-                      count_of("may_be", unknown),
-                      word_of("fall_short", small == 1 ? "story.is_small" : "story.are_small")};
-  const bool more = small > 0 && unknown > 0;
+  Statement statement = counted_gaps(count, small, unknown);
   if (unknown > 0 && view.is_cut) {
-    statement.values.push_back(value_in("end", view.problem.duration, "s"));
-    statement.values.push_back(word_of("since", "story.since_cut"));
-  } else {
-    statement.values.push_back(text_of("since", ""));
+    const auto since = std::find_if(statement.values.begin(), statement.values.end(),
+                                    [](const StoryValue& one) { return one.name == "since"; });
+    *since = word_of("since", "story.since_cut");
+    statement.values.insert(since, value_in("end", view.problem.duration, "s"));
   }
-  statement.values.push_back(more ? word_of("others", "story.row_others") : text_of("others", ""));
   told.statements.push_back(std::move(statement));
   tell_pushed(view, order, told.statements);
   return static_cast<Index>(order.front());
@@ -402,6 +395,44 @@ std::vector<ToldJudgement> told_judgements(const Case& c, const Problem& problem
 
 std::vector<ToldJudgement> told_judgements(const PlanRun& run) { return told(story::judged_view_of(run)); }
 
+namespace {
+
+/// A reason with how many records have it, and under which it is the worst.
+std::vector<StoryValue> item_of(const ManyToTell& told, const JudgementOfMany::Found& found, std::size_t record) {
+  const ToldJudgement& worst = told.of_records.at(record);
+  const auto& reasons = worst.judgement.reasons;
+  const auto at = std::find_if(reasons.begin(), reasons.end(), [&](const Reason& one) {
+    return one.kind == found.worst.kind && one.way == found.worst.way && one.value == found.worst.value &&
+           one.subject == found.worst.subject;
+  });
+  std::vector<StoryValue> item = worst.reasons.at(static_cast<std::size_t>(at - reasons.begin()));
+  item.push_back(story::count_of("under", found.runs));
+  item.push_back(story::text_of("record", told.names.at(record)));
+  return item;
+}
+
+}  // namespace
+
+Statement counted_gaps(long count, long small, long unknown, std::string none) {
+  Statement statement{.kind = small == count     ? "row_all"
+                              : small > 0        ? "row_some"
+                              : unknown == count ? "row_all_unknown"
+                              : unknown > 0      ? "row_unknown"
+                                                 : std::move(none),
+                      .severity = small + unknown == 0 ? Severity::finding : Severity::warning};
+  const bool more = small > 0 && unknown > 0;
+  statement.values = {
+      story::count_of("count", count),
+      story::count_of("small", small),
+      story::count_of("unknown", unknown),
+      story::count_of("may_be", unknown),
+      story::word_of("fall_short", small == 1 ? "story.is_small" : "story.are_small"),
+      story::text_of("since", ""),
+      more ? story::word_of("others", "story.row_others") : story::text_of("others", ""),
+  };
+  return statement;
+}
+
 std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index gap) {
   using story::count_of;
   using story::text_of;
@@ -416,22 +447,27 @@ std::vector<Statement> judgement_of_many(const ManyToTell& told, Eigen::Index ga
                   count_of("records", many.runs)};
     return one;
   };
-  Statement small = begun("records_too_small", many.too_small), unknown = begun("records_not_known", many.not_known);
-  for (const JudgementOfMany::Found& found : many.reasons) {
-    if (found.worst.kind == Reason::Kind::rule) continue;  // told with what the code takes of the records
-    const auto& reasons = told.of_records.at(found.run).judgement.reasons;
-    const auto at = std::find_if(reasons.begin(), reasons.end(), [&](const Reason& one) {
-      return one.kind == found.worst.kind && one.way == found.worst.way && one.value == found.worst.value &&
-             one.subject == found.worst.subject;
-    });
-    std::vector<StoryValue> item =
-        told.of_records[found.run].reasons.at(static_cast<std::size_t>(at - reasons.begin()));
-    item.push_back(count_of("under", found.runs));
-    item.push_back(text_of("record", told.names.at(found.run)));
-    (says_too_small(found.worst.kind) ? small : unknown).items.push_back(std::move(item));
+  // Each of the two counts its reasons among its own records.
+  for (const auto& [value, kind, count] : {std::tuple(Sufficiency::too_small, "records_too_small", many.too_small),
+                                           {Sufficiency::unknown, "records_not_known", many.not_known}}) {
+    std::vector<std::size_t> places;
+    std::vector<Judgement> of_value;
+    for (std::size_t i = 0; i < told.of_records.size(); ++i) {
+      const Judgement& judged = told.of_records[i].judgement;
+      if (without_rules(judged) != value) continue;
+      places.push_back(i);
+      of_value.push_back(judged);
+    }
+    if (places.empty()) continue;
+    Statement one = begun(kind, count);
+    for (const JudgementOfMany::Found& found : judge(of_value, {}).reasons) {
+      if (says_too_small(found.worst.kind) != (value == Sufficiency::too_small)) continue;
+      // A record that goes on does so in both directions.
+      if (std::isinf(found.worst.value) && found.worst.way == Way::reversed) continue;
+      one.items.push_back(item_of(told, found, places.at(found.run)));
+    }
+    statements.push_back(std::move(one));
   }
-  if (many.too_small > 0) statements.push_back(std::move(small));
-  if (many.not_known > 0) statements.push_back(std::move(unknown));
   if (many.too_small + many.not_known == 0) {
     statements.push_back(begun(many.is_enough() ? "records_enough" : "records_apart", many.enough));
     statements.back().severity = Severity::finding;

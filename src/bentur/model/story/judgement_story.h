@@ -33,6 +33,10 @@ constexpr std::size_t worst_gaps_shown = 10;
 /// The word for what a gap, or a level of it, is judged to be.
 [[nodiscard]] const char* judgement_word(Sufficiency value);
 
+/// How many of the gaps of a row or a block are too small, and of how many it is not known whether they are enough.
+/// @param none what is said where all are enough
+[[nodiscard]] Statement counted_gaps(long count, long small, long unknown, std::string none = "row_none");
+
 /// Of a gap under many records: too small under so many and why, not known under so many and why, or enough under all.
 struct ManyToTell {
   std::vector<std::string> names;         ///< of the records

@@ -48,6 +48,7 @@ constexpr std::string_view of_single_runs[] = {"row_all",
                                                "row_pounding",
                                                "row_pounding_impulse",
                                                "row_unknown",
+                                               "row_all_unknown",
                                                "row_none",
                                                "row_pushed",
                                                "no_pounding",
@@ -76,6 +77,11 @@ constexpr std::string_view of_single_runs[] = {"row_all",
                                                "not_amplified",
                                                "acceleration_ratio_none",
                                                "storey_shear_ratio_none"};
+
+/// The kind that a statement is counted as: by its drift a storey counts as collapsed with contact or without.
+std::string_view counted_kind(const Statement& statement) {
+  return statement.kind == "drift_beyond_alone" ? std::string_view("drift_beyond") : statement.kind;
+}
 
 /// How bad a statement is among those of its kind.
 double badness(const Statement& statement) {
@@ -159,7 +165,8 @@ std::vector<Statement> union_of(const std::vector<SaidOfRun>& runs) {
     for (const Statement& one : runs[run].statements) {
       if (is_of_single_runs(one)) continue;
       auto found = std::find_if(kinds.begin(), kinds.end(), [&](const OfKind& kind) {
-        return kind.worst->kind == one.kind && kind.worst->gap == one.gap && limit_of(*kind.worst) == limit_of(one);
+        return counted_kind(*kind.worst) == counted_kind(one) && kind.worst->gap == one.gap &&
+               limit_of(*kind.worst) == limit_of(one);
       });
       if (found == kinds.end()) {
         kinds.push_back({&one, run, run, 1});

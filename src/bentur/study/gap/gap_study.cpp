@@ -115,7 +115,7 @@ class Work {
       compare_with_given(widths, choices, needs);
       const bool is_suite = study_.suite && !study_.ida && needs.records.size() == study_.suite->records.size();
       if (is_suite) tell_demand(needs);
-      tell_rules(needs, is_suite && suite_measure(*study_.suite).kind == SuiteMeasure::Kind::mean);
+      tell_rules(needs, is_suite ? suite_measure(*study_.suite) : SuiteMeasure());
       result_.needs.push_back(std::move(needs));
     }
     if (result_.needs.size() > 1) put_together();
@@ -252,8 +252,10 @@ class Work {
     }
   }
 
-  /// What each rule of [code] asks of all records. @param takes_mean as the code that scales them does
-  void tell_rules(RecordNeeds& needs, bool takes_mean) const {
+  /// What each rule of [code] asks of all records. @param measure of the code that scales them
+  void tell_rules(RecordNeeds& needs, const SuiteMeasure& measure) const {
+    const bool takes_mean = measure.kind == SuiteMeasure::Kind::mean;
+    const bool too_few = !measure.code.empty() && measure.kind == SuiteMeasure::Kind::too_few;
     const auto count = static_cast<double>(needs.records.size());
     for (Eigen::Index gap = 0; gap < std::ssize(needs.gaps); ++gap) {
       GapOverRecords& over = needs.gaps[gap];
@@ -261,8 +263,10 @@ class Work {
       const std::vector<LevelSeparation> levels = of_gap(needs.records.front().separations, gap);
       for (std::size_t rule = 0; rule < result_.code.rules.size(); ++rule) {
         const CodeRule& code = *find_code_rule(result_.code.rules[rule].rule);
-        RuleOverRecords found{
-            .rule = std::string(code.name), .title = std::string(code.title), .takes_mean = takes_mean};
+        RuleOverRecords found{.rule = std::string(code.name),
+                              .title = std::string(code.title),
+                              .takes_mean = takes_mean,
+                              .too_few = too_few};
         double most = -std::numeric_limits<double>::infinity();
         bool is_known = !levels.empty();
         for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -302,8 +306,8 @@ class Work {
     std::size_t level = 0;
     for (std::size_t i = 0; i < record.separations.size(); ++i) {
       if (record.separations[i].level.gap != gap) continue;
-      const double to_come = record.to_come.at(i);
-      if (falls_short(given.at(level++).width, to_come, to_come)) return others | left;
+      const double scale = record.separations[i].gap_needed;  // what may come has no end where the record goes on
+      if (falls_short(given.at(level++).width, record.to_come.at(i), scale)) return others | left;
     }
     return others;
   }
@@ -339,6 +343,11 @@ class Work {
     const std::string record = record_name(choices, records, chosen);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     RecordNeed result = need_of_record(record, chosen, takes_both_ways_ && chosen.c.analysis.both_ways);
+    for (std::size_t i = 0; i < result.separations.size(); ++i) {
+      const double needed = result.separations[i].gap_needed;  // in either direction, as what may come
+      if (falls_short(needed, result.to_come.at(i), needed))
+        result.open |= static_cast<unsigned>(OpenNeed::motion_left);
+    }
     result.motion = record_axes(study_, false).place(choices);
     if (study_.ida && study_.ida->is_cloud) {
       result.intensity = facts_.intensities.values[facts_.intensities.place(choices)];

@@ -82,6 +82,7 @@ struct RuleOverRecords {
   double width = 0;         ///< given there [length]
   bool takes_mean = false;
   bool is_short = false;  ///< more than is given
+  bool too_few = false;   ///< a code scales the records that takes nothing of so few
 };
 
 /// One gap over all records.

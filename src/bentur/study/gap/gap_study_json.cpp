@@ -82,11 +82,12 @@ Json over_json(const GapStudy& study, const RecordNeeds& needs, std::size_t gap)
   if (over.demand) json["code"] = demand_json(*over.demand, study.code);
   Json rules = Json::array();
   for (const RuleOverRecords& one : over.rules) {
-    rules.push_back({{"rule", one.rule},
-                     {"takes", one.takes_mean ? "mean" : "largest"},
-                     {"gap", or_null(one.asked)},
-                     {"elevation", or_null(std::isnan(one.asked) ? one.asked : one.elevation)},
-                     {"too_small", std::isnan(one.asked) ? Json(nullptr) : Json(one.is_short)}});
+    rules.push_back(
+        {{"rule", one.rule},
+         {"takes", one.takes_mean ? "mean" : "largest"},
+         {"gap", or_null(one.asked)},
+         {"elevation", or_null(std::isnan(one.asked) ? one.asked : one.elevation)},
+         {"too_small", std::isnan(one.asked) || (one.too_few && !one.is_short) ? Json(nullptr) : Json(one.is_short)}});
   }
   json["rules"] = rules;
   return json;

@@ -18,14 +18,21 @@ struct Told {
   const GapStudy& study;
   const RecordNeeds& needs;
   bool together = false;
-  std::string others = {};                        ///< "stiffness = 2, period = 0.4"
-  const std::vector<bool>* are_enough = nullptr;  ///< per gap; null: not known
+  std::string others = {};                                 ///< "stiffness = 2, period = 0.4"
+  const std::vector<JudgedOverRecords>* judged = nullptr;  ///< per gap; null: not known
 
   /// What follows where a rule or a code is content.
   [[nodiscard]] StoryValue alone(Eigen::Index gap) const {
-    const bool enough = are_enough != nullptr && are_enough->at(static_cast<std::size_t>(gap));
-    if (enough) return {"alone", std::string()};
+    if (is_enough(gap)) return {"alone", std::string()};
     return {"alone", std::string("story.records_rules_alone"), {}, true};
+  }
+  /// What follows what buildings need that meet nobody, where others do.
+  [[nodiscard]] StoryValue others_open(Eigen::Index gap) const {
+    const bool is_alone = judged != nullptr && judged->at(static_cast<std::size_t>(gap)).is_alone;
+    return {"others_open", std::string(is_alone ? "story.if_no_other_closed" : ""), {}, is_alone};
+  }
+  [[nodiscard]] bool is_enough(Eigen::Index gap) const {
+    return judged != nullptr && judged->at(static_cast<std::size_t>(gap)).is_enough;
   }
 
   [[nodiscard]] long count() const { return std::ssize(needs.records); }
@@ -82,6 +89,7 @@ void tell_demand(const Told& told, Eigen::Index gap, std::vector<Statement>& sta
     statement.values.push_back({"level", demand.elevation, length});
     statement.values.push_back({"width", width_of(over.given.front()), length});
     statement.level = demand.elevation;
+    statement.values.push_back(told.others_open(gap));
     statement.values.push_back(told.alone(gap));
   } else if (demand.collapsed > 0) {
     statement.values.push_back({"collapsed", demand.collapsed});
@@ -104,6 +112,7 @@ void tell_rules(const Told& told, Eigen::Index gap, std::vector<Statement>& stat
   };
   Statement is_short = begun("records_rules_short", Severity::warning), met = begun("records_rules", Severity::finding);
   Statement unknown = begun("records_rules_unknown", Severity::warning);
+  Statement few = begun("records_rules_few", Severity::warning);
   for (const RuleOverRecords& rule : over.rules) {
     std::vector<StoryValue> item = {{"rule", rule.title}};
     if (!std::isnan(rule.asked)) {
@@ -111,9 +120,13 @@ void tell_rules(const Told& told, Eigen::Index gap, std::vector<Statement>& stat
       item.push_back({"level", rule.elevation, length});
       item.push_back({"short", rule.asked - rule.width, length});
     }
-    (rule.is_short ? is_short : std::isnan(rule.asked) ? unknown : met).items.push_back(std::move(item));
+    (rule.is_short            ? is_short
+     : std::isnan(rule.asked) ? unknown
+     : rule.too_few           ? few
+                              : met)
+        .items.push_back(std::move(item));
   }
-  for (Statement* const one : {&is_short, &met, &unknown}) {
+  for (Statement* const one : {&is_short, &met, &few, &unknown}) {
     if (!one->items.empty()) statements.push_back(std::move(*one));
   }
 }
@@ -143,11 +156,9 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
     Statement statement = statement_of(told, gap, std::string(told.together ? "runs" : "records") + "_short");
     if (is_open) statement.kind += "_open";
     if (given.beyond > 0 || is_open) statement.severity = Severity::warning;
-    statement.values = {{"beyond", static_cast<long>(given.beyond)},
-                        count_value(told),
-                        {"share", share_of(told, given), "%"},
-                        {"width", width_of(given), length},
-                        {"open", given.open.runs}};
+    statement.values = {
+        {"beyond", static_cast<long>(given.beyond)}, count_value(told),         {"share", share_of(told, given), "%"},
+        {"width", width_of(given), length},          {"open", given.open.runs}, told.others_open(gap)};
     statement.items = open_needs_statement(given.open, told.count()).items;
     statements.push_back(std::move(statement));
   }
@@ -167,6 +178,7 @@ void tell_gap(const Told& told, Eigen::Index gap, std::vector<Statement>& statem
   }
   const long open = std::count_if(told.needs.records.begin(), told.needs.records.end(),
                                   [](const RecordNeed& one) { return !one.falls && one.open != 0; });
+  statement.values.push_back(told.others_open(gap));
   statement.values.push_back({"open", open});
   statement.values.push_back({"known", std::string(open > 0 ? "story.gaps_over_known" : ""), {}, open > 0});
   statements.push_back(std::move(statement));
@@ -236,7 +248,6 @@ StoryTable rule_table(const Told& told, Eigen::Index gap) {
   StoryColumn given{"column.given", length}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn wording{.label = "gap.wording"};
   StoryTable table{.kind = "rules", .gap = gap};
-  const bool is_enough = told.are_enough != nullptr && told.are_enough->at(static_cast<std::size_t>(gap));
   for (const RuleOverRecords& rule : told.needs.gaps[gap].rules) {
     const CodeRule& code = *find_code_rule(rule.rule);
     if (rule.is_short) table.marked.push_back(title.texts.size());
@@ -248,7 +259,8 @@ StoryTable rule_table(const Told& told, Eigen::Index gap) {
     given.numbers.push_back(rule.width);
     verdict.texts.emplace_back(rule.is_short            ? "gap.too_close"
                                : std::isnan(rule.asked) ? "story.silence.unknown"
-                               : is_enough              ? "gap.wide_enough"
+                               : rule.too_few           ? "check.too_few"
+                               : told.is_enough(gap)    ? "gap.wide_enough"
                                                         : "gap.asks_less");
     wording.texts.emplace_back(code.wording);
   }
@@ -313,17 +325,17 @@ void tell(const Told& told, bool in_words, Story& story) {
 
 }  // namespace
 
-Story gap_study_story(const GapStudy& study, const std::vector<bool>& are_enough) {
+Story gap_study_story(const GapStudy& study, const std::vector<JudgedOverRecords>& judged) {
   Story story;
-  const std::vector<bool>* const judged = are_enough.empty() ? nullptr : &are_enough;
+  const std::vector<JudgedOverRecords>* const known = judged.empty() ? nullptr : &judged;
   const bool are_choices = study.together.has_value();
   for (const RecordNeeds& needs : study.needs)
-    tell({study, needs, false, others_of(needs), judged}, !are_choices, story);
+    tell({study, needs, false, others_of(needs), known}, !are_choices, story);
   if (are_choices) {
     for (Eigen::Index gap = 0; gap < std::ssize(study.together->gaps); ++gap) {
       story.tables.push_back(choice_table(study, gap));
     }
-    tell({study, *study.together, true, {}, judged}, true, story);
+    tell({study, *study.together, true, {}, known}, true, story);
   }
   if (study.suite) {
     Story suite = suite_story(*study.suite, study.units);

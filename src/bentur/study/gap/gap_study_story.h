@@ -7,10 +7,16 @@
 
 namespace bentur {
 
+/// What is known of a gap of a suite beside what its records need.
+struct JudgedOverRecords {
+  bool is_enough = false;  ///< from all that is known
+  bool is_alone = false;   ///< another gap closes under some record: needs are of buildings that meet nobody
+};
+
 /// Of the gaps over the records of a study: how many need more than is given, what half of them and 84 % need; where
 /// something else varies over all of its choices together, with a table of the choices. Then a table of the records for
 /// each gap and choice, and where several widths are given one of them.
-/// @param are_enough per gap whether it is judged so from all that is known; empty: nothing of contact is known
-[[nodiscard]] Story gap_study_story(const GapStudy& study, const std::vector<bool>& are_enough = {});
+/// @param judged per gap; empty: nothing of contact is known
+[[nodiscard]] Story gap_study_story(const GapStudy& study, const std::vector<JudgedOverRecords>& judged = {});
 
 }  // namespace bentur

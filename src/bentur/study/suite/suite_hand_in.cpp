@@ -92,18 +92,22 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
     if (made.result.empty() && is_met && !judged.many.is_enough()) made.result = "gap.asks_less";
     rows.push_back(std::move(made));
   };
-  row("check.gap_records", "check.by_records", over.largest.gap_needed, narrowest.value_or(0), given.beyond == 0);
+  const std::string alone = judged.alone ? "_alone" : "";
+  row("check.gap_records" + alone, "check.by_records", over.largest.gap_needed, narrowest.value_or(0),
+      given.beyond == 0);
   const SuiteDemand* const demand = over.demand ? &*over.demand : nullptr;
   if (demand != nullptr) {
     const std::string by = fmt::format("{}, {}", demand->measure.code, demand->measure.clause);
     const bool is_known = demand->is_known();
-    row("check.gap_of_code", by, is_known ? demand->taken() : not_known, narrowest.value_or(0), !demand->is_short);
+    row("check.gap_of_code" + alone, by, is_known ? demand->taken() : not_known, narrowest.value_or(0),
+        !demand->is_short);
     if (demand->measure.kind == SuiteMeasure::Kind::too_few) rows.back().result = "check.too_few";
   }
   for (const RuleOverRecords& rule : over.rules) {
     // Of none of its levels it is known where records collapse.
     const double width = rule.width > 0 || rule.is_short ? rule.width : narrowest.value_or(not_known);
     row(rule.title, std::string(find_code_rule(rule.rule)->clause), rule.asked, width, !rule.is_short);
+    if (rule.too_few && !rule.is_short && !std::isnan(rule.asked)) rows.back().result = "check.too_few";
   }
 }
 

@@ -18,6 +18,7 @@
 #include "bentur/model/suite/suite_story.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/study/gap/gap_study_story.h"
+#include "bentur/study/suite/internal/suite_gaps.h"
 
 namespace bentur {
 namespace {
@@ -145,74 +146,7 @@ StoryColumn column_of(const SuiteRun& run, std::string_view key) {
   return column;
 }
 
-std::vector<std::string> names_of(const Problem& problem, Eigen::Index gap) {
-  std::vector<std::string> names;
-  for (const Eigen::Index b : buildings_of(problem, gap)) names.push_back(problem.buildings[b].name);
-  return names;
-}
-
 const SuiteSpec& suite_of(const SuiteRun& run) { return *run.c.excitation.suite; }
-
-/// Of a gap under one record; of one that could not be run nothing is known.
-Judgement judgement_of(const SuiteRecordRun& one, Eigen::Index gap) {
-  if (!one.judged.empty()) return one.judged.at(static_cast<std::size_t>(gap)).judgement;
-  Judgement unknown{.value = Sufficiency::unknown};
-  unknown.reasons.push_back({.kind = Reason::Kind::not_looked_at});
-  return unknown;
-}
-
-/// A gap under all records, told.
-std::vector<Statement> told_of(const SuiteRun& run, Eigen::Index gap, const SuiteJudgement& judged) {
-  std::vector<std::string> names;
-  std::vector<ToldJudgement> of_records;
-  ToldJudgement unknown;
-  for (const SuiteRecordRun& one : run.records) {
-    if (!one.judged.empty()) unknown = one.judged.at(static_cast<std::size_t>(gap));
-  }
-  unknown.judgement = judgement_of({}, gap);
-  unknown.reasons = {{{"why", std::string("reason.not_looked_at"), {}, true}}};
-  for (std::size_t i = 0; i < run.records.size(); ++i) {
-    const SuiteRecordRun& one = run.records[i];
-    names.push_back(suite_of(run).records[i].name());
-    of_records.push_back(one.judged.empty() ? unknown : one.judged.at(static_cast<std::size_t>(gap)));
-  }
-  if (of_records.empty()) return {};
-  const std::vector<std::string> between = names_of(run.problem, gap);
-  return judgement_of_many({.names = std::move(names),
-                            .of_records = std::move(of_records),
-                            .many = judged.many,
-                            .left = between.front(),
-                            .right = between.back(),
-                            .length = run.c.units.length},
-                           gap);
-}
-
-/// What many records say of a gap, without what sentences of its own have said already, and what a table says as well.
-void say_once(std::vector<Statement>& statements) {
-  const auto is_said = [&](const std::optional<Eigen::Index>& gap, std::string_view kind) {
-    return std::any_of(statements.begin(), statements.end(),
-                       [&](const Statement& one) { return one.gap == gap && one.kind.starts_with(kind); });
-  };
-  constexpr std::string_view rows[] = {"storey_yields", "links", "amplified", "acceleration_ratio"};
-  for (Statement& one : statements) {
-    if (std::find(std::begin(rows), std::end(rows), one.kind) != std::end(rows)) one.shown = Shown::row;
-    if (one.kind == "gaps_over_records") one.shown = Shown::table;
-    const bool is_judged = is_said(one.gap, "records_too_small") || is_said(one.gap, "records_not_known");
-    if (one.kind.starts_with("records_short") && is_judged) one.shown = Shown::table;
-    if (one.kind != "records_too_small") continue;
-    const auto has_sentence = [&](const std::vector<StoryValue>& item) {
-      return std::any_of(item.begin(), item.end(), [&](const StoryValue& value) {
-        const auto* const why = std::get_if<std::string>(&value.value);
-        if (value.name != "why" || why == nullptr) return false;
-        return (*why == "reason.unmodelled" && is_said(one.gap, "unmodelled")) ||
-               ((*why == "reason.contact" || *why == "reason.contact_impulse") && is_said(one.gap, "pounding"));
-      });
-    };
-    std::vector<std::vector<StoryValue>> left = one.items;
-    std::erase_if(left, has_sentence);
-    if (!left.empty()) one.items = std::move(left);
-  }
-}
 
 /// How the only gap is judged under each record.
 StoryColumn verdicts_of(const SuiteRun& run) {
@@ -278,14 +212,6 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
 
 bool SuiteRecordRun::is_not_modelled() const {
   return std::any_of(statements.begin(), statements.end(), is_of_unmodelled);
-}
-
-const char* record_word(const SuiteRun& run, std::size_t record, std::size_t gap) {
-  const auto judged = [&](const SuiteRecordRun& one) { return judgement_of(one, static_cast<Eigen::Index>(gap)); };
-  const Sufficiency by_motion = without_rules(judged(run.records[record]));
-  const bool all_enough = std::all_of(run.records.begin(), run.records.end(),
-                                      [&](const SuiteRecordRun& one) { return judged(one).is_enough(); });
-  return by_motion == Sufficiency::enough && !all_enough ? "gap.asks_less" : judgement_word(by_motion);
 }
 
 bool SuiteRun::all_ran() const {
@@ -364,25 +290,6 @@ SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
   return run;
 }
 
-std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps) {
-  std::vector<SuiteJudgement> all;
-  for (Eigen::Index gap = 0; gap < gap_count(run.problem); ++gap) {
-    SuiteJudgement made;
-    if (!gaps.needs.empty()) {
-      for (const RuleOverRecords& rule : gaps.needs.front().gaps.at(gap).rules) {
-        if (!rule.is_short) continue;
-        made.of_rules.push_back(
-            {.kind = Reason::Kind::rule, .value = rule.asked, .width = rule.width, .subject = rule.title});
-      }
-    }
-    std::vector<Judgement> of_records;
-    for (const SuiteRecordRun& one : run.records) of_records.push_back(judgement_of(one, gap));
-    made.many = judge(of_records, made.of_rules);
-    all.push_back(std::move(made));
-  }
-  return all;
-}
-
 Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   const SuiteSpec& suite = suite_of(run);
   const bool are_many = suite.records.size() > 1;
@@ -396,6 +303,7 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   const auto put = [&](std::vector<Statement> statements) {
     for (Statement& one : statements) told.statements.push_back(std::move(one));
   };
+  if (are_many && judged.size() > 1) told.statements.push_back(counted_over_records(judged));
   put(union_of(said));
   const auto failed = std::ssize(run.records) - std::ssize(said);
   if (failed > 0) {
@@ -408,12 +316,12 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
                                .severity = Severity::warning,
                                .values = {{"done", std::ssize(run.records)}, {"records", std::ssize(suite.records)}}});
   }
-  std::vector<bool> are_enough;
+  std::vector<JudgedOverRecords> in_short;
   for (std::size_t gap = 0; gap < judged.size(); ++gap) {
-    are_enough.push_back(judged[gap].many.is_enough());
+    in_short.push_back({judged[gap].many.is_enough(), judged[gap].alone});
     if (are_many) put(told_of(run, static_cast<Eigen::Index>(gap), judged[gap]));
   }
-  Story of_gaps = gap_study_story(gaps, are_enough);
+  Story of_gaps = gap_study_story(gaps, in_short);
   std::erase_if(of_gaps.statements, [](const Statement& one) { return !one.gap; });
   std::erase_if(of_gaps.tables, [](const StoryTable& one) { return !one.gap; });
   // Of one record what it needs is said already.
@@ -434,6 +342,7 @@ Story suite_story(const SuiteRun& run, const GapStudy& gaps) {
   if (StoryColumn column = not_modelled_in(run); !column.texts.empty()) table.columns.push_back(std::move(column));
   if (gap_count(run.problem) == 1) table.columns.push_back(verdicts_of(run));
   told.tables.push_back(std::move(table));
+  if (are_many && judged.size() > 1) told.tables.push_back(table_over_records(run, judged, gaps));
   for (StoryTable& one : screening_tables(run.c, run.problem, run.plan ? &*run.plan : nullptr)) {
     of_gaps.tables.push_back(std::move(one));
   }
@@ -458,7 +367,7 @@ std::string suite_said_json(const SuiteRun& run, const GapStudy& gaps) {
       if (is_rule) reasons.back()["rule"] = one.worst.subject;
     }
     json["judgements"].push_back(
-        {{"between", names_of(run.problem, static_cast<Eigen::Index>(gap))},
+        {{"between", names_across(run.problem, static_cast<Eigen::Index>(gap))},
          {"value", word_of(many.value)},
          {"records", {{"too_small", many.too_small}, {"not_known", many.not_known}, {"enough", many.enough}}},
          {"reasons", reasons}});

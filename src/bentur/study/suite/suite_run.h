@@ -59,12 +59,13 @@ struct SuiteRun {
 struct SuiteJudgement {
   JudgementOfMany many;
   std::vector<Reason> of_rules;
+  bool alone = false;  ///< what it needs is needed if no other gap closed, as one does under some record
 };
 /// One per gap. @param gaps of the same records
 [[nodiscard]] std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps);
 
-/// A word for how a gap does under one record, but for what rules ask: "enough" is said where it is under all records, by
-/// all that is known; else of such a record that it asks for less.
+/// A word for how a gap does under one record, but for what rules ask: "enough" is said where it is under all records,
+/// by all that is known; else of such a record that it asks for less.
 [[nodiscard]] const char* record_word(const SuiteRun& run, std::size_t record, std::size_t gap);
 
 /// What is said of a suite at every door: the union of what its records say, each gap as it is judged from all of them,
