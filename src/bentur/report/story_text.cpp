@@ -272,11 +272,33 @@ std::vector<std::string> rows_in_words(const SaidTable& table) {
   return lines;
 }
 
+namespace {
+
+/// Whether a text has a name as a word of its own, not as a part of another: "B" is none of "By".
+bool has_word(const std::string& text, const std::string& name) {
+  const auto is_of_word = [&](std::size_t at) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    return std::isalnum(byte) != 0 || byte >= 0x80;
+  };
+  // A no-break space, U+00A0, is no letter.
+  const auto is_letter = [&](std::size_t at) {
+    const bool no_break = (at > 0 && text.compare(at - 1, 2, "\u00A0") == 0) || text.compare(at, 2, "\u00A0") == 0;
+    return is_of_word(at) && !no_break;
+  };
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !is_letter(at - 1)) && (end >= text.size() || !is_letter(end))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::string of_gap(const std::string& text, const std::string& gap, std::string shown) {
   if (shown.empty()) shown = gap;
   const std::size_t bar = gap.find(" | ");
-  const bool is_named = bar != std::string::npos && text.find(gap.substr(0, bar)) != std::string::npos &&
-                        text.find(gap.substr(bar + 3)) != std::string::npos;
+  const bool is_named =
+      bar != std::string::npos && has_word(text, gap.substr(0, bar)) && has_word(text, gap.substr(bar + 3));
   return is_named ? text : shown + ": " + text;
 }
 

@@ -109,5 +109,14 @@ TEST(Union, HasTheRulesThatAreSilentUnderAllRuns) {
   EXPECT_EQ(std::get<std::string>(all.front().items[0][1].value), "story.silence.linked");
 }
 
+/// "By NTC 2018" has no B and no C.
+TEST(StoryText, ASentenceNamesItsGapByWholeWords) {
+  EXPECT_EQ(of_gap("By NTC 2018 the gap given is too small.", "B | C"),
+            "B | C: By NTC 2018 the gap given is too small.");
+  EXPECT_EQ(of_gap("The gap of 2 m between B and C is too small.", "B | C"),
+            "The gap of 2 m between B and C is too small.");
+  EXPECT_EQ(of_gap("B\u00A0| C", "B | C"), "B\u00A0| C");
+}
+
 }  // namespace
 }  // namespace bentur
