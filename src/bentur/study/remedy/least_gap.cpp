@@ -26,7 +26,6 @@ LeastGaps begun(const std::string& title, const Units& units, LeastGaps::Basis b
 void take_reason(const Reason& reason, LeastGap& gap) {
   gap.is_short = gap.is_short || is_by_motion(reason.kind);
   gap.is_doubted = gap.is_doubted || !says_too_small(reason.kind);
-  if (reason.kind == Reason::Kind::rule) gap.asked = std::max(gap.asked.value_or(0), reason.value);
 }
 
 /// A gap from all that is known of it.
@@ -52,6 +51,9 @@ void add_gap(LeastGaps& found, LeastGap gap, const JudgedGap& judged) {
   if (facts.has_other_way && other.looked_at && (other.fall || !other.drifts.empty())) gap.is_known = false;
   found.both_ways = found.both_ways && (!facts.has_other_way || other.looked_at);
   for (const Reason& reason : judged.judgement.reasons) take_reason(reason, gap);
+  for (const RuleFinding& rule : facts.rules) {
+    if (rule.at && find_code_rule(rule.rule) != nullptr) gap.asked = std::max(gap.asked.value_or(0), rule.most);
+  }
   gap.needed = without_round_off(gap.needed, facts.scale);
   gap.width = rounded_up(gap.needed);
   found.gaps.push_back(std::move(gap));
@@ -81,6 +83,8 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
                       {"motions", motions_of(found), {}, true}};
   if (found.basis == LeastGaps::Basis::records) statement.values.push_back({"records", found.records});
   statement.values.push_back({"given", one.given, length});
+  const bool is_small = one.judged == Sufficiency::too_small;
+  statement.values.push_back({"small", is_small ? "story.least_gap_small" : "", {}, is_small});
   if (!one.is_known) {
     statement.kind = one.is_beside ? "least_gap_beside" : "least_gap_unknown";
     statement.severity = Severity::danger;
@@ -168,6 +172,9 @@ LeastGaps least_gaps(const SuiteRun& run, const GapStudy& study) {
     one.given = given.narrowest().value_or(0);
     one.judged = many.value;
     for (const JudgementOfMany::Found& of : many.reasons) take_reason(of.worst, one);
+    for (const RuleOverRecords& rule : needs.gaps[g].rules) {
+      if (!std::isnan(rule.asked)) one.asked = std::max(one.asked.value_or(0), rule.asked);
+    }
     for (const SuiteRecordRun& record : run.records) {
       one.others_close = one.others_close || (!record.judged.empty() && record.judged.at(g).judgement.alone);
     }

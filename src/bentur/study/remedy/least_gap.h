@@ -27,7 +27,7 @@ struct LeastGap {
   bool is_doubted = false;   ///< something keeps it from being known to be enough
   Sufficiency judged = Sufficiency::enough;  ///< what is given, from all that is known
   bool by_peaks = false;                     ///< of displacements that are given: what both at once need
-  std::optional<double> asked = {};          ///< the most that a rule of [code] asks for beyond what is given
+  std::optional<double> asked = {};          ///< the most that a rule of [code] asks for
   bool others_close = false;  ///< another gap of the row closes: what is needed holds where every gap has its own
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -148,6 +149,23 @@ TEST_F(LeastGapOf, NothingIsKnownWhereABuildingCollapses) {
   EXPECT_TRUE(json["gaps"][0]["least_gap"].is_null());
   EXPECT_NE(json["gaps"][0]["judgement"], "enough");
   EXPECT_NE(json["gaps"][0]["too_narrow"], false);
+}
+
+/// GB 50011 asks for 100 mm at least, more than the buildings need and less than they have.
+TEST_F(LeastGapOf, ARuleThatAsksForMoreIsSaidBesideWhatIsGiven) {
+  const std::string code = "\n[code]\nsame_owner = true\ngb-50011-2010 = { intensity = 8, system = \"frame\" }\n";
+  std::string quiet = shaken;
+  quiet.replace(quiet.find("0.02"), 4, "0.002");
+  const LeastGaps found = least_gaps(run(case_with(case_of(2.0, quiet) + code)));
+  ASSERT_EQ(found.gaps.size(), 1U);
+  EXPECT_LT(found.gaps[0].width, 0.1);
+  ASSERT_TRUE(found.gaps[0].asked.has_value());
+  EXPECT_GE(*found.gaps[0].asked, 0.1);
+  const Statement said = least_gap_story(found).statements.at(0);
+  EXPECT_TRUE(std::any_of(said.values.begin(), said.values.end(), [](const StoryValue& one) {
+    const auto* const word = std::get_if<std::string>(&one.value);
+    return one.name == "rules" && word != nullptr && *word == "story.least_gap_asked";
+  })) << said.kind;
 }
 
 }  // namespace
