@@ -216,24 +216,56 @@ bool read_case_of(const TomlView& root, Study& study, Diagnostics& diagnostics) 
   return true;
 }
 
-/// [ida] polarity is a vary of excitation.polarity, a choice of the record like its file.
-void add_polarity(const TomlView& root, Study& study) {
-  if (study.ida->polarity.empty()) return;
-  const TomlView view = *root.find("ida")->find("polarity");
-  const ParameterPath path = {"excitation", "polarity"};
+/// A vary of excitation.polarity, a choice of the record like its file. @param which one of its words, or "both"
+Vary vary_of_polarity(const std::string& which, const SourcePosition& position, const Study& study) {
   Vary vary;
   vary.parameter = "excitation.polarity";
-  vary.path = path;
+  vary.path = {"excitation", "polarity"};
   vary.name = "polarity";
   vary.axis = study.axes.size();
   for (const std::string_view word : excitation_keys().at("polarity").words) {
     const std::string one(word);
-    if (study.ida->polarity == "both" || study.ida->polarity == one) {
+    if (which == "both" || which == one) {
       vary.values.push_back(toml_text(one));
       vary.labels.push_back(one);
     }
   }
-  vary.parameter_position = vary.position = view.position();
+  vary.parameter_position = vary.position = position;
+  if (moves_along_y(study.case_root)) {
+    FileKey both{{"excitation", "y", "polarity"}, {vary.values.begin(), vary.values.end()}};
+    vary.file_keys.push_back(std::move(both));
+  }
+  return vary;
+}
+
+/// Of a remedy for what gaps need each record is applied both ways, unless the case does not look at the other one or
+/// the study says which way it is applied.
+void apply_both_ways(Study& study) {
+  const std::string& objective = study.remedy->objective;
+  if (objective != "gap_needed" && objective != "point_gap_needed") return;
+  const TomlValue* const kind = find_value(study.case_root, {"excitation", "kind"});
+  const TomlValue* const looks = find_value(study.case_root, {"analysis", "both_ways"});
+  const bool is_off = looks != nullptr && looks->kind == TomlValue::Kind::boolean && !looks->boolean;
+  if (kind == nullptr || kind->text != "record" || is_off) return;
+  Vary both = vary_of_polarity("both", study.remedy->position, study);
+  for (const Vary& other : study.varies) {
+    if (other.name == both.name || study.axes[other.axis] == both.name) return;
+    std::vector<ParameterPath> paths = {other.path};
+    for (const FileKey& key : other.file_keys) paths.push_back(key.path);
+    for (const ParameterPath& path : paths) {
+      if (!path.empty() && (overlap(path, both.path) || overlap(path, {"excitation", "y", "polarity"}))) return;
+    }
+  }
+  study.axes.push_back(both.name);
+  study.varies.push_back(std::move(both));
+}
+
+/// [ida] polarity.
+void add_polarity(const TomlView& root, Study& study) {
+  if (study.ida->polarity.empty()) return;
+  const TomlView view = *root.find("ida")->find("polarity");
+  Vary vary = vary_of_polarity(study.ida->polarity, view.position(), study);
+  const ParameterPath& path = vary.path;
   for (const Vary& other : study.varies) {
     if (overlap(other.path, path) || overlap(other.path, {"excitation", "y", "polarity"})) {
       view.error_value(fmt::format("but {} is varied in line {}", other.parameter, other.parameter_position.line));
@@ -241,10 +273,6 @@ void add_polarity(const TomlView& root, Study& study) {
       view.error_value(fmt::format("has the name of what varies in line {}: give that another name = \"..\"",
                                    other.parameter_position.line));
     }
-  }
-  if (moves_along_y(study.case_root)) {
-    FileKey both{{"excitation", "y", "polarity"}, {vary.values.begin(), vary.values.end()}};
-    vary.file_keys.push_back(std::move(both));
   }
   study.axes.push_back(vary.name);
   study.varies.push_back(std::move(vary));
@@ -262,7 +290,15 @@ void settle_component(const TomlView& root, Study& study) {
 /// [remedy] needs something to choose, and what moves in step with it must have a range too.
 void expect_a_range(const TomlView& root, const Study& study) {
   const auto has_range = [](const Vary& vary) { return vary.sought.has_value(); };
-  if (std::none_of(study.varies.begin(), study.varies.end(), has_range)) {
+  const auto gives_range = [](const TomlView& view) {
+    return view.is(TomlValue::Kind::table) && view.value().find("from") != nullptr;
+  };
+  const auto given = root.find("vary");
+  bool is_given = false;  // right or wrong
+  for (std::size_t i = 0; given && i < given->value().items.size(); ++i) {
+    is_given = is_given || gives_range(given->item(i));
+  }
+  if (!is_given && std::none_of(study.varies.begin(), study.varies.end(), has_range)) {
     root.find("remedy")->error("needs a [[vary]] with from and to: what may be chosen");
   }
   for (const Vary& vary : study.varies) {
@@ -281,7 +317,10 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
   study.remedy = read_remedy(root);
   if (has_case) {
     read_varies(root, study);
-    if (study.remedy) expect_a_range(root, study);
+    if (study.remedy) {
+      expect_a_range(root, study);
+      apply_both_ways(study);
+    }
     if (study.ida) {
       add_polarity(root, study);
       settle_component(root, study);

@@ -448,6 +448,9 @@ std::optional<RemedySearch> seek_remedy(const std::filesystem::path& file, const
       search.runs_each *= vary.values.size();
     }
   }
+  search.both_ways = std::any_of(search.study.varies.begin(), search.study.varies.end(), [](const Vary& vary) {
+    return vary.path == ParameterPath{"excitation", "polarity"} && vary.values.size() == 2;
+  });
   Trials trials(search, std::move(*facts), memo, options, quantities);
   try {
     seek(search, trials);

@@ -46,6 +46,7 @@ std::string remedy_json(const RemedySearch& search, std::string_view version) {
                      {"objective", spec.objective},
                      {"unit", search.unit},
                      {"of_records", spec.mean ? "mean" : "largest"},
+                     {"both_ways", search.both_ways},
                      {"limit", spec.limit ? Json(*spec.limit) : Json(nullptr)},
                      {"parameters", parameters},
                      {"runs_each", search.runs_each},

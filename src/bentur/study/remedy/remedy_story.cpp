@@ -74,9 +74,9 @@ Story remedy_story(const RemedySearch& search) {
                           .severity = Severity::warning,
                           .values = {{"evaluations", count}, {"most", static_cast<long>(search.spec().evaluations)}}});
   }
-  // The search knows its objective alone: neither the motion reversed, unless the study asks for it, nor rules.
+  // The search knows its objective alone, no rules; the motion reversed of needs, or where the study asks for it.
   if (best != nullptr || smallest != nullptr) {
-    statements.push_back({.kind = "remedy_by_objective",
+    statements.push_back({.kind = search.both_ways ? "remedy_by_objective_both" : "remedy_by_objective",
                           .severity = Severity::remark,
                           .values = {{"objective", search.spec().objective}}});
   }

@@ -270,8 +270,38 @@ TEST_F(Remedies, AStoppedSearchGoesOnToTheSameEnd) {
   }
 }
 
+/// A push to one side: reversed the buildings need another gap. The larger of both is what a limit is kept for.
+TEST_F(Remedies, GapsNeededAreThoseOfBothDirections) {
+  std::string text = case_of(spring);
+  const std::size_t motion = text.find("[excitation]"), analysis = text.find("[analysis]");
+  text.replace(
+      motion, analysis - motion,
+      "[excitation]\nkind = 'record'\ntime_step = 0.1\nvalues = [0, 3, 3, 3, 0, -1, -1, 0, 0]\nunit = 'm/s2'\n");
+  const std::string asked = "[remedy]\nobjective = 'gap_needed'\nevaluations = 10\n" + std::string(dampers);
+  put("case.toml", text);
+  const RemedySearch both = found(asked);
+  EXPECT_EQ(both.runs_each, 2U);
+  EXPECT_TRUE(both.both_ways);
+  put("case.toml", text + "both_ways = false\n");
+  const RemedySearch one = found(asked);
+  EXPECT_EQ(one.runs_each, 1U);
+  EXPECT_FALSE(one.both_ways);
+  put("case.toml", std::string(text).replace(text.find("unit = 'm/s2'"), 13, "unit = 'm/s2'\npolarity = 'reversed'") +
+                       "both_ways = false\n");
+  const RemedySearch other = found(asked);
+  ASSERT_NE(one.trials.at(0).objective, other.trials.at(0).objective);
+  EXPECT_DOUBLE_EQ(both.trials.at(0).objective, std::max(one.trials[0].objective, other.trials[0].objective));
+}
+
 TEST_F(Remedies, RefuseWhatMakesNoSense) {
-  EXPECT_NE(errors("[remedy]\nobjective = 'pek_force'\n" + std::string(dampers)).find("must be a quantity of the"),
+  const std::string near = errors("[remedy]\nobjective = 'gap_neded'\nlimit = -1\n" + std::string(dampers));
+  EXPECT_NE(near.find("did you mean \"gap_needed\""), std::string::npos) << near;
+  EXPECT_NE(near.find("remedy.limit"), std::string::npos) << near;
+  const std::string from = errors(
+      "[remedy]\nobjective = 'peak_force'\n[[vary]]\nparameter = 'link[0].damping'\nfrom = 0\nto = 2\nspacing = "
+      "'log'\n");
+  EXPECT_EQ(from.find("needs a [[vary]]"), std::string::npos) << from;
+  EXPECT_NE(errors("[remedy]\nobjective = 'pek_force'\n" + std::string(dampers)).find("did you mean \"peak_force\""),
             std::string::npos);
   EXPECT_NE(errors("[remedy]\nobjective = 'peak_force'\n" + std::string(both_ways)).find("needs a [[vary]] with from"),
             std::string::npos);

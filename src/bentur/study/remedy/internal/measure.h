@@ -21,7 +21,7 @@ class Measure {
   [[nodiscard]] double operator()(const RunResult& result) const;
 
  private:
-  std::vector<RowPart> of_, refused_;
+  std::vector<RowPart> of_, refused_, open_;
   bool is_free_ = false;
 };
 
