@@ -119,9 +119,7 @@ template <class AnyProblem>
 std::string taxonomy_table(const Case& c, const AnyProblem& problem, const std::vector<ToldJudgement>& gaps) {
   std::set<Eigen::Index> pounding;
   for (const ToldJudgement& gap : gaps) {
-    const auto& reasons = gap.judgement.reasons;
-    if (std::any_of(reasons.begin(), reasons.end(), [](const Reason& r) { return is_by_motion(r.kind); }))
-      pounding.insert({gap.left, gap.right});
+    if (may_close(gap.judgement)) pounding.insert({gap.left, gap.right});
   }
   std::string text = "building,taxonomy\n";
   for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
@@ -138,6 +136,17 @@ void export_taxonomy(const ExportArguments& arguments) {
   const std::vector<ToldJudgement> gaps = judgements_of(loaded, arguments.language);
   output.write(loaded.c.is_in_plan() ? taxonomy_table(loaded.c, loaded.plan, gaps)
                                      : taxonomy_table(loaded.c, loaded.problem, gaps));
+  std::set<std::pair<Eigen::Index, Eigen::Index>> open;
+  for (const ToldJudgement& gap : gaps) {
+    if (gap.judgement.is_open()) open.emplace(gap.left, gap.right);
+  }
+  std::vector<std::string> names;
+  for (const auto& [left, right] : open) {
+    names.push_back(loaded.c.buildings.at(static_cast<std::size_t>(left)).name + " | " +
+                    loaded.c.buildings.at(static_cast<std::size_t>(right)).name);
+  }
+  if (names.empty()) return;
+  message(Words(arguments.language)("cli.gem_not_known", {{"names", fmt::format("{}", fmt::join(names, ", "))}}));
 }
 
 CLI::App* format(CLI::App& app, const char* name, const char* what, const char* file, ExportArguments& arguments) {

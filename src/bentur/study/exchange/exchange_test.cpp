@@ -197,5 +197,15 @@ TEST(Gem, InPlanCountsSidesNotNeighbours) {
   EXPECT_EQ(gem_taxonomy(c, problem, 0, false), "LFM/HEX:2/BP3");
 }
 
+/// Where a building collapses no gap is known to do; an input in doubt says nothing of that.
+TEST(Gem, GapsMayCloseWhereABuildingCollapses) {
+  const auto judged = [](Reason::Kind kind) { return Judgement{.reasons = {{.kind = kind}}}; };
+  for (const auto kind : {Reason::Kind::contact, Reason::Kind::need, Reason::Kind::collapse, Reason::Kind::drift}) {
+    EXPECT_TRUE(may_close(judged(kind))) << word_of(kind);
+  }
+  for (const auto kind : {Reason::Kind::rule, Reason::Kind::doubt}) EXPECT_FALSE(may_close(judged(kind)));
+  EXPECT_FALSE(may_close({}));
+}
+
 }  // namespace
 }  // namespace bentur

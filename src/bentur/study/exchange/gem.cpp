@@ -32,6 +32,12 @@ std::string taxonomy(const BuildingSpec& spec, std::size_t storeys, std::size_t 
 
 }  // namespace
 
+bool may_close(const Judgement& judgement) {
+  return std::any_of(judgement.reasons.begin(), judgement.reasons.end(), [](const Reason& one) {
+    return is_by_motion(one.kind) || one.kind == Reason::Kind::collapse || one.kind == Reason::Kind::drift;
+  });
+}
+
 std::string gem_taxonomy(const Case& c, const Problem& problem, Eigen::Index building, bool pounds) {
   const Eigen::Index last = std::ssize(problem.buildings) - 1;
   const std::size_t sides = (building > 0 ? 1U : 0U) + (building < last ? 1U : 0U);
