@@ -74,6 +74,32 @@ TEST(RiskReport, OfAFittedCurveIsItsLognormalOnTheHazard) {
   EXPECT_GT(risk.bounds->upper, risk.told().rate);
 }
 
+/// Where nothing was run the curve alone says what the rate is.
+TEST(RiskReport, SaysHowMuchIsAboveAllThatWasRun) {
+  const auto is_said = [](double last) {
+    IdaResults of = results(10);
+    const IdaResults all = of;
+    const auto count = static_cast<std::size_t>(
+        std::count_if(all.table.levels.begin(), all.table.levels.end(), [&](double level) { return level <= last; }));
+    of.table.levels.resize(count);
+    of.table.outcomes.clear();
+    of.table.demands.clear();
+    of.table.collapsed.assign(10 * count, 0);
+    for (std::size_t record = 0; record < 10; ++record) {
+      for (std::size_t level = 0; level < count; ++level) {
+        of.table.outcomes.push_back(all.table.at(0, record, level));
+        of.table.demands.push_back(all.table.demands[record * all.table.levels.size() + level]);
+      }
+    }
+    const RiskReport report = reported(of, request());
+    EXPECT_TRUE(report.cases.at(0).is_lognormal());
+    const std::vector<Statement> told = risk_story(report, request()).statements;
+    return std::any_of(told.begin(), told.end(), [](const Statement& one) { return one.kind == "risk_above"; });
+  };
+  EXPECT_TRUE(is_said(0.15));
+  EXPECT_FALSE(is_said(1.0));  // where one in 40 of such motions is
+}
+
 TEST(RiskReport, RecordsSumUpToTheObservedRate) {
   const RiskReport report = reported(results(10), request());
   double sum = 0;

@@ -78,6 +78,19 @@ void tell_fragility(const RiskReport& report, const CaseRisk& risk, std::vector<
   }
 }
 
+/// Of a rate by a curve what comes from intensities above all that were run, as far as the hazard says [1/year].
+double rate_above_levels(const RiskReport& report, const AnnualRate& rate) {
+  const std::vector<double> levels = report.results.table.intensities();
+  const std::vector<double>& at = report.hazard.intensity;
+  double above = 0;
+  for (std::size_t i = 0; !levels.empty() && i < report.hazard.segments(); ++i) {
+    if (at[i + 1] <= levels.back()) continue;
+    const double part = std::log(at[i + 1] / std::max(at[i], levels.back())) / std::log(at[i + 1] / at[i]);
+    above += part * rate.parts[i];
+  }
+  return above;
+}
+
 /// What makes the rate less sure than its digits.
 void tell_unknown(const RiskReport& report, const CaseRisk& risk, std::vector<Statement>& statements,
                   const std::string& subject) {
@@ -88,6 +101,14 @@ void tell_unknown(const RiskReport& report, const CaseRisk& risk, std::vector<St
                           .severity = Severity::warning,
                           .values = {{"part", 100 * told.beyond / told.rate, "%"}},
                           .subject = subject});
+  }
+  const double above = risk.is_lognormal() ? rate_above_levels(report, told) : 0;
+  if (above > worth_saying * told.rate) {
+    statements.push_back(
+        {.kind = "risk_above",
+         .severity = Severity::warning,
+         .values = {{"part", 100 * above / told.rate, "%"}, {"last", report.results.table.intensities().back(), unit}},
+         .subject = subject});
   }
   if (told.below > worth_saying * told.rate) {
     const bool ends = std::isfinite(told.below);
