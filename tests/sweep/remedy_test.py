@@ -140,8 +140,8 @@ class Remedy(unittest.TestCase):
         for option in ("-o", self.output), ("--figure", self.folder / "x.svg"), ("--resume",):
             self.assertIn("are for a study with [remedy]", self.bentur("remedy", case, *option, status=2).stderr)
         for changes, said in (
-                ([('"gap_needed"', '"gap_neded"')], r"study.toml:6:\d+: error: remedy.objective = \"gap_neded\", must be "
-                                                    "a quantity of the results, did you mean \"gap_needed\""),
+                ([('"gap_needed"', '"gap_neded"')], r"study.toml:6:\d+: error: remedy.objective = \"gap_neded\", did "
+                                                    "you mean \"gap_needed\""),
                 ([('"gap_needed"', '"beauty"')], "a quantity of the results: .*peak_force"),
                 ([("[remedy]", "[remedie]")], "remedie.*did you mean|unknown|remedy"),
                 ([("from = 100", "from = 100\ncount = 4")], "count.* is for a grid: with \\[remedy\\]"),

@@ -306,8 +306,8 @@ class Work {
     std::size_t level = 0;
     for (std::size_t i = 0; i < record.separations.size(); ++i) {
       if (record.separations[i].level.gap != gap) continue;
-      const double to_come = record.to_come.at(i);
-      if (falls_short(given.at(level++).width, to_come, to_come)) return others | left;
+      const double scale = record.separations[i].gap_needed;  // what may come has no end where the record goes on
+      if (falls_short(given.at(level++).width, record.to_come.at(i), scale)) return others | left;
     }
     return others;
   }
@@ -343,6 +343,11 @@ class Work {
     const std::string record = record_name(choices, records, chosen);
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     RecordNeed result = need_of_record(record, chosen, takes_both_ways_ && chosen.c.analysis.both_ways);
+    for (std::size_t i = 0; i < result.separations.size(); ++i) {
+      const double needed = result.separations[i].gap_needed;  // in either direction, as what may come
+      if (falls_short(needed, result.to_come.at(i), needed))
+        result.open |= static_cast<unsigned>(OpenNeed::motion_left);
+    }
     result.motion = record_axes(study_, false).place(choices);
     if (study_.ida && study_.ida->is_cloud) {
       result.intensity = facts_.intensities.values[facts_.intensities.place(choices)];

@@ -101,8 +101,6 @@ void take_other_way(RecordNeed& need, const std::function<RecordNeed()>& reverse
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels[i].gap_needed_reversed = reversed[i].gap_needed_reversed;
     take_larger(levels[i].gap_needed, *reversed[i].gap_needed_reversed);
-    const bool may_grow = falls_short(levels[i].gap_needed, need.to_come.at(i), levels[i].gap_needed);
-    if (may_grow) need.open |= static_cast<unsigned>(OpenNeed::motion_left);
     take_larger(levels[i].abs, reversed[i].abs);
     take_larger(levels[i].srss, reversed[i].srss);
     take_larger(levels[i].ddc, reversed[i].ddc);

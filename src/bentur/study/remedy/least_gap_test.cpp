@@ -154,7 +154,9 @@ TEST_F(LeastGapOf, NothingIsKnownWhereABuildingCollapses) {
 /// GB 50011 asks for 100 mm at least, more than the buildings need and less than they have.
 TEST_F(LeastGapOf, ARuleThatAsksForMoreIsSaidBesideWhatIsGiven) {
   const std::string code = "\n[code]\nsame_owner = true\ngb-50011-2010 = { intensity = 8, system = \"frame\" }\n";
-  const LeastGaps found = least_gaps(run(case_with(case_of(2.0, shaken) + code)));
+  std::string quiet = shaken;
+  quiet.replace(quiet.find("0.02"), 4, "0.002");
+  const LeastGaps found = least_gaps(run(case_with(case_of(2.0, quiet) + code)));
   ASSERT_EQ(found.gaps.size(), 1U);
   EXPECT_LT(found.gaps[0].width, 0.1);
   ASSERT_TRUE(found.gaps[0].asked.has_value());
