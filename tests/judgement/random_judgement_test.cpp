@@ -71,7 +71,8 @@ GroundMotion scaled(GroundMotion motion, double factor) {
 }
 
 struct Judged {
-  long cases = 0, gaps = 0, enough = 0, small = 0, unknown = 0, twins = 0, at_need = 0, asked_more = 0;
+  long cases = 0, gaps = 0, enough = 0, small = 0, unknown = 0, twins = 0, at_need = 0, asked_more = 0,
+       reversed_contact = 0;
 };
 
 /// Whether a run of the same with another motion meets somewhere; of one that does not end in its time nothing is said.
@@ -157,6 +158,21 @@ void examine_rules(const Story& story, const std::vector<JudgedGap>& judged, Jud
   }
 }
 
+/// Contact of the motion reversed that is harder, or in a gap that the motion as given leaves open, is said of rows.
+void examine_reversed_contact(const Story& story, const std::vector<JudgedGap>& judged, Judged& tally) {
+  double given = 0, reversed = 0;
+  bool closes_more = false;
+  for (const JudgedGap& one : judged) {
+    given = std::max(given, one.facts.peak_force());
+    reversed = std::max(reversed, one.facts.peak_force(Way::reversed));
+    closes_more = closes_more || (one.facts.touch(Way::reversed) && !one.facts.touch());
+  }
+  const bool is_said = std::any_of(story.statements.begin(), story.statements.end(),
+                                   [](const Statement& one) { return one.kind.starts_with("row_reversed"); });
+  EXPECT_EQ(is_said, judged.size() > 1 && (closes_more || reversed > (1 + 1e-6) * given));
+  tally.reversed_contact += is_said ? 1 : 0;
+}
+
 void examine_judgements(unsigned seed, Judged& tally) {
   SCOPED_TRACE(fmt::format("case {}", seed));
   Draws draw(seed + 7);
@@ -201,7 +217,9 @@ void examine_judgements(unsigned seed, Judged& tally) {
       EXPECT_FALSE(one.kind == Reason::Kind::contact || one.kind == Reason::Kind::unmodelled) << word_of(one);
     }
   }
-  examine_rules(run_story(run), judged, tally);
+  const Story story = run_story(run);
+  examine_rules(story, judged, tally);
+  examine_reversed_contact(story, judged, tally);
   if (seed % 2 == 1)
     examine_twin(c, run, judged, tally);  // rows of every kind have struck columns, which plans have not
 }
@@ -222,6 +240,7 @@ TEST_P(RandomJudgements, NeverSayEnoughWhereBuildingsMeet) {
   EXPECT_GT(tally.small, 0.2 * count);
   EXPECT_GT(tally.twins, 0.02 * count);
   EXPECT_GT(tally.asked_more, 0.1 * count);
+  EXPECT_GT(tally.reversed_contact, 0.02 * count);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, RandomJudgements, testing::Range(0U, parts_of_judgements));

@@ -21,7 +21,8 @@ namespace bentur {
 [[nodiscard]] bool motion_ends(const System& system);
 
 /// Puts into summaries what the vibration after a free response can still need, or what harmonic motion that goes on
-/// can; infinite where the records of its system go on after it has ended, or nothing bounds the response to that motion.
+/// can; infinite where the records of its system go on after it has ended, or nothing bounds the response to such
+/// motion.
 /// @param places of the system's contacts, those that rub last, among the points, −1: none of them; empty: they are
 /// the points
 void take_to_come(const FreeSolution& free, const std::vector<Eigen::Index>& places, std::vector<PointSummary>& points,

@@ -360,30 +360,6 @@ TEST(ManyBuildings, TheHeightOfAFigureIsThatOfWhatItShows) {
   EXPECT_NEAR(*panel.y.to, 6 * panel.height / (panel.height - name), 1e-9);
 }
 
-/// Contact of the motion reversed that is harder, or in a gap that the motion as given leaves open, is said: of a
-/// motion and that motion reversed one of both has it.
-TEST(ManyBuildings, HarderContactOfTheMotionReversedIsSaid) {
-  std::string other = row_of(9);
-  other.replace(other.find("displacement_amplitude = 0.04"), 29, "displacement_amplitude = 0.04, phase = \"cosine\"");
-  int said = 0;
-  for (const RunResults& run : {row(), test::drawn_run(other)}) {
-    double given = 0, reversed = 0;
-    bool closes_more = false;
-    for (const JudgedGap& one : judged_gaps(run)) {
-      given = std::max(given, one.facts.peak_force());
-      reversed = std::max(reversed, one.facts.peak_force(Way::reversed));
-      closes_more = closes_more || (one.facts.touch(Way::reversed) && !one.facts.touch());
-    }
-    ASSERT_GT(reversed, 0);
-    const std::vector<Statement> all = run_story(run).statements;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [](const Statement& one) { return one.kind == "row_reversed"; });
-    EXPECT_EQ(found != all.end(), closes_more || reversed > (1 + 1e-6) * given);
-    said += found != all.end() ? 1 : 0;
-  }
-  EXPECT_GT(said, 0);
-}
-
 /// The bars of all gaps are drawn at one scale: of equal lengths for what is given alike.
 TEST(ManyBuildings, BarsOfAllGapsHaveOneScale) {
   const std::string page = report_html(row(), {.version = "0"});
