@@ -586,7 +586,7 @@ class Run(CommandLine):
         self.assertEqual(list(summary), ["title", "units", "version", "case", "status", "solver", "excitation",
                                          "statements", "remarks", "buildings", "gaps", "judged_by", "open_needs",
                                          "collapsed", "remark_counts"])
-        self.assertEqual(summary["open_needs"], [])
+        self.assertEqual(summary["open_needs"], ["motion_left"])  # the record goes on after 10 s
         self.assertEqual(summary["units"], {"length": "cm", "force": "kgf"})
         counts = summary["remark_counts"]
         self.assertEqual(counts["all"], len(summary["remarks"]))
@@ -1952,7 +1952,7 @@ class Report(CommandLine):
     def test_figures_need_no_other_program(self):
         case, page = self.written("m12-el-centro"), self.folder / "report.html"
         self.done("report", case, "-o", page, env={"PATH": str(self.folder)})
-        self.assertEqual(len(re.findall("<figure(?! class=.overview)[^>]*>", page.read_text())), 14)
+        self.assertEqual(len(re.findall("<figure(?! class=.overview)[^>]*>", page.read_text())), 13)
 
     def test_results_give_the_verdict_of_their_case(self):
         for name in "m12-el-centro", "row-of-three", "restitution-asked", "free-impact":
@@ -1993,7 +1993,7 @@ class Report(CommandLine):
         self.assertIn(f"The buildings collide in {colliding} of 5 runs.", text)
         hardest = max(forces, key=forces.get)
         self.assertIn(f"The largest contact force is {forces[hardest]:.4g} kgf, at gap {hardest:g} cm.", text)
-        self.assertIn("a gap of up to 0.7262 cm.", text)
+        self.assertIn("In 5 of 5 runs it is not known", text)  # the record goes on after them
         self.assertIn(study.read_text(), text)
         self.assertIn("bentur report: ", self.fails(2, "report", self.folder / "none.nc", "-o", page).stderr)
 

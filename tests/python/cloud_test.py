@@ -40,7 +40,7 @@ def folder(tmp_path_factory):
         t = np.arange(500) * 0.02
         values = np.convolve(random.normal(size=500), np.ones(5) / 5, "same") * np.exp(-(((t - 4) / 3) ** 2))
         np.savetxt(folder / f"r{r:02}.txt", np.column_stack([t, values * np.exp(random.normal(0.6, 0.7))]))
-    (folder / "case.toml").write_text(CASE.replace("r0.txt", "r00.txt"))
+    (folder / "case.toml").write_text(CASE.replace("r0.txt", "r00.txt") + "[analysis]\ncollapse_drift = 1.0\n")
     (folder / "cloud.toml").write_text(STUDY)
     (folder / "hazard.csv").write_text("Sa [g],lambda\n" + "".join(f"{x!r},{r!r}\n" for x, r in zip(X, RATE)))
     return folder

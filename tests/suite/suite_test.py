@@ -55,6 +55,7 @@ contact = { law = "linear", stiffness = 3e5 }
 STIFF = "stiffnesses = [16e5, 15e5, 14e5, 12e5]"
 PLAN = """
 title = "Two frames in plan"
+analysis = { collapse_drift = 1.0 }  # soft as they are, what they need is to be known
 [units]
 length = "m"
 force = "kN"
@@ -398,12 +399,7 @@ class Suites(unittest.TestCase):
         # The gap is what each record needs by itself, both ways; remedy, check and the report take such a case.
         told = self.gap(file)
         for n, need in enumerate(told["studied"][0]["gaps"][0]["records"], 1):
-            alone = json.loads(self.told("gap", file, "--record", n, "--json"))["gaps"][0]
-            levels = alone["points"]
-            if need["gap_needed"] is None:
-                self.assertIn("drift beyond collapse", {reason["kind"] for reason in alone["judgement"]["reasons"]})
-                self.assertIsNone(runs["records"][n - 1]["values"]["gap_needed"])
-                continue
+            levels = json.loads(self.told("gap", file, "--record", n, "--json"))["gaps"][0]["points"]
             self.assertAlmostEqual(need["gap_needed"], max(max(level["gap_needed"], level["gap_needed_reversed"]) for level in levels),
                                    places=12)
             self.assertAlmostEqual(runs["records"][n - 1]["values"]["gap_needed"], need["gap_needed"], places=12)

@@ -1,5 +1,6 @@
 #include "bentur/model/judgement/open_needs.h"
 
+#include <cmath>
 #include <optional>
 
 #include "bentur/model/gap/facing_levels.h"
@@ -9,16 +10,20 @@
 namespace bentur {
 namespace {
 
-/// Whether what is to come at some level could need more than what has been.
+/// Whether what is to come at some level could need more than is given there, which has been enough so far; where
+/// nothing bounds it, than what has been.
 bool more_may_come(const Problem& problem, const Response& response) {
   for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     const double scale = displacement_scale(problem, response, gap);
-    const auto is_more = [&](const auto& summary) {
-      return summary.to_come && falls_short(summary.gap_needed, *summary.to_come, scale);
+    const auto is_more = [&](const auto& summary, double width) {
+      if (!summary.to_come || std::isinf(*summary.to_come)) return summary.to_come.has_value();
+      return !falls_short(width, summary.gap_needed, scale) && falls_short(width, *summary.to_come, scale);
     };
     for (const FacingLevel& level : facing_levels(problem, gap)) {
       const auto index = static_cast<std::size_t>(level.index);
-      if (level.is_point ? is_more(response.points.at(index)) : is_more(response.watched.at(index))) return true;
+      const bool more = level.is_point ? is_more(response.points.at(index), level.width)
+                                       : is_more(response.watched.at(index), level.width);
+      if (more) return true;
     }
   }
   return false;

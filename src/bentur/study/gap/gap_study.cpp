@@ -344,9 +344,8 @@ class Work {
     if (!found.ok()) throw std::runtime_error(record + ": " + first_message(found));
     RecordNeed result = need_of_record(record, chosen, takes_both_ways_ && chosen.c.analysis.both_ways);
     for (std::size_t i = 0; i < result.separations.size(); ++i) {
-      const double needed = result.separations[i].gap_needed;  // in either direction, as what may come
-      if (falls_short(needed, result.to_come.at(i), needed))
-        result.open |= static_cast<unsigned>(OpenNeed::motion_left);
+      // What is bounded is held against widths, still_open().
+      if (std::isinf(result.to_come.at(i))) result.open |= static_cast<unsigned>(OpenNeed::motion_left);
     }
     result.motion = record_axes(study_, false).place(choices);
     if (study_.ida && study_.ida->is_cloud) {
