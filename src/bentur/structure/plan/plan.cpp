@@ -253,7 +253,7 @@ PlaneFrame as_plane(PlaneFrame frame) {
   return frame;
 }
 
-void stand_frame(PlaneFrame frame, PlanPlane& plane) {
+void stand_frame(const PlaneFrame& frame, PlanPlane& plane) {
   plane.frame = std::make_shared<const PlaneFrame>(frame);
   PlaneFrame whole = as_plane(frame);
   StructuralModel model = plane_frame_model(whole);

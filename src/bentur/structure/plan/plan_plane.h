@@ -48,6 +48,6 @@ struct PlanPlane {
 
 /// Makes a plane a frame: statically condensed onto the sways of its floors and of its nodes, with its hinges and
 /// infill. Masses are looked at of columns that are struck alone. @throws InvalidParameter as plane_frame_model()
-void stand_frame(PlaneFrame frame, PlanPlane& plane);
+void stand_frame(const PlaneFrame& frame, PlanPlane& plane);
 
 }  // namespace bentur
