@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh build MODULE...: builds the studio and unit tests of modules.
-# run.sh core|page: tests that part of it, of the page every fifteenth test (BENTUR_PART=all: all).
+# run.sh core|page: tests that part of it, of the page every thirtieth test (BENTUR_PART=all: all).
 # run.sh units MODULE...: runs those tests. 77 where something for it is missing.
 set -eu
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
