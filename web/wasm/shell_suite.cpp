@@ -91,7 +91,7 @@ Json Studio::solve_suite(const emscripten::val& progress) {
 Json Studio::suite_overview(const Words& say) const {
   const RecordNeeds& needs = suite_gaps_->needs.front();
   const bool collapses =
-      std::any_of(needs.records.begin(), needs.records.end(), [](const RecordNeed& one) { return one.collapsed; });
+      std::any_of(needs.records.begin(), needs.records.end(), [](const RecordNeed& one) { return one.falls; });
   Json gaps = Json::array();
   std::vector<std::string> names;
   for (std::size_t g = 0; g < suite_gaps_->gaps.size(); ++g) {
