@@ -68,7 +68,27 @@ TEST(GapStudies, CountWhatKeepsNeedsFromBeingKnown) {
   EXPECT_EQ(std::get<std::string>(said->items[0].at(0).value), "story.open_need.doubt");
   const auto json = nlohmann::json::parse(gap_study_json(of, "0")).at("studied");
   EXPECT_EQ(json[0].at("gaps")[0].at("given")[0].at("records_open"), 1);
-  EXPECT_EQ(json[0].at("gaps")[0].at("records")[0].at("open_needs"), nlohmann::json::array({"doubt", "motion_left"}));
+  EXPECT_EQ(json[0].at("gaps")[0].at("records")[0].at("open_needs"), nlohmann::json::array({"doubt"}));
+}
+
+/// What may still come is bounded: a width below the bound leaves it open, one above it does not.
+TEST(GapStudies, HoldWhatIsToComeAgainstEachWidth) {
+  const GapStudy of = needs_of(
+                          "[[vary]]\nparameter = 'analysis.duration'\nname = 'duration'\nvalues = [0.05]\n"
+                          "[[vary]]\nparameter = 'gap[0].width'\nvalues = [1e-5, 0.02]\n")
+                          .value();
+  const RecordNeed& record = of.needs.at(0).records.at(0);
+  for (std::size_t i = 0; i < record.to_come.size(); ++i) {
+    EXPECT_LT(record.separations.at(i).gap_needed, 1e-5);
+    EXPECT_GT(record.to_come[i], 1e-5);
+    EXPECT_LT(record.to_come[i], 0.02);
+  }
+  const std::vector<GivenGap>& given = of.needs[0].gaps.at(0).given;
+  ASSERT_EQ(given.size(), 2U);
+  const auto keys = open_need_keys();
+  const auto motion_left = static_cast<std::size_t>(std::find(keys.begin(), keys.end(), "motion_left") - keys.begin());
+  EXPECT_EQ(given[0].open.in.at(motion_left), 1);
+  EXPECT_EQ(given[1].open.in.at(motion_left), 0);
 }
 
 TEST(GapStudies, QuantilesAndTheShareThatNeedsMoreThanGiven) {
