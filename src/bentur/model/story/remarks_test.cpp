@@ -7,10 +7,10 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "bentur/core/number_text.h"
 #include "bentur/model/run_results.h"
 #include "bentur/model/story/story.h"
 #include "bentur/model/suite/suite.h"
@@ -414,40 +414,33 @@ TEST(Remarks, LeaveTheDuctilityOfBearingsOut) {
   EXPECT_EQ(list(remarks(c, problem, &response)), Names{"ductility A"});
 }
 
-// Alike: one number. A few: one for each that is named. Many: the least and the largest of all.
-TEST(Remarks, HaveTheNumbersOfAllThatTheyName) {
-  const auto value_of = [](const std::vector<double>& values) {
-    std::vector<Remark> all;
-    for (const double value : values) {
-      all.emplace_back();
-      all.back().key = "drift";
-      all.back().value = value;
-      all.back().unit = "%";
-    }
-    const std::vector<Statement> told = remark_statements(all);
-    EXPECT_EQ(told.size(), 1U);
-    const StoryValue& value = told.front().values.at(values.size() > 4 ? 1 : 0);
-    EXPECT_EQ(value.name, "value");
-    return std::holds_alternative<double>(value.value) ? number(std::get<double>(value.value))
-                                                       : std::get<std::string>(value.value);
+// Millimetres among metres, of two things that each have a range of their own.
+TEST(Remarks, OfDimensionsInTheWrongUnit) {
+  const auto found = [](const Case& c, const std::string& subject) {
+    const std::vector<Remark> all = remarks(c, make_problem(c));
+    const auto one = std::find_if(all.begin(), all.end(), [&](const Remark& remark) {
+      return remark.key == "dimension" && remark.subject == subject;
+    });
+    return one == all.end() ? std::nullopt : std::optional(*one);
   };
-  EXPECT_EQ(value_of({1.5, 1.5, 1.5}), "1.5");
-  EXPECT_EQ(value_of({1.5, 2, 1.5, 2}), "1.5, 2, 1.5, 2\u00A0%");
-  EXPECT_EQ(value_of({1.5, 2, 1.25, 2, 3, 1.5}), "1.25–3\u00A0%");
-}
-
-// Of many runs that counts which has the number farthest from the usual, of however many buildings and either way.
-TEST(Remarks, OfManyRunsAreOfTheFarthest) {
-  const auto run = [](const std::string& name, const std::vector<double>& moduli) {
-    std::vector<Remark> all;
-    for (const double value : moduli) all.push_back({"elastic_modulus", "A", value, "", 1e10, 2e11, value < 1e9});
-    return SaidOfRun{name, remark_statements(all)};
-  };
-  const std::vector<Statement> told = union_of({run("a", {4e11}), run("b", {8e8}), run("c", {3e11, 6e11})});
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told.front().many->worst, "b");
-  EXPECT_EQ(told.front().severity, Severity::danger);
-  EXPECT_EQ(union_of({run("a", {4e11}), run("c", {3e11, 6e11})}).front().many->worst, "c");
+  Case c = ordinary();
+  c.gaps[0].contact.axial = false;
+  c.gaps[0].contact.numbers = {{"stiffness", {1e6}}};
+  c.buildings[0].isolation = IsolationSpec{
+      .mass = 30, .numbers = {{"stiffness", 500}, {"characteristic_strength", 50}, {"yield_displacement", 0.01}}};
+  frame_of(c, 1).infills = {Infill{.thickness = 0.15, .modulus = 3e6, .strength = 3e3}, std::nullopt, std::nullopt};
+  EXPECT_FALSE(found(c, "A, yield_displacement"));
+  EXPECT_FALSE(found(c, "B, infill.thickness"));
+  c.buildings[0].isolation->numbers["yield_displacement"] = 10;
+  frame_of(c, 1).infills[0]->thickness = 150;
+  const auto yields = found(c, "A, yield_displacement"), panel = found(c, "B, infill.thickness");
+  ASSERT_TRUE(yields && panel);
+  EXPECT_TRUE(yields->is_doubt && panel->is_doubt);
+  EXPECT_NEAR(yields->value, 10, 1e-12);
+  EXPECT_NEAR(panel->value, 150, 1e-12);
+  EXPECT_EQ(yields->unit, "m");
+  EXPECT_NEAR(*yields->usual_to, 0.05, 1e-12);
+  EXPECT_NEAR(*panel->usual_to, 0.5, 1e-12);
 }
 
 // By hand: floors 30 + beams 0.375 · 10 + three columns 0.4 over half the storeys that meet there.

@@ -35,7 +35,7 @@ void check_frame(const std::string& name, const PlaneFrame& frame, List& list) {
     }
   }
   for (const std::optional<Infill>& infill : frame.infills) {
-    if (infill && infill->thickness > 0) list.check("infill_thickness", name, infill->thickness);
+    if (infill && infill->thickness > 0) list.check(infill_thickness, name + ", infill.thickness", infill->thickness);
   }
   // Beams that their load would make yield within the span before the sagging end does (docs/theory/hinges.md,
   // Gravity).

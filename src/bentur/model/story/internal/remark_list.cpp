@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "bentur/model/quantities.h"
 
@@ -67,10 +69,11 @@ constexpr RemarkKind kinds[] = {
     {"shear_capacity", "", 0.005, 2, 1e-3, 10, far},
     {"rotation_limit", "rad", 1e-3, 0.06, 5e-4, 0.15, 5},
     {"bearing_period", "s", 1.5, 5, 0.8, 10, far},
-    {"bearing_yield", "L", 2e-3, 0.05, 5e-4, 0.2, far},
+    {"dimension", "L"},                             // by a range of its own, as those below
     {"link_damping", "", none, 0.5, none, 2, far},  // of the critical one
-    {"infill_thickness", "L", 0.1, 0.5, 0.05, 1, far},
 };
+// remark_kinds() has a bit for each and is written as a double, which holds so many.
+static_assert(std::size(kinds) <= std::numeric_limits<double>::digits);
 
 std::size_t number_of(std::string_view key) {
   return std::find_if(std::begin(kinds), std::end(kinds), [&](const RemarkKind& one) { return one.key == key; }) -
@@ -86,6 +89,9 @@ std::optional<double> two_digits(double x) {
 
 }  // namespace
 
+const RemarkKind bearing_yield = {"dimension", "L", 2e-3, 0.05, 5e-4, 0.2, far};
+const RemarkKind infill_thickness = {"dimension", "L", 0.1, 0.5, 0.05, 1, far};
+
 const RemarkKind& remark_kind(std::string_view key) { return kinds[number_of(key)]; }
 
 double beyond_usual(const Remark& remark) {
@@ -95,13 +101,16 @@ double beyond_usual(const Remark& remark) {
 }
 
 void List::check(std::string_view key, const std::string& subject, double value) {
-  const RemarkKind& kind = remark_kind(key);
+  check(remark_kind(key), subject, value);
+}
+
+void List::check(const RemarkKind& kind, const std::string& subject, double value) {
   const double unit = 1 / si(kind.unit);
   if (!(value < kind.least * unit) && !(value > kind.most * unit)) return;
   const double in_si = value / unit;
   const bool is_doubt =
       kind.doubted > 0 && (in_si < kind.usual_from / kind.doubted || in_si > kind.usual_to * kind.doubted);
-  add(key, subject, value, two_digits(kind.usual_from * unit), two_digits(kind.usual_to * unit), is_doubt);
+  add(kind.key, subject, value, two_digits(kind.usual_from * unit), two_digits(kind.usual_to * unit), is_doubt);
 }
 
 void List::check(std::string_view key, const std::string& subject, double value, double most, double usual) {

@@ -23,6 +23,8 @@ struct RemarkKind {
   double doubted = 0;                          ///< so many times beyond the usual it is in doubt; 0: it never is
 };
 [[nodiscard]] const RemarkKind& remark_kind(std::string_view key);
+/// Ranges of the kind "dimension": where bearings yield, and how thick infill is.
+extern const RemarkKind bearing_yield, infill_thickness;
 /// How many times its number is beyond the usual, either way [-]; where nothing at all is usual, its number.
 [[nodiscard]] double beyond_usual(const Remark& remark);
 
@@ -33,6 +35,8 @@ class List {
 
   /// A value that may be outside of what is usual of its kind.
   void check(std::string_view key, const std::string& subject, double value);
+  /// The same by a range that is not the only one of its kind.
+  void check(const RemarkKind& kind, const std::string& subject, double value);
   /// The same of what has a limit of its own, in the units of the case.
   void check(std::string_view key, const std::string& subject, double value, double most, double usual);
   /// What is unusual in any case. Of a kind and a subject the farthest out stays alone.
