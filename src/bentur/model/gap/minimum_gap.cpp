@@ -193,10 +193,9 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
       found.most = std::max(found.most, one.level.of_gap(asked(one)));
     }
     if (known && !falls && falls_short(found.most, needed, scale)) found.lacks = needed - found.most;
-    found.is_short = found.at && falls_short(levels[*found.at].level.width, found.gap, scale);
-    const bool is_by_peaks =
-        find_code_rule(rule) == nullptr;  // which are not those of the whole motion where one falls
-    found.is_short = found.is_short && !(falls && is_by_peaks);
+    const bool is_by_peaks = find_code_rule(rule) == nullptr;  // of which those up to a fall are not all
+    found.is_short =
+        found.at && !(falls && is_by_peaks) && falls_short(levels[*found.at].level.width, found.gap, scale);
     if (!found.is_short) {
       const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);
       const bool turning = rule == "ddc" && in_plan && !known;

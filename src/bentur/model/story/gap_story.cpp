@@ -48,6 +48,7 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   StoryColumn reversed{"column.reversed", length}, abs{"ABS", length}, srss{"SRSS", length}, ddc{"DDC", length};
   StoryColumn verdict{.label = "gap.given_is", .are_words = true}, governs{.label = "", .are_words = true};
   const auto shown = [&](double value) { return value > 0 ? without_round_off(value, scale) : value; };
+  const auto of_peaks = [&](double asked) { return facts.falls ? not_known : asked; };  // are not all where one falls
   PlaceColumns place_columns(length);
   const char* const between = facts.plan != nullptr ? "gap.edge" : "gap.column";
   StoryTable table{.kind = "levels", .gap = gap};
@@ -67,9 +68,9 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     reversed.numbers.push_back(other ? shown(*other) : not_known);
     if (is_bound(facts, level, facts_of_level.given.need)) needed.at_most.push_back(needed.numbers.size() - 1);
     if (is_bound(facts, level, other)) reversed.at_most.push_back(reversed.numbers.size() - 1);
-    abs.numbers.push_back(facts.falls ? not_known : one->abs);
-    srss.numbers.push_back(facts.falls ? not_known : one->srss);
-    ddc.numbers.push_back(facts.falls ? not_known : shown(one->ddc));
+    abs.numbers.push_back(of_peaks(one->abs));
+    srss.numbers.push_back(of_peaks(one->srss));
+    ddc.numbers.push_back(of_peaks(shown(one->ddc)));
     verdict.texts.emplace_back(judged_word(value, judged, facts.is_cut));
     governs.texts.emplace_back(is_governing ? "gap.governs" : "");
     const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];

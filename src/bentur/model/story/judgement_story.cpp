@@ -198,23 +198,36 @@ double lacking(const GoverningNeed& need) {
 std::vector<std::size_t> worst_first(const std::vector<JudgedGap>& gaps) {
   std::vector<std::size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto rank = [&](std::size_t g) {
-    const Sufficiency judged = gaps[g].judgement.value;
-    return judged == Sufficiency::too_small ? 0 : judged == Sufficiency::unknown ? 1 : 2;
-  };
   std::vector<double> lacks;
   for (const JudgedGap& one : gaps) lacks.push_back(lacking(governing_need(one.facts).value_or(GoverningNeed{})));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    const Sufficiency of_a = gaps[a].judgement.value, of_b = gaps[b].judgement.value;
+    if (of_a != of_b) return of_a < of_b;
     return lacks[a] != lacks[b] ? lacks[a] > lacks[b] : gaps[a].facts.peak_force() > gaps[b].facts.peak_force();
   });
   return order;
 }
 
+StoryTable begun_table(std::vector<std::size_t>& order, const std::function<Sufficiency(std::size_t)>& judged) {
+  constexpr std::size_t most_lines = 12;
+  const std::size_t count = order.size(), lines = count <= most_lines ? count : worst_gaps_shown;
+  if (lines == count) std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto in_rest = [&](Sufficiency value) {
+    return std::count_if(order.begin() + static_cast<std::ptrdiff_t>(lines), order.end(),
+                         [&](std::size_t gap) { return judged(gap) == value; });
+  };
+  using story::count_of;
+  StoryTable table{
+      .kind = lines == count ? "row" : "row_worst",
+      .values = {count_of("shown", static_cast<long>(lines)), count_of("count", static_cast<long>(count)),
+                 count_of("rest", static_cast<long>(count - lines)), count_of("small", in_rest(Sufficiency::too_small)),
+                 count_of("unknown", in_rest(Sufficiency::unknown)), count_of("enough", in_rest(Sufficiency::enough))}};
+  order.resize(lines);
+  return table;
+}
+
 namespace story {
 namespace {
-
-constexpr std::size_t most_lines = 12;  ///< of a table; of more gaps it has the worst alone
 
 /// Of a gap that is too small, though not short of what it needs, why, as a word of the catalogue.
 std::string why_not_short(const Judgement& judged) {
@@ -253,24 +266,11 @@ void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed)
 /// Of all in their order, or of many of the worst. @param order worst_first()
 StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, const ShownUnits& shown) {
   const std::string& length = view.c.units.length;
-  if (order.size() <= most_lines) std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t lines = order.size() <= most_lines ? order.size() : worst_gaps_shown;
-  const auto in_rest = [&](Sufficiency as) {
-    return std::count_if(order.begin() + static_cast<std::ptrdiff_t>(lines), order.end(),
-                         [&](std::size_t g) { return view.gaps[g].judgement.value == as; });
-  };
-  const std::vector<StoryValue> rest = {count_of("rest", std::ssize(order) - static_cast<long>(lines)),
-                                        count_of("small", in_rest(Sufficiency::too_small)),
-                                        count_of("unknown", in_rest(Sufficiency::unknown)),
-                                        count_of("enough", in_rest(Sufficiency::enough))};
-  order.resize(lines);
+  StoryTable table = begun_table(order, [&](std::size_t g) { return view.gaps[g].judgement.value; });
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn given{"column.given", length}, needed{"column.simulated", length}, reversed{"column.reversed", length};
   StoryColumn lacks{.label = "column.short_by", .unit = length, .are_words = true, .are_counts = true};
   StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
-  StoryTable table{.kind = order.size() == view.gaps.size() ? "row" : "row_worst",
-                   .values = {count_of("shown", std::ssize(order)), count_of("count", std::ssize(view.gaps))}};
-  table.values.insert(table.values.end(), rest.begin(), rest.end());
   for (const std::size_t g : order) {
     const auto& [facts, judgement] = view.gaps[g];
     const GoverningNeed need = governing_need(facts).value_or(GoverningNeed{});
@@ -333,14 +333,8 @@ std::optional<Index> tell_gaps(const GapView& view, const ShownUnits& shown, Sto
   };
   const long count = std::ssize(view.gaps), small = judged(Sufficiency::too_small),
              unknown = judged(Sufficiency::unknown);
-  Statement statement = counted_gaps(count, small, unknown);
-  if (unknown > 0 && view.is_cut) {
-    const auto since = std::find_if(statement.values.begin(), statement.values.end(),
-                                    [](const StoryValue& one) { return one.name == "since"; });
-    *since = word_of("since", "story.since_cut");
-    statement.values.insert(since, value_in("end", view.problem.duration, "s"));
-  }
-  told.statements.push_back(std::move(statement));
+  const auto cut_at = view.is_cut ? std::optional(view.problem.duration) : std::nullopt;
+  told.statements.push_back(counted_gaps(count, small, unknown, "row_none", cut_at));
   tell_reversed_contact(view, shown, told.statements);
   tell_pushed(view, order, told.statements);
   return static_cast<Index>(order.front());
@@ -407,7 +401,7 @@ std::vector<StoryValue> item_of(const ManyToTell& told, const JudgementOfMany::F
 
 }  // namespace
 
-Statement counted_gaps(long count, long small, long unknown, std::string none) {
+Statement counted_gaps(long count, long small, long unknown, std::string none, std::optional<double> cut_at) {
   Statement statement{.kind = small == count     ? "row_all"
                               : small > 0        ? "row_some"
                               : unknown == count ? "row_all_unknown"
@@ -421,9 +415,11 @@ Statement counted_gaps(long count, long small, long unknown, std::string none) {
       story::count_of("unknown", unknown),
       story::count_of("may_be", unknown),
       story::word_of("fall_short", small == 1 ? "story.is_small" : "story.are_small"),
-      story::text_of("since", ""),
-      more ? story::word_of("others", "story.row_others") : story::text_of("others", ""),
   };
+  const bool is_cut = unknown > 0 && cut_at;
+  if (is_cut) statement.values.push_back(story::value_in("end", *cut_at, "s"));  // which fills {since}
+  statement.values.push_back(is_cut ? story::word_of("since", "story.since_cut") : story::text_of("since", ""));
+  statement.values.push_back(more ? story::word_of("others", "story.row_others") : story::text_of("others", ""));
   return statement;
 }
 

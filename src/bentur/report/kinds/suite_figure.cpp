@@ -45,6 +45,7 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
   const std::vector<std::string> numbers = column(values);  // with digits alike
   bool some_unmodelled = false;
   std::set<Sufficiency> named;
+  const std::vector<const char*> judged_words = record_words(run, gap);
   double given = NAN, most = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const SuiteRecordRun& one = run.records[i];
@@ -59,7 +60,7 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
     most = std::max({most, given, values[i]});
     const Sufficiency judged = without_rules(one.judged[gap].judgement);
     panel.curves.push_back(bar(0, values[i], place, 0.6, area_tone_of(judged)));
-    if (named.insert(judged).second) panel.curves.back().label = Words(options.language)(record_word(run, i, gap));
+    if (named.insert(judged).second) panel.curves.back().label = Words(options.language)(judged_words[i]);
     const bool is_unmodelled = one.is_not_modelled();
     panel.texts.push_back(
         {.x = values[i], .y = place, .text = numbers[i] + " " + length + (is_unmodelled ? " ×" : "")});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string_view>
@@ -67,7 +68,6 @@ Statement counted_over_records(const std::vector<SuiteJudgement>& judged) {
 }
 
 StoryTable table_over_records(const SuiteRun& run, const std::vector<SuiteJudgement>& judged, const GapStudy& gaps) {
-  constexpr std::size_t most_lines = 12;
   const std::string& length = run.c.units.length;
   std::vector<double> given(judged.size(), not_known), largest(judged.size(), not_known);
   for (std::size_t gap = 0; gap < judged.size() && !gaps.needs.empty(); ++gap) {
@@ -77,29 +77,15 @@ StoryTable table_over_records(const SuiteRun& run, const std::vector<SuiteJudgem
   }
   std::vector<std::size_t> order(judged.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto in_rest = [&](Sufficiency value) {
-    return std::count_if(order.begin() + worst_gaps_shown, order.end(),
-                         [&](std::size_t gap) { return judged[gap].many.value == value; });
-  };
   const auto lacking = [&](std::size_t gap) {
     const double lacks = largest[gap] - given[gap];
     return std::isnan(lacks) ? -std::numeric_limits<double>::infinity() : lacks;
   };
-  StoryTable table{.kind = "row"};
-  if (order.size() > most_lines) {
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      const Sufficiency of_a = judged[a].many.value, of_b = judged[b].many.value;
-      return of_a != of_b ? of_a < of_b : lacking(a) > lacking(b);
-    });
-    table.kind = "row_worst";
-    table.values = {{"shown", static_cast<long>(worst_gaps_shown)},
-                    {"count", std::ssize(judged)},
-                    {"rest", std::ssize(judged) - static_cast<long>(worst_gaps_shown)},
-                    {"small", static_cast<long>(in_rest(Sufficiency::too_small))},
-                    {"unknown", static_cast<long>(in_rest(Sufficiency::unknown))},
-                    {"enough", static_cast<long>(in_rest(Sufficiency::enough))}};
-    order.resize(worst_gaps_shown);
-  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Sufficiency of_a = judged[a].many.value, of_b = judged[b].many.value;
+    return of_a != of_b ? of_a < of_b : lacking(a) > lacking(b);
+  });
+  StoryTable table = begun_table(order, [&](std::size_t gap) { return judged[gap].many.value; });
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
   StoryColumn small{.label = "column.small_under", .are_counts = true}, width{"column.given", length};
   StoryColumn needed{"column.hardest_record", length};
@@ -142,12 +128,16 @@ void say_once(std::vector<Statement>& statements) {
   }
 }
 
-const char* record_word(const SuiteRun& run, std::size_t record, std::size_t gap) {
-  const auto judged = [&](const SuiteRecordRun& one) { return judgement_of(one, static_cast<Eigen::Index>(gap)); };
-  const Sufficiency by_motion = without_rules(judged(run.records[record]));
-  const bool all_enough = std::all_of(run.records.begin(), run.records.end(),
-                                      [&](const SuiteRecordRun& one) { return judged(one).is_enough(); });
-  return by_motion == Sufficiency::enough && !all_enough ? "gap.asks_less" : judgement_word(by_motion);
+std::vector<const char*> record_words(const SuiteRun& run, std::size_t gap) {
+  std::vector<Judgement> judged;
+  for (const SuiteRecordRun& one : run.records) judged.push_back(judgement_of(one, static_cast<Eigen::Index>(gap)));
+  const bool all_enough = std::all_of(judged.begin(), judged.end(), std::mem_fn(&Judgement::is_enough));
+  std::vector<const char*> words;
+  for (const Judgement& one : judged) {
+    const Sufficiency by_motion = without_rules(one);
+    words.push_back(by_motion == Sufficiency::enough && !all_enough ? "gap.asks_less" : judgement_word(by_motion));
+  }
+  return words;
 }
 
 std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps) {

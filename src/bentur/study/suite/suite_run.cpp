@@ -151,7 +151,7 @@ const SuiteSpec& suite_of(const SuiteRun& run) { return *run.c.excitation.suite;
 /// How the only gap is judged under each record.
 StoryColumn verdicts_of(const SuiteRun& run) {
   StoryColumn column{.label = "gap.given_is", .are_words = true};
-  for (std::size_t i = 0; i < run.records.size(); ++i) column.texts.emplace_back(record_word(run, i, 0));
+  for (const char* const word : record_words(run, 0)) column.texts.emplace_back(word);
   column.texts.resize(run.records.size() + 2);
   return column;
 }

@@ -64,9 +64,9 @@ struct SuiteJudgement {
 /// One per gap. @param gaps of the same records
 [[nodiscard]] std::vector<SuiteJudgement> judged_gaps(const SuiteRun& run, const GapStudy& gaps);
 
-/// A word for how a gap does under one record, but for what rules ask: "enough" is said where it is under all records,
+/// A word a record for how a gap does under it, but for what rules ask: "enough" is said where it is under all records,
 /// by all that is known; else of such a record that it asks for less.
-[[nodiscard]] const char* record_word(const SuiteRun& run, std::size_t record, std::size_t gap);
+[[nodiscard]] std::vector<const char*> record_words(const SuiteRun& run, std::size_t gap);
 
 /// What is said of a suite at every door: the union of what its records say, each gap as it is judged from all of them,
 /// what the code and its rules take of them, the suite as it is scaled; a table with a row a record, their mean and

@@ -156,12 +156,13 @@ template <class Run>
                                     const std::vector<std::vector<ScreeningFinding>>& screened,
                                     const PlanProblem* plan = nullptr) {
   const std::vector<LevelSeparation> all = separations(row.problem, row.response, row.c.code, row.c.units);
+  const bool falls = falls_without_contact(row.problem, row.response);
   Json gaps = Json::array();
   for (Eigen::Index gap = 0; gap < gap_count(row.problem); ++gap) {
     std::vector<LevelSeparation> levels = of_gap(all, gap);
     const double scale = displacement_scale(row.problem, row.response, gap);
-    const std::vector<RuleFinding> findings = rule_findings(
-        row.problem, levels, row.c.code, scale, falls_without_contact(row.problem, row.response), plan != nullptr);
+    const std::vector<RuleFinding> findings =
+        rule_findings(row.problem, levels, row.c.code, scale, falls, plan != nullptr);
     if (row.response.collapse_no_contact) forget_needs(levels);
     gaps.push_back(gap_json_of(row.c, row.problem, levels, findings, gap, screened.at(gap), plan));
   }

@@ -27,7 +27,7 @@ Size size_of(const AnyBuilding& building, const List& list) {
 /// Of a storey or bearings. @param is_slab whose law is that of bearings
 void check_law(const std::string& name, const HystereticLaw& law, bool is_slab, const Size& size, List& list) {
   list.check("yield_strength", name, law.initial_stiffness() * law.yield_deformation() / size.weight);
-  if (is_slab) list.check("bearing_yield", name, law.yield_deformation());
+  if (is_slab) list.check(bearing_yield, name + ", yield_displacement", law.yield_deformation());
 }
 
 void check_hinges(const std::string& name, const Hinges& hinges, const Size& size, List& list) {
@@ -82,10 +82,14 @@ void check_laws(const BuildingSpec* spec, const PlanBuilding& building, List& li
   check_bearings(building.name, stiffness, size, list);
 }
 
-/// What is given of a struck column. @param shear [force], 0: nothing @param moment [force·length] likewise
-void check_column(const std::string& name, double shear, double moment, const Size& size, List& list) {
-  if (shear > 0) list.check("shear_capacity", name, shear / size.weight);
-  if (moment > 0) list.check("moment_capacity", name, moment / (size.weight * size.height));
+/// What is given of the column that is struck at a contact of a row or in plan.
+template <class AnyBuilding, class Contact>
+void check_column(const AnyBuilding& building, const Contact& at, List& list) {
+  const double shear = at.column_shear_capacity, moment = at.column_moment_capacity;  // 0: nothing is given
+  if (!(shear > 0) && !(moment > 0)) return;
+  const Size size = size_of(building, list);
+  if (shear > 0) list.check("shear_capacity", building.name, shear / size.weight);
+  if (moment > 0) list.check("moment_capacity", building.name, moment / (size.weight * size.height));
 }
 
 const Link& link_of(const Link& link) { return link; }
@@ -124,11 +128,8 @@ void check_all(const Case& c, const AnyProblem& problem, List& list) {
 void check_strengths(const Case& c, const Problem& problem, List& list) {
   check_all(c, problem, list);
   for (const ContactPoint& point : problem.points) {
-    const auto struck = struck_column(problem, point);
-    if (!struck) continue;
-    const Building& building = problem.buildings[struck->building];
-    check_column(building.name, point.column_shear_capacity, point.column_moment_capacity, size_of(building, list),
-                 list);
+    if (const auto struck = struck_column(problem, point))
+      check_column(problem.buildings[struck->building], point, list);
   }
 }
 
@@ -136,10 +137,8 @@ void check_strengths(const Case& c, const PlanProblem& problem, List& list) {
   check_all(c, problem, list);
   for (const PlanGap& gap : problem.gaps) {
     for (const PlanContact& contact : gap.contacts) {
-      const bool of_left = contact.left_floor >= problem.buildings[gap.left].model.floors();
-      const PlanBuilding& building = problem.buildings[of_left ? gap.left : gap.right];
-      check_column(building.name, contact.column_shear_capacity, contact.column_moment_capacity,
-                   size_of(building, list), list);
+      const auto struck = struck_column(problem, gap, contact);
+      if (struck) check_column(problem.buildings[struck->building], contact, list);
     }
   }
 }

@@ -21,8 +21,7 @@ class Measure {
   [[nodiscard]] double operator()(const RunResult& result) const;
 
  private:
-  std::vector<RowPart> of_, refused_, open_;
-  bool is_free_ = false;
+  std::vector<RowPart> of_, refused_, open_;  ///< open_: of needs without contact alone
 };
 
 }  // namespace bentur

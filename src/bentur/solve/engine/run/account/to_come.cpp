@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <variant>
 
 namespace bentur::engine {
@@ -53,9 +52,8 @@ std::vector<char> tied_bodies(const System& given) {
   return tied;
 }
 
-/// A harmonic motion as G of a_g = Re(G e^(iνt)), t from `time` after its start on.
-std::complex<double> from_there(const HarmonicMotion& motion, double time) {
-  const double nu = 2 * std::numbers::pi / motion.period;
+/// A harmonic motion of ν as G of a_g = Re(G e^(iνt)), t from `time` after its start on.
+std::complex<double> from_there(const HarmonicMotion& motion, double nu, double time) {
   const std::complex<double> of_displacement =
       motion.phase == HarmonicMotion::Phase::sine ? std::complex<double>(0, -1) : std::complex<double>(1, 0);
   return -nu * nu * motion.displacement_amplitude * of_displacement * std::polar(1.0, nu * time);
@@ -81,14 +79,19 @@ Eigen::VectorXcd steady_of(const ModalSystem& system, const ModalSystem::Block& 
 /// Takes off how a body swings with harmonic motions, which no later swing exceeds.
 void take_steady(const System& given, const ModalSystem& system, std::size_t body, bool is_tied, Left& left) {
   const ModalSystem::Block& block = system.blocks[body];
+  const Body& of = given.bodies[body];
+  const bool is_alone = !is_tied && of.elements.empty() && of.coupled.empty();  // so that its motion is that of K
   left.steady = Eigen::MatrixXcd::Zero(block.modes, system.components());
   for (Index c = 0; c < system.components(); ++c) {
     const auto* const motion = std::get_if<HarmonicMotion>(&given.motions[static_cast<std::size_t>(c)]);
     if (motion == nullptr || block.modes == 0) continue;
-    const Body& of = given.bodies[body];
-    const double since = given.duration - given.delay(body), nu = 2 * std::numbers::pi / motion->period;
-    const Eigen::VectorXcd steady = steady_of(system, block, c, from_there(*motion, since), nu);
-    if (is_tied || since < 0 || !of.elements.empty() || !of.coupled.empty() || !steady.allFinite()) {
+    const double since = given.duration - given.delay(body), nu = system.nu[static_cast<std::size_t>(c)];
+    if (!is_alone || since < 0) {
+      left.goes_on = true;
+      continue;
+    }
+    const Eigen::VectorXcd steady = steady_of(system, block, c, from_there(*motion, nu, since), nu);
+    if (!steady.allFinite()) {
       left.goes_on = true;
       continue;
     }
