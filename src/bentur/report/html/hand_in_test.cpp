@@ -194,7 +194,7 @@ TEST(HandIn, OfASuiteOfRecordsToo) {
   for (const char* const language : {"en", "id"}) {
     const std::string page = page_of(text, language);
     EXPECT_EQ(sections_of(page), (std::vector<std::string>{"verdict", "assumptions", "input", "records", "checks",
-                                                           "unchecked", "figures", "runs", "gaps"}));
+                                                           "unchecked", "remarks", "figures", "runs", "gaps"}));
     EXPECT_TRUE(holds(page, "<body class=\"hand-in\">") && holds(page, "31-07"));
     EXPECT_TRUE(holds(page, "<h3>Office | Hotel</h3><div")) << "the name of a gap once";
   }
@@ -202,8 +202,10 @@ TEST(HandIn, OfASuiteOfRecordsToo) {
   std::string plain = text;
   plain.erase(plain.find("[project]"), plain.find("[[gap]]") - plain.find("[project]"));
   const std::string bare = page_of(plain, "en");
-  EXPECT_EQ(sections_of(bare), (std::vector<std::string>{"verdict", "records", "figures", "runs", "gaps", "input"}));
+  EXPECT_EQ(sections_of(bare),
+            (std::vector<std::string>{"verdict", "records", "remarks", "figures", "runs", "gaps", "input"}));
   EXPECT_FALSE(holds(bare, "<body class="));
+  EXPECT_TRUE(holds(bare, "usual is up to")) << "what is unusual under some record";
 }
 
 // The first record sends floors into a column where no contact is modelled, and others against each other; the second

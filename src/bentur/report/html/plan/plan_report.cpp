@@ -78,7 +78,9 @@ class PlanPage {
     return {"gaps", say_("heading.gaps"), content};
   }
 
-  [[nodiscard]] html::PageSection remarks() const { return html::remarks_section(story_, say_, false); }
+  [[nodiscard]] html::PageSection remarks() const {
+    return html::remarks_section(story_, say_, run_.c.project.has_value());
+  }
 
   /// Contact points gap by gap, floors and planes building by building.
   [[nodiscard]] html::PageSection peaks() const {
