@@ -63,10 +63,7 @@ class Judge {
 
 class Checks : private Judge {
  public:
-  Checks(const Problem& problem, const Solver& solver, Response& response)
-      : Judge(solver, {response.status, response.message, response.discrepancies}),
-        problem_(problem),
-        response_(response) {}
+  Checks(const CheckedRun& run, const Solver& solver, const Verdict& verdict) : Judge(solver, verdict), run_(run) {}
 
   void numbers();
   void impacts();
@@ -74,14 +71,6 @@ class Checks : private Judge {
   void without_impact();
 
  private:
-  /// `null`: entries that are no number by intent.
-  template <class Null>
-  void finite(const VectorXd& values, const char* what, std::size_t building, const Null& null) {
-    for (Eigen::Index i = 0; i < values.size(); ++i) {
-      if (std::isfinite(values(i)) || (std::isnan(values(i)) && null(i))) continue;
-      fail(fmt::format("{} {} of {} is {}", what, i + 1, problem_.buildings[building].name, values(i)));
-    }
-  }
   /// `owner` names whose the values are; it is asked only where one is no number.
   template <class Owner>
   void finite(std::initializer_list<double> values, const Owner& owner) {
@@ -89,107 +78,65 @@ class Checks : private Judge {
       if (!std::isfinite(value)) fail(fmt::format("a number of {} is {}", owner(), value));
     }
   }
-  [[nodiscard]] std::string place(std::size_t point) const {
-    return fmt::format("level {:.6g} of {}", problem_.points[point].elevation,
-                       gap_name(problem_, problem_.points[point].left));
-  }
 
-  const Problem& problem_;
-  Response& response_;
+  const CheckedRun& run_;
 };
 
 /// Nothing but what the documents call null is no finite number.
 void Checks::numbers() {
-  const auto never = [](Eigen::Index) { return false; };
-  for (std::size_t b = 0; b < response_.buildings.size(); ++b) {
-    const BuildingPeaks& peaks = response_.buildings[b];
-    const Building& building = problem_.buildings[b];
-    const std::optional<Eigen::Index> slab = building.model.slab;
-    const bool rigid = building.is_rigid();
-    const auto of_rigid = [rigid](Eigen::Index) { return rigid; };
-    finite(peaks.displacement, "displacement", b, never);
-    finite(peaks.displacement_no_contact, "displacement without contact", b, never);
-    finite(peaks.acceleration, "acceleration", b, never);
-    finite(peaks.acceleration_no_contact, "acceleration without contact", b, never);
-    finite(peaks.drift_ratio, "drift ratio", b, [&](Eigen::Index i) { return rigid || slab == i; });
-    finite(peaks.storey_shear, "storey shear", b, of_rigid);
-    finite(peaks.storey_shear_no_contact, "storey shear without contact", b, of_rigid);
-    finite(peaks.column_forces, "column force", b, never);
-    finite(peaks.column_forces_no_contact, "column force without contact", b, never);
-    finite(peaks.foundation, "movement of the foundation", b, never);
-    for (const BuildingPeaks::Breaking& one : peaks.columns) {
-      finite({one.peak_shear, one.break_time.value_or(0), one.released_energy, one.residual_slip},
-             [&] { return "a column of " + building.name; });
-    }
-    const auto open = [&](Eigen::Index i) {
-      return std::none_of(building.model.infills.begin(), building.model.infills.end(),
-                          [&](const InfillPanel& one) { return building.model.first_storey() + one.storey == i; });
-    };
-    finite(peaks.infill.force, "force of the infill", b, open);
-    finite(peaks.infill.energy, "energy of the infill", b, open);
-    const Hinges& hinges = building.model.hinges;
-    for (const auto* yielding : {&peaks.yielding, &peaks.yielding_no_contact}) {
-      finite(yielding->ductility, "ductility", b, [&](Eigen::Index i) { return building.storey_law(i) == nullptr; });
-      finite(yielding->residual_drift_ratio, "residual drift", b,
-             [&](Eigen::Index i) { return slab == i || !hinges.columns.empty() || !hinges.backbones.empty(); });
-      finite(yielding->hysteretic_energy, "hysteretic energy", b, never);
+  for (const CheckedPeaks& list : run_.peaks) {
+    for (Eigen::Index i = 0; i < list.values.size(); ++i) {
+      const double value = list.values(i);
+      if (std::isfinite(value) || (std::isnan(value) && list.is_null && list.is_null(i))) continue;
+      fail(fmt::format("{} {} of {} is {}", list.what, i + 1, list.building, value));
     }
   }
-  for (std::size_t i = 0; i < response_.points.size(); ++i) {
-    const PointSummary& p = response_.points[i];
+  for (std::size_t i = 0; i < run_.points.size(); ++i) {
+    const PointSummary& p = run_.points[i];
     finite({p.gap_needed, p.contact_duration, p.peak_force, p.peak_force_time.value_or(0), p.peak_tension,
             p.peak_penetration, p.peak_closing_speed, p.impulse, p.energy_lost},
-           [&] { return place(i); });
+           [&] { return run_.place(i); });
   }
-  for (const Impact& one : response_.impacts) {
+  for (const Impact& one : run_.impacts) {
     finite({one.start, one.end, one.closing_speed, one.separation_speed, one.peak_force, one.peak_force_time,
-            one.peak_penetration, one.impulse, one.peak_tension, one.energy_lost},
+            one.peak_penetration, one.impulse, one.peak_tension, one.energy_lost, one.tangential_impulse},
            [&] { return fmt::format("the impact at t = {:.6g} s", one.start); });
   }
-  for (const WatchedSummary& one : response_.watched) {
+  for (const WatchedSummary& one : run_.watched) {
     finite({one.gap_needed, one.least_opening, one.least_time}, [] { return "a watched floor"; });
   }
-  for (const LinkSummary& one : response_.links) {
+  for (const LinkSummary& one : run_.links) {
     finite({one.peak_compression, one.peak_tension, one.peak_closing, one.peak_opening, one.energy_dissipated},
            [] { return "a link"; });
   }
-  if (response_.energy)
-    finite({response_.energy->peak_input, response_.energy->residual}, [] { return "the energies"; });
-  for (const Histories* of : {&response_.histories, &response_.course}) {
-    bool all = of->opening.allFinite() && of->force.allFinite() && of->link_deformation.allFinite() &&
-               of->link_force.allFinite();
-    for (const auto* list : {&of->displacement, &of->velocity, &of->acceleration, &of->foundation}) {
-      for (const Eigen::MatrixXd& one : *list) all = all && one.allFinite();
-    }
-    if (!all) fail("a number of the histories is not finite");
-  }
+  if (run_.energy) finite({run_.energy->peak_input, run_.energy->residual}, [] { return "the energies"; });
 }
 
 /// A point's totals are those of its impacts, which follow one another.
 void Checks::impacts() {
-  std::vector<PointSummary> found(response_.points.size());
-  std::vector<double> ended(response_.points.size(), 0.0);
-  const double slack = exact_bound * response_.duration;
-  for (const Impact& one : response_.impacts) {
+  std::vector<PointSummary> found(run_.points.size());
+  std::vector<double> ended(run_.points.size(), 0.0);
+  const double slack = exact_bound * run_.duration;
+  for (const Impact& one : run_.impacts) {
     PointSummary& point = found.at(one.point);
     ++(one.settling ? point.settling : point.impacts);
     point.impulse += one.impulse;
     point.peak_force = std::max(point.peak_force, one.peak_force);
     double& last = ended[one.point];
-    if (one.start < last - slack || one.end < one.start - slack || one.end > response_.duration + slack) {
+    if (one.start < last - slack || one.end < one.start - slack || one.end > run_.duration + slack) {
       fail(fmt::format("an impact at {} lasts from {:.9g} to {:.9g} s, after one that ended at {:.9g} s",
-                       place(one.point), one.start, one.end, last));
+                       run_.place(one.point), one.start, one.end, last));
     }
     last = std::max(last, one.end);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const PointSummary& told = response_.points[i];
+    const PointSummary& told = run_.points[i];
     if (told.impacts == found[i].impacts && told.settling == found[i].settling &&
         told.peak_force == found[i].peak_force &&
         std::abs(told.impulse - found[i].impulse) <= round_off * std::abs(found[i].impulse)) {
       continue;
     }
-    fail(fmt::format("{} has {} impacts of {:.9g} at most, the list {} of {:.9g}", place(i), told.impacts,
+    fail(fmt::format("{} has {} impacts of {:.9g} at most, the list {} of {:.9g}", run_.place(i), told.impacts,
                      told.peak_force, found[i].impacts, found[i].peak_force));
   }
 }
@@ -197,50 +144,119 @@ void Checks::impacts() {
 /// Until two buildings meet, the response is that without contact: somewhere they meet exactly where some point needs
 /// more without contact than it is given.
 void Checks::first_contact() {
+  if (run_.impacts.empty() && !run_.touches_where_closed) return;
   double most = -infinite;
   std::size_t nearest = 0;
-  for (std::size_t i = 0; i < response_.points.size(); ++i) {
-    const ContactPoint& point = problem_.points[i];
-    const auto moves = [&](Eigen::Index b) { return response_.buildings[b].displacement_no_contact.maxCoeff(); };
-    const double needed = response_.points[i].gap_needed;
-    const double scale = needed + point.width + moves(point.left) + moves(point.right);
-    const double beyond = scale > 0.0 ? (needed - point.width) / scale : 0.0;
+  for (std::size_t i = 0; i < run_.points.size(); ++i) {
+    const double needed = run_.points[i].gap_needed;
+    const double scale = needed + run_.widths[i] + run_.moves[i];
+    const double beyond = scale > 0.0 ? (needed - run_.widths[i]) / scale : 0.0;
     if (i > 0 && beyond <= most) continue;
     most = beyond;
     nearest = i;
   }
-  if (response_.points.empty()) return;
-  const auto told = [&] {
-    return fmt::format("{} impacts, but without contact {} needs {:.9g} and is given {:.9g}", response_.impacts.size(),
-                       place(nearest), response_.points[nearest].gap_needed, problem_.points[nearest].width);
-  };
-  compare("check_first_contact", response_.impacts.empty() ? most : -most, told);
+  if (run_.points.empty()) return;
+  compare("check_first_contact", run_.impacts.empty() ? most : -most, [&] {
+    return fmt::format("{} impacts, but without contact {} needs {:.9g} and is given {:.9g}", run_.impacts.size(),
+                       run_.place(nearest), run_.points[nearest].gap_needed, run_.widths[nearest]);
+  });
 }
 
 /// Where nothing has touched, contact has changed nothing.
 void Checks::without_impact() {
-  if (!response_.impacts.empty()) return;
-  double apart = 0.0;
-  std::string where;
-  const auto largest = [&](VectorXd BuildingPeaks::*list) {
-    double most = 0.0;
-    for (const BuildingPeaks& peaks : response_.buildings) most = std::max(most, (peaks.*list).maxCoeff());
-    return most;
-  };
-  const double scale = largest(&BuildingPeaks::displacement_no_contact);
-  for (std::size_t b = 0; b < response_.buildings.size() && scale > 0.0; ++b) {
-    const BuildingPeaks& peaks = response_.buildings[b];
-    const double by = (peaks.displacement - peaks.displacement_no_contact).cwiseAbs().maxCoeff() / scale;
+  if (!run_.impacts.empty()) return;
+  double apart = 0.0, scale = 0.0;
+  const std::string* where = nullptr;
+  for (const ComparedPeaks& one : run_.compared) {
+    if (one.without.size() > 0) scale = std::max(scale, one.without.maxCoeff());
+  }
+  for (const ComparedPeaks& one : run_.compared) {
+    if (!(scale > 0.0) || one.with.size() == 0) continue;
+    const double by = (one.with - one.without).cwiseAbs().maxCoeff() / scale;
     if (by <= apart) continue;
     apart = by;
-    where = problem_.buildings[b].name;
+    where = &one.building;
   }
   compare("check_without_impact", apart, [&] {
     return fmt::format(
         "no impacts, but the largest displacements of {} differ from those without contact by {:.3g} "
         "of the largest",
-        where, apart);
+        *where, apart);
   });
+}
+
+/// What every solution has twice, whatever it is of.
+void check_measures(const SelfMeasures& measures, const CheckedRun& run, const Solver& solver, const Verdict& verdict) {
+  Judge judge(solver, verdict);
+  const auto apart = [](const char* what, double by) {
+    return [what, by] { return fmt::format("{} by {:.3g} of the largest", what, by); };
+  };
+  judge.compare("check_momentum", measures.momentum,
+                apart("momentum before and after a contact differs from its impulses", measures.momentum),
+                slack_of_impulse(run.is_integrated, solver));
+  // The first step of an integrated contact goes on past a touch that its own force brings about at once.
+  judge.compare("check_opening", measures.opening,
+                apart("bodies begin or cease to touch where their opening is not zero", measures.opening),
+                run.is_integrated ? of_integrated : 1.0);
+  judge.compare("check_peaks", measures.peaks,
+                apart("a history goes beyond the peak that is found of it", measures.peaks));
+  judge.compare("check_forces", measures.forces,
+                apart("the forces on a building at the end are out of balance", measures.forces));
+  if (run.energy) {
+    const double missing = run.energy->relative_residual();
+    judge.compare("check_energy", missing,
+                  [missing] { return fmt::format("{:.3g} of the energy that went in is not accounted for", missing); });
+  }
+}
+
+/// Peaks of a building of a row, and where they are none by intent.
+void add_peaks(const Building& building, const BuildingPeaks& peaks, std::vector<CheckedPeaks>& all) {
+  const std::optional<Eigen::Index> slab = building.model.slab;
+  const bool rigid = building.is_rigid();
+  const auto add = [&](const char* what, const VectorXd& values, std::function<bool(Eigen::Index)> is_null = {}) {
+    all.push_back({what, building.name, values, std::move(is_null)});
+  };
+  const auto of_rigid = [rigid](Eigen::Index) { return rigid; };
+  const auto open = [&building](Eigen::Index i) {
+    return std::none_of(building.model.infills.begin(), building.model.infills.end(),
+                        [&](const InfillPanel& one) { return building.model.first_storey() + one.storey == i; });
+  };
+  add("displacement", peaks.displacement);
+  add("displacement without contact", peaks.displacement_no_contact);
+  add("acceleration", peaks.acceleration);
+  add("acceleration without contact", peaks.acceleration_no_contact);
+  add("drift ratio", peaks.drift_ratio, [rigid, slab](Eigen::Index i) { return rigid || slab == i; });
+  add("storey shear", peaks.storey_shear, of_rigid);
+  add("storey shear without contact", peaks.storey_shear_no_contact, of_rigid);
+  add("column force", peaks.column_forces);
+  add("column force without contact", peaks.column_forces_no_contact);
+  add("movement of the foundation", peaks.foundation);
+  add("force of the infill", peaks.infill.force, open);
+  add("energy of the infill", peaks.infill.energy, open);
+  for (const auto* yielding : {&peaks.yielding, &peaks.yielding_no_contact}) {
+    add("ductility", yielding->ductility, [&building](Eigen::Index i) { return building.storey_law(i) == nullptr; });
+    add("residual drift", yielding->residual_drift_ratio, [&building](Eigen::Index i) {
+      const Hinges& hinges = building.model.hinges;
+      return building.model.slab == i || !hinges.columns.empty() || !hinges.backbones.empty();
+    });
+    add("hysteretic energy", yielding->hysteretic_energy);
+  }
+}
+
+bool is_finite(const std::vector<BuildingPeaks::Breaking>& columns) {
+  return std::all_of(columns.begin(), columns.end(), [](const BuildingPeaks::Breaking& one) {
+    return std::isfinite(one.peak_shear + one.break_time.value_or(0) + one.released_energy + one.residual_slip);
+  });
+}
+
+bool is_finite(const Histories& histories) {
+  bool all = histories.opening.allFinite() && histories.force.allFinite() && histories.link_deformation.allFinite() &&
+             histories.link_force.allFinite();
+  for (const auto* list :
+       {&histories.displacement, &histories.velocity, &histories.acceleration, &histories.foundation}) {
+    for (const Eigen::MatrixXd& one : *list) all = all && one.allFinite();
+  }
+  return all;
 }
 
 }  // namespace
@@ -263,46 +279,53 @@ double beyond_peak_rotations(const std::vector<BuildingPeaks::Hinge>& hinges,
   return largest > 0.0 ? beyond / largest : 0.0;
 }
 
-void check_measures(const SelfMeasures& measures, const std::optional<EnergyAudit>& energy, const Solver& solver,
-                    bool integrated, const Verdict& verdict) {
-  Judge judge(solver, verdict);
-  const auto apart = [](const char* what, double by) {
-    return [what, by] { return fmt::format("{} by {:.3g} of the largest", what, by); };
-  };
-  judge.compare("check_momentum", measures.momentum,
-                apart("momentum before and after a contact differs from its impulses", measures.momentum),
-                slack_of_impulse(integrated, solver));
-  // The first step of an integrated contact goes on past a touch that its own force brings about at once.
-  judge.compare("check_opening", measures.opening,
-                apart("bodies begin or cease to touch where their opening is not zero", measures.opening),
-                integrated ? of_integrated : 1.0);
-  judge.compare("check_peaks", measures.peaks,
-                apart("a history goes beyond the peak that is found of it", measures.peaks));
-  judge.compare("check_forces", measures.forces,
-                apart("the forces on a building at the end are out of balance", measures.forces));
-  if (energy) {
-    const double missing = energy->relative_residual();
-    judge.compare("check_energy", missing,
-                  [missing] { return fmt::format("{:.3g} of the energy that went in is not accounted for", missing); });
-  }
+void check_run(const CheckedRun& run, const SelfMeasures& measures, const Solver& solver, const Verdict& verdict) {
+  Checks checks(run, solver, verdict);
+  checks.numbers();
+  if (verdict.status == Status::failed) return;
+  checks.impacts();
+  checks.first_contact();
+  checks.without_impact();
+  check_measures(measures, run, solver, verdict);
 }
 
 void check_itself(const Problem& problem, const Solver& solver, const SelfMeasures& measures, Response& response) {
   if (response.status != Status::done && response.status != Status::collapsed) return;
-  Checks checks(problem, solver, response);
-  checks.numbers();
-  if (response.status == Status::failed) return;
-  checks.impacts();
-  checks.first_contact();
-  checks.without_impact();
+  const Verdict verdict{response.status, response.message, response.discrepancies};
+  CheckedRun run{.points = response.points,
+                 .impacts = response.impacts,
+                 .watched = response.watched,
+                 .links = response.links,
+                 .energy = response.energy,
+                 .duration = response.duration,
+                 .place =
+                     [&](std::size_t i) {
+                       return fmt::format("level {:.6g} of {}", problem.points[i].elevation,
+                                          gap_name(problem, problem.points[i].left));
+                     },
+                 .is_integrated = is_any_integrated(problem)};
+  Judge judge(solver, verdict);
   SelfMeasures all = measures;
+  std::vector<double> moves;
   for (std::size_t b = 0; b < response.buildings.size(); ++b) {
+    const BuildingPeaks& peaks = response.buildings[b];
+    const std::string& name = problem.buildings[b].name;
+    add_peaks(problem.buildings[b], peaks, run.peaks);
+    run.compared.push_back({name, peaks.displacement, peaks.displacement_no_contact});
+    moves.push_back(peaks.displacement_no_contact.maxCoeff());
+    if (!is_finite(peaks.columns)) judge.fail("a number of a column of " + name + " is not finite");
     const auto& rotations = response.histories.hinge_rotation;
-    all.peaks = std::max(all.peaks, beyond_peak_rotations(response.buildings[b].hinges,
-                                                          rotations.empty() ? Eigen::MatrixXd() : rotations[b]));
+    all.peaks =
+        std::max(all.peaks, beyond_peak_rotations(peaks.hinges, rotations.empty() ? Eigen::MatrixXd() : rotations[b]));
   }
-  check_measures(all, response.energy, solver, is_any_integrated(problem),
-                 {response.status, response.message, response.discrepancies});
+  for (const ContactPoint& point : problem.points) {
+    run.widths.push_back(point.width);
+    run.moves.push_back(moves[point.left] + moves[point.right]);
+  }
+  if (!is_finite(response.histories) || !is_finite(response.course)) {
+    judge.fail("a number of the histories is not finite");
+  }
+  check_run(run, all, solver, verdict);
 }
 
 }  // namespace bentur

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "tests/invariance/drawn_plan.h"
 #include "tests/support/random_yielding.h"
 #include "tests/support/small_buildings.h"
 
@@ -73,6 +74,52 @@ TEST(SelfChecks, FindEachDamage) {
     ASSERT_EQ(response.impacts.empty(), damage.width == far);
     check_itself(problem, ExactSolver{}, {}, response);
     EXPECT_EQ(response.status, Status::done);
+    damage.to(response);
+    check_itself(problem, ExactSolver{}, {}, response);
+    EXPECT_EQ(response.status, Status::failed);
+    EXPECT_NE(response.message.find("the run contradicts itself: "), std::string::npos) << response.message;
+    EXPECT_NE(response.message.find(damage.what), std::string::npos) << response.message;
+  }
+}
+
+TEST(SelfChecks, FindEachDamageInPlan) {
+  struct DamageInPlan {
+    std::string what;  ///< in the message
+    double wider;
+    std::function<void(PlanResponse&)> to;
+  };
+  const double near = 0, far = 5;
+  const DamageInPlan damages[] = {
+      {"displacement 1 of", near, [](PlanResponse& r) { r.buildings[1].west(0) = none; }},
+      {"rotation 1 of", near, [](PlanResponse& r) { r.buildings_no_contact[0].rotation(0) = none; }},
+      {"shear of a plane 1", near, [](PlanResponse& r) { r.buildings[0].planes[2].shear(0) = HUGE_VAL; }},
+      {"a number of level", near, [](PlanResponse& r) { r.points[0].energy_lost = none; }},
+      {"a number of the impact", near, [](PlanResponse& r) { r.impacts[0].tangential_impulse = none; }},
+      {"friction", near, [](PlanResponse& r) { r.friction[0].sliding = none; }},
+      {"the list", near, [](PlanResponse& r) { r.impacts.pop_back(); }},
+      {"the list", near, [](PlanResponse& r) { r.points[r.impacts[0].point].impulse *= 1.001; }},
+      {"lasts from", near, [](PlanResponse& r) { r.impacts.back().end = 5; }},
+      {"impacts, but without contact", near,
+       [](PlanResponse& r) {
+         for (PointSummary& one : r.points) one.gap_needed = 0.001;
+       }},
+      {"0 impacts, but without contact", near,
+       [](PlanResponse& r) {
+         r.impacts.clear();
+         for (PointSummary& one : r.points) one = {.gap_needed = one.gap_needed};
+       }},
+      {"differ from those without contact", far, [](PlanResponse& r) { r.buildings[0].north(0) *= 1.001; }},
+      {"the energy that went in", near, [](PlanResponse& r) { r.energy->residual = 1e-3 * r.energy->peak_input; }},
+  };
+  for (const DamageInPlan& damage : damages) {
+    SCOPED_TRACE(damage.what);
+    DrawnPlan drawn(3);
+    drawn.wider = damage.wider;
+    const PlanProblem problem = drawn.problem();
+    PlanResponse response = solve(problem, ExactSolver{}, {.energy_audit = true});
+    ASSERT_EQ(response.status, Status::done) << response.message;
+    ASSERT_EQ(response.impacts.empty(), damage.wider == far);
+    EXPECT_TRUE(response.discrepancies.empty());
     damage.to(response);
     check_itself(problem, ExactSolver{}, {}, response);
     EXPECT_EQ(response.status, Status::failed);

@@ -194,13 +194,6 @@ void summarise_columns(const PlanProblem& problem, const std::vector<PlanPeaks>&
   }
 }
 
-bool some_contact_is_integrated(const PlanProblem& problem) {
-  return std::any_of(problem.gaps.begin(), problem.gaps.end(), [](const PlanGap& gap) {
-    return std::any_of(gap.contacts.begin(), gap.contacts.end(),
-                       [](const PlanContact& contact) { return is_integrated(*contact.law); });
-  });
-}
-
 bool is_place(Index place) { return place >= 0; }
 
 /// Impacts of a system's points as those of the problem's, by start, then point, then end.
@@ -402,30 +395,6 @@ void take_solution(const PlanProblem& problem, Solution&& solution, PlanResponse
   summarise_friction(response.impacts, response.friction);
   summarise_columns(problem, response.buildings, response.buildings_no_contact, response.points);
   response.energy = std::move(solution.energy);
-}
-
-void check_itself(const PlanProblem& problem, const Solver& solver, const SelfMeasures& measures,
-                  PlanResponse& response) {
-  if (response.status != Status::done && response.status != Status::collapsed) return;
-  if (!is_finite(response)) {
-    response.status = Status::failed;
-    response.message = "a number of the results is not finite";
-    return;
-  }
-  SelfMeasures all = measures;
-  for (std::size_t b = 0; b < response.buildings.size(); ++b) {
-    Index first = 0;
-    for (const PlanPeaks::Plane& plane : response.buildings[b].planes) {
-      const Index count = std::ssize(plane.frame.hinges);
-      const auto& rotations = response.histories.hinge_rotation;
-      all.peaks = std::max(
-          all.peaks, beyond_peak_rotations(plane.frame.hinges,
-                                           rotations.empty() ? MatrixXd() : rotations[b].middleRows(first, count)));
-      first += count;
-    }
-  }
-  check_measures(all, response.energy, solver, some_contact_is_integrated(problem),
-                 {response.status, response.message, response.discrepancies});
 }
 
 LargestDrift PlanPeaks::largest_drift() const {

@@ -109,9 +109,6 @@ struct PlanResponse {
   std::vector<Discrepancy> discrepancies = {};
 };
 
-/// Whether every number that is reported is one. plan_finite.cpp
-[[nodiscard]] bool is_finite(const PlanResponse& response);
-
 /// The largest drift of each building without contact, wherever its masses may stand.
 [[nodiscard]] std::vector<LargestDrift> drifts_no_contact(const PlanResponse& response);
 
