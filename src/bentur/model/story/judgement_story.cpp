@@ -1,5 +1,7 @@
 #include "bentur/model/story/judgement_story.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -244,6 +246,24 @@ std::string why_not_short(const Judgement& judged) {
   }
 }
 
+/// Writes a length with as many more digits as it takes where it would read as the one that is given, or as nothing,
+/// and is not.
+void show_difference(const StoryColumn& given, std::size_t row, StoryColumn& column) {
+  constexpr int most_digits = 4;  // more are round-off
+  const double value = column.numbers[row];
+  std::string& text = column.texts[row];
+  const auto reads_alike = [&] {
+    const std::optional<double> read = parse_number(text);
+    return read &&
+           ((read == parse_number(given.texts[row]) && value != given.numbers[row]) || (*read == 0 && value > 0));
+  };
+  const std::size_t point = text.find('.');
+  const auto decimals = point == std::string::npos ? 0 : static_cast<int>(text.size() - point) - 1;
+  for (int more = 1; more <= most_digits && reads_alike(); ++more) {
+    text = fmt::format("{:.{}f}", value, decimals + more);
+  }
+}
+
 /// Lengths of several columns with equally many decimals, of three digits; those that are given keep all of theirs.
 void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed) {
   std::vector<double> all;
@@ -260,6 +280,9 @@ void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed)
   given.are_counts = true;
   for (std::size_t i = 0; i < own.size(); ++i, ++text) {
     given.texts.push_back(text->size() < own[i].size() ? own[i] : *text);
+  }
+  for (StoryColumn* const one : computed) {
+    for (std::size_t i = 0; i < own.size(); ++i) show_difference(given, i, *one);
   }
 }
 
