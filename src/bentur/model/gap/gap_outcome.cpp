@@ -96,7 +96,8 @@ namespace {
 /// @param drifts largest one of each building, without contact
 bool drifts_beyond(const Problem& problem, const std::vector<LargestDrift>& drifts) {
   for (std::size_t b = 0; b < std::min(problem.buildings.size(), drifts.size()); ++b) {
-    if (!problem.buildings[b].has_gravity_loads && drifts[b].ratio > problem.collapse_drift) return true;
+    if (drifts_beyond_collapse(drifts[b].ratio, problem.buildings[b].has_gravity_loads, problem.collapse_drift))
+      return true;
   }
   return false;
 }
