@@ -11,6 +11,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/toml/toml_value.h"
+#include "bentur/model/gap/code_rules.h"
 #include "bentur/model/quantities.h"
 #include "bentur/report/html/internal/assets.h"
 #include "bentur/report/kinds/kinds.h"
@@ -129,6 +130,13 @@ TEST(Catalogue, WhatALawWorksWithIsAKey) {
     for (const auto& [name, value] : example.make(1e5)->parameters()) {
       EXPECT_NE(contact_keys().find(name), nullptr) << name;
     }
+  }
+}
+
+TEST(Catalogue, SaysOfEveryRuleOfACodeWhatItTakes) {
+  for (const CodeRule& rule : code_rules()) {
+    const std::string said = std::string(rule.assumes) + "; " + std::string(rule.motion);
+    EXPECT_EQ(Words("en")("gap.takes." + std::string(rule.name)), said);
   }
 }
 
