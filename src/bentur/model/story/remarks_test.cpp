@@ -191,6 +191,14 @@ TEST(Remarks, OfMotionsInTheWrongUnit) {
   c.excitation.record->pga_without_unit = 0.35;
   c.excitation.record->pga_read = 0.04;  // a weak record, left about as it is
   EXPECT_EQ(remarks_of(c), Names{"pga"});
+  EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
+  c.excitation.record->unit = "m/s2";  // which stands in the case alone, where the file may be in g
+  c.excitation.record->pga_read = 0.35;
+  c.excitation.record->pga_without_unit.reset();
+  EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
+  c.excitation.amplitude_without_unit = 0.35;
+  EXPECT_EQ(remarks_of(c), Names{"pga"});
+  EXPECT_TRUE(remarks(c, make_problem(c))[0].is_doubt);
   for (double& a : acceleration) a *= 0.051 * 9.80665 / 0.35;
   EXPECT_EQ(remarks_of(c), Names{});
   for (double& a : acceleration) a *= 2.45 / 0.051;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "bentur/excitation/usual_peaks.h"
 #include "bentur/model/quantities.h"
 
 namespace bentur {
@@ -14,6 +15,7 @@ namespace {
 /// How far beyond the usual a value is no longer believed: an order of magnitude is how units are mistaken.
 constexpr double far = 10;
 constexpr double as_round_off = 1e-9;
+constexpr UsualPeak usual_peak;
 
 /// A new one is put last.
 constexpr RemarkKind kinds[] = {
@@ -38,7 +40,8 @@ constexpr RemarkKind kinds[] = {
     {"record_step", "s", none, 0.05, none, 0.1, far},
     {"record_length", "s", 5, 600, 5, 600, far},
     {"motion_of_zeros", "g", 0.05, 1, 0.05, 1, 1},
-    {"pga", "g", 0.05, 1, 0.05, 2.5, far},
+    // The strongest recorded have some 3 g; under 0.01 g nothing is damaged.
+    {"pga", "g", usual_peak.from, usual_peak.to, usual_peak.from, usual_peak.most, 5},
     {"pga_without_unit", "g"},
     {"delay", "s"},
     {"duration", "s"},
