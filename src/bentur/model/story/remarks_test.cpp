@@ -151,10 +151,10 @@ TEST(Remarks, OfMotionDelaysGapsAndOutput) {
   c.analysis.output_step = 1e9;
   EXPECT_EQ(remarks_of(c), Names{"output_step"});
   c = ordinary();
-  c.gaps[0].widths = {5, 5, 5};
+  c.gaps[0].widths = {1.2, 1.2, 1.2};
   EXPECT_EQ(remarks_of(c), Names{"gap_width A | B"});
   EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
-  c.gaps[0].widths = {20, 20, 20};  // cm, where the case is in m
+  c.gaps[0].widths = {2, 2, 2};  // cm, where the case is in m
   EXPECT_TRUE(remarks(c, make_problem(c))[0].is_doubt);
   const Problem apart = make_problem(c);
   c.links = {{}};  // a bridge from A to B

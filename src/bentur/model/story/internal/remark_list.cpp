@@ -30,7 +30,7 @@ constexpr RemarkKind kinds[] = {
     {"density", "kg/m³", 500, 8000, 300, 12000, 1.5},            // likewise
     {"section", "L", 0.2, 2, 0.04, 4},
     {"line_load", "F L-1"},
-    {"gap_width", "L", none, 0.5, none, 2, far},
+    {"gap_width", "L", none, 0.5, none, 1, far},
     {"level_tolerance", "L"},
     {"soft_contact", "", none, 0.05, none, 0.1},  // of a first period: longer is no blow
     {"code_on_record", "", none, 1, none, 1, 1},
