@@ -199,6 +199,7 @@ HarmonicMotion read_harmonic(const TableView& view, const Units& units, std::opt
     motion.displacement_amplitude = of_displacement ? amplitude : amplitude / (omega * omega);
   }
   if (view.word("phase") == "cosine") motion.phase = HarmonicMotion::Phase::cosine;
+  if (view.word("polarity") == "reversed") motion.displacement_amplitude *= -1;
   return motion;
 }
 

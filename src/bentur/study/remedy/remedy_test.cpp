@@ -293,6 +293,24 @@ TEST_F(Remedies, GapsNeededAreThoseOfBothDirections) {
   EXPECT_DOUBLE_EQ(both.trials.at(0).objective, std::max(one.trials[0].objective, other.trials[0].objective));
 }
 
+/// A harmonic motion begins with a jump to one side.
+TEST_F(Remedies, GapsNeededAreThoseOfBothDirectionsOfAHarmonicMotion) {
+  const std::string text = case_of(spring);
+  const std::string asked = "[remedy]\nobjective = 'gap_needed'\nevaluations = 10\n" + std::string(dampers);
+  put("case.toml", text);
+  const RemedySearch both = found(asked);
+  EXPECT_EQ(both.runs_each, 2U);
+  EXPECT_TRUE(both.both_ways);
+  put("case.toml", text + "both_ways = false\n");
+  const RemedySearch one = found(asked);
+  EXPECT_EQ(one.runs_each, 1U);
+  put("case.toml", std::string(text).replace(text.find("period = 0.45"), 13, "period = 0.45\npolarity = 'reversed'") +
+                       "both_ways = false\n");
+  const RemedySearch other = found(asked);
+  ASSERT_NE(one.trials.at(0).objective, other.trials.at(0).objective);
+  EXPECT_DOUBLE_EQ(both.trials.at(0).objective, std::max(one.trials[0].objective, other.trials[0].objective));
+}
+
 TEST_F(Remedies, RefuseWhatMakesNoSense) {
   const std::string near = errors("[remedy]\nobjective = 'gap_neded'\nlimit = -1\n" + std::string(dampers));
   EXPECT_NE(near.find("did you mean \"gap_needed\""), std::string::npos) << near;
