@@ -101,7 +101,7 @@ BEYOND = {
             files-twice ida-name-taken ida-scale-of-y ida-varies-scale name-is-none name-of-companions name-taken
             name-twice path-twice path-units polarity-twice value-twice""",
         "keys of several tables, or numbers of several keys": """
-            distribution-bounds distribution-in-grid grid-too-large ida-levels-order ida-missing
+            distribution-bounds distribution-in-grid grid-too-large ida-levels-order ida-levels-without-unit ida-missing
             ida-unscaled-normalised ida-unscaled-without-records
             ida-with-sampling range-backwards remedy-for-a-sweep remedy-without-range sweep-of-ida
             value-table-without-label vary-missing""",

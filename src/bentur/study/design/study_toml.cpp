@@ -334,6 +334,7 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
     if (found.ok()) settle_normalisation(root, study);
     if (records) vary_records_of_suite(std::move(*records), study, found);
     if (study.ida && study.ida->is_cloud && found.ok()) check_cloud(root, study);
+    if (study.ida && found.ok()) expect_unit_of_levels(root, study);
   }
   check_values(root, study_keys());
   if (study.ida && has_case && found.ok()) draw_with_records(root, study);
