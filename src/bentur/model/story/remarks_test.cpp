@@ -170,6 +170,10 @@ TEST(Remarks, OfMotionDelaysGapsAndOutput) {
   c = ordinary();
   c.buildings[1].damping = ModalDamping{{0.5}};
   EXPECT_EQ(remarks_of(c), Names{"damping B"});
+  EXPECT_TRUE(remarks(c, make_problem(c))[0].is_doubt);
+  c.buildings[1].damping = ModalDamping{{0.3}};
+  EXPECT_EQ(remarks_of(c), Names{"damping B"});
+  EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
 }
 
 TEST(Remarks, OfMotionsInTheWrongUnit) {

@@ -24,7 +24,7 @@ constexpr RemarkKind kinds[] = {
     {"storey_weight", "F", 5e3, 1e7, 500, 2e8, far},
     {"storey_weight_per_width", "F L-1", none, 1e6, none, 1e7},
     {"impact_damping", "", none, 0.07, none, 0.2},
-    {"damping", "", 0.01, 0.07, 0, 0.2},
+    {"damping", "", 0.01, 0.07, 0, 0.2, 5},  // 50 % where 5 % is meant: with that nothing moves
     {"storey_height", "L", 2.5, 6, 0.5, 15, far},
     {"elastic_modulus", "F L-2", 1e10, 2.1e11, 5e8, 3e11, far},  // timber, concrete, steel
     {"density", "kg/m³", 500, 8000, 300, 12000, 1.5},            // likewise
