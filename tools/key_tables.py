@@ -100,24 +100,51 @@ def slug(heading):
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
+# Where keys are explained that no table has: those of the file itself, and [code].
+EXPLAINED = {"case": ("case-file.md#smallest-case", "Smallest case"), "study": ("studies.md#the-study-file", "The study file"),
+             "case.code": ("separation-rules.md#code", "[code]")}
+
+
+def ways_in(schema, way):
+    """The ways of all keys below, "case.building.damping", with what they say; of a key that takes several kinds of
+    value those of each."""
+    for one in (schema, schema.get("items", {}), *schema.get("anyOf", []), *schema.get("items", {}).get("anyOf", [])):
+        for key, below in one.get("properties", {}).items():
+            yield f"{way}.{key}", below["x-bentur"]
+            yield from ways_in(below, f"{way}.{key}")
+
+
 def index(texts, schemas):
-    """docs/keys.md: each key of the tables in `texts`, by document, and those of [code], with where it is explained."""
-    places = {}
+    """docs/keys.md: each key of the schemas with the tables that explain it, or a key that says the same; where none has
+    it, with where the table is that it is, or the key above it is explained."""
+    places = {}  # of a way
+    tables = {}  # of a way that is a table
     for document, text in texts.items():
         heading = None
         for line in re.finditer(r"^#+ (.*)$|<!-- keys ([^>]*?) -->", text, re.MULTILINE):
             if line[1]:
                 heading = line[1]
                 continue
+            at = f"{pathlib.Path(document).name}#{slug(heading)}"
+            what = line[2].split()
+            way = ".".join(("study", *what[1:2])) if what[0] == "study" else f"case.{what[0]}"
+            tables.setdefault(way, {})[at] = heading
             for row in keys_table(*table_of(line[2], schemas))[2:]:
-                key = row.split("`")[1]
-                places.setdefault(key, {})[f"{pathlib.Path(document).name}#{slug(heading)}"] = heading
-    for rule in table_at(schemas["case"], "code").values():
-        for key in rule.get("properties", {}):
-            places.setdefault(key, {})["separation-rules.md#code"] = "[code]"
+                places.setdefault(f"{way}.{row.split('`')[1]}", {})[at] = heading
+    tables.update({way: dict([place]) for way, place in EXPLAINED.items()})
+    said = dict([*ways_in(schemas["case"], "case"), *ways_in(schemas["study"], "study")])
+    explained = [(way.rpartition(".")[2], said[way]) for way in places]
+    keys = {}
+    for way in (*places, *(way for way in said if way not in places)):
+        key, above = way.rpartition(".")[2], way
+        if way not in places and (key, said[way]) in explained:
+            continue
+        while above not in places and above not in tables:
+            above = above.rpartition(".")[0]
+        keys.setdefault(key, {}).update(places.get(above) or tables[above])
     lines = ["# Keys from A to Z", "", "All keys of case and study files, with the tables that explain them.", "",
              "| key | explained under |", "|---|---|"]
-    for key, where in sorted(places.items()):
+    for key, where in sorted(keys.items()):
         links = ", ".join("[" + heading.replace("`", "").replace("[", "\\[").replace("]", "\\]") + f"]({at})"
                           for at, heading in where.items())
         lines.append(f"| `{key}` | {links} |")

@@ -256,10 +256,11 @@ std::string excitation_line(const ExcitationSpec& excitation, const Units& units
     line =
         say("cli.harmonic", {{"phase", say(harmonic->phase == HarmonicMotion::Phase::sine ? "cli.sine" : "cli.cosine")},
                              {"period", number(harmonic->period)},
-                             {"amplitude", number(harmonic->displacement_amplitude)},
+                             {"amplitude", number(std::abs(harmonic->displacement_amplitude))},
                              {"length", units.length},
                              {"peak", number(peak_acceleration(excitation.motion))},
                              {"acceleration", acceleration}});
+    if (harmonic->displacement_amplitude < 0) line += say("cli.reversed");
   } else if (excitation.suite) {
     line = suite_line(*excitation.suite, say);
   } else if (excitation.spectrum) {

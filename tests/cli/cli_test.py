@@ -1572,6 +1572,7 @@ kind = "spectrum"
         gap, = document["gaps"]
         self.assertEqual(gap["judgement"]["value"], "too small")
         self.assertIn("spectrum_both", [one["kind"] for one in document["statements"]])
+        self.assertEqual([rule["reason"] for rule in gap["rules"] if rule["rule"] == "ddc"], ["turning"])
         needed = max(point["gap_needed"] for point in gap["points"])
         self.assertAlmostEqual(gap["gap_needed"], needed, delta=1e-15)
         for building in document["buildings"]:

@@ -101,7 +101,7 @@ BEYOND = {
             files-twice ida-name-taken ida-scale-of-y ida-varies-scale name-is-none name-of-companions name-taken
             name-twice path-twice path-units polarity-twice value-twice""",
         "keys of several tables, or numbers of several keys": """
-            distribution-bounds distribution-in-grid grid-too-large ida-levels-order ida-missing
+            distribution-bounds distribution-in-grid grid-too-large ida-levels-order ida-levels-without-unit ida-missing
             ida-unscaled-normalised ida-unscaled-without-records
             ida-with-sampling range-backwards remedy-for-a-sweep remedy-without-range sweep-of-ida
             value-table-without-label vary-missing""",
@@ -175,7 +175,7 @@ def test_what_a_schema_can_say_is_refused(schemas, root, what, folder):
 def told_in(schema):
     for key, said in schema.get("properties", {}).items():
         yield key, said
-        for below in (said, said.get("items", {}), *said.get("anyOf", [])):
+        for below in (said, said.get("items", {}), *said.get("anyOf", []), *said.get("items", {}).get("anyOf", [])):
             yield from told_in(below)
 
 
@@ -199,3 +199,12 @@ def test_the_list_of_keys_leads_to_all_of_these_tables(program, root):
     assert key_tables.index(key_tables.texts_of(root), key_tables.schemas_of(program)) == text, "./dev keys writes it"
     for way in ("case-gaps.md#contact-laws", "studies.md#the-study-file", "separation-rules.md#code"):
         assert way in text
+
+
+def test_the_list_of_keys_has_every_key_of_the_schemas(program, root):
+    text = (root / key_tables.INDEX).read_text()
+    listed = re.findall(r"^\| `(.*?)` \|", text, re.MULTILINE)
+    assert len(set(listed)) == len(listed)
+    of_schemas = {key for schema in key_tables.schemas_of(program).values() for key, _ in told_in(schema)}
+    assert {"ratios", "half_space", "low", "title", "asce-7-16"} <= of_schemas
+    assert of_schemas == set(listed)

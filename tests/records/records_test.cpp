@@ -91,7 +91,8 @@ TEST(Records, NormalisedByPairsAsFemaP695Does) {
     std::ofstream(folder.path() / "study.toml")
         << "case = '" << BENTUR_SOURCE_DIR << "/examples/m12-el-centro.toml'\n[[vary]]\nparameter = 'excitation.file'\n"
         << "files = '" << (records / "far-field" / "*.csv").string()
-        << "'\nunit = 'g'\nnormalisation = " << normalisation << "\n[ida]\nintensity = 'pga'\nlevels = [1.0]\n";
+        << "'\nunit = 'g'\nnormalisation = " << normalisation
+        << "\n[ida]\nintensity = 'pga'\nunit = 'm/s2'\nlevels = [1.0]\n";
     Diagnostics diagnostics;
     const auto study = read_study(folder.path() / "study.toml", diagnostics);
     for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();

@@ -118,6 +118,13 @@ class UnevenStoreys(Reported):
         self.assertAlmostEqual(found[0]["B0"][0] + found[0]["B1"][0], 0.590429, delta=1e-5)
 
 
+class TheLeastGapOfARow(Reported):
+    def test_what_was_asked_comes_before_the_other_gaps(self):
+        said = self.said("remedy", SOURCE / "examples" / "row-of-three.toml")
+        self.assertRegex(said, r"^Row of three[^:]*?El Centro TOO SMALL: The least gap that keeps West and Middle apart")
+        self.assertIn("Another gap closes.", said)
+
+
 class EdgesThatAreNotParallel(Reported):
     def test_the_gap_needed_is_one_number_at_every_door(self):
         case = CASES / "oblique-edges.toml"

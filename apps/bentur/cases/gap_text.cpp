@@ -48,7 +48,7 @@ std::string codes_note(const CodeSpec& code, const Words& say) {
   std::string text = "\n" + wrapped(say("gap.codes_note")) + "\n" + say("cli.takes") + "\n";
   for (const CodeRuleSpec& given : code.rules) {
     const CodeRule& rule = *find_code_rule(given.rule);
-    text += "  " + wrapped(fmt::format("{}: {}; {}", rule.title, rule.assumes, rule.motion)) + "\n";
+    text += "  " + wrapped(fmt::format("{}: {}", rule.title, say("gap.takes." + std::string(rule.name)))) + "\n";
   }
   if (!others.empty()) {
     text += "\n" + wrapped(say.count("cli.not_shown", static_cast<long>(others.size()))) + "\n" +

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "bentur/core/written_number.h"
+
 namespace bentur {
 namespace {
 
@@ -175,6 +177,17 @@ std::from_chars_result from_chars(const char* first, const char* last, double& v
 }
 
 #endif
+
+std::string written(double value) {
+  const std::string text = fmt::format("{:.12g}", value);
+  return fmt::format("{}", parse_number(text).value_or(value));
+}
+
+std::string written(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + written(value);
+  return text;
+}
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return fmt::format("{} {}", count, count == 1 ? one : many.empty() ? one + "s" : many);

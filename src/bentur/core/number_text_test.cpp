@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "bentur/core/written_number.h"
+
 namespace bentur {
 namespace {
 
@@ -89,6 +91,14 @@ TEST(NumberText, IsTheNearestDouble) {
     EXPECT_EQ(end, text.data() + text.size()) << text;
     EXPECT_EQ(value, std::strtod(text.c_str(), nullptr)) << text;
   }
+}
+
+TEST(NumberText, WhatIsToBeWrittenReadsBackWithoutRoundOff) {
+  EXPECT_EQ(written(3.4 + 3.4 + 3.4), "10.2");
+  EXPECT_EQ(written({3.5, 3.3 + 3.5, 13.1475}), "3.5, 6.8, 13.1475");
+  EXPECT_EQ(written(1.0 / 3), "0.333333333333");
+  EXPECT_EQ(written(-0.0), "-0");
+  EXPECT_EQ(written(std::numeric_limits<double>::infinity()), "inf");
 }
 
 TEST(NumberText, CountsInWords) {

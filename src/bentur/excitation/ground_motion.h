@@ -23,7 +23,7 @@ struct SampledMotion {
 struct HarmonicMotion {
   enum class Phase { sine, cosine };
   double period = 0;                  ///< [s] > 0
-  double displacement_amplitude = 0;  ///< A [length]
+  double displacement_amplitude = 0;  ///< A [length]; below 0 it is reversed
   Phase phase = Phase::sine;
 };
 

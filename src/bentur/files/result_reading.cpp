@@ -61,9 +61,10 @@ ExcitationSpec excitation(const UnorderedJson& json) {
                              .reversed = json.value("polarity", "") == "reversed",
                              .pga = json.at("pga")};
   } else if (json.at("kind") == "harmonic") {
-    const bool sine = json.at("phase") == "sine";
+    const bool sine = json.at("phase") == "sine", is_reversed = json.value("polarity", "") == "reversed";
+    const double amplitude = json.at("displacement_amplitude");
     spec.motion = HarmonicMotion{.period = json.at("period"),
-                                 .displacement_amplitude = json.at("displacement_amplitude"),
+                                 .displacement_amplitude = is_reversed ? -amplitude : amplitude,
                                  .phase = sine ? HarmonicMotion::Phase::sine : HarmonicMotion::Phase::cosine};
   }
   spec.delays = json.at("delays").get<std::vector<double>>();

@@ -133,8 +133,11 @@ struct SpectrumSpec {
 };
 
 struct ExcitationSpec {
-  GroundMotion motion;                        ///< scaled, in the case's units; without one NoMotion
-  std::optional<RecordEcho> record;           ///< for kind = "record"
+  GroundMotion motion;               ///< scaled, in the case's units; without one NoMotion
+  std::optional<RecordEcho> record;  ///< for kind = "record"
+  /// What its peak is as a number where another unit may be meant: of kind = "harmonic" an acceleration without one
+  /// [length/s²], of a record the largest value in a file that does not say it [the case's unit of the file].
+  std::optional<double> amplitude_without_unit = {};
   std::optional<SpectrumSpec> spectrum = {};  ///< for kind = "spectrum" and "displacements"
   /// For kind = "suite" (suite/suite.h): many motions in place of one, which is NoMotion.
   std::shared_ptr<const SuiteSpec> suite = {};

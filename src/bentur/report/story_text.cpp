@@ -107,8 +107,11 @@ std::size_t first_sentence(std::string_view text) {
 
 /// How a rule's wording is known, in the words of a language.
 std::string wording_text(std::string text, const Words& say) {
-  for (const auto& [english, key] : {std::pair("to check", "gap.to_check"), std::pair("second hand", "gap.second_hand"),
-                                     std::pair("by memory", "gap.by_memory"), std::pair("read", "gap.read")}) {
+  for (const auto& [english, key] :
+       {std::pair("to check", "gap.to_check"), std::pair("second hand", "gap.second_hand"),
+        std::pair("by memory", "gap.by_memory"), std::pair("read", "gap.read"),
+        std::pair("in the 2010 edition", "gap.in_2010_edition"), std::pair("in paraphrase", "gap.in_paraphrase"),
+        std::pair("steel", "gap.of_steel")}) {
     const std::size_t at = text.find(english);
     if (at != std::string::npos) text.replace(at, std::string_view(english).size(), say(key));
   }

@@ -14,6 +14,37 @@
 namespace bentur {
 namespace {
 
+/// A value of a text: {name} is the value, {name:has|have} the first of the two where it is 1, else the second.
+struct FilledValue {
+  std::string_view text;
+};
+
+}  // namespace
+}  // namespace bentur
+
+template <>
+struct fmt::formatter<bentur::FilledValue> {
+  constexpr auto parse(fmt::format_parse_context& context) {
+    const auto* const end = std::find(context.begin(), context.end(), '}');
+    words_ = {context.begin(), static_cast<std::size_t>(end - context.begin())};
+    if (!words_.empty() && words_.find('|') == words_.npos) throw fmt::format_error("has no | between one and many");
+    return end;
+  }
+  auto format(const bentur::FilledValue& value, fmt::format_context& context) const {
+    const std::size_t bar = words_.find('|');
+    const std::string_view shown = words_.empty()      ? value.text
+                                   : value.text == "1" ? words_.substr(0, bar)
+                                                       : words_.substr(bar + 1);
+    return std::copy(shown.begin(), shown.end(), context.out());
+  }
+
+ private:
+  std::string_view words_;
+};
+
+namespace bentur {
+namespace {
+
 /// The file: what stands before the first [key], and what stands under each.
 struct Sections {
   std::string_view head;
@@ -105,7 +136,7 @@ std::string Words::operator()(std::string_view key,
 std::string Words::operator()(std::string_view key,
                               const std::vector<std::pair<std::string, std::string>>& values) const {
   fmt::dynamic_format_arg_store<fmt::format_context> named;
-  for (const auto& [name, value] : values) named.push_back(fmt::arg(name.c_str(), value));
+  for (const auto& [name, value] : values) named.push_back(fmt::arg(name.c_str(), FilledValue{value}));
   const std::string text = (*this)(key);
   try {
     return fmt::vformat(text, named);

@@ -40,7 +40,8 @@ class Words {
   /// @throws InvalidParameter when there is no such key.
   [[nodiscard]] std::string operator()(std::string_view key) const;
 
-  /// The text with each {name} replaced by its value; values are taken as they are, braces included.
+  /// The text with each {name} replaced by its value, and each {name:has|have} by the first of the two where the value
+  /// is 1, else by the second; values are taken as they are, braces included.
   /// @throws InvalidParameter also when a value is missing.
   [[nodiscard]] std::string operator()(std::string_view key,
                                        std::initializer_list<std::pair<const char*, std::string>> values) const;

@@ -11,6 +11,7 @@
 #include "bentur/core/errors.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/toml/toml_value.h"
+#include "bentur/model/gap/code_rules.h"
 #include "bentur/model/quantities.h"
 #include "bentur/report/html/internal/assets.h"
 #include "bentur/report/kinds/kinds.h"
@@ -20,11 +21,11 @@
 namespace bentur {
 namespace {
 
-/// The {names} a text has.
+/// The {names} a text has, of {name:has|have} too.
 std::set<std::string> names(std::string_view text) {
   std::set<std::string> found;
   for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
-    found.insert(std::string(text.substr(open + 1, text.find('}', open) - open - 1)));
+    found.insert(std::string(text.substr(open + 1, text.find_first_of(":}", open) - open - 1)));
   }
   return found;
 }
@@ -60,6 +61,39 @@ TEST(Catalogue, ReportsDoNotTalkOfTheCommandLine) {
     }
   }
   EXPECT_GT(looked_at, 1000U);
+}
+
+/// Each counted sentence with 1: none says "1 columns break". Those of two or more, by their nature, are left out.
+TEST(Catalogue, NothingIsCountedAsSeveralWhereItIsOne) {
+  const std::regex several(
+      "\\b1 (more )?(gaps|hinges|columns|floors|joints|runs|records|storeys|modes|levels|steps|events)\\b"
+      "|\\b1 of (the )?9( runs| files)? (are|have|do|form|break|collapse|need)\\b");
+  const std::set<std::string> of_several = {
+      "appendix.gaps",          // pages of cases with many
+      "appendix.entries.gap",   // likewise
+      "appendix.gaps.printed",  // likewise
+      "story.columns_beyond",   // after one that is told
+      "story.sensitivity_takes_mean",
+      "story.table.row_worst",
+      "story.suite_too_few",  // codes ask for seven or so
+      "sweep.runs_cut",       // thirty
+      "checked.steps",        // thousands
+  };
+  const std::set<std::string> totals = {"runs", "files", "all"};
+  std::size_t counted = 0;
+  for (const std::string& key : text_keys()) {
+    const bool has_no_names = key.starts_with("figure.text.");
+    if (has_no_names || key.ends_with(".many") || key.starts_with("story.row_") || of_several.contains(key)) continue;
+    std::vector<std::pair<std::string, std::string>> ones;
+    for (const std::string& name : names(catalogue_entry(key)->at("en"))) {
+      ones.emplace_back(name, totals.contains(name) ? "9" : "1");
+    }
+    const std::string text = Words("en")(key, ones);
+    counted += text.find("1 of 9") != std::string::npos ? 1 : 0;
+    std::smatch found;
+    EXPECT_FALSE(std::regex_search(text, found, several)) << key << ": " << found.str() << "\n" << text;
+  }
+  EXPECT_GT(counted, 9U);
 }
 
 /// A table holds the text of one key in each language, tables of longer keys, or both.
@@ -100,6 +134,13 @@ TEST(Catalogue, WhatALawWorksWithIsAKey) {
   }
 }
 
+TEST(Catalogue, SaysOfEveryRuleOfACodeWhatItTakes) {
+  for (const CodeRule& rule : code_rules()) {
+    const std::string said = std::string(rule.assumes) + "; " + std::string(rule.motion);
+    EXPECT_EQ(Words("en")("gap.takes." + std::string(rule.name)), said);
+  }
+}
+
 TEST(Catalogue, HasACaptionForEveryFigure) {
   const Words say("en");
   for (const std::string& name : run_figure_names()) {
@@ -117,6 +158,18 @@ TEST(Words, ValuesAreTakenAsTheyAre) {
   const Words say("en");
   EXPECT_EQ(say("story.no_pounding", {{"left", "{right}"}, {"right", "}{"}, {"duration", "10 s"}}),
             "{right} and }{ do not touch in 10 s.");
+}
+
+TEST(Words, OneAndManyHaveWordsOfTheirOwn) {
+  const Words say("en");
+  const auto broken = [&](const std::string& value) {
+    const std::string text = say("remark.broken_columns", {{"value", value}, {"usual", "usual is none"}});
+    return text.substr(0, text.find(" in shear"));
+  };
+  EXPECT_EQ(broken("1"), "1 column breaks");
+  EXPECT_EQ(broken("2"), "2 columns break");
+  EXPECT_EQ(broken("11"), "11 columns break");
+  EXPECT_TRUE(Words("id")("remark.broken_columns", {{"value", "1"}, {"usual", ""}}).starts_with("1 kolom patah"));
 }
 
 TEST(Words, CountsInBothLanguages) {

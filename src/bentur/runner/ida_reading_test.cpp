@@ -219,7 +219,8 @@ TEST_F(MadeUp, ASweepIsNotAnAnalysisOfIntensities) {
 }
 
 TEST_F(MadeUp, AGapNeedsWidthsThatVary) {
-  const fs::path file = written("[ida]\nintensity = 'pga'\nlevels = [0.1, 0.2]\n", "building[0].damping");
+  const fs::path file =
+      written("[ida]\nintensity = 'pga'\nunit = 'm/s2'\nlevels = [0.1, 0.2]\n", "building[0].damping");
   EXPECT_NE(error_of(file, {.at = 0.2, .probabilities = {0.1}}).find("has no gap width"), std::string::npos);
 }
 

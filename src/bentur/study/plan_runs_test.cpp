@@ -232,8 +232,8 @@ TEST_F(PlanRuns, OfAnIdaOfElasticPlansScaledOnesAreThoseOfEachAlone) {
 TEST_F(PlanRuns, AnIdaSaysWhoseIntensityItIs) {
   shake(true);
   const auto value = [this](const std::string& component) {
-    const auto runs =
-        runs_of("[ida]\nintensity = 'sa'\nperiod = 0.5\nlevels = [1.0]\ncomponent = '" + component + "'\n");
+    const auto runs = runs_of("[ida]\nintensity = 'sa'\nperiod = 0.5\nunit = 'm/s2'\nlevels = [1.0]\ncomponent = '" +
+                              component + "'\n");
     if (!runs) ADD_FAILURE() << first_error();
     const StudyFile file = study_file(*runs, "0");
     for (const StudyVariable& variable : file.variables) {
@@ -272,7 +272,7 @@ TEST_F(PlanRuns, AnIdaNeedsRecordsAlongBoth) {
 TEST_F(PlanRuns, ScaleOfYIsForAnIdaToSet) {
   shake(true);
   EXPECT_FALSE(
-      runs_of("[ida]\nintensity = 'pga'\nlevels = [1.0]\n[[vary]]\nparameter = 'excitation.y.scale'\n"
+      runs_of("[ida]\nintensity = 'pga'\nunit = 'm/s2'\nlevels = [1.0]\n[[vary]]\nparameter = 'excitation.y.scale'\n"
               "values = [1.0, 2.0]\n"));
   EXPECT_NE(first_error().find("is set by [ida]"), std::string::npos) << first_error();
 }

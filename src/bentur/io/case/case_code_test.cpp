@@ -114,7 +114,7 @@ TEST(CaseCode, ALineAtAPublicWayAsksForNothingWhereTheClauseSaysSo) {
     EXPECT_EQ(std::isnan(one.codes[0].gap), one.level.gap == 0);
     EXPECT_FALSE(std::isnan(one.codes[1].gap)) << "of a public way Algeria's says nothing apart";
   }
-  const auto found = rule_findings(problem, of_gap(all, 0), c.code, 0, false);
+  const auto found = rule_findings(problem, of_gap(all, 0), c.code, 0, false, false);
   EXPECT_EQ(found.at(3).silence, RuleFinding::Silence::public_way);
   EXPECT_EQ(found.at(4).silence, RuleFinding::Silence::none);
   const auto json = nlohmann::json::parse(gap_json(run_results(c, problem, response), "1"));

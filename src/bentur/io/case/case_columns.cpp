@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bentur/core/written_number.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/table_view.h"
@@ -80,8 +81,8 @@ std::optional<std::string> no_column_at(const ReadBuilding& struck, double eleva
   const FloorLevels levels = floor_levels(struck);
   const std::optional<Storey> storey = storey_at(levels, elevation);
   if (!storey) {
-    return fmt::format("is beside no column of {}, which reaches from {} to {}", struck.path, levels.base,
-                       levels.elevations.back());
+    return fmt::format("is beside no column of {}, which reaches from {} to {}", struck.path, written(levels.base),
+                       written(levels.elevations.back()));
   }
   if (storey->has_node_at(elevation)) return std::nullopt;
   return fmt::format(

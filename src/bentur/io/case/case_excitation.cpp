@@ -127,12 +127,18 @@ std::optional<SampledMotion> read_values(const TableView& view, const Units& uni
   return motion;
 }
 
+/// @param peak_by_case its largest value as a number [unit], where the case says the unit and no file does
 std::optional<SampledMotion> read_record_motion(const TableView& view, const Units& units,
                                                 const std::filesystem::path& folder, RecordEcho& echo,
-                                                Diagnostics& diagnostics, CaseMemo* memo) {
+                                                std::optional<double>& peak_by_case, Diagnostics& diagnostics,
+                                                CaseMemo* memo) {
   const auto source = view.exactly_one("record");
   const bool is_identified = memo == nullptr || memo->has_identities();  // else many runs, whose study keeps the hashes
-  if (source == "values") return read_values(view, units, echo, is_identified);
+  if (source == "values") {
+    auto motion = read_values(view, units, echo, is_identified);
+    if (motion && !view.has("pga")) peak_by_case = echo.pga_read;
+    return motion;
+  }
   const auto file = source ? view.find("file") : std::nullopt;
   const auto name = file ? file->as_text() : std::nullopt;
   RecordOptions options;
@@ -167,6 +173,7 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
   const auto unit = settle_unit(view, *record, *name, options.unit);
   echo = echo_of(*record, *name, unit.value_or(""));
   echo.path = (folder / *name).string();
+  if (record->unit.empty() && !view.has("pga")) peak_by_case = echo.pga_read;
   if (is_identified) {
     FileIdentity identity = memo != nullptr ? memo->identity(echo.path) : identify(echo.path);
     echo.size = identity.size;
@@ -177,7 +184,8 @@ std::optional<SampledMotion> read_record_motion(const TableView& view, const Uni
   return motion;
 }
 
-HarmonicMotion read_harmonic(const TableView& view, const Units& units) {
+/// @param without_unit an acceleration that is a plain number [length/s²]
+HarmonicMotion read_harmonic(const TableView& view, const Units& units, std::optional<double>& without_unit) {
   HarmonicMotion motion;
   motion.period = view.number("period").value_or(1);
   const auto key = view.exactly_one("amplitude");
@@ -185,11 +193,13 @@ HarmonicMotion read_harmonic(const TableView& view, const Units& units) {
     const bool of_displacement = *key == "displacement_amplitude";
     const auto given = of_displacement ? view.number("displacement_amplitude")
                                        : read_acceleration(view, "acceleration_amplitude", units);
+    if (!of_displacement && view.find(*key)->is_number()) without_unit = given;
     const double amplitude = given.value_or(1);
     const double omega = 2 * std::numbers::pi / motion.period;  // [rad/s]
     motion.displacement_amplitude = of_displacement ? amplitude : amplitude / (omega * omega);
   }
   if (view.word("phase") == "cosine") motion.phase = HarmonicMotion::Phase::cosine;
+  if (view.word("polarity") == "reversed") motion.displacement_amplitude *= -1;
   return motion;
 }
 
@@ -255,12 +265,12 @@ void read_motion(const TableView& view, const Units& units, const std::filesyste
   const auto kind = view.word("kind");
   if (kind == "record") {
     RecordEcho echo;
-    if (auto motion = read_record_motion(view, units, folder, echo, diagnostics, memo)) {
+    if (auto motion = read_record_motion(view, units, folder, echo, spec.amplitude_without_unit, diagnostics, memo)) {
       spec.motion = std::move(*motion);
       spec.record = std::move(echo);
     }
   } else if (kind == "harmonic") {
-    spec.motion = read_harmonic(view, units);
+    spec.motion = read_harmonic(view, units, spec.amplitude_without_unit);
   }
 }
 

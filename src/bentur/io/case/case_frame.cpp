@@ -129,7 +129,7 @@ std::vector<Section> read_sections(const TableView& frame, const std::string& ke
                                    const std::string& each, double gravity, std::size_t lines) {
   const KeyTable& keys = *frame.key(key).table;
   const auto list = frame.get(key);
-  if (!list || !list->is_list_of("sections")) return {};
+  if (!list || !list->is_list_of(fmt::format("sections: one for all is {} = [{{ .. }}]", key))) return {};
   if (count > 0 && list->size() != 1 && list->size() != count) {
     list->error(fmt::format("has {} entries, expected 1 or {} ({})", list->size(), count, each));
   }
@@ -228,7 +228,7 @@ std::vector<std::optional<Infill>> read_infills(const TableView& frame, std::siz
   std::vector<std::optional<Infill>> infills;
   if (!frame.has("infill")) return infills;
   const auto list = frame.get("infill");
-  if (!list || !list->is_list_of("tables")) return infills;
+  if (!list || !list->is_list_of("tables: one for all is infill = [{ .. }]")) return infills;
   if (storeys > 0 && list->size() != 1 && list->size() != storeys) {
     list->error(fmt::format("has {} entries, expected 1 or {} (one per storey)", list->size(), storeys));
   }

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +7,7 @@
 
 #include "bentur/contact/laws.h"
 #include "bentur/core/errors.h"
-#include "bentur/core/number_text.h"
+#include "bentur/core/written_number.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
@@ -34,7 +33,7 @@ std::string strike_columns(const ReadBuilding& left, const ReadBuilding& right) 
   std::sort(elevations.begin(), elevations.end());
   return elevations.empty() ? "give one of them as a frame, whose columns floors can strike (strikes_columns = true)"
                             : fmt::format("let floors strike columns with strikes_columns = true and elevations = [{}]",
-                                          fmt::join(elevations, ", "));
+                                          written(elevations));
 }
 
 /// What to do where no floors meet: those nearest to one another say how far the tolerance is from it.
@@ -47,8 +46,8 @@ std::string no_common_elevation(const ReadBuilding& left, const ReadBuilding& ri
       "has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let floors that nearly "
       "meet do so with level_tolerance (the nearest two are {} apart), {}, or model no contact with elevations = []: "
       "floors are then watched against the columns they face, for the gap they need",
-      in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
-      fmt::join(right.elevations, ", "), number(apart), strike_columns(left, right));
+      in_quotes(left.spec.name), written(left.elevations), in_quotes(right.spec.name), written(right.elevations),
+      written(apart), strike_columns(left, right));
 }
 
 /// The contact points' elevations [length]; empty when they are not known, or there are to be none.
@@ -166,7 +165,7 @@ bool read_along_joint(const TableView& contact, const GapSides& sides, ContactSp
 }  // namespace
 
 Length GapSides::points() const {
-  return {elevations.size(), fmt::format("one per contact point, at elevations {}", fmt::join(elevations, ", "))};
+  return {elevations.size(), fmt::format("one per contact point, at elevations {}", written(elevations))};
 }
 
 std::optional<ContactSpec> read_contact(const TomlView& gap, const GapSides& sides, Need need) {
@@ -369,7 +368,7 @@ std::string nearly_met(const TomlView& list, double elevation, const std::vector
       std::abs(left.elevations[static_cast<std::size_t>(a)] - right.elevations[static_cast<std::size_t>(b)]);
   const std::string table = list.path().substr(0, list.path().rfind('.'));
   return fmt::format("; floors that nearly meet do so with {}.level_tolerance, here the nearest two are {} apart",
-                     table, number(apart));
+                     table, written(apart));
 }
 
 }  // namespace
@@ -385,7 +384,7 @@ std::vector<double> named_elevations(const TomlView& list, const std::vector<dou
     const LevelPair* const pair = pair_at(wanted[i], pairs, left, right);
     if (pair == nullptr) {
       list.item(i).error_value(fmt::format("the buildings do not both have a floor there{}{}{}",
-                                           common.empty() ? "" : ", they have at ", fmt::join(common, ", "),
+                                           common.empty() ? "" : ", they have at ", written(common),
                                            nearly_met(list, wanted[i], pairs, left, right)));
     } else if (const auto before = std::find(taken.begin(), taken.end(), pair); before != taken.end()) {
       list.item(i).error_value(fmt::format("names the floors that elevations[{}] = {} names: give each pair once",

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/written_number.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
@@ -86,7 +87,8 @@ LinkSpec read_link(const TableView& link, const std::vector<ReadBuilding>& build
     } catch (const InvalidParameter& fault) {  // right one by one, but not together
       const auto value = link.find(fault.parameter());
       if (!value) {
-        link.error(fmt::format("cannot be computed with at elevation {}: {}", spec.elevations[i], fault.what()));
+        link.error(
+            fmt::format("cannot be computed with at elevation {}: {}", written(spec.elevations[i]), fault.what()));
       } else {
         (value->is(TomlValue::Kind::list) ? value->item(i) : *value).error_value(fault.rule());
       }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bentur/core/errors.h"
+#include "bentur/core/written_number.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/plan/plan_parts.h"
@@ -174,7 +175,8 @@ void check_overlaps(const TomlView& root, const ReadCase& read) {
         ->find("displacements")
         ->error(fmt::format("makes \"{}\" and \"{}\" overlap by {:.4g} at elevation {}; with law = \"restitution\" "
                             "no force would part them: start without overlap or choose a law with a stiffness",
-                            made[left].name, made[right].name, left_at - right_at - point.width, point.elevation));
+                            made[left].name, made[right].name, left_at - right_at - point.width,
+                            written(point.elevation)));
   }
 }
 

@@ -160,6 +160,23 @@ solver = "adaptive"
 tolerance = 1e-9
 )";
 
+TEST(CaseToml, HarmonicMotionsAreReversedAndKnowWhetherTheyHaveAUnit) {
+  const auto read = [](const std::string& amplitude) {
+    Diagnostics diagnostics;
+    std::string text = plain_case;
+    text.replace(text.find("acceleration_amplitude = 2.0"), 28, amplitude);
+    return read_case_text(text, "plain.toml", diagnostics).value().excitation;
+  };
+  const auto of = [](const ExcitationSpec& spec) {
+    return std::get<HarmonicMotion>(spec.motion).displacement_amplitude;
+  };
+  const ExcitationSpec plain = read("acceleration_amplitude = 2.0");
+  EXPECT_EQ(plain.amplitude_without_unit, 2.0);
+  EXPECT_FALSE(read("acceleration_amplitude = \"2.0 m/s2\"").amplitude_without_unit.has_value());
+  EXPECT_FALSE(read("displacement_amplitude = 0.3").amplitude_without_unit.has_value());
+  EXPECT_EQ(of(read("acceleration_amplitude = 2.0\npolarity = \"reversed\"")), -of(plain));
+}
+
 TEST(CaseToml, ErrorsOfTheCallerDoNotSpoilACase) {
   Diagnostics diagnostics;
   diagnostics.error({"other", 1, 1}, "of another file");

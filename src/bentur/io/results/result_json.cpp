@@ -222,7 +222,9 @@ std::string spectral_gap_json(const Case& c, const Problem& problem, const Spect
   }
   for (const Gap& gap : gaps_of(problem)) {
     const std::vector<LevelSeparation> levels = of_gap(spectral.levels, gap.number);
-    gaps.push_back(gap_json_of(c, problem, levels, rule_findings(problem, levels, c.code, 0, false), gap.number,
+    const std::vector<RuleFinding> findings =
+        rule_findings(problem, levels, c.code, 0, false, spectral.plan != nullptr);
+    gaps.push_back(gap_json_of(c, problem, levels, findings, gap.number,
                                spectral.plan ? plan_screening(c, *spectral.plan, static_cast<std::size_t>(gap.number))
                                              : screening(problem, gap.number, c.screening, c.units)));
   }

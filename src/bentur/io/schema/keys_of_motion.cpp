@@ -55,6 +55,15 @@ std::vector<Key> file_keys() {
           .goes_with("file")};
 }
 
+/// Which way a record or a harmonic motion acts.
+Key polarity_key() {
+  return Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
+                     "reversed: every acceleration times −1, as if the pair of buildings were mirrored")
+      .called({{"as recorded", "seperti direkam"},
+               {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}})
+      .optional();
+}
+
 std::vector<Key> record_keys() {
   std::vector<Key> keys = file_keys();
   keys.front().one_of("record");
@@ -63,11 +72,7 @@ std::vector<Key> record_keys() {
                       .list()
                       .one_of("record")
                       .counted_in("unit"),
-                  Key::choice("polarity", {"as-recorded", "reversed"}, {"Polarity", "Polaritas"},
-                              "reversed: every acceleration times −1, as if the pair of buildings were mirrored")
-                      .called({{"as recorded", "seperti direkam"},
-                               {"reversed: every acceleration times −1", "dibalik: setiap percepatan dikalikan −1"}})
-                      .optional(),
+                  polarity_key(),
                   Key::quantity("pga", dimension::acceleration, {"Peak ground acceleration", "Percepatan tanah puncak"},
                                 "scale to this peak")
                       .one_of("scale", Need::optional),
@@ -92,7 +97,8 @@ std::vector<Key> harmonic_keys() {
                   Key::choice("phase", {"sine", "cosine"}, {"Phase", "Fase"}, "of the displacement")
                       .called({{"displacement A sin ωt", "perpindahan A sin ωt"},
                                {"displacement A cos ωt", "perpindahan A cos ωt"}})
-                      .optional()});
+                      .optional(),
+                  polarity_key()});
 }
 
 /// What gives a spectrum its ordinates, by its shape.

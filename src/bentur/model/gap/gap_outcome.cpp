@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/core/number_text.h"
+#include "bentur/core/written_number.h"
 #include "bentur/model/case.h"
 
 namespace bentur {
@@ -96,7 +96,8 @@ namespace {
 /// @param drifts largest one of each building, without contact
 bool drifts_beyond(const Problem& problem, const std::vector<LargestDrift>& drifts) {
   for (std::size_t b = 0; b < std::min(problem.buildings.size(), drifts.size()); ++b) {
-    if (!problem.buildings[b].has_gravity_loads && drifts[b].ratio > problem.collapse_drift) return true;
+    if (drifts_beyond_collapse(drifts[b].ratio, problem.buildings[b].has_gravity_loads, problem.collapse_drift))
+      return true;
   }
   return false;
 }
@@ -207,19 +208,19 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
   const std::string& other = faced_building(problem, floor).name;
   switch (remedy.kind) {
     case Remedy::Kind::name_elevation:
-      return fmt::format("name {} in gap.elevations, or leave elevations out", number(remedy.level));
+      return fmt::format("name {} in gap.elevations, or leave elevations out", written(remedy.level));
     case Remedy::Kind::raise_tolerance:
       return fmt::format("gap.level_tolerance = {} lets it meet the floor of {} at level {} {}",
-                         number(remedy.tolerance), other, number(remedy.level), length);
+                         written(remedy.tolerance), other, written(remedy.level), length);
     case Remedy::Kind::strike_column:
       return fmt::format(
           "gap.strikes_columns = true with {} among gap.elevations lets it strike the column of {} there",
-          number(remedy.level), other);
+          written(remedy.level), other);
     case Remedy::Kind::give_floor:
       return fmt::format(
           "gap.strikes_columns = true with {0} among gap.elevations lets it strike columns of {1} there, where its "
           "frames run across the joint; else a rough model gives it a floor at level {0} {2}",
-          number(remedy.level), other, length);
+          written(remedy.level), other, length);
     case Remedy::Kind::give_wall:
       return fmt::format("a base cannot be struck: a case with a wall (rigid = true) in place of {} shows what it does",
                          other);
@@ -229,7 +230,7 @@ std::string remedy_text(const Problem& problem, const WatchedFloor& floor, const
   return fmt::format(
       "give {} as building.frame, whose column it can strike with gap.strikes_columns = true and {} among "
       "gap.elevations, or as building.matrices with a floor at level {} {}",
-      other, number(remedy.level), number(remedy.level), length);
+      other, written(remedy.level), written(remedy.level), length);
 }
 
 std::string floor_text(const Problem& problem, const WatchedFloor& floor) {

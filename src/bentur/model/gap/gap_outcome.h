@@ -40,6 +40,12 @@ struct GoverningLevel {
 /// When they move freely. Gaps are counted by the building to their left. A gap has a contact point or a watched floor.
 [[nodiscard]] GoverningLevel governing_level(const Problem& problem, const Response& response, Eigen::Index gap);
 
+/// Whether a drift counts as collapse [-] where nothing looks for that, as no gravity acts.
+/// @param limit Problem::collapse_drift
+[[nodiscard]] inline bool drifts_beyond_collapse(double drift, bool has_gravity, double limit) {
+  return !has_gravity && drift > limit;
+}
+
 /// Whether without contact a storey collapses, or drifts that far where nothing looks for it: what gaps need is not
 /// known then.
 [[nodiscard]] bool falls_without_contact(const Problem& problem, const Response& response);

@@ -91,8 +91,7 @@ struct RuleFinding {
 /// @param falls falls_without_contact()
 /// @param in_plan of a pair of buildings in plan
 [[nodiscard]] std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector<LevelSeparation>& levels,
-                                                     const CodeSpec& code, double scale, bool falls,
-                                                     bool in_plan = false);
+                                                     const CodeSpec& code, double scale, bool falls, bool in_plan);
 
 /// Whether one of the two is known by its peak displacements alone: how they move together is not known.
 [[nodiscard]] bool is_known_by_peaks(const Problem& problem, Eigen::Index gap);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <optional>
+
 namespace bentur {
 
 /// Whether what is needed goes beyond what is given by more than round-off [length]. Of what is needed of a gap judge()
@@ -10,6 +13,16 @@ namespace bentur {
 /// A need, or 0 where it is nothing but round-off [length].
 [[nodiscard]] inline double without_round_off(double need, double scale) {
   return falls_short(0, need, scale) ? need : 0;
+}
+
+/// Whether what may still come after the end of a run asks for more than is given, or than has been needed so far, by
+/// more than round-off. @param to_come what it may need in all [length]; nothing: the buildings come to rest
+[[nodiscard]] inline bool more_may_come(const std::optional<double>& to_come, double than, double scale) {
+  return to_come && falls_short(than, *to_come, scale);
+}
+/// Whether nothing bounds what may come, as where a motion goes on.
+[[nodiscard]] inline bool comes_without_bound(const std::optional<double>& to_come) {
+  return to_come && std::isinf(*to_come);
 }
 
 }  // namespace bentur

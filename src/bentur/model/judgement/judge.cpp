@@ -57,13 +57,11 @@ void judge_need(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
   if (at_once.level) reasons.push_back(at_once);
 }
 
-/// Whether free vibration after the end could still need more than some level has.
-bool more_may_come(const GapFacts& facts) {
+/// Whether more may come at some level than it has.
+bool more_may_come_in(const GapFacts& facts) {
   return std::any_of(facts.levels.begin(), facts.levels.end(), [&](const LevelFacts& level) {
-    return std::any_of(std::begin(ways_of_motion), std::end(ways_of_motion), [&](Way way) {
-      const std::optional<double>& left = level.in(way).to_come;
-      return left && falls_short(level.at.width, *left, facts.scale);
-    });
+    return std::any_of(std::begin(ways_of_motion), std::end(ways_of_motion),
+                       [&](Way way) { return more_may_come(level.in(way).to_come, level.at.width, facts.scale); });
   });
 }
 
@@ -172,7 +170,7 @@ Judgement judge(const GapFacts& facts) {
   }
   std::stable_sort(reasons.begin(), reasons.end(), [](const Reason& a, const Reason& b) { return a.kind < b.kind; });
   // More that may come is no reason beside a need that falls short now, but holds at other levels.
-  const bool is_known = !made.is_open() && !more_may_come(facts);
+  const bool is_known = !made.is_open() && !more_may_come_in(facts);
   made.levels.assign(facts.levels.size(), is_known ? Sufficiency::enough : Sufficiency::unknown);
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     for (const Way way : ways_of_motion) {

@@ -28,7 +28,7 @@ template <class Buildings>
 std::vector<Beyond> beyond(const std::vector<LargestDrift>& drifts, const Buildings& buildings, double limit) {
   std::vector<Beyond> found;
   for (std::size_t b = 0; b < buildings.size() && b < drifts.size(); ++b) {
-    if (has_gravity(buildings[b]) || !(drifts[b].ratio > limit)) continue;
+    if (!drifts_beyond_collapse(drifts[b].ratio, has_gravity(buildings[b]), limit)) continue;
     found.push_back({buildings[b].name, buildings[b].model.storey_number(drifts[b].storey), drifts[b].ratio});
   }
   return found;
@@ -119,7 +119,7 @@ std::vector<JudgedGap> judged_gaps(const Case& c, const Problem& problem, const 
     if (most.ratio > 1)
       facts.given.capacities.push_back({building.name, building.model.storey_number(most.storey), most.ratio});
     const LargestDrift& drift = spectral.drifts.at(b);
-    if (drift.ratio > problem.collapse_drift)
+    if (drifts_beyond_collapse(drift.ratio, false, problem.collapse_drift))
       facts.given.drifts.push_back({building.name, building.model.storey_number(drift.storey), drift.ratio});
   }
   for (Index gap = 0; gap < gap_count(problem); ++gap) facts.names.push_back(gap_name(problem, gap));

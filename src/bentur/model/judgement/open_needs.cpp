@@ -1,6 +1,5 @@
 #include "bentur/model/judgement/open_needs.h"
 
-#include <cmath>
 #include <optional>
 
 #include "bentur/model/gap/facing_levels.h"
@@ -10,14 +9,14 @@
 namespace bentur {
 namespace {
 
-/// Whether what is to come at some level could need more than is given there, which has been enough so far; where
-/// nothing bounds it, than what has been.
-bool more_may_come(const Problem& problem, const Response& response) {
+/// Whether more may come at some level than is given there, which has been enough so far; where nothing bounds it, it
+/// may whatever is given.
+bool more_may_come_in(const Problem& problem, const Response& response) {
   for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     const double scale = displacement_scale(problem, response, gap);
     const auto is_more = [&](const auto& summary, double width) {
-      if (!summary.to_come || std::isinf(*summary.to_come)) return summary.to_come.has_value();
-      return !falls_short(width, summary.gap_needed, scale) && falls_short(width, *summary.to_come, scale);
+      const bool is_enough_so_far = !falls_short(width, summary.gap_needed, scale);
+      return comes_without_bound(summary.to_come) || (is_enough_so_far && more_may_come(summary.to_come, width, scale));
     };
     for (const FacingLevel& level : facing_levels(problem, gap)) {
       const auto index = static_cast<std::size_t>(level.index);
@@ -43,7 +42,7 @@ std::uint64_t open_needs(const Problem& problem, const Response& response, const
   set(OpenNeed::collapse, collapses);
   set(OpenNeed::drift, !collapses && falls_without_contact(problem, response));
   set(OpenNeed::doubt, count_of_doubts(remarks) > 0);
-  set(OpenNeed::motion_left, !collapses && more_may_come(problem, response));
+  set(OpenNeed::motion_left, !collapses && more_may_come_in(problem, response));
   return bits;
 }
 

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "bentur/core/not_known.h"
+#include "bentur/core/written_number.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 #include "bentur/model/story/judgement_story.h"
@@ -262,7 +263,7 @@ void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Stateme
   add_level(facts, false, met.front(), floor.elevation, statement.values);
   statement.values.push_back(value_in("depth", -summary.least_opening, length));
   statement.values.push_back(value_in("time", summary.least_time, "s"));
-  statement.values.push_back(value_in("to_name", remedy.level, length));
+  statement.values.push_back(text_of("to_name", written(remedy.level) + "\u00A0" + length));
   add_faces(facts.problem, floor, in_plan, statement.values);
   if (more > 0) statement.values.push_back(count_of("more_floors", more));
   statement.values.push_back(more > 0 ? word_of("others", "story.unmodelled_others") : text_of("others", ""));

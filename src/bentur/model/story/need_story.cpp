@@ -46,7 +46,6 @@ Statement need_statement(const GapView& facts, Eigen::Index gap, const Governing
 
 /// Whether what may still come after the end leaves less to spare than what has been needed so far.
 bool may_leave_less(const GapFacts& facts) {
-  constexpr double round_off = 1e-6;
   double so_far = -std::numeric_limits<double>::infinity(), later = so_far;
   for (const LevelFacts& level : facts.levels) {
     for (const Way way : ways_of_motion) {
@@ -55,7 +54,7 @@ bool may_leave_less(const GapFacts& facts) {
       if (one.to_come) later = std::max(later, *one.to_come - level.at.width);
     }
   }
-  return later > so_far + round_off * facts.scale;
+  return more_may_come(later, so_far, facts.scale);
 }
 
 /// "to spare" is said of what is judged enough alone.

@@ -129,6 +129,27 @@ std::optional<std::pair<double, double>> apart_and_depth(const Case& c, const Pr
   return std::pair(std::abs(above), depth.value_or(0.6 * metre));
 }
 
+/// The width of a gap at some level. Both buildings fall before they close one of a twentieth of their height: it is in
+/// doubt, as one of 5 cm is where it stands in metres.
+/// @param at anything in that gap, a contact or a watched floor
+void check_width(const Case& c, const Problem& row, const auto& at, List& list) {
+  const bool is_spanned = std::any_of(c.links.begin(), c.links.end(), [&](const LinkSpec& link) {
+    const auto a = static_cast<Index>(link.left), b = static_cast<Index>(link.right);
+    return std::min(a, b) == std::min(at.left, at.right) && std::max(a, b) == std::max(at.left, at.right);
+  });
+  if (is_spanned) return;  // a bridge may be as long as it likes
+  constexpr double several = 3, of_height = 0.05;
+  const std::string name = gap_name(row, at.gap);
+  const double width = at.width - at.beyond, usual = remark_kind("gap_width").usual_to / list.si("L");
+  double height = std::numeric_limits<double>::infinity();
+  for (const Index b : {at.left, at.right}) height = std::min(height, row.buildings[b].model.elevations.back());
+  if (width > several * usual && width > of_height * height) {
+    list.add("gap_width", name, width, std::nullopt, usual);
+  } else {
+    list.check("gap_width", name, width);
+  }
+}
+
 /// Level after level of every gap, with all contacts of its joint together. @param row the problem, of buildings in
 /// plan row_of() it @param overlaps overlaps()
 void check_levels(const Case& c, const Problem& row, const std::vector<double>& overlaps, List& list) {
@@ -148,11 +169,7 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
     }
     const double width = first.width - first.beyond;
     list.check("initial_overlap", name, overlap);
-    const bool is_spanned = std::any_of(c.links.begin(), c.links.end(), [&](const LinkSpec& link) {
-      const auto a = static_cast<Index>(link.left), b = static_cast<Index>(link.right);
-      return std::min(a, b) == std::min(first.left, first.right) && std::max(a, b) == std::max(first.left, first.right);
-    });
-    if (!is_spanned) list.check("gap_width", name, width);  // a bridge may be as long as it likes
+    check_width(c, row, first, list);
     if (!(stiffness > 0)) continue;
     list.check("contact_stiffness", name, stiffness);
     if (width > 0) continue;
@@ -168,6 +185,7 @@ void check_levels(const Case& c, const Problem& row, const std::vector<double>& 
     if (compliance > 0)
       list.check("soft_contact", name, std::numbers::pi / std::sqrt(stiffness * compliance) / shorter);
   }
+  for (const WatchedFloor& floor : row.watched) check_width(c, row, floor, list);
 }
 
 /// Floors that are said to be aligned and face columns, or meet though they lie further apart than a beam is deep.

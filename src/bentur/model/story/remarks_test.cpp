@@ -151,10 +151,10 @@ TEST(Remarks, OfMotionDelaysGapsAndOutput) {
   c.analysis.output_step = 1e9;
   EXPECT_EQ(remarks_of(c), Names{"output_step"});
   c = ordinary();
-  c.gaps[0].widths = {5, 5, 5};
+  c.gaps[0].widths = {1.2, 1.2, 1.2};
   EXPECT_EQ(remarks_of(c), Names{"gap_width A | B"});
   EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
-  c.gaps[0].widths = {20, 20, 20};  // cm, where the case is in m
+  c.gaps[0].widths = {2, 2, 2};  // cm, where the case is in m
   EXPECT_TRUE(remarks(c, make_problem(c))[0].is_doubt);
   const Problem apart = make_problem(c);
   c.links = {{}};  // a bridge from A to B
@@ -170,6 +170,10 @@ TEST(Remarks, OfMotionDelaysGapsAndOutput) {
   c = ordinary();
   c.buildings[1].damping = ModalDamping{{0.5}};
   EXPECT_EQ(remarks_of(c), Names{"damping B"});
+  EXPECT_TRUE(remarks(c, make_problem(c))[0].is_doubt);
+  c.buildings[1].damping = ModalDamping{{0.3}};
+  EXPECT_EQ(remarks_of(c), Names{"damping B"});
+  EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
 }
 
 TEST(Remarks, OfMotionsInTheWrongUnit) {
@@ -191,6 +195,14 @@ TEST(Remarks, OfMotionsInTheWrongUnit) {
   c.excitation.record->pga_without_unit = 0.35;
   c.excitation.record->pga_read = 0.04;  // a weak record, left about as it is
   EXPECT_EQ(remarks_of(c), Names{"pga"});
+  EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
+  c.excitation.record->unit = "m/s2";  // which stands in the case alone, where the file may be in g
+  c.excitation.record->pga_read = 0.35;
+  c.excitation.record->pga_without_unit.reset();
+  EXPECT_FALSE(remarks(c, make_problem(c))[0].is_doubt);
+  c.excitation.amplitude_without_unit = 0.35;
+  EXPECT_EQ(remarks_of(c), Names{"pga"});
+  EXPECT_TRUE(remarks(c, make_problem(c))[0].is_doubt);
   for (double& a : acceleration) a *= 0.051 * 9.80665 / 0.35;
   EXPECT_EQ(remarks_of(c), Names{});
   for (double& a : acceleration) a *= 2.45 / 0.051;

@@ -34,7 +34,7 @@ GapView judged_view_of(const Case& c, const Problem& problem, const SpectralGaps
 }
 
 GapView view_of(const RunResults& run) {
-  const auto goes_on = [](const auto& summary) { return summary.to_come && std::isinf(*summary.to_come); };
+  const auto goes_on = [](const auto& summary) { return comes_without_bound(summary.to_come); };
   const std::vector<PointSummary>& points = run.response.points;
   const std::vector<WatchedSummary>& watched = run.response.watched;
   return {.c = run.c,

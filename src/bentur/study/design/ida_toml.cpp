@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bentur/excitation/usual_peaks.h"
+#include "bentur/io/case/case_parts.h"
 #include "bentur/study/design/internal/study_parts.h"
 #include "bentur/study/design/record_intensity.h"
 #include "bentur/study/design/study_keys.h"
@@ -66,6 +68,23 @@ std::optional<IdaSpec> read_ida(const TomlView& root) {
   spec.is_cloud = levels && levels->is(TomlValue::Kind::text);
   spec.polarity = view->word("polarity").value_or("");
   return spec;
+}
+
+void expect_unit_of_levels(const TomlView& root, const Study& study) {
+  const IdaSpec& ida = *study.ida;
+  if (!ida.unit.empty() || ida.levels.empty()) return;
+  Diagnostics ignored;
+  const std::string name = study.case_file.string();
+  const Units units = read_units(TomlView(study.case_root, "", name, ignored));
+  const double most = ida.levels.back();
+  if (!is_rather_in_g(most, most / units.gravity)) return;
+  const TomlView view = *root.find("ida");
+  const auto levels = view.find("levels");
+  (levels ? *levels : *view.find("to"))
+      .error(
+          fmt::format("has no unit and is in {0}/s2 of the case, up to {1:.4g} g: give unit = \"g\" if that is meant, "
+                      "else unit = \"{0}/s2\"",
+                      units.length, most / units.gravity));
 }
 
 void check_cloud(const TomlView& root, const Study& study) {

@@ -166,7 +166,7 @@ TEST_F(RecordSet, WhatDoesNotGoTogether) {
   EXPECT_FALSE(
       read("", "[[vary]]\nparameter = \"gap[0].width\"\nvalues = [0.1]\nnormalisation = \"pgv\"\n").has_value());
   EXPECT_NE(messages().find("goes with files"), std::string::npos) << messages();
-  const std::string ida = "[ida]\nintensity = \"pga\"\nlevels = [1.0]\npolarity = \"both\"\n";
+  const std::string ida = "[ida]\nintensity = \"pga\"\nunit = \"m/s2\"\nlevels = [1.0]\npolarity = \"both\"\n";
   EXPECT_FALSE(
       read("", ida + "[[vary]]\nparameter = \"excitation.polarity\"\nvalues = [\"as-recorded\", \"reversed\"]\n")
           .has_value());

@@ -256,7 +256,7 @@ const KeyTable& ida_keys() {
                      "of the record; both are multiplied by one factor")
              .optional("\"geometric-mean\""),
          Key::choice("unit", {acceleration_units().begin(), acceleration_units().end()}, {"Unit", "Satuan"},
-                     "of the levels")
+                     "of the levels; needed where the highest would be usual in g")
              .optional("the case's length/s²"),
          number_of("levels", Range::positive, {"Levels", "Tingkat"},
                    "ascending; or `\"unscaled\"`: a [cloud](#a-cloud-of-unscaled-records)")

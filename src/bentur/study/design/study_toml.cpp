@@ -216,6 +216,13 @@ bool read_case_of(const TomlView& root, Study& study, Diagnostics& diagnostics) 
   return true;
 }
 
+/// Whether a motion of a case, of [excitation] or [excitation.y], can act reversed.
+bool has_polarity(const Study& study, ParameterPath motion) {
+  motion.emplace_back("kind");
+  const TomlValue* const kind = find_value(study.case_root, motion);
+  return kind != nullptr && (kind->text == "record" || kind->text == "harmonic");
+}
+
 /// A vary of excitation.polarity, a choice of the record like its file. @param which one of its words, or "both"
 Vary vary_of_polarity(const std::string& which, const SourcePosition& position, const Study& study) {
   Vary vary;
@@ -231,22 +238,21 @@ Vary vary_of_polarity(const std::string& which, const SourcePosition& position, 
     }
   }
   vary.parameter_position = vary.position = position;
-  if (moves_along_y(study.case_root)) {
+  if (has_polarity(study, {"excitation", "y"})) {
     FileKey both{{"excitation", "y", "polarity"}, {vary.values.begin(), vary.values.end()}};
     vary.file_keys.push_back(std::move(both));
   }
   return vary;
 }
 
-/// Of a remedy for what gaps need each record is applied both ways, unless the case does not look at the other one or
-/// the study says which way it is applied.
+/// Of a remedy for what gaps need each record or harmonic motion acts both ways, unless the case does not look at the
+/// other one or the study says which way it acts.
 void apply_both_ways(Study& study) {
   const std::string& objective = study.remedy->objective;
   if (objective != "gap_needed" && objective != "point_gap_needed") return;
-  const TomlValue* const kind = find_value(study.case_root, {"excitation", "kind"});
   const TomlValue* const looks = find_value(study.case_root, {"analysis", "both_ways"});
   const bool is_off = looks != nullptr && looks->kind == TomlValue::Kind::boolean && !looks->boolean;
-  if (kind == nullptr || kind->text != "record" || is_off) return;
+  if (!has_polarity(study, {"excitation"}) || is_off) return;
   Vary both = vary_of_polarity("both", study.remedy->position, study);
   for (const Vary& other : study.varies) {
     if (other.name == both.name || study.axes[other.axis] == both.name) return;
@@ -328,6 +334,7 @@ void read_tables(const TomlView& root, bool has_case, Study& study, Diagnostics&
     if (found.ok()) settle_normalisation(root, study);
     if (records) vary_records_of_suite(std::move(*records), study, found);
     if (study.ida && study.ida->is_cloud && found.ok()) check_cloud(root, study);
+    if (study.ida && found.ok()) expect_unit_of_levels(root, study);
   }
   check_values(root, study_keys());
   if (study.ida && has_case && found.ok()) draw_with_records(root, study);

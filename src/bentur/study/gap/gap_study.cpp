@@ -307,7 +307,7 @@ class Work {
     for (std::size_t i = 0; i < record.separations.size(); ++i) {
       if (record.separations[i].level.gap != gap) continue;
       const double scale = record.separations[i].gap_needed;  // what may come has no end where the record goes on
-      if (falls_short(given.at(level++).width, record.to_come.at(i), scale)) return others | left;
+      if (more_may_come(record.to_come.at(i), given.at(level++).width, scale)) return others | left;
     }
     return others;
   }
@@ -345,7 +345,7 @@ class Work {
     RecordNeed result = need_of_record(record, chosen, takes_both_ways_ && chosen.c.analysis.both_ways);
     for (std::size_t i = 0; i < result.separations.size(); ++i) {
       // What is bounded is held against widths, still_open().
-      if (std::isinf(result.to_come.at(i))) result.open |= static_cast<unsigned>(OpenNeed::motion_left);
+      if (comes_without_bound(result.to_come.at(i))) result.open |= static_cast<unsigned>(OpenNeed::motion_left);
     }
     result.motion = record_axes(study_, false).place(choices);
     if (study_.ida && study_.ida->is_cloud) {

@@ -158,7 +158,7 @@ TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
   const std::string records = "[[vary]]\nparameter = 'excitation.file'\nfiles = ['" + gap_tests +
                               "/bad_input/good.AT2', {file = '" + gap_tests +
                               "/bad_input/good-two-column.txt', unit = 'm/s2'}]\n";
-  const std::string ida = "[ida]\nintensity = 'pga'\nlevels = [1.0]\n";
+  const std::string ida = "[ida]\nintensity = 'pga'\nunit = 'm/s2'\nlevels = [1.0]\n";
   const std::vector<double> one_way = gap_needed(needs_of(records + ida).value().needs.at(0));
   const GapStudy study = needs_of(records + ida + "polarity = 'both'\n").value();
   ASSERT_EQ(study.needs.size(), 1U);

@@ -91,6 +91,7 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
     return statement;
   }
   statement.kind = one.by_peaks                           ? "least_gap_peaks"
+                   : one.others_close && is_small         ? "least_gap_alone_small"
                    : one.others_close                     ? "least_gap_alone"
                    : one.is_short                         ? "least_gap_short"
                    : one.is_doubted                       ? "least_gap_doubt"

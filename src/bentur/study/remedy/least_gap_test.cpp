@@ -140,6 +140,28 @@ TEST_F(LeastGapOf, AGapThatIsTooSmallKeepsItsDoubtsAndRules) {
   EXPECT_EQ(kind_of(found), "least_gap_beside");
 }
 
+TEST_F(LeastGapOf, OfAGapBesideOneThatClosesItIsSaidWhetherItIsTooSmall) {
+  const std::string third = R"(
+[[building]]
+name = "Far"
+damping = 0.03
+stick = { storey_heights = [3, 4], masses = [40, 35], stiffnesses = [50e3, 40e3] }
+[[gap]]
+between = ["East", "Far"]
+width = )";
+  const auto story_of = [&](double first, const std::string& second) {
+    return least_gap_story(least_gaps(run(
+        case_with(case_of(first, third + second + "\ncontact = { law = \"linear\", stiffness = 2e5 }\n" + shaken)))));
+  };
+  const Story small = story_of(0.01, "0.01");
+  EXPECT_EQ(small.statements.front().kind, "least_gap_alone_small");
+  const Story wide = story_of(2.0, "0.01");
+  const auto of_first =
+      std::find_if(wide.statements.begin(), wide.statements.end(), [](const Statement& one) { return one.gap == 0; });
+  ASSERT_NE(of_first, wide.statements.end());
+  EXPECT_EQ(of_first->kind, "least_gap_alone");
+}
+
 TEST_F(LeastGapOf, NothingIsKnownWhereABuildingCollapses) {
   const std::string weak = ", backbone = { yield = 20, plastic_drift = 0.001, softening_drift = 0.002 }";
   const LeastGaps found = least_gaps(run(case_with(case_of(0.01, shaken, weak))));

@@ -33,21 +33,26 @@ std::vector<RowPart> parts_named(const std::vector<RowPart>& parts, const std::s
   return found;
 }
 
-Measure::Measure(const std::vector<RowPart>& parts, const std::string& objective) : of_(parts_named(parts, objective)) {
-  // Needs of the free response know nothing of contacts.
-  const bool is_free = objective.starts_with("gap_needed");
+// Needs of the free response know nothing of contacts.
+Measure::Measure(const std::vector<RowPart>& parts, const std::string& objective)
+    : of_(parts_named(parts, objective)), is_free_(objective.find("gap_needed") != std::string::npos) {
   for (const RowPart& part : parts) {
-    if (part.name == "open_needs" && is_free) open_.push_back(part);
-    if (part.name == "collapsed" || (part.name == "unmodelled_contacts" && !is_free)) refused_.push_back(part);
+    if (part.name == "open_needs") open_.push_back(part);
+    if (part.name == "collapsed" || (part.name == "unmodelled_contacts" && !is_free_)) refused_.push_back(part);
   }
 }
 
 double Measure::operator()(const RunResult& result) const {
   if (result.status != RunStatus::done || largest_size(refused_, result.values).value_or(0) > 0) return no_measure;
-  for (const RowPart& part : open_) {
-    if (has(static_cast<std::uint64_t>(result.values[part.first]), OpenNeed::drift)) return no_measure;
-  }
+  if (is_free_ && has(open(result), OpenNeed::drift)) return no_measure;
   return largest_size(of_, result.values).value_or(no_measure);
+}
+
+std::uint64_t Measure::open(const RunResult& result) const {
+  std::uint64_t bits = 0;
+  if (result.status != RunStatus::done) return bits;
+  for (const RowPart& part : open_) bits |= static_cast<std::uint64_t>(result.values[part.first]);
+  return is_free_ ? bits : bits & static_cast<std::uint64_t>(OpenNeed::doubt);
 }
 
 }  // namespace bentur

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
@@ -71,6 +72,12 @@ double place_of_case(const Study& study, const Vary& vary, const Problem& of_fir
   return value != nullptr && value->is_number() ? vary.sought->place(value->real) : 0;
 }
 
+/// What one run gives.
+struct Measured {
+  double value = none;     ///< Measure
+  std::uint64_t open = 0;  ///< what keeps that from being known, bits of OpenNeed
+};
+
 /// Tries choices, one after the other; each place once.
 class Trials {
  public:
@@ -105,12 +112,14 @@ class Trials {
     if (left() == 0) throw NoneLeft();
     RemedyTrial trial{.places = places, .values = {}, .objective = 0, .size = size_of(places), .failed = 0};
     for (const RemedyParameter& one : search_.parameters) trial.values.push_back(one.range.at(places[one.axis]));
-    const std::vector<double> measures = measures_of(places);
+    const std::vector<Measured> measures = measures_of(places);
     std::map<std::size_t, double> of_records;  // the worst of all runs of each
     for (std::size_t i = 0; i < measures.size(); ++i) {
-      trial.failed += std::isfinite(measures[i]) ? 0 : 1;
+      const bool is_known = std::isfinite(measures[i].value);
+      trial.failed += is_known ? 0 : 1;
+      if (is_known) trial.open.add(measures[i].open);
       double& worst = of_records[record_of_[i]];
-      worst = std::max(worst, measures[i]);
+      worst = std::max(worst, measures[i].value);
     }
     for (const auto& [record, worst] : of_records) {
       trial.objective = search_.spec().mean ? trial.objective + worst / static_cast<double>(of_records.size())
@@ -175,7 +184,7 @@ class Trials {
                                .case_text = search_.study.case_text,
                                .records = facts_.records,
                                .runs = search_.spec().evaluations * search_.runs_each,
-                               .values = 1 + search_.axes};
+                               .values = 2 + search_.axes};
     std::error_code failed;
     if (!std::filesystem::exists(options_.journal, failed)) {
       journal_.emplace(Journal::begin(options_.journal, origin));
@@ -189,9 +198,9 @@ class Trials {
   }
 
   /// Of each run of a choice, known from the journal or solved.
-  std::vector<double> measures_of(const Places& places) {
+  std::vector<Measured> measures_of(const Places& places) {
     const std::size_t first = search_.trials.size() * search_.runs_each;
-    std::vector<double> measures(search_.runs_each, none);
+    std::vector<Measured> measures(search_.runs_each);
     std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < measures.size(); ++i) {
       if (!journal_ || !journal_->is_done(first + i)) {
@@ -200,10 +209,10 @@ class Trials {
       }
       const RunResult known = journal_->read(first + i, 1).front();
       if (known.status != RunStatus::done) continue;
-      if (!std::equal(places.begin(), places.end(), known.values.begin() + 1)) {
+      if (!std::equal(places.begin(), places.end(), known.values.begin() + 2)) {
         throw std::runtime_error(options_.journal.string() + ": has another search's evaluations; remove the file");
       }
-      measures[i] = known.values[0];
+      measures[i] = {known.values[0], static_cast<std::uint64_t>(known.values[1])};
     }
     if (!missing.empty()) solve(places, first, missing, measures);
     return measures;
@@ -253,16 +262,16 @@ class Trials {
   }
 
   void solve(const Places& places, std::size_t first, const std::vector<std::size_t>& missing,
-             std::vector<double>& measures) {
+             std::vector<Measured>& measures) {
     const StudyRuns runs(chosen_study(search_.study, places), facts_, memo_);
     const std::vector<RunResult> results = solved(runs, missing);
     for (const RunResult& result : results) {
-      measures[result.run] = measure_(result);
+      const Measured& measured = measures[result.run] = {measure_(result), measure_.open(result)};
       if (!journal_) continue;
       RunResult kept{.run = first + result.run, .status = RunStatus::failed, .message = result.message, .values = {}};
-      if (std::isfinite(measures[result.run])) {
+      if (std::isfinite(measured.value)) {
         kept.status = RunStatus::done;
-        kept.values = {measures[result.run]};
+        kept.values = {measured.value, static_cast<double>(measured.open)};
         kept.values.insert(kept.values.end(), places.begin(), places.end());
       }
       journal_->write(kept);

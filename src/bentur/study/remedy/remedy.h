@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/model/story/study_story.h"
 #include "bentur/study/design/study.h"
 #include "bentur/study/study_runs.h"
 
@@ -30,6 +31,7 @@ struct RemedyTrial {
   double objective = 0;        ///< infinite where no number can be relied on
   double size = 0;             ///< mean over the axes of the way from what the case says, as part of its range [-]
   std::size_t failed = 0;      ///< of its runs: those that collapse, fail or have contact that is not modelled
+  OpenNeeds open = {};         ///< of the others those whose numbers are not known to hold
 };
 
 /// What a search for a remedy has found. A search that was stopped has what was tried before.

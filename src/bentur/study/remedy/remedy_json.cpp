@@ -16,7 +16,8 @@ Json trial_json(const RemedySearch& search, const RemedyTrial& trial) {
   return {{"values", values},
           {"objective", std::isfinite(trial.objective) ? Json(trial.objective) : Json(nullptr)},
           {"size", trial.size},
-          {"failed", trial.failed}};
+          {"failed", trial.failed},
+          {"not_known", trial.open.runs}};
 }
 
 Json found_json(const RemedySearch& search, const RemedyTrial* trial) {

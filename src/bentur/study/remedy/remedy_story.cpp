@@ -54,6 +54,10 @@ Story remedy_story(const RemedySearch& search) {
       tell_bounds(search, *smallest, statements);
     }
   }
+  const RemedyTrial* const first = smallest != nullptr ? smallest : best;
+  if (first != nullptr && first->open.runs > 0) {
+    statements.push_back(open_needs_statement(first->open, static_cast<long>(search.runs_each), "remedy_open"));
+  }
   if (best != nullptr && best->size > 0) {
     statements.push_back(told("remedy_best", search, *best));
     if (smallest != best) tell_bounds(search, *best, statements);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "bentur/io/temporary_folder.h"
@@ -291,6 +292,42 @@ TEST_F(Remedies, GapsNeededAreThoseOfBothDirections) {
   const RemedySearch other = found(asked);
   ASSERT_NE(one.trials.at(0).objective, other.trials.at(0).objective);
   EXPECT_DOUBLE_EQ(both.trials.at(0).objective, std::max(one.trials[0].objective, other.trials[0].objective));
+}
+
+/// A harmonic motion begins with a jump to one side.
+TEST_F(Remedies, GapsNeededAreThoseOfBothDirectionsOfAHarmonicMotion) {
+  const std::string text = case_of(spring);
+  const std::string asked = "[remedy]\nobjective = 'gap_needed'\nevaluations = 10\n" + std::string(dampers);
+  put("case.toml", text);
+  const RemedySearch both = found(asked);
+  EXPECT_EQ(both.runs_each, 2U);
+  EXPECT_TRUE(both.both_ways);
+  put("case.toml", text + "both_ways = false\n");
+  const RemedySearch one = found(asked);
+  EXPECT_EQ(one.runs_each, 1U);
+  put("case.toml", std::string(text).replace(text.find("period = 0.45"), 13, "period = 0.45\npolarity = 'reversed'") +
+                       "both_ways = false\n");
+  const RemedySearch other = found(asked);
+  ASSERT_NE(one.trials.at(0).objective, other.trials.at(0).objective);
+  EXPECT_DOUBLE_EQ(both.trials.at(0).objective, std::max(one.trials[0].objective, other.trials[0].objective));
+}
+
+/// A choice that keeps a limit by numbers that may not hold says so first.
+TEST_F(Remedies, AnInputInDoubtIsSaid) {
+  const std::string asked =
+      "[remedy]\nobjective = 'peak_force'\nlimit = 1e9\nevaluations = 10\n" + std::string(dampers);
+  const auto with = [&](const std::string& amplitude) {
+    std::string text = case_of(spring);
+    const std::string given = "displacement_amplitude = 0.02";
+    put("case.toml", text.replace(text.find(given), given.size(), amplitude));
+    return found(asked);
+  };
+  const RemedySearch doubted = with("acceleration_amplitude = 0.3");
+  EXPECT_EQ(remedy_story(doubted).statements.front().kind, "remedy_open");
+  EXPECT_EQ(nlohmann::json::parse(remedy_json(doubted, "1"))["smallest"]["not_known"], 1);
+  const RemedySearch known = with("acceleration_amplitude = '0.3 g'");
+  EXPECT_EQ(kinds_of(known).count("remedy_open"), 0U);
+  EXPECT_EQ(nlohmann::json::parse(remedy_json(known, "1"))["smallest"]["not_known"], 0);
 }
 
 TEST_F(Remedies, RefuseWhatMakesNoSense) {

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 
+#include "bentur/core/written_number.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/io/schema/table_view.h"
@@ -198,13 +198,12 @@ bool Pairs::read_levels(const TableView& table, GapSpec& gap) {
   }
   const ReadBuilding &left = buildings_[gap.left], &right = buildings_[gap.right];
   if (gap.levels.empty() && !gap.strikes_columns) {
-    table.error(
-        fmt::format("has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let "
-                    "floors that nearly meet do so with level_tolerance, let floors strike columns of frames with "
-                    "strikes_columns = true, or model no contact with elevations = []: "
-                    "floors are then watched against the edges they face, for the gap they need",
-                    in_quotes(left.spec.name), fmt::join(left.elevations, ", "), in_quotes(right.spec.name),
-                    fmt::join(right.elevations, ", ")));
+    table.error(fmt::format(
+        "has no elevation at which both buildings have a floor: {} has floors at {}, {} at {}; let "
+        "floors that nearly meet do so with level_tolerance, let floors strike columns of frames with "
+        "strikes_columns = true, or model no contact with elevations = []: "
+        "floors are then watched against the edges they face, for the gap they need",
+        in_quotes(left.spec.name), written(left.elevations), in_quotes(right.spec.name), written(right.elevations)));
     return false;
   }
   if (!given) return true;

@@ -110,8 +110,9 @@ Json excitation_json(const ExcitationSpec& excitation) {
   } else if (const auto* harmonic = std::get_if<HarmonicMotion>(&excitation.motion)) {
     json = {{"kind", "harmonic"},
             {"period", harmonic->period},
-            {"displacement_amplitude", harmonic->displacement_amplitude},
+            {"displacement_amplitude", std::abs(harmonic->displacement_amplitude)},
             {"phase", harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine"},
+            {"polarity", harmonic->displacement_amplitude < 0 ? "reversed" : "as-recorded"},
             {"pga", peak_acceleration(excitation.motion)}};
   } else {
     json = {{"kind", "none"}};

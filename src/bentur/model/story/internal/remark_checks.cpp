@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include "bentur/excitation/usual_peaks.h"
+
 namespace bentur::remarking {
 namespace {
 
@@ -78,12 +80,18 @@ void check_motion(const GroundMotion& motion, const ExcitationSpec& excitation, 
   const double peak = peak_acceleration(motion);
   const double in_g = peak / list.units().gravity;
   const auto& record = excitation.record;
-  const double asked = record ? record->pga_without_unit.value_or(0) : 0;
-  const RemarkKind& pga = remark_kind("pga");
-  const double most = in_g < pga.least ? pga.most : 1;  // up to which a number is rather meant in g
-  if (peak > 0 && asked >= pga.least && asked <= most &&
-      record->pga_read * acceleration_factor(record->unit, list.units()) > pga.least * list.units().gravity) {
+  const double asked = (record ? record->pga_without_unit : excitation.amplitude_without_unit).value_or(0);
+  // Before a record is scaled it may be as weak, and meant so; but if its unit stands in the case alone, that may be
+  // another one.
+  const bool is_read = record && !record->unit.empty();
+  const double read = is_read ? record->pga_read * acceleration_factor(record->unit, list.units()) : 0;
+  const double read_in_g = read / list.units().gravity;
+  const bool is_weak = is_read && read_in_g <= UsualPeak().from;
+  const double number = excitation.amplitude_without_unit.value_or(0);
+  if (peak > 0 && is_rather_in_g(asked, in_g) && !is_weak) {
     list.add("pga_without_unit", subject, in_g, asked, asked);
+  } else if (is_weak && in_g < UsualPeak().from && record->unit != "g" && is_rather_in_g(number, read_in_g)) {
+    list.add("pga", subject, in_g, UsualPeak().from, UsualPeak().to);
   } else {
     list.check(peak == 0 ? "motion_of_zeros" : "pga", subject, in_g);
   }

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "bentur/excitation/usual_peaks.h"
 #include "bentur/model/quantities.h"
 
 namespace bentur {
@@ -14,6 +15,7 @@ namespace {
 /// How far beyond the usual a value is no longer believed: an order of magnitude is how units are mistaken.
 constexpr double far = 10;
 constexpr double as_round_off = 1e-9;
+constexpr UsualPeak usual_peak;
 
 /// A new one is put last.
 constexpr RemarkKind kinds[] = {
@@ -22,13 +24,13 @@ constexpr RemarkKind kinds[] = {
     {"storey_weight", "F", 5e3, 1e7, 500, 2e8, far},
     {"storey_weight_per_width", "F L-1", none, 1e6, none, 1e7},
     {"impact_damping", "", none, 0.07, none, 0.2},
-    {"damping", "", 0.01, 0.07, 0, 0.2},
+    {"damping", "", 0.01, 0.07, 0, 0.2, 5},  // 50 % where 5 % is meant: with that nothing moves
     {"storey_height", "L", 2.5, 6, 0.5, 15, far},
     {"elastic_modulus", "F L-2", 1e10, 2.1e11, 5e8, 3e11, far},  // timber, concrete, steel
     {"density", "kg/m³", 500, 8000, 300, 12000, 1.5},            // likewise
     {"section", "L", 0.2, 2, 0.04, 4},
     {"line_load", "F L-1"},
-    {"gap_width", "L", none, 0.5, none, 2, far},
+    {"gap_width", "L", none, 0.5, none, 1, far},
     {"level_tolerance", "L"},
     {"soft_contact", "", none, 0.05, none, 0.1},  // of a first period: longer is no blow
     {"code_on_record", "", none, 1, none, 1, 1},
@@ -38,7 +40,8 @@ constexpr RemarkKind kinds[] = {
     {"record_step", "s", none, 0.05, none, 0.1, far},
     {"record_length", "s", 5, 600, 5, 600, far},
     {"motion_of_zeros", "g", 0.05, 1, 0.05, 1, 1},
-    {"pga", "g", 0.05, 1, 0.05, 2.5, far},
+    // The strongest recorded have some 3 g; under 0.01 g nothing is damaged.
+    {"pga", "g", usual_peak.from, usual_peak.to, usual_peak.from, usual_peak.most, 5},
     {"pga_without_unit", "g"},
     {"delay", "s"},
     {"duration", "s"},

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/story/internal/remark_checks.h"
 #include "bentur/model/story/remarks.h"
 #include "bentur/model/story/story.h"
 
@@ -62,6 +65,44 @@ TEST(Remarks, OfManyRunsAreOfTheFarthest) {
   EXPECT_EQ(told.front().many->worst, "b");
   EXPECT_EQ(told.front().severity, Severity::danger);
   EXPECT_EQ(union_of({run("a", {4e11}), run("c", {3e11, 6e11})}).front().many->worst, "c");
+}
+
+/// What is remarked of a motion alone [m, kN], "pga?" where it is in doubt.
+std::vector<std::string> remarks_of_motion(const GroundMotion& motion, const ExcitationSpec& excitation) {
+  remarking::List list({.length = "m", .force = "kN", .gravity = 9.81});
+  remarking::check_motion(motion, excitation, "", 100, list);
+  std::vector<std::string> names;
+  for (const Remark& one : list.take()) names.push_back(one.key + (one.is_doubt ? "?" : ""));
+  return names;
+}
+
+// The amplitude of a harmonic motion has no record beside it by which it could be meant so weak.
+TEST(Remarks, OfAnAmplitudeInTheWrongUnit) {
+  const auto of = [](double peak, std::optional<double> without_unit) {
+    const double omega = 2 * std::numbers::pi / 0.5;
+    ExcitationSpec excitation;
+    excitation.amplitude_without_unit = without_unit;
+    return remarks_of_motion(HarmonicMotion{.period = 0.5, .displacement_amplitude = peak / (omega * omega)},
+                             excitation);
+  };
+  EXPECT_EQ(of(0.3, 0.3), std::vector<std::string>{"pga_without_unit?"});
+  EXPECT_EQ(of(0.3, {}), std::vector<std::string>{"pga"});  // with its unit, or by its displacement
+  EXPECT_EQ(of(3, 3), std::vector<std::string>{});
+  EXPECT_EQ(of(30, 30), std::vector<std::string>{"pga"});  // 3 g
+  EXPECT_EQ(of(300, 300), std::vector<std::string>{"pga?"});
+}
+
+// Peaks that no earthquake has, or that damage nothing: by them no gap is judged.
+TEST(Remarks, OfPeaksThatAreInDoubt) {
+  const auto of = [](double in_g) {
+    return remarks_of_motion(SampledMotion{.time_step = 0.01, .acceleration = {0, 9.81 * in_g, 0}}, {});
+  };
+  EXPECT_EQ(of(0.0005), std::vector<std::string>{"pga?"});
+  EXPECT_EQ(of(0.0099), std::vector<std::string>{"pga?"});
+  EXPECT_EQ(of(0.0101), std::vector<std::string>{"pga"});
+  EXPECT_EQ(of(4.9), std::vector<std::string>{"pga"});
+  EXPECT_EQ(of(5.1), std::vector<std::string>{"pga?"});
+  EXPECT_EQ(of(30), std::vector<std::string>{"pga?"});
 }
 
 }  // namespace

@@ -32,6 +32,9 @@ struct VaryContext {
 /// ida_toml.cpp: what keeps records from being taken as their files have them, at the levels of [ida].
 void check_cloud(const TomlView& root, const Study& study);
 
+/// ida_toml.cpp: refuses levels without a unit, which are in the case's length/s², that are rather meant in g.
+void expect_unit_of_levels(const TomlView& root, const Study& study);
+
 /// ida_toml.cpp: with [ida] and [sampling] each draw is a record and a building: what [sampling] draws becomes lists
 /// that move together along one axis, "draw". Without [sampling] nothing changes.
 void draw_with_records(const TomlView& root, Study& study);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,9 +19,12 @@ class Measure {
 
   [[nodiscard]] const std::vector<RowPart>& parts() const { return of_; }
   [[nodiscard]] double operator()(const RunResult& result) const;
+  /// What keeps that from being known, bits of OpenNeed; of a run that does not tell it nothing.
+  [[nodiscard]] std::uint64_t open(const RunResult& result) const;
 
  private:
-  std::vector<RowPart> of_, refused_, open_;  ///< open_: of needs without contact alone
+  std::vector<RowPart> of_, refused_, open_;
+  bool is_free_;  ///< the objective is of needs without contact
 };
 
 }  // namespace bentur
