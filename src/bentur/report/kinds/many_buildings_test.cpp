@@ -131,7 +131,7 @@ TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
     const auto need = governing_need(judged_gaps(run).at(gap).facts);
     const bool is_known = need && need->given.needed;
     expected.push_back(std::to_string(gap + 1) + " | " + std::to_string(gap + 2) +  // of House 1 | House 2
-                       (is_known ? ", " + number(need->at.elevation) + " m" : ""));
+                       (is_known ? ", level " + number(need->at.elevation) + " m" : ""));
   }
   FigureOptions options;
   options.width = page_width;
