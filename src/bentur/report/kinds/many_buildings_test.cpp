@@ -88,11 +88,11 @@ TEST(ManyBuildings, HaveASceneAsBroadAsThePage) {
   FigureOptions options;
   options.width = page_width;
   const Layout placing = layout(make_figure(row(), "overview", options));
-  ASSERT_EQ(placing.panels.size(), 3U);
+  ASSERT_EQ(placing.panels.size(), 4U);  // with the worst gap, which is not hit hardest
   const PlacedPanel& scene = placing.panels.front();
   EXPECT_GT(scene.right - scene.left, 0.9 * page_width);
   EXPECT_FALSE(scene.x.upright);
-  for (std::size_t i = 1; i < 3; ++i) EXPECT_LT(placing.panels[i].top, scene.bottom);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(placing.panels[i].top, scene.bottom);
 }
 
 /// Statements of a gap say which place it has among all, and those of the worst are those of the table's first line.
@@ -321,7 +321,21 @@ TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
   const Eigen::Index struck = row().problem.points[hardest->point].gap;
   const std::string place = "Shown is " + gap_name(row().problem, struck) +
                             ", with the hardest impact; the worst gap is " + gap_name(row().problem, worst);
-  EXPECT_EQ(make_figure(row(), "force").part, struck == worst ? "" : place);
+  ASSERT_NE(struck, worst);
+  EXPECT_EQ(make_figure(row(), "force").part, place);
+  // Histories, and the opening in the overview, are of both.
+  const std::string both = "First " + gap_name(row().problem, struck) +
+                           ", with the hardest impact, then the worst gap, " + gap_name(row().problem, worst);
+  for (const char* const kind : {"overview", "opening", "displacement"}) {
+    const Figure figure = make_figure(row(), kind);
+    EXPECT_EQ(figure.part, both) << kind;
+    for (const Eigen::Index gap : {struck, worst}) {
+      EXPECT_EQ(std::count_if(figure.panels.begin(), figure.panels.end(),
+                              [&](const Panel& one) { return one.title.starts_with(gap_name(row().problem, gap)); }),
+                1)
+          << kind;
+    }
+  }
   FigureOptions of_worst;
   of_worst.gap = static_cast<std::size_t>(worst);
   EXPECT_EQ(make_figure(row(), "force", of_worst).part, "");
