@@ -500,6 +500,22 @@ class HandIn(Reports):
         self.assertIn("checks", self.js("[...document.querySelectorAll('section')].map(s => s.id)"))
 
 
+UNMODELLED = """
+units = { length = "m", force = "kN" }
+gap = [{ between = ["A", "B"], width = 0.01, elevations = [] }]
+excitation = { kind = "harmonic", period = 0.7, displacement_amplitude = 0.03 }
+analysis = { duration = 2.0 }
+[[building]]
+name = "A"
+damping = 0.05
+stick = { storey_heights = [3, 3, 3, 3], masses = [100, 100, 100, 90], stiffnesses = [9e4, 8e4, 8e4, 7e4] }
+[[building]]
+name = "B"
+damping = 0.05
+stick = { storey_heights = [4, 4], masses = [80, 70], stiffnesses = [1.5e5, 1.3e5] }
+"""
+
+
 class Motion(Reports):
     def test_flashes_when_and_where_the_impact_list_says(self):
         for name in "m12-el-centro", "row-of-three", "restitution-asked":
@@ -570,6 +586,26 @@ class Motion(Reports):
         self.assertNotEqual(self.js("document.querySelector('#stage .column').getAttribute('d')"), moved)
         self.click("#play")
         self.until(lambda: self.shown_time() > stopped)
+
+    def test_floors_inside_what_they_face_are_hatched_and_listed(self):
+        """The roof of B and the floor below it face columns of A, where no contact is modelled."""
+        case = self.folder / "unmodelled.toml"
+        case.write_text(UNMODELLED)
+        self.opened(self.report(case))
+        data = json.loads(self.js("document.getElementById('data').textContent"))
+        hatched = "[...document.querySelectorAll('#stage .inside')].map(line => line.getAttribute('d') !== '')"
+        self.assertEqual(self.shown_time(), data["shown"])
+        self.assertTrue(self.js(hatched)[-1])  # the deepest, at its deepest
+        self.assertIn("roof of B", self.js("document.getElementById('event').textContent"))
+        rows = self.js("[...document.getElementById('live').rows].map(row => [row.cells[0].textContent,"
+                       " row.cells[1].textContent, row.cells[1].className])")
+        listed = [(float(value.replace("\N{MINUS SIGN}", "-")), tone) for name, value, tone in rows if name.endswith("not modelled")]
+        self.assertEqual(len(listed), len(data["watched"]))
+        for value, tone in listed:
+            self.assertEqual(tone == "marked", value < 0)
+        self.scrub(0)
+        self.assertFalse(any(self.js(hatched)))
+        self.assertEqual(self.js("document.getElementById('event').textContent"), "")
 
     def test_every_impact_that_is_played_over_flashes(self):
         """However few frames there are, no impact of 2 ms falls between two of them."""

@@ -50,8 +50,8 @@ Json list(const Eigen::VectorXd& values) {
   return all;
 }
 
-/// Of a gap what a slider shows: the width needed, the larger of both directions of the motion, and as marks,
-/// ascending, what the other direction needs and what rules ask at most.
+/// Of a gap what a slider shows: the width needed, the larger of both directions of the motion, with its name, and as
+/// marks, ascending, what the other direction needs and what rules ask at most.
 Json gap_overview(const std::string& name, double width, const GapFacts& facts, const Words& say) {
   const GoverningNeed need = governing_need(facts).value_or(GoverningNeed{});
   const auto of_gap = [&](const std::optional<double>& here) { return here ? need.at.of_gap(*here) : not_known; };
@@ -70,6 +70,7 @@ Json gap_overview(const std::string& name, double width, const GapFacts& facts, 
   return {{"name", name},
           {"width", width},
           {"needed", number_or_null(is_reversed ? reversed : given)},
+          {"needed_name", say(is_reversed ? "slider.needed_reversed" : "slider.needed")},
           {"marks", std::move(all)}};
 }
 

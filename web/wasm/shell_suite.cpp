@@ -97,9 +97,15 @@ Json Studio::suite_overview(const Words& say) const {
   for (std::size_t g = 0; g < suite_gaps_->gaps.size(); ++g) {
     const GapOverRecords& over = needs.gaps[g];
     names.push_back(suite_gaps_->gaps[g].name);
+    Json marks = Json::array();
+    if (over.demand && over.demand->is_known() && over.demand->measure.kind == SuiteMeasure::Kind::mean) {
+      marks.push_back({{"at", over.demand->mean}, {"name", say("slider.needed_mean")}});
+    }
     gaps.push_back({{"name", names.back()},
                     {"width", over.given.front().narrowest().value_or(0)},
-                    {"needed", collapses ? Json() : number_or_null(over.largest.gap_needed)}});
+                    {"needed", collapses ? Json() : number_or_null(over.largest.gap_needed)},
+                    {"needed_name", say("slider.needed_largest")},
+                    {"marks", std::move(marks)}});
   }
   double longest = 0;
   for (const SuiteRecord& one : suite_->records) {

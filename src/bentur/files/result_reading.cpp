@@ -268,6 +268,18 @@ void take_case(const fs::path& file, const UnorderedJson& summary, RunResults& r
   results.problem = std::move(problem);
 }
 
+/// Which of the watched floors the nearest one of the figures is: histories.nc names it by building and level.
+void number_nearest(const fs::path& file, RunResults& results) {
+  std::optional<NearestFloor>& nearest = results.figures.nearest;
+  if (!nearest) return;
+  const std::vector<WatchedFloor>& watched = results.problem.watched;
+  const auto same = std::find_if(watched.begin(), watched.end(), [&](const WatchedFloor& one) {
+    return one.gap == nearest->gap && one.floor_of == nearest->floor_of && one.floor == nearest->floor;
+  });
+  if (same == watched.end()) fail(file, "is not of the same run as histories.nc");
+  nearest->watched = same - watched.begin();
+}
+
 /// Of the watched floors of plans, which the problem has in the summary's order.
 void read_plan_watched(const UnorderedJson& gaps, const fs::path& file, PlanRun& run) {
   for (std::size_t g = 0; g < run.problem.gaps.size(); ++g) {
@@ -343,6 +355,7 @@ RunResults read_results(const fs::path& folder) {
     }
     read_summary(json, summary, results);
     take_case(folder / "case.toml", json, results);
+    number_nearest(summary, results);
     results.c.code.is_known = results.c.given != nullptr || hash_of_case(json).empty();
   });
   return results;

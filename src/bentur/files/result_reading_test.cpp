@@ -200,6 +200,47 @@ TEST(ReadResults, SaysWhereASummaryIsNoneInWordsOfItsOwn) {
   EXPECT_EQ(refusal(summary), "summary.json: is JSON, but lacks what a summary of bentur run has");
 }
 
+/// Of floors that face columns the one that goes deepest is the roof of B, which is the last of them.
+TEST(ReadResults, TheFloorThatComesNearestIsThatOfTheRun) {
+  Diagnostics diagnostics;
+  std::optional<Case> c = read_case_text(R"(
+units = { length = "m", force = "kN" }
+gap = [{ between = ["A", "B"], width = 0.01, contact = { law = "linear", stiffness = 1e6 } }]
+excitation = { kind = "harmonic", period = 0.7, displacement_amplitude = 0.03 }
+analysis = { duration = 2.0 }
+[[building]]
+name = "A"
+damping = 0.05
+stick = { storey_heights = [3, 3, 3, 3], masses = [100, 100, 100, 90], stiffnesses = [9e4, 8e4, 8e4, 7e4] }
+[[building]]
+name = "B"
+damping = 0.05
+stick = { storey_heights = [3, 4, 4], masses = [80, 80, 70], stiffnesses = [1.5e5, 1.4e5, 1.3e5] }
+)",
+                                         "case.toml", diagnostics);
+  ASSERT_TRUE(c);
+  const std::string text = c->source->text;
+  Problem problem = make_problem(*c);
+  Response response = solve(problem, c->analysis.solver, {.output_step = 0.01, .course = true});
+  const RunResults written = run_results(*std::move(c), std::move(problem), std::move(response));
+  ASSERT_TRUE(written.figures.nearest);
+  const WatchedFloor& deepest = written.problem.watched[written.figures.nearest->watched];
+  ASSERT_GT(written.figures.nearest->watched, 0);
+  for (const bool with_case : {false, true}) {
+    const TemporaryFolder folder;
+    AtomicFiles files(folder.path());
+    files.add("summary.json", summary_json(written, "0"), ResultKind::summary);
+    files.add("histories.nc", histories_netcdf(written, "0"), ResultKind::histories);
+    if (with_case) files.add("case.toml", text, ResultKind::case_copy);
+    files.commit();
+    const RunResults read = read_results(folder.path());
+    ASSERT_TRUE(read.figures.nearest);
+    const WatchedFloor& floor = read.problem.watched[read.figures.nearest->watched];
+    EXPECT_EQ(floor.floor_of, deepest.floor_of);
+    EXPECT_EQ(floor.elevation, deepest.elevation);
+  }
+}
+
 TEST(ReadResults, SaysWhichFileIsMissing) {
   const TemporaryFolder folder;
   try {

@@ -2,7 +2,7 @@ import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion/m
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { gap } from "./case";
 import type { Overview } from "./solver";
-import { time } from "./state";
+import { loads, time } from "./state";
 import { language, say } from "./texts";
 
 const speeds: [string, string][] = [["2", "2 ×"], ["1", "1 ×"], ["0.5", "1/2 ×"], ["0.1", "1/10 ×"], ["0.01", "1/100 ×"], ["0.001", "1/1000 ×"]];
@@ -16,12 +16,17 @@ const followers = new Set<Motion>();
 /** The buildings in motion, by the report's own script; those that are not the primary ones follow its time. */
 export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
   const root = useRef<HTMLDivElement>(null);
-  const motion = useRef<Motion | null>(null);
+  const motion = useRef<Motion | null>(null), loaded = useRef(loads.value);
   const read = useMemo(() => JSON.parse(data), [data]);
   const opening = `${say("history.opening")} [${overview.units.length}]`;
   useEffect(() => {
     if (motion.current) {
       motion.current.update(read);
+      if (loads.value !== loaded.current) { // another case: what happens in it
+        loaded.current = loads.value;
+        motion.current.pause();
+        motion.current.show(read.shown);
+      }
       return;
     }
     const parts: Record<string, unknown> = {};

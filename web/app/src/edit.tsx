@@ -359,7 +359,7 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
       </div>
       <div class="track"><Travel /><div>
         <input id="gap" type="range" min="0" max={span} step={step} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(place.put(text.value, event.currentTarget.valueAsNumber), "gap")} />
-        <div class="needed">{marks.map(({ at, name }, i) => at <= span && <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{say("needed")} {number(one.needed)} {overview.units.length}</span></div>
+        <div class="needed">{marks.map(({ at, name }, i) => at <= span && <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{one.needed_name} {number(one.needed)} {overview.units.length}</span></div>
         {!onTelephone.value && <GapNotes />}
       </div></div>
     </div>

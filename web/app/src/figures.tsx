@@ -160,7 +160,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
   );
 }
 
-/** Every figure that the run gives, as its report has them, and what other widths of the gap would give. */
+/** What other widths of the gap would give, which the slider decides, and every figure of the run, as its report has them. */
 export function Figures({ now }: { now: Result }) {
   const { points, gaps, units, figures, plan } = now.overview;
   const hasCurve = curve.value.length > 1 && !plan && !isStill(now.overview); // of buildings in plan no other widths are simulated
@@ -178,9 +178,9 @@ export function Figures({ now }: { now: Result }) {
         {!isStill(now.overview) && <span class="note">{say("history.hint")}</span>}
       </p>
       <div class="sheets">
-        {figures.filter((one) => one.tells).map((one) => <FigureView key={one.kind} {...one} />)}
-        {hasCurve && <FigureView kind="gap-curve" overTime={false}
+        {hasCurve && <FigureView key="gap-curve" kind="gap-curve" overTime={false}
           caption={`${say("curve.note")}${curveDone.value < 1 ? ` ${say("curve.progress", { percent: Math.round(100 * curveDone.value) })}` : ""}`} />}
+        {figures.filter((one) => one.tells).map((one) => <FigureView key={one.kind} {...one} />)}
       </div>
       {!isStill(now.overview) && <details><summary>{say("figures.more")}</summary>
         <ul class="note">{figures.filter((one) => !one.tells).map((one) => <li key={one.kind}>{one.caption} <Files {...one} /></li>)}</ul>

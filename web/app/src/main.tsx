@@ -23,7 +23,7 @@ function Head() {
   return (
     <header>
       <a class="skip" href="#results" onClick={(event) => { event.preventDefault(); document.getElementById("results")?.focus(); }}>{say("skip")}</a>
-      <div class="top"><h1>bentur studio</h1>
+      <div class="top"><h1>bentur studio</h1><p class="lead">{say("lead")}</p>
         <p class="controls">
           <Units />
           <label class="choice"><span>{say("language")} </span><select id="language" value={language.value} onChange={(event) => { language.value = event.currentTarget.value as keyof typeof languages; }}>
@@ -31,7 +31,6 @@ function Head() {
           <label class="choice"><span>{say("theme")} </span><select id="theme" value={choice.value} onChange={(event) => { choice.value = event.currentTarget.value as "auto"; }}>
             {(["auto", "light", "dark"] as const).map((one) => <option key={one} value={one} selected={one === choice.value}>{say(`theme.${one}`)}</option>)}</select></label>
         </p></div>
-      <p class="lead">{say("lead")}</p>
       <nav aria-label={say("cases")} class="cases"><FilePicker label={say("open")} />{cases.map((one) => <button type="button" key={one.id} data-case={one.id} aria-pressed={text.value === one.text} onClick={() => load(one.text)}>{say(`case.${one.id}` as Word)}</button>)}
         {isOwn.value && <button type="button" onClick={startAnew}>{say("anew")}</button>}</nav>
     </header>

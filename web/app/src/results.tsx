@@ -88,7 +88,7 @@ export function Verdict() {
   return (
     <div class="verdicts" role="status" aria-live="polite" aria-atomic="false">
       {slow.value && <p class="busy">{say(now && !stale.value ? "solving.figures" : "solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
-      <Stale />
+      <div class="unseen"><Stale /></div>
       {now && <Statements overview={now.overview} />}
     </div>
   );

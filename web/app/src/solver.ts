@@ -25,10 +25,11 @@ export interface Histories {
   /** By what is told of floors, of a row displacement, drift and shear. */
   buildings: Record<string, Float64Array[]>[];
 }
-/** `needed`: the larger of both directions of the motion. `marks`: widths beside it, of the other direction and of rules. `movers`: in plan the buildings that move where
+/** `needed`: the larger of both directions of the motion, or the largest of records, called `needed_name`. `marks`: widths
+ *  beside it, of the other direction, of rules and what a code takes of records. `movers`: in plan the buildings that move where
  *  it becomes wider, with the corners that they were run with, along which direction, and whom they meet after how much. */
 export interface GapOverview {
-  name: string; width: number; needed: number | null; marks?: { at: number; name: string }[];
+  name: string; width: number; needed: number | null; needed_name: string; marks?: { at: number; name: string }[];
   movers?: { all: { building: number; corner: [number, number] }[]; by: [number, number]; until: { building: number; way: number } | null };
 }
 export interface Said { kind: string; severity: "danger" | "warning" | "finding" | "remark"; gap: number | null; rank: number | null; badge: string; open: boolean; lead: string; shown: "sentence" | "row" | "table"; text: string }

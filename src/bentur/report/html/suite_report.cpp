@@ -41,14 +41,6 @@ PageSection suite_section(const html::Report& report) {
   return {"records", report.say("suite.records"), sentences + suite_tables(report, "suite", "suite_buildings")};
 }
 
-/// The statement on the hardest impact, whose instant an overview shows; without any the gravest of one record.
-const Statement* pictured(const Story& story) {
-  if (const Statement* const hardest = hardest_impact_of(story.statements)) return hardest;
-  const auto found = std::find_if(story.statements.begin(), story.statements.end(),
-                                  [](const Statement& one) { return one.many.has_value(); });
-  return found == story.statements.end() ? nullptr : &*found;
-}
-
 /// The buildings and their gap under one record, which is run again.
 template <class AnyProblem>
 Html picture_of(const Case& c, const AnyProblem& problem, const std::string& caption, const std::string& language) {
@@ -61,17 +53,12 @@ Html picture_of(const Case& c, const AnyProblem& problem, const std::string& cap
                               caption, language);
 }
 
+/// Under the record that governs, as the bars above it name it.
 Html worst_picture(const SuiteRun& run, const html::Report& report, const std::string& language) {
-  const auto& records = run.c.excitation.suite->records;
-  const Statement* const shown = pictured(report.story);
-  const auto worst = std::find_if(records.begin(), records.end(), [&](const auto& one) {
-    return shown != nullptr && shown->many && one.name() == shown->many->worst;
-  });
-  const std::size_t record = worst == records.end() ? 0 : static_cast<std::size_t>(worst - records.begin());
+  const std::size_t record = governing_record(run);
   const Case c = case_of_record(run.c, record);
-  const bool is_hit = shown != nullptr && shown->kind.starts_with("pounding");
-  const std::string caption = report.say(is_hit ? "figure.overview_of_hardest" : "figure.overview_of_record",
-                                         {{"record", records[record].name()}});
+  const std::string caption =
+      report.say("figure.overview_of_record", {{"record", run.c.excitation.suite->records[record].name()}});
   return run.plan ? picture_of(c, make_plan_problem(c, run.plan->buildings), caption, language)
                   : picture_of(c, make_problem(c, run.problem.buildings), caption, language);
 }

@@ -190,7 +190,7 @@ void set_apart(Figure& figure, bool narrow) {
       one.curves.front().label = "";
       one.curves.front().line = Line::solid;
       if (is_stepped(one.curves.front())) one.curves.front().mark = Mark::none;
-      one.x.from = from == 0 ? 0 : from - margin;
+      one.x.from = all.x.from.value_or(from == 0 ? 0 : from - margin);
       one.x.to = to + margin;
       if (i != labelled) one.x.label = "";
       if (rows > 1) one.height = std::min(one.height, most_high);
@@ -307,7 +307,8 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
   for (const auto& [key, label, finding, of_storeys] : ratios) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
-    Panel panel = height_panel(run, options, shown, {.label = word(options, label), .least = {{0.95, 1.05}}}, 1);
+    Panel panel =
+        height_panel(run, options, shown, {.label = word(options, label), .from = 0, .least = {{0, 1.05}}}, 1);
     Largest most;
     for (const Eigen::Index b : shown) {
       const Building& building = run.problem.buildings[b];
@@ -397,7 +398,9 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
     for (Eigen::Index mode = 0; mode < std::min(shapes.cols(), most_modes); ++mode) {
       constexpr const char* names[] = {"T₁", "T₂", "T₃"};
       const double period = 2 * std::numbers::pi / building.modes.omega(mode);
-      const std::string text = period < 99.95 ? fmt::format("{:#.3g}", period) : fmt::format("{:.0f}", period);
+      const std::string text = period >= 99.95                  ? fmt::format("{:.0f}", period)
+                               : period < 0.1 && period >= 0.01 ? fmt::format("{:.3f}", period)  // no wider
+                                                                : fmt::format("{:#.3g}", period);
       Curve style{.label = fmt::format("{} {} s", names[mode], text)};
       tell_apart(style, static_cast<std::size_t>(mode), building_tone(shown[b]));
       panel.curves.push_back(over_height(building, shapes.col(mode), style));

@@ -118,7 +118,7 @@ Figure inside_displacement(const RunResults& run, const NearestFloor& inside, co
                 .x = inside.time,
                 .y = own,
                 .tone = building_tone(static_cast<std::size_t>(b)),
-                .line = b == inside.left ? Line::solid : line_beside(building_tone(b), building_tone(inside.left))};
+                .line = b == inside.left ? Line::solid : Line::dashed};
     for (std::size_t i = 0; b != inside.floor_of && i < own.size(); ++i) {
       curve.y[i] -= (of_left ? 1 : -1) * (inside.width - inside.opening[i]);
     }
@@ -144,7 +144,7 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
               .x = course_of(run).time,
               .y = row_of(course_of(run).displacement[b], floor),
               .tone = building_tone(b),
-              .line = b == point.left ? Line::solid : line_beside(building_tone(b), building_tone(point.left))};
+              .line = b == point.left ? Line::solid : Line::dashed};
     if (run.response.course.time.empty()) add_peak(one, run.response.buildings[b].displacement(floor));
     return one;
   };

@@ -93,6 +93,9 @@ struct SpectrumCurves {
 /// Of a suite the spectra of its records as they are scaled and their mean, against the target, over the band.
 [[nodiscard]] Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOptions& options = {});
 
+/// The record that needs most of a gap, of none asked for that of the gap which lacks most: its number, from 0.
+[[nodiscard]] std::size_t governing_record(const SuiteRun& run, std::optional<std::size_t> gap = {});
+
 /// The kinds of figure that the runs of a suite give: "suite", its spectra, and "gap-needed", what each record needs of
 /// a gap beside what is given. @throws NoFigure when there is no such kind, or no gap where anything is needed.
 [[nodiscard]] std::vector<FigureKind> figure_kinds(const SuiteRun& run);

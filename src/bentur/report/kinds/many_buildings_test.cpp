@@ -88,11 +88,11 @@ TEST(ManyBuildings, HaveASceneAsBroadAsThePage) {
   FigureOptions options;
   options.width = page_width;
   const Layout placing = layout(make_figure(row(), "overview", options));
-  ASSERT_EQ(placing.panels.size(), 3U);
+  ASSERT_EQ(placing.panels.size(), 4U);  // with the worst gap, which is not hit hardest
   const PlacedPanel& scene = placing.panels.front();
   EXPECT_GT(scene.right - scene.left, 0.9 * page_width);
   EXPECT_FALSE(scene.x.upright);
-  for (std::size_t i = 1; i < 3; ++i) EXPECT_LT(placing.panels[i].top, scene.bottom);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(placing.panels[i].top, scene.bottom);
 }
 
 /// Statements of a gap say which place it has among all, and those of the worst are those of the table's first line.
@@ -131,7 +131,7 @@ TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
     const auto need = governing_need(judged_gaps(run).at(gap).facts);
     const bool is_known = need && need->given.needed;
     expected.push_back(std::to_string(gap + 1) + " | " + std::to_string(gap + 2) +  // of House 1 | House 2
-                       (is_known ? ", " + number(need->at.elevation) + " m" : ""));
+                       (is_known ? ", level " + number(need->at.elevation) + " m" : ""));
   }
   FigureOptions options;
   options.width = page_width;
@@ -286,14 +286,6 @@ TEST(ManyBuildings, TheHardestImpactIsOfThoseThatAreModelled) {
 }
 
 /// A key of numbers says what the names do not.
-TEST(ManyBuildings, HaveAKeyOfNumbersUnlessTheirNamesEndWithThem) {
-  EXPECT_EQ(html::numbered({"House 1", "House 2", "7"}), "3\u00A07");
-  EXPECT_EQ(html::numbered({"House 2", "House 1"}), "1\u00A0House 2, 2\u00A0House 1");
-  EXPECT_EQ(html::numbered({"Bank", "12"}), "1\u00A0Bank, 2\u00A012");
-  EXPECT_EQ(html::numbered({"House 1", "House 2"}), "");
-  EXPECT_EQ(html::numbered({"House 1.1", "House 1.2"}), "1\u00A0House 1.1, 2\u00A0House 1.2");
-}
-
 TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
   const std::vector<Eigen::Index> shown = shown_buildings(row(), {});
   for (const Statement& one : run_story(row()).statements) {
@@ -319,9 +311,16 @@ TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
   const auto hardest = std::max_element(impacts.begin(), impacts.end(),
                                         [](const Impact& a, const Impact& b) { return a.peak_force < b.peak_force; });
   const Eigen::Index struck = row().problem.points[hardest->point].gap;
-  const std::string place = "Shown is " + gap_name(row().problem, struck) +
-                            ", with the hardest impact; the worst gap is " + gap_name(row().problem, worst);
-  EXPECT_EQ(make_figure(row(), "force").part, struck == worst ? "" : place);
+  ASSERT_NE(struck, worst);
+  const std::string hit = gap_name(row().problem, struck), least = gap_name(row().problem, worst);
+  EXPECT_EQ(make_figure(row(), "force").part,
+            "Shown is " + hit + ", with the hardest impact; the worst gap is " + least);
+  for (const char* const kind : {"overview", "opening", "displacement"}) {  // which show both
+    const Figure figure = make_figure(row(), kind);
+    EXPECT_EQ(figure.part, "First " + hit + ", with the hardest impact, then the worst gap, " + least);
+    const auto is_of_worst = [&](const Panel& one) { return one.title.starts_with(least); };
+    EXPECT_EQ(std::count_if(figure.panels.begin(), figure.panels.end(), is_of_worst), 1) << kind;
+  }
   FigureOptions of_worst;
   of_worst.gap = static_cast<std::size_t>(worst);
   EXPECT_EQ(make_figure(row(), "force", of_worst).part, "");

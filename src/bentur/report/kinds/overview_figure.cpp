@@ -50,6 +50,17 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
   return panel;
 }
 
+/// The opening of the worst gap, where that has one over time, below that of the gap which is hit hardest.
+void add_opening_of(std::size_t worst, const RunResults& run, Figure& figure, FigureOptions options) {
+  options.gap = worst;
+  try {
+    figure.panels.push_back(opening_panel(run, chosen_instant(run, options), options));
+  } catch (const NoFigure&) {
+    return;
+  }
+  for (const std::size_t one : {1, 2}) figure.panels[one].height = 2.2;
+}
+
 /// Width over height of what a picture shows.
 double aspect_of(const Panel& panel) {
   double left = INFINITY, right = -left;
@@ -75,13 +86,21 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   figure.panels.push_back(scene_panel(run, instant, options, is_wide ? 6 : 0.65 * options.width));
   constexpr double longish = 2;  // width over height
   const double aspect = aspect_of(figure.panels.front());
+  const std::vector<JudgedGap> judged = judged_gaps(run);
   if (instant.point || asked_inside(run, options) != nullptr)
     figure.panels.push_back(opening_panel(run, instant, options));
-  figure.panels.push_back(gap_panel(judged_gaps(run), run.c.units.length, options));
+  if (instant.point && !options.gap && !options.elevation) {
+    const auto gap = static_cast<std::size_t>(run.problem.points[*instant.point].gap);
+    if (const std::optional<std::size_t> worst = worst_besides(judged, gap))
+      add_opening_of(*worst, run, figure, options);
+  }
+  const bool has_both = figure.panels.size() + 1 > overview_panels;
+  figure.panels.push_back(gap_panel(judged, run.c.units.length, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
     figure.panels.front().height = 3.2;
     for (std::size_t below : {1, 2}) figure.panels[below].height = 2.2;
+    if (has_both) figure.panels.back().across = 2;
   } else if (is_wide) {
     constexpr double height = 6, frames = 12.5;  // about [cm]
     const double left = std::clamp(height * aspect, 4.5, 8.0);

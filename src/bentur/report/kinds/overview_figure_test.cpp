@@ -111,10 +111,11 @@ TEST(Overview, BarsAreGivenAndNeeded) {
   for (Eigen::Index gap = 0; gap < 2; ++gap) {
     const GoverningLevel one = governing_level(row.problem, row.response, gap);
     expected.insert(expected.end(), {one.width, one.gap_needed, one.gap_needed_reversed.value()});
-    names.insert(names.begin(), gap_name(row.problem, gap) + ", " + number(one.elevation) + " m");
+    names.insert(names.begin(), gap_name(row.problem, gap) + ", level " + number(one.elevation) + " m");
   }
   EXPECT_EQ(ends_of_bars(overview(row).panels.back()), expected);
   EXPECT_EQ(overview(row).panels.back().y.names, names);
+  EXPECT_EQ(overview(row).panels.back().title, "each gap: top given, middle needed, bottom reversed");
 }
 
 /// A free response that ended in a collapse tells nothing of what would have been needed.

@@ -59,16 +59,8 @@ std::vector<Inside> inside_at(const RunResults& run, const SceneInstant& instant
   return inside;
 }
 
-/// "roof of Low 0.0714 m inside High, contact not modelled".
 std::string text_of(const RunResults& run, const Inside& inside, const FigureOptions& options) {
-  const std::vector<Building>& buildings = run.problem.buildings;
-  const Building& building = buildings[inside.floor->floor_of];
-  const std::string depth = shown_value(run, inside.depth, "L"), faced = buildings[inside.floor->faced()].name;
-  if (inside.floor->floor + 1 == building.model.floors()) {
-    return word(options, "roof of {} {} inside {}, contact not modelled", building.name, depth, faced);
-  }
-  return word(options, "floor of {} at level {} {} inside {}, contact not modelled", building.name,
-              shown_value(run, inside.floor->elevation, "L"), depth, faced);
+  return inside_words(run.problem, *inside.floor, shown_value(run, inside.depth, "L"), run.c.units.length, options.say);
 }
 
 /// A band of hatches where a floor is inside what it faces.
@@ -94,6 +86,17 @@ Curve hatches(const Scene& scene, const ScenePlaces& places, const Inside& insid
 }
 
 }  // namespace
+
+std::string inside_words(const Problem& problem, const WatchedFloor& floor, const std::string& depth,
+                         const std::string& length, const FigureWords& say) {
+  const Building& building = problem.buildings[floor.floor_of];
+  const std::string& faced = problem.buildings[floor.faced()].name;
+  if (floor.floor + 1 == building.model.floors()) {
+    return word(say, "roof of {} {} inside {}, contact not modelled", building.name, depth, faced);
+  }
+  return word(say, "floor of {} at level {} {} inside {}, contact not modelled", building.name,
+              number(floor.elevation) + " " + length, depth, faced);
+}
 
 Curve burst(double x, double y, double size) {
   constexpr int rays = 10;

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/words.h"
@@ -26,6 +27,15 @@ double lack_of(const SuiteRun& run, std::size_t gap) {
     }
   }
   return most;
+}
+
+/// The gap that lacks most.
+std::size_t worst_gap(const SuiteRun& run) {
+  const std::size_t gaps = gap_names(run.problem).size();
+  if (gaps == 0) throw NoFigure("the case has no gap");
+  std::size_t worst = 0;
+  for (std::size_t gap = 1; gap < gaps; ++gap) worst = lack_of(run, gap) > lack_of(run, worst) ? gap : worst;
+  return worst;
 }
 
 /// What each record needs of a gap, by the tone of what is judged of it, the first record uppermost.
@@ -80,7 +90,11 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
                           .y = {-0.5, static_cast<double>(count) - 0.5},
                           .line = Line::dashed,
                           .width = 1.4});
-  constexpr double of_names = 2.5, of_numbers = 1.8;  // beside the bars [cm]
+  constexpr double of_names = 2.5;  // beside the bars [cm]
+  double of_numbers = 0;
+  for (const PlaceText& one : panel.texts) {
+    if (one.x > 0) of_numbers = std::max(of_numbers, text_width(one.text) + 0.4);
+  }
   panel.x.to = most / (1 - of_numbers / (options.width - of_names));
   return panel;
 }
@@ -88,24 +102,12 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
 Figure needs_figure(const SuiteRun& run, const FigureOptions& options) {
   const std::size_t gaps = gap_names(run.problem).size();
   if (options.gap && *options.gap >= gaps) throw NoFigure("there is no such gap: gaps are counted from 0");
-  std::vector<std::size_t> shown(gaps);
-  std::iota(shown.begin(), shown.end(), std::size_t{0});
-  std::stable_sort(shown.begin(), shown.end(),
-                   [&](std::size_t a, std::size_t b) { return lack_of(run, a) > lack_of(run, b); });
-  if (shown.empty()) throw NoFigure("the case has no gap");
-  const std::size_t gap = options.gap.value_or(shown.front());
+  const std::size_t gap = options.gap ? *options.gap : worst_gap(run);
   Figure figure{.title = "What each record needs to stay apart without contact, the larger of both directions",
                 .panels = {needs_panel(run, gap, options)},
                 .width = options.width,
                 .shared_legend = true};
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i < run.records.size(); ++i) {
-    const auto needed = [&](std::size_t record) {
-      const std::vector<double>& all = run.records[record].needed;
-      return gap < all.size() && !std::isnan(all[gap]) ? all[gap] : -1;
-    };
-    if (needed(i) > needed(worst)) worst = i;
-  }
+  const std::size_t worst = governing_record(run, gap);
   const SuiteRecordRun& most = run.records[worst];
   const std::string& length = run.c.units.length;
   figure.finding = word(
@@ -117,6 +119,17 @@ Figure needs_figure(const SuiteRun& run, const FigureOptions& options) {
 }
 
 }  // namespace
+
+std::size_t governing_record(const SuiteRun& run, std::optional<std::size_t> gap) {
+  const std::size_t of_gap = gap ? *gap : worst_gap(run);
+  const auto needed = [&](std::size_t record) {
+    const std::vector<double>& all = run.records[record].needed;
+    return of_gap < all.size() && !std::isnan(all[of_gap]) ? all[of_gap] : -1;
+  };
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < run.records.size(); ++i) worst = needed(i) > needed(worst) ? i : worst;
+  return worst;
+}
 
 std::vector<FigureKind> figure_kinds(const SuiteRun& /*run*/) {
   return {{"gap-needed", "gap that each record needs, beside the gap given"},

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/internal/motion_data.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
+#include "bentur/report/kinds/internal/scene_panel.h"
 #include "bentur/report/scene/scene.h"
 
 namespace bentur::html {
@@ -72,6 +75,48 @@ Json hinges_json(const Report& report, const Scene& scene) {
   return {{"dots", dots}, {"levels", levels}};
 }
 
+/// How the opening of a watched floor hangs on the rows of the scene: [building, row, weight] of each that it does;
+/// nothing where it hangs on what is no row of it.
+std::optional<Json> opening_json(const Report& report, const WatchedFloor& floor) {
+  if (report.problem.kinematics == Kinematics::absolute) return std::nullopt;  // the ground's displacement counts
+  Json all = Json::array();
+  for (const auto& [building, row, sign] :
+       {std::tuple(floor.left, &floor.left_row, -1.0), {floor.right, &floor.right_row, 1.0}}) {
+    if (row->size() == 0) return std::nullopt;  // of results read back without their case
+    const Eigen::Index known = scene_rows(report.response.histories, static_cast<std::size_t>(building)).rows();
+    for (Eigen::Index i = 0; i < row->size(); ++i) {
+      if ((*row)(i) == 0) continue;
+      if (i >= known) return std::nullopt;
+      all.push_back({building, i, sign * (*row)(i)});
+    }
+  }
+  return all;
+}
+
+/// Floors that go inside what they face in the run, where no contact is modelled.
+Json watched_json(const Report& report, const Scene& scene) {
+  Json all = Json::array();
+  const FigureWords say = figure_words(report.say.language());
+  for (std::size_t i = 0; i < report.problem.watched.size(); ++i) {
+    const WatchedFloor& floor = report.problem.watched[i];
+    if (i >= report.response.watched.size() || !report.response.watched[i].closes) continue;
+    const std::optional<Json> opening = opening_json(report, floor);
+    if (!opening) continue;
+    const bool of_left = floor.floor_of == floor.left;
+    const ScenePoint edge{
+        floor.elevation,
+        {{.building = floor.floor_of, .row = floor.floor, .offset = of_left ? scene.breadths[floor.floor_of] : 0}}};
+    all.push_back({{"left", floor.left},
+                   {"elevation", floor.elevation},
+                   {"width", floor.width},
+                   {"opening", *opening},
+                   {"edge", point_json(edge)},
+                   {"inwards", of_left ? -1 : 1},
+                   {"text", inside_words(report.problem, floor, "{}", report.c.units.length, say)}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string animation_json(const Report& report, const std::vector<Eigen::Index>& listed) {
@@ -107,6 +152,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
               {"points", points},
               {"shown", instant},
               {"scene", scene_json(scene)},
+              {"watched", watched_json(report, scene)},
               {"hinges", hinges_json(report, scene)},
               {"breaks", breaks_json(report, scene)},
               {"names", names_json(names)},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bentur/report/html/internal/each_of.h"
+#include "bentur/report/html/internal/sections.h"
 
 namespace bentur::html {
 namespace {
@@ -137,6 +138,14 @@ TEST(EachOf, NamesTheColumnsThatPaperLacks) {
   }
   const std::string page = all.markup(Words("en"), "appendix.contacts").str();
   EXPECT_NE(page.find("On paper the first 14 of 17 columns, without: c13, Slides. "), std::string::npos) << page;
+}
+
+TEST(Names, OfManyBuildingsHaveAKeyOfNumbersUnlessTheyEndWithThem) {
+  EXPECT_EQ(numbered({"House 1", "House 2", "7"}), "3\u00A07");
+  EXPECT_EQ(numbered({"House 2", "House 1"}), "1\u00A0House 2, 2\u00A0House 1");
+  EXPECT_EQ(numbered({"Bank", "12"}), "1\u00A0Bank, 2\u00A012");
+  EXPECT_EQ(numbered({"House 1", "House 2"}), "");
+  EXPECT_EQ(numbered({"House 1.1", "House 1.2"}), "1\u00A0House 1.1, 2\u00A0House 1.2");
 }
 
 }  // namespace

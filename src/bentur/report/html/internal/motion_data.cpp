@@ -96,7 +96,7 @@ Json played_json(const MotionSampling& sampling, const std::vector<double>& time
                     impact.closing_speed, k + 1, impact.slipped ? 1 : 0});
   }
   Json words;
-  for (const char* const word : {"play", "pause", "impact", "level", "show_impact", "slips"}) {
+  for (const char* const word : {"play", "pause", "impact", "level", "show_impact", "slips", "not_modelled"}) {
     words[word] = say("script." + std::string(word));
   }
   for (const char* const word : {"magnified", "peak", "closing_at"})

@@ -226,10 +226,11 @@ function benturMotion(parts, data) {
     glow = glow.map((value) => value * fading);
     const motion = samples.motionAt(now);
     picture.show(motion, now, drawn.pixel);
-    const current = underWay(since === undefined ? now : Math.min(since, now), now);
+    const current = underWay(since === undefined ? now : Math.min(since, now), now), tiny = 1e-12 * duration;
     data.points.forEach((point, i) => {
-      const hit = current.some((impact) => impact.point === i);
-      glow[i] = hit ? 1 : since === undefined ? 0 : glow[i];
+      const those = current.filter((impact) => impact.point === i), hit = those.length > 0;
+      const parted = hit && those.every((impact) => impact.end < now - tiny);
+      glow[i] = hit ? (parted ? 0.5 : 1) : since === undefined ? 0 : Math.min(glow[i], 0.5 * fading); // what has parted is seen less
       const at = picture.contact(i);
       const mark = drawn.marks[i];
       mark.setAttribute("cx", at.x.toFixed(2));
@@ -237,13 +238,14 @@ function benturMotion(parts, data) {
       mark.setAttribute("opacity", glow[i].toFixed(3));
       mark.setAttribute("data-contact", hit ? 1 : 0);
       if (hit) drawn.arrows[i].setAttribute("d", arrows(at, current, i));
-      drawn.arrows[i].setAttribute("opacity", glow[i].toFixed(3));
+      drawn.arrows[i].setAttribute("opacity", hit && !parted ? 1 : 0); // no force is left
     });
-    const touching = new Set(current.map((impact) => impact.point)), touches = (point) => touching.has(point);
+    const named = underWay(now, now).sort((a, b) => b.force - a.force); // what has ended flashes, and is not named
+    const touching = new Set(named.map((impact) => impact.point)), touches = (point) => touching.has(point);
     drawn.cells.forEach(({ cell, points }) => {
       const open = picture.opening(points[0], motion);
       cell.textContent = signed(open.toFixed(decimals));
-      const touched = points.some(touches) || (open < 0 && picture.together[points[0]].some(touches));
+      const touched = points.some(touches) || (open < 0 && points[0] >= data.points.length) || (open < 0 && picture.together[points[0]].some(touches));
       cell.className = touched ? "marked" : "";
     });
     orderLive(touching);
@@ -251,12 +253,12 @@ function benturMotion(parts, data) {
     scrub.value = now;
     clock.textContent = `t = ${now.toFixed(4)} s`;
     stage.setAttribute("data-time", now);
-    const named = underWay(now, now).sort((a, b) => b.force - a.force); // what has ended flashes, and is not named
-    const more = named.length > 3 ? `; + ${named.length - 3}` : "";
-    event_.textContent = named.slice(0, 3).map(describe).join("; ") + more;
+    const happens = [...named.map(describe), ...picture.inside(motion)];
+    const more = happens.length > 3 ? `; + ${happens.length - 3}` : "";
+    event_.textContent = happens.slice(0, 3).join("; ") + more;
     const level = picture.levels.length > 0 ? `, ${words.level} ${picture.levels[picture.level]}` : "";
     told(drawn.caption[0], `${clock.textContent}, ${words.magnified.replace("{}", factor())}${level}`);
-    told(drawn.caption[1], named.length > 0 ? describe(named[0]) + (named.length > 1 ? `; + ${named.length - 1}` : "") : "");
+    told(drawn.caption[1], happens.length > 0 ? happens[0] + (happens.length > 1 ? `; + ${happens.length - 1}` : "") : "");
     if (parts.shown) parts.shown(now, since, fading);
   }
 
@@ -311,9 +313,11 @@ function benturMotion(parts, data) {
     }
   }
 
+  const gapOf = (point) => (data.points[point] ? data.points[point].gap ?? data.points[point].left : data.watched[point - data.points.length].left);
+
   /** Of many pairs those of the gap that is watched come first, then those that touch. */
   function orderLive(touching) {
-    const rank = ({ points }) => (points.some((i) => (data.points[i].gap ?? data.points[i].left) === watched) ? 0 : points.some((i) => touching.has(i)) ? 1 : 2);
+    const rank = ({ points }) => (points.some((i) => gapOf(i) === watched) ? 0 : points.some((i) => touching.has(i)) ? 1 : 2);
     [...drawn.lines].sort((a, b) => rank(a) - rank(b)).forEach(({ row }, i) => {
       if (live.rows[i] !== row) live.insertBefore(row, live.rows[i]);
     });

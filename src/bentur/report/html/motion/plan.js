@@ -177,7 +177,7 @@ function benturPlan(data, buildings, svg, number) {
   }
 
   return {
-    unit, grain: 20, below: 0, key: scene.key, build, frame, name, show, contact, opening, together, where, live,
+    unit, grain: 20, below: 0, key: scene.key, build, frame, name, show, contact, opening, together, where, inside: () => [], live,
     levels: scene.levels.map(({ elevation }) => metres(elevation)),
     get level() { return level; },
     choose(other) { level = other; },

@@ -29,7 +29,9 @@ function benturPlaces(scene, magnification, motion) {
  *   frame(magnification): {left, right, top, bottom} of all that moves, name(pixel): "whole", "short" or "number", by
  *   what the buildings are called, show(motion, time, pixel),
  *   contact(point): {x, y, normal}, opening(point, motion), together: of a point those that touch where it is closed,
- *   where(point), live(inShort): {head, rows: of a name and for each column a list of points}}
+ *   where(point), inside(motion): what is inside what it faces, where no contact is modelled, as texts, the deepest first,
+ *   live(inShort): {head, rows: of a name and for each column a list of points}}; the numbers of points go on with those
+ *   of watched, of which none is a contact
  */
 function benturRow(data, buildings, svg, number) {
   "use strict";
@@ -50,6 +52,7 @@ function benturRow(data, buildings, svg, number) {
   function build(stage) {
     drawn.ghost = svg("path", { class: "ghost" }, stage);
     drawn.shapes = scene.shapes.map(({ role, tone }) => svg("path", { class: `${role} stroke-${tone}` }, stage));
+    drawn.inside = data.watched.map(() => svg("path", { class: "inside stroke-red" }, stage));
     drawn.names = buildings.map(({ tone }) => svg("text", { class: `name fill-${tone}`, "text-anchor": "middle" }, stage));
     drawn.dots = data.hinges.dots.map(({ name }) => {
       const dot = svg("rect", { class: "hinge", opacity: 0 }, stage);
@@ -105,6 +108,7 @@ function benturRow(data, buildings, svg, number) {
   function show(motion, now, pixel) {
     place = benturPlaces(scene, magnification, motion);
     scene.shapes.forEach(({ lines }, k) => drawn.shapes[k].setAttribute("d", path(lines, place)));
+    data.watched.forEach((one, k) => drawn.inside[k].setAttribute("d", hatches(one, depthOf(one, motion), place)));
     data.hinges.dots.forEach(({ at, reached }, k) => {
       const level = reached.filter((time) => time !== null && time <= now).length;
       const dot = drawn.dots[k];
@@ -126,12 +130,31 @@ function benturRow(data, buildings, svg, number) {
 
   const contact = (point) => ({ x: unit * place(scene.contacts[point]), y: y(data.points[point].elevation), normal: [1, 0] });
 
+  /** Of a floor that is watched. */
+  const depthOf = ({ width, opening }, motion) => -opening.reduce((open, [b, row, weight]) => open + weight * motion[b][row], width);
+
+  /** A band of hatches where a floor is inside what it faces, as in a still. */
+  function hatches({ edge, inwards }, depth, place) {
+    if (!(depth > 0)) return "";
+    const band = unit * magnification * depth, tall = 0.22 * unit * scene.storey, lean = Math.min(0.25 * band, 0.5 * tall);
+    const from = unit * place(edge), lines = 7, at = y(edge[0]);
+    return Array.from({ length: lines }, (_, k) => from + inwards * band * k / (lines - 1))
+      .map((x) => `M${(x - lean).toFixed(2)} ${(at + tall).toFixed(2)}L${(x + lean).toFixed(2)} ${(at - tall).toFixed(2)}`).join("");
+  }
+
+  function inside(motion) {
+    return data.watched.map((one) => ({ text: one.text, depth: depthOf(one, motion) })).filter(({ depth }) => depth > 0)
+      .sort((a, b) => b.depth - a.depth)
+      .map(({ text, depth }) => text.replace("{}", `${number(depth)} ${data.units.length}`));
+  }
+
   function opening(point, motion) {
+    if (point >= data.points.length) return -depthOf(data.watched[point - data.points.length], motion);
     const { left, leftFloor, rightFloor, width } = data.points[point];
     return width + motion[left + 1][rightFloor] - motion[left][leftFloor];
   }
 
-  const together = data.points.map((_, i) => [i]);
+  const all = [...data.points, ...data.watched], together = all.map((_, i) => [i]);
 
   const level = (elevation) => `${number(elevation)} ${data.units.length}`;
   const pair = (gap) => `${buildings[gap].name} | ${buildings[gap + 1].name}`;
@@ -143,22 +166,23 @@ function benturRow(data, buildings, svg, number) {
   function live(inShort) {
     const called = inShort ? data.names.short : buildings.map((one) => one.name);
     const between = (gap) => `${called[gap]} | ${called[gap + 1]}`;
+    const besides = (points) => (points.every((i) => i >= data.points.length) ? `, ${data.words.not_modelled}` : "");
     const most = 6;
     if (scene.gaps.length > most) {
       const of = ({ left, elevation }) => `${between(left)}, ${level(elevation)}`;
-      return { head: [], rows: data.points.map((point, i) => ({ name: of(point), points: [[i]] })), many: true };
+      return { head: [], rows: all.map((point, i) => ({ name: of(point) + besides([i]), points: [[i]] })), many: true };
     }
-    const levels = Array.from(new Set(data.points.map((point) => point.elevation))).sort((a, b) => b - a);
+    const levels = Array.from(new Set(all.map((point) => point.elevation))).sort((a, b) => b - a);
     const names = scene.gaps.map((_, gap) => between(gap));
     return {
       head: names.length > 1 ? [data.words.level, ...names] : [],
-      rows: levels.map((elevation) => ({
-        name: level(elevation),
-        points: scene.gaps.map((_, gap) =>
-          data.points.flatMap((p, i) => (p.left === gap && p.elevation === elevation ? [i] : []))),
-      })),
+      rows: levels.map((elevation) => {
+        const points = scene.gaps.map((_, gap) =>
+          all.flatMap((p, i) => (p.left === gap && p.elevation === elevation ? [i] : [])));
+        return { name: level(elevation) + besides(points.flat()), points };
+      }),
     };
   }
 
-  return { unit, grain: unit * scene.storey, below: 22, key, levels: [], build, frame, name, show, contact, opening, together, where, live };
+  return { unit, grain: unit * scene.storey, below: 22, key, levels: [], build, frame, name, show, contact, opening, together, where, inside, live };
 }

@@ -107,7 +107,7 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
     const std::vector<GapBar> bars = bars_of(gap);
     const std::optional<GoverningNeed> found = governing_need(gap.facts);
     const std::string behind = std::isnan(bars[1].value) ? ": " + word(options, "not known")
-                               : found                   ? ", " + level_text(*found, length)
+                               : found                   ? ", " + word(options, "level {}", level_text(*found, length))
                                                          : "";
     panel.y.names.push_back(names[gaps[place]].first + " | " + names[gaps[place]].second + behind);
     told.resize(bars.size());
@@ -116,8 +116,14 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
       if (!std::isnan(bars[k].value)) told[k] = word(options, bars[k].name);
     }
   }
-  std::erase(told, "");
-  panel.title = word(options, "from above: {}", fmt::format("{}", fmt::join(told, ", ")));
+  std::vector<std::string> placed;
+  const auto place_of = [&](const char* place, std::size_t k) {
+    if (!told[k].empty()) placed.push_back(word(options, place, told[k]));
+  };
+  place_of("top {}", 0);
+  place_of("middle {}", 1);
+  place_of("bottom {}", 2);
+  panel.title = word(options, "each gap: {}", fmt::format("{}", fmt::join(placed, ", ")));
   if (judged.size() > most)
     panel.title += "; " + word(options, "the most critical of {} gaps", std::to_string(judged.size()));
   panel.height = 0.3 + 0.6 * static_cast<double>(gaps.size());

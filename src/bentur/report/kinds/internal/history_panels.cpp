@@ -172,24 +172,25 @@ Figure history_figure(const HistoryPlace& place, const FigureOptions& options, c
   constexpr double height = 3.4;
   constexpr double height_of_part = 2;
   Figure figure{.width = options.width, .shared_legend = true};
+  const TimeWindow asked = asked_window(place, options);
+  const TimeWindow near = around_the_hardest(place);
+  const bool two = has_two_windows(place, options), in_parts = two && !with.label_of_parts.empty();
   const auto add = [&](const std::string& title, const TimeWindow& window, const std::vector<Curve>& shown) -> Panel& {
     Panel panel{.title = title,
                 .x = {.from = window.from, .to = window.to},
-                .y = {.label = with.label},
+                .y = {.label = in_parts ? with.label_of_parts : with.label},
                 .height = height,
                 .rules = with.rules};
     for (const Curve& curve : shown) panel.curves.push_back(within(curve, window));
     if (with.mark_contacts) panel.events = contacts_within(place, window, options);
     return figure.panels.emplace_back(std::move(panel));
   };
-  const TimeWindow asked = asked_window(place, options);
-  const TimeWindow near = around_the_hardest(place);
-  const bool two = has_two_windows(place, options);
-  if (two && !with.label_of_parts.empty()) {
+  if (in_parts) {
     for (const Curve& curve : curves) {  // many vibrations of one would hide those of the other
       Panel& part = add(figure.panels.empty() ? place.title : "", asked, {curve});
       part.height = height_of_part;
-      part.y.label = with.label_of_parts;
+      part.curves.front().line = Line::solid;  // alone; the legend has the line that tells it from the other
+      part.curves.front().in_legend = false;
       part.y.least = range_of(curves, asked);
       part.x.numbers = &curve == &curves.back();
       if (figure.panels.size() > 1) part.events = {};

@@ -43,6 +43,9 @@ inline bool is_of_a_place(const std::string& kind) {
   return std::find(std::begin(all), std::end(all), kind) != std::end(all);
 }
 
+/// Kinds of a place that show the worst gap as well, where that is another one.
+inline bool is_of_the_worst_too(const std::string& kind) { return kind == "displacement" || kind == "opening"; }
+
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
   std::vector<std::string> names;

@@ -200,14 +200,72 @@ Tone area_tone_of(Sufficiency value) {
   return value == Sufficiency::too_small ? Tone::red : value == Sufficiency::unknown ? Tone::gold : Tone::pale_teal;
 }
 
+std::optional<std::size_t> worst_besides(const std::vector<JudgedGap>& judged, std::size_t gap) {
+  if (judged.size() < 2) return std::nullopt;
+  const std::size_t worst = worst_first(judged).front();
+  return worst == gap ? std::nullopt : std::optional(worst);
+}
+
 std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged, std::size_t gap,
-                       bool is_hit, const FigureOptions& options) {
-  const std::vector<std::size_t> order = worst_first(judged);
-  if (gaps.size() < 2 || order.front() == gap) return {};
-  return is_hit ? word(options, "Shown is {}, with the hardest impact; the worst gap is {}", gaps.at(gap),
-                       gaps.at(order.front()))
-                : word(options, "Shown is {}, which come closest; the worst gap is {}", gaps.at(gap),
-                       gaps.at(order.front()));
+                       bool is_hit, const FigureOptions& options, bool with_worst) {
+  const std::optional<std::size_t> worst = worst_besides(judged, gap);
+  if (!worst) return {};
+  const std::string &shown = gaps.at(gap), &other = gaps.at(*worst);
+  if (with_worst) {
+    return is_hit ? word(options, "First {}, with the hardest impact, then the worst gap, {}", shown, other)
+                  : word(options, "First {}, which come closest, then the worst gap, {}", shown, other);
+  }
+  return is_hit ? word(options, "Shown is {}, with the hardest impact; the worst gap is {}", shown, other)
+                : word(options, "Shown is {}, which come closest; the worst gap is {}", shown, other);
+}
+
+namespace {
+
+/// Whether a legend of both would have two names for one look.
+bool do_clash(const Figure& one, const Figure& other) {
+  for (const Panel& panel : one.panels) {
+    for (const Curve& curve : panel.curves) {
+      const auto is_alike = [&](const Curve& c) {
+        return !c.label.empty() && !curve.label.empty() && c.label != curve.label && c.tone == curve.tone &&
+               c.line == curve.line && c.mark == curve.mark;
+      };
+      for (const Panel& theirs : other.panels) {
+        if (std::any_of(theirs.curves.begin(), theirs.curves.end(), is_alike)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void append(Figure& figure, Figure&& below) {
+  constexpr double lower = 0.75;
+  const int columns = std::max(figure.columns, below.columns);
+  const auto widen = [&](Figure& one) {
+    for (Panel& panel : one.panels) {
+      panel.height *= lower;
+      if (one.columns < columns) panel.across = columns;
+    }
+  };
+  widen(figure);
+  widen(below);
+  if (figure.shared_legend && do_clash(figure, below)) {  // each has its own, above its first panel
+    figure.shared_legend = false;
+    for (Figure* const one : {&figure, &below}) {
+      for (std::size_t i = 1; i < one->panels.size(); ++i) {
+        Panel& panel = one->panels[i];
+        for (Curve& curve : panel.curves) curve.in_legend = false;
+        for (RuleLine& rule : panel.rules) rule.label.clear();
+        panel.events.label.clear();
+      }
+    }
+  }
+  figure.columns = columns;
+  figure.width = std::max(figure.width, below.width);
+  figure.finding += "; " + below.panels.front().title + ": " + below.finding;
+  below.panels.front().begins_row = true;
+  for (Panel& panel : below.panels) figure.panels.push_back(std::move(panel));
 }
 
 void leave_to_neighbour(Axis& axis) {

@@ -119,8 +119,29 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
 [[nodiscard]] Tone area_tone_of(Sufficiency value);
 /// Of more than two buildings: between which a figure is that shows one place, the hardest impact or the closest
 /// approach, where that is not the gap that the verdict puts first. @param gap shown @param judged all
+/// @param with_worst the figure has the worst gap too, below
 [[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
-                                     std::size_t gap, bool is_hit, const FigureOptions& options);
+                                     std::size_t gap, bool is_hit, const FigureOptions& options,
+                                     bool with_worst = false);
+/// What an overview has where one gap is the worst and is hit hardest: picture, opening, bars.
+constexpr std::size_t overview_panels = 3;
+/// The gap that the verdict puts first where that is not this one.
+[[nodiscard]] std::optional<std::size_t> worst_besides(const std::vector<JudgedGap>& judged, std::size_t gap);
+/// Panels of another figure below those of one, all somewhat lower.
+void append(Figure& figure, Figure&& below);
+/// Below what a figure shows of one gap the same of the worst one. @return whether it can be drawn
+template <class Make>
+bool add_worst(Figure& figure, std::size_t worst, FigureOptions options, const Make& make) {
+  options.gap = worst;
+  Figure below;
+  try {
+    below = make(options);
+  } catch (const NoFigure&) {
+    return false;
+  }
+  append(figure, std::move(below));
+  return true;
+}
 /// Of spectra of floors: at which gap they are, or whose roofs, where there are others; and where their periods begin,
 /// where samples are too far apart for shorter ones. @param hit the gap of the hardest impact
 [[nodiscard]] std::string floors_text(const FloorSpectra& spectra, std::optional<std::size_t> hit,

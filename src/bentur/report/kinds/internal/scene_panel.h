@@ -13,7 +13,9 @@ namespace bentur {
 [[nodiscard]] const NearestFloor* asked_nearest(const RunResults& run, const FigureOptions& options);
 /// The same where it goes inside what it faces, nothing is struck there, and its opening is known over time.
 [[nodiscard]] const NearestFloor* asked_inside(const RunResults& run, const FigureOptions& options);
-/// "roof of Low 0.0714 m inside High, contact not modelled".
+/// "roof of Low 0.0714 m inside High, contact not modelled". @param depth with its unit
+[[nodiscard]] std::string inside_words(const Problem& problem, const WatchedFloor& floor, const std::string& depth,
+                                       const std::string& length, const FigureWords& say);
 [[nodiscard]] std::string inside_text(const RunResults& run, const NearestFloor& nearest, const FigureOptions& options);
 /// What a still's title does not say of floors inside what they face: how many are at this instant, and the deepest of
 /// the run, so that a picture of what is modelled does not pass over what is not; empty where there is none.

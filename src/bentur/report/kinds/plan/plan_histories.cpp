@@ -175,7 +175,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
                         .x = histories.time,
                         .y = times(row_of(quantity.list[b], floor), quantity.factor),
                         .tone = building_tone(b),
-                        .line = curves.empty() ? Line::solid : line_beside(building_tone(b), curves.front().tone)});
+                        .line = curves.empty() ? Line::solid : Line::dashed});
       if (run.response.course.time.empty()) {
         add_peak(curves.back(), quantity.factor * (run.response.buildings[b].*quantity.peaks)(floor));
       }
@@ -433,9 +433,10 @@ Figure friction_figure(const PlanRun& run, const FigureOptions& options) {
   const PointSummary& found = run.response.points[point];
   // Marks alone: between two samples the force goes ways that they do not know.
   Curve path{.line = Line::none, .mark = Mark::disc, .complete = true, .mark_size = 0.7};
+  const double step = run.c.analysis.output_step;  // a report has samples in between: one figure from all doors
   for (Index k = 0; k < std::ssize(histories.time); ++k) {
-    const double across = histories.force(point, k);
-    if (!(across > 0)) continue;
+    const double across = histories.force(point, k), steps = step > 0 ? histories.time[k] / step : 0;
+    if (!(across > 0) || std::abs(steps - std::round(steps)) > 1e-6) continue;
     path.x.push_back(factor * across);
     path.y.push_back(factor * histories.force_along(point, k));
   }

@@ -458,7 +458,7 @@ TEST(PlanPictures, FrictionStaysWithinItsCone) {
     EXPECT_LE(std::abs(path.y[i]), 0.3 * path.x[i] * (1 + 1e-9));
     slides += std::abs(path.y[i]) > 0.3 * path.x[i] * (1 - 1e-9) ? 1 : 0;
   }
-  EXPECT_GT(slides, 10U);
+  EXPECT_GE(slides, 10U);
 }
 
 }  // namespace

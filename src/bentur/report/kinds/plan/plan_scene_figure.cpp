@@ -448,15 +448,31 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
   Figure figure = scene_figure(run, options);
   figure.title = "The buildings from above where they meet, the opening of the gap, and the gap that is needed";
   figure.finding = finding_of(run, contact_at(run.problem, chosen_point(run, options)).gap, options);
-  Panel opening = opening_over_run(run, options), gaps = gap_panel(judged_gaps(run), run.c.units.length, options);
-  opening.height = is_wide ? std::max(1.8, height - gaps.height - around) : 2.4;
+  const std::vector<JudgedGap> judged = judged_gaps(run);
+  Panel gaps = gap_panel(judged, run.c.units.length, options);
+  std::vector<Panel> openings = {opening_over_run(run, options)};
+  const std::optional<std::size_t> worst =
+      options.gap || options.elevation ? std::nullopt
+                                       : worst_besides(judged, contact_at(run.problem, chosen_point(run, options)).gap);
+  if (worst) {
+    FigureOptions there = options;
+    there.gap = worst;
+    try {
+      openings.push_back(opening_over_run(run, there));
+    } catch (const NoFigure&) {  // no contact is modelled there
+    }
+  }
+  const double count = static_cast<double>(openings.size());
+  for (Panel& opening : openings) {
+    opening.height = is_wide ? std::max(1.8, (height - gaps.height - around) / count - around * (count - 1)) : 2.4;
+  }
   if (is_wide) {
     figure.columns = 2;
     figure.shares = {1.2, 1};
-    figure.panels.front().rows = 2;
+    figure.panels.front().rows = static_cast<int>(openings.size()) + 1;
     figure.panels.front().height = height;
   }
-  figure.panels.push_back(std::move(opening));
+  for (Panel& opening : openings) figure.panels.push_back(std::move(opening));
   figure.panels.push_back(std::move(gaps));
   return figure;
 }
