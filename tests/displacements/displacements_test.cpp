@@ -85,7 +85,7 @@ TEST(Displacements, AreCombinedAtEveryLevelWhereTheBuildingsFaceOneAnother) {
 TEST(Displacements, DdcNeedsThePeriodsOfBoth) {
   const Read read = read_whole(case_text(100));
   for (const LevelSeparation& level : read.gaps.levels) EXPECT_TRUE(std::isnan(level.ddc));
-  const auto found = rule_findings(read.problem, read.gaps.levels, read.c.code, 0, false);
+  const auto found = rule_findings(read.problem, read.gaps.levels, read.c.code, 0, false, false);
   EXPECT_EQ(found.at(2).silence, RuleFinding::Silence::periods);
 }
 
