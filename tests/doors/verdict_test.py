@@ -81,10 +81,12 @@ def pattern(key, statement, language, numbers):
     if key.endswith(".row"):
         template = in_words(template.split("|"))
     found = ""
-    for literal, name in re.findall(r"([^{]*)(?:\{(\w+)\})?", template):
+    for literal, name, one, many in re.findall(r"([^{]*)(?:\{(\w+)(?::([^|}]*)\|([^}]*))?\})?", template):
         found += re.escape(spaced(literal))
         value = statement["values"].get(name)
-        if name == "items":
+        if one or many:
+            found += re.escape(spaced(one if value == 1 else many))
+        elif name == "items":
             all_items = [pattern(f"{key}.item", {"values": one}, language, numbers) for one in statement["items"]]
             last = f" {text_of('word.and', language)} "
             found += re.escape(last).join([", ".join(all_items[:-1]), all_items[-1]] if len(all_items) > 1 else all_items)

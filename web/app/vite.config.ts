@@ -35,7 +35,7 @@ const core: Plugin = {
   name: "bentur-core",
   transform(code, id) {
     if (!id.endsWith("/bentur_web.mjs")) return undefined;
-    const [whole, solver] = /"data:application\/octet-stream;base64,([^"]+)"/.exec(code)!;
+    const [whole, , solver] = /(["'])data:application\/octet-stream;base64,([^"']+)\1/.exec(code)!;
     const small = deflateRawSync(Buffer.from(solver, "base64"), { level: 9 }).toString("base64");
     return { code: `${code.replace(whole, '"bentur.wasm"')}\nexport const deflated = "${small}";\n`, map: null };
   },

@@ -178,7 +178,7 @@ Figure history_figure(const HistoryPlace& place, const FigureOptions& options, c
   const auto add = [&](const std::string& title, const TimeWindow& window, const std::vector<Curve>& shown) -> Panel& {
     Panel panel{.title = title,
                 .x = {.from = window.from, .to = window.to},
-                .y = {.label = in_parts ? with.label_of_parts : with.label},
+                .y = {.label = with.label},
                 .height = height,
                 .rules = with.rules};
     for (const Curve& curve : shown) panel.curves.push_back(within(curve, window));
@@ -189,6 +189,7 @@ Figure history_figure(const HistoryPlace& place, const FigureOptions& options, c
     for (const Curve& curve : curves) {  // many vibrations of one would hide those of the other
       Panel& part = add(figure.panels.empty() ? place.title : "", asked, {curve});
       part.height = height_of_part;
+      part.y.label = with.label_of_parts;
       part.curves.front().line = Line::solid;  // alone; the legend has the line that tells it from the other
       part.curves.front().in_legend = false;
       part.y.least = range_of(curves, asked);
