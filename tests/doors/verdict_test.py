@@ -85,7 +85,8 @@ def pattern(key, statement, language, numbers):
         found += re.escape(spaced(literal))
         value = statement["values"].get(name)
         if one or many:
-            found += re.escape(spaced(one if value == 1 else many))
+            n = value["value"] if isinstance(value, dict) else value
+            found += re.escape(spaced(one if n == 1 else many))
         elif name == "items":
             all_items = [pattern(f"{key}.item", {"values": one}, language, numbers) for one in statement["items"]]
             last = f" {text_of('word.and', language)} "
