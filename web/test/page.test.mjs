@@ -852,12 +852,12 @@ test("the badges of a whole run and of the gap that is looked at stand apart, wh
     await solved(page);
     const row = await page.inputValue(editor);
     // The first gap is enough for this motion, not for the reversed one; the second one is beyond all doubt but for the end of the run.
-    await write(page, row.replace(/^width = .*$/m, "width = 0.15").replace(/^width = \[.*$/m, "width = 5.0"));
+    await write(page, row.replace(/^width = .*$/m, "width = 0.15").replace(/^width = \[.*$/m, "width = 0.9"));
     const badges = (where) => page.$$eval(`${where} .badge`, (all) => all.map((one) => [one.textContent, one.className]));
     for (const [chosen, own] of [["Too small", "badge grave"], ["Not known", "badge open"]].entries()) { // what is not known is not red
       await page.selectOption(".gap-slider select", String(chosen));
       assert.match(await page.textContent(".brief"), /^All 2 gaps:/);
-      assert.deepEqual(await badges(".brief"), [["Too small", "badge grave"]]);
+      assert.deepEqual(await badges(".brief"), [["Pounding reversed", "badge grave"]]);
       assert.deepEqual(await badges(".head p:first-child"), [own]);
       const name = await page.locator(".gap-slider select option:checked").textContent();
       assert.deepEqual(await page.$$eval(".verdict details[data-gap][open]", (all) => all.map((one) => one.dataset.gap)), [name]);
@@ -867,8 +867,8 @@ test("the badges of a whole run and of the gap that is looked at stand apart, wh
       }
     }
     // A case that comes in is looked at where it is worst.
-    await write(page, (await page.inputValue(editor)).replace("width = 0.15", "width = 5.0").replace("width = 5.0", "width = 0.15"));
-    const turned = row.replace(/^width = .*$/m, "width = 5.0");
+    await write(page, (await page.inputValue(editor)).replace("width = 0.15", "width = 0.9").replace("width = 0.9", "width = 0.15"));
+    const turned = row.replace(/^width = .*$/m, "width = 0.9");
     await page.setInputFiles(".cases input[type=file]", { name: "turned.toml", mimeType: "text/plain", buffer: Buffer.from(turned) });
     await stands(page, turned);
     await solved(page);
