@@ -260,7 +260,7 @@ std::string excitation_line(const ExcitationSpec& excitation, const Units& units
                              {"length", units.length},
                              {"peak", number(peak_acceleration(excitation.motion))},
                              {"acceleration", acceleration}});
-    if (harmonic->displacement_amplitude < 0) line += say("cli.reversed");
+    if (harmonic->is_reversed()) line += say("cli.reversed");
   } else if (excitation.suite) {
     line = suite_line(*excitation.suite, say);
   } else if (excitation.spectrum) {

@@ -10,8 +10,6 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "bentur/core/written_number.h"
-
 namespace bentur {
 namespace {
 

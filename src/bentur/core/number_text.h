@@ -27,6 +27,12 @@ namespace bentur {
 /// std::from_chars for a double, also where the standard library has it for whole numbers alone, as in a browser.
 std::from_chars_result from_chars(const char* first, const char* last, double& value);
 
+/// A number as it is to be written into an input: the fewest digits that read back as it but for round-off of 10⁻¹², so
+/// that the sum of storeys of 3.4 is 6.8.
+[[nodiscard]] std::string written(double value);
+/// "3.4, 6.8".
+[[nodiscard]] std::string written(const std::vector<double>& values);
+
 /// "1 column", "3 columns". @param many where it is not `one` with an s.
 [[nodiscard]] std::string counted(std::size_t count, const std::string& one, const std::string& many = {});
 

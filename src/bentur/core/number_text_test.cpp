@@ -9,8 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "bentur/core/written_number.h"
-
 namespace bentur {
 namespace {
 

@@ -25,6 +25,8 @@ struct HarmonicMotion {
   double period = 0;                  ///< [s] > 0
   double displacement_amplitude = 0;  ///< A [length]; below 0 it is reversed
   Phase phase = Phase::sine;
+
+  [[nodiscard]] bool is_reversed() const { return displacement_amplitude < 0; }
 };
 
 using GroundMotion = std::variant<NoMotion, SampledMotion, HarmonicMotion>;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/core/written_number.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/table_view.h"

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "bentur/core/errors.h"
-#include "bentur/core/written_number.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/plan/plan_parts.h"
 #include "bentur/io/schema/case_keys.h"

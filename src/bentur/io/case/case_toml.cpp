@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "bentur/core/errors.h"
-#include "bentur/core/written_number.h"
+#include "bentur/core/number_text.h"
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/plan/plan_parts.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/core/written_number.h"
+#include "bentur/core/number_text.h"
 #include "bentur/model/case.h"
 
 namespace bentur {

@@ -205,7 +205,7 @@ std::shared_ptr<const RunResults> row_of(const PlanRun& run) {
   for (std::size_t b = 0; b < drifts.size(); ++b) {
     const PlanPeaks& free = run.response.buildings_no_contact[b];
     BuildingPeaks& peaks = row.response.buildings.emplace_back();
-    peaks.displacement_no_contact = free.south.cwiseMax(free.north).cwiseMax(free.west.cwiseMax(free.east));
+    peaks.displacement_no_contact = free.edge_displacement();
     peaks.drift_ratio_no_contact = drift_ratios_with(free.south.size(), drifts[b]);
   }
   return made;

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "bentur/core/not_known.h"
-#include "bentur/core/written_number.h"
+#include "bentur/core/number_text.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/internal/story_parts.h"
 #include "bentur/model/story/judgement_story.h"

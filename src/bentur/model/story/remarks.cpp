@@ -133,6 +133,9 @@ std::optional<std::pair<double, double>> apart_and_depth(const Case& c, const Pr
 /// doubt, as one of 5 cm is where it stands in metres.
 /// @param at anything in that gap, a contact or a watched floor
 void check_width(const Case& c, const Problem& row, const auto& at, List& list) {
+  static const RemarkKind& kind = remark_kind("gap_width");
+  const double width = at.width - at.beyond, metre = 1 / list.si("L");
+  if (!(width > kind.most * metre)) return;  // of many floors most, whose gap needs no name
   const bool is_spanned = std::any_of(c.links.begin(), c.links.end(), [&](const LinkSpec& link) {
     const auto a = static_cast<Index>(link.left), b = static_cast<Index>(link.right);
     return std::min(a, b) == std::min(at.left, at.right) && std::max(a, b) == std::max(at.left, at.right);
@@ -140,13 +143,13 @@ void check_width(const Case& c, const Problem& row, const auto& at, List& list) 
   if (is_spanned) return;  // a bridge may be as long as it likes
   constexpr double several = 3, of_height = 0.05;
   const std::string name = gap_name(row, at.gap);
-  const double width = at.width - at.beyond, usual = remark_kind("gap_width").usual_to / list.si("L");
+  const double usual = kind.usual_to * metre;
   double height = std::numeric_limits<double>::infinity();
   for (const Index b : {at.left, at.right}) height = std::min(height, row.buildings[b].model.elevations.back());
   if (width > several * usual && width > of_height * height) {
-    list.add("gap_width", name, width, std::nullopt, usual);
+    list.add(kind.key, name, width, std::nullopt, usual);
   } else {
-    list.check("gap_width", name, width);
+    list.check(kind, name, width);
   }
 }
 

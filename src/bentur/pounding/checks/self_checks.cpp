@@ -65,6 +65,7 @@ class Checks : private Judge {
  public:
   Checks(const CheckedRun& run, const Solver& solver, const Verdict& verdict) : Judge(solver, verdict), run_(run) {}
 
+  using Judge::fail;
   void numbers();
   void impacts();
   void first_contact();
@@ -281,6 +282,7 @@ double beyond_peak_rotations(const std::vector<BuildingPeaks::Hinge>& hinges,
 
 void check_run(const CheckedRun& run, const SelfMeasures& measures, const Solver& solver, const Verdict& verdict) {
   Checks checks(run, solver, verdict);
+  if (!run.fault.empty()) checks.fail(run.fault);
   checks.numbers();
   if (verdict.status == Status::failed) return;
   checks.impacts();
@@ -291,7 +293,6 @@ void check_run(const CheckedRun& run, const SelfMeasures& measures, const Solver
 
 void check_itself(const Problem& problem, const Solver& solver, const SelfMeasures& measures, Response& response) {
   if (response.status != Status::done && response.status != Status::collapsed) return;
-  const Verdict verdict{response.status, response.message, response.discrepancies};
   CheckedRun run{.points = response.points,
                  .impacts = response.impacts,
                  .watched = response.watched,
@@ -304,16 +305,15 @@ void check_itself(const Problem& problem, const Solver& solver, const SelfMeasur
                                           gap_name(problem, problem.points[i].left));
                      },
                  .is_integrated = is_any_integrated(problem)};
-  Judge judge(solver, verdict);
   SelfMeasures all = measures;
-  std::vector<double> moves;
+  std::vector<double> moves;  // per building
   for (std::size_t b = 0; b < response.buildings.size(); ++b) {
     const BuildingPeaks& peaks = response.buildings[b];
     const std::string& name = problem.buildings[b].name;
     add_peaks(problem.buildings[b], peaks, run.peaks);
     run.compared.push_back({name, peaks.displacement, peaks.displacement_no_contact});
     moves.push_back(peaks.displacement_no_contact.maxCoeff());
-    if (!is_finite(peaks.columns)) judge.fail("a number of a column of " + name + " is not finite");
+    if (!is_finite(peaks.columns)) run.fault = "a number of a column of " + name + " is not finite";
     const auto& rotations = response.histories.hinge_rotation;
     all.peaks =
         std::max(all.peaks, beyond_peak_rotations(peaks.hinges, rotations.empty() ? Eigen::MatrixXd() : rotations[b]));
@@ -323,9 +323,9 @@ void check_itself(const Problem& problem, const Solver& solver, const SelfMeasur
     run.moves.push_back(moves[point.left] + moves[point.right]);
   }
   if (!is_finite(response.histories) || !is_finite(response.course)) {
-    judge.fail("a number of the histories is not finite");
+    run.fault = "a number of the histories is not finite";
   }
-  check_run(run, all, solver, verdict);
+  check_run(run, all, solver, {response.status, response.message, response.discrepancies});
 }
 
 }  // namespace bentur

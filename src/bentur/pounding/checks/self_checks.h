@@ -51,6 +51,7 @@ struct CheckedRun {
   bool touches_where_closed = true;
   std::vector<CheckedPeaks> peaks = {};
   std::vector<ComparedPeaks> compared = {};
+  std::string fault = {};      ///< what has been found wrong with it already; empty: nothing
   bool is_integrated = false;  ///< whether some contact's force is, by steps of a tolerance of their own
 };
 

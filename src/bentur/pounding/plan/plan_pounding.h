@@ -44,6 +44,10 @@ struct PlanPeaks {
   [[nodiscard]] Eigen::VectorXd edge_drift_ratio() const {
     return drift_south.cwiseMax(drift_north).cwiseMax(drift_west.cwiseMax(drift_east));
   }
+  /// How far some edge moves along itself, floor by floor [length].
+  [[nodiscard]] Eigen::VectorXd edge_displacement() const {
+    return south.cwiseMax(north).cwiseMax(west.cwiseMax(east));
+  }
   /// Of all planes, or without any of the edges.
   [[nodiscard]] LargestDrift largest_drift() const;
 };

@@ -47,15 +47,6 @@ void add_peaks(const std::string& building, const PlanPeaks& peaks, std::vector<
   }
 }
 
-/// How far some edge of a building moves at most [length].
-double most_moved(const PlanPeaks& peaks) {
-  double most = 0.0;
-  for (const VectorXd* const edge : {&peaks.south, &peaks.north, &peaks.west, &peaks.east}) {
-    if (edge->size() > 0) most = std::max(most, edge->maxCoeff());
-  }
-  return most;
-}
-
 /// How far hinges were beyond their peak rotations, as beyond_peak_rotations() has it.
 double beyond_peaks(const PlanResponse& response) {
   double beyond = 0.0;
@@ -79,6 +70,7 @@ void check_itself(const PlanProblem& problem, const Solver& solver, const SelfMe
   if (response.status != Status::done && response.status != Status::collapsed) return;
   std::vector<const PlanContact*> contacts;
   std::vector<std::size_t> gaps;
+  std::vector<double> moves;  // per building
   CheckedRun run{.points = response.points,
                  .impacts = response.impacts,
                  .watched = response.watched,
@@ -93,20 +85,18 @@ void check_itself(const PlanProblem& problem, const Solver& solver, const SelfMe
     const std::string& name = problem.buildings[b].name;
     const PlanPeaks &with = response.buildings[b], &without = response.buildings_no_contact[b];
     for (const PlanPeaks* const peaks : {&with, &without}) add_peaks(name, *peaks, run.peaks);
-    run.compared.push_back({name, with.south, without.south});
-    run.compared.push_back({name, with.north, without.north});
-    run.compared.push_back({name, with.west, without.west});
-    run.compared.push_back({name, with.east, without.east});
+    for (const auto edge : {&PlanPeaks::south, &PlanPeaks::north, &PlanPeaks::west, &PlanPeaks::east}) {
+      run.compared.push_back({name, with.*edge, without.*edge});
+    }
+    moves.push_back(without.edge_displacement().maxCoeff());
   }
   for (std::size_t g = 0; g < problem.gaps.size(); ++g) {
     const PlanGap& gap = problem.gaps[g];
-    const double moves =
-        most_moved(response.buildings_no_contact[gap.left]) + most_moved(response.buildings_no_contact[gap.right]);
     for (const PlanContact& contact : gap.contacts) {
       contacts.push_back(&contact);
       gaps.push_back(g);
       run.widths.push_back(gap.width_at(contact));
-      run.moves.push_back(moves);
+      run.moves.push_back(moves[gap.left] + moves[gap.right]);
       run.touches_where_closed = run.touches_where_closed && contact.family < 0;
       run.is_integrated = run.is_integrated || is_integrated(*contact.law);
     }
@@ -114,8 +104,7 @@ void check_itself(const PlanProblem& problem, const Solver& solver, const SelfMe
   if (!std::all_of(response.friction.begin(), response.friction.end(), [](const PlanFriction& one) {
         return std::isfinite(one.peak_tangential_force + one.tangential_impulse + one.sliding + one.friction_loss);
       })) {
-    response.status = Status::failed;
-    response.message = "the run contradicts itself: a number of friction is not finite";
+    run.fault = "a number of friction is not finite";
   }
   SelfMeasures all = measures;
   all.peaks = std::max(all.peaks, beyond_peaks(response));

@@ -263,7 +263,7 @@ Html without_case(const Report& report) {
     motion.emplace_back(label_text(excitation_keys().at("period").label, say), quantity(harmonic->period, "s"));
     motion.emplace_back(label_text(excitation_keys().at("displacement_amplitude").label, say),
                         quantity(std::abs(harmonic->displacement_amplitude), report.c.units.length));
-    if (harmonic->displacement_amplitude < 0) motion.push_back(choice(excitation_keys(), "polarity", "reversed"));
+    if (harmonic->is_reversed()) motion.push_back(choice(excitation_keys(), "polarity", "reversed"));
   }
   Html content = element("h3", label_text(case_keys().at("excitation").label, say)) + facts(motion);
   content += buildings_of_results(report);

@@ -184,14 +184,7 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
       const Eigen::Index point = chosen_point(run, options);
       const std::vector<JudgedGap> judged = judged_gaps(run);
       const auto gap = static_cast<std::size_t>(run.problem.points[point].gap);
-      const std::optional<std::size_t> worst = worst_besides(judged, gap);
-      const bool with_worst = kind == "overview"
-                                  ? figure.panels.size() > overview_panels
-                                  : worst && is_of_the_worst_too(kind) &&
-                                        add_worst(figure, *worst, options,
-                                                  [&](const FigureOptions& there) { return one.make(run, there); });
-      figure.part =
-          place_text(gap_names(run.problem), judged, gap, hardest_impact(run, point) != nullptr, options, with_worst);
+      tell_place(one, run, judged, gap, hardest_impact(run, point) != nullptr, options, figure);
     }
     if (kind == "floor-spectrum") {
       const Impact* const hardest = hardest_impact(run.response.impacts);

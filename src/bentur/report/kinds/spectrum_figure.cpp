@@ -182,7 +182,7 @@ std::string floors_text(const FloorSpectra& spectra, std::optional<std::size_t> 
     text = word(options, "Shown is {}, with the hardest impact of all; floors at other gaps have no spectra",
                 gaps.at(*hit));
   } else if (hit && !options.gap) {
-    text = place_text(gaps, judged, *hit, true, options);
+    if (const auto worst = worst_besides(judged, *hit)) text = place_text(gaps, *hit, *worst, true, options, false);
   } else if (!hit && spectra.floors.size() < buildings) {
     text = word(options, "Shown are roofs of {} of {} buildings, the first of the case",
                 std::to_string(spectra.floors.size()), std::to_string(buildings));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -271,45 +272,38 @@ TEST_F(Remedies, AStoppedSearchGoesOnToTheSameEnd) {
   }
 }
 
-/// A push to one side: reversed the buildings need another gap. The larger of both is what a limit is kept for.
-TEST_F(Remedies, GapsNeededAreThoseOfBothDirections) {
-  std::string text = case_of(spring);
-  const std::size_t motion = text.find("[excitation]"), analysis = text.find("[analysis]");
-  text.replace(
-      motion, analysis - motion,
-      "[excitation]\nkind = 'record'\ntime_step = 0.1\nvalues = [0, 3, 3, 3, 0, -1, -1, 0, 0]\nunit = 'm/s2'\n");
-  const std::string asked = "[remedy]\nobjective = 'gap_needed'\nevaluations = 10\n" + std::string(dampers);
-  put("case.toml", text);
-  const RemedySearch both = found(asked);
+/// That a search takes the larger need of both directions of the motion of a case, [analysis] of which comes last.
+/// @param reversed the same with the motion reversed
+void expect_both_directions(const std::function<RemedySearch(const std::string&)>& of, const std::string& text,
+                            const std::string& reversed) {
+  const RemedySearch both = of(text);
   EXPECT_EQ(both.runs_each, 2U);
   EXPECT_TRUE(both.both_ways);
-  put("case.toml", text + "both_ways = false\n");
-  const RemedySearch one = found(asked);
+  const RemedySearch one = of(text + "both_ways = false\n");
   EXPECT_EQ(one.runs_each, 1U);
   EXPECT_FALSE(one.both_ways);
-  put("case.toml", std::string(text).replace(text.find("unit = 'm/s2'"), 13, "unit = 'm/s2'\npolarity = 'reversed'") +
-                       "both_ways = false\n");
-  const RemedySearch other = found(asked);
+  const RemedySearch other = of(reversed + "both_ways = false\n");
   ASSERT_NE(one.trials.at(0).objective, other.trials.at(0).objective);
   EXPECT_DOUBLE_EQ(both.trials.at(0).objective, std::max(one.trials[0].objective, other.trials[0].objective));
 }
 
-/// A harmonic motion begins with a jump to one side.
-TEST_F(Remedies, GapsNeededAreThoseOfBothDirectionsOfAHarmonicMotion) {
-  const std::string text = case_of(spring);
-  const std::string asked = "[remedy]\nobjective = 'gap_needed'\nevaluations = 10\n" + std::string(dampers);
-  put("case.toml", text);
-  const RemedySearch both = found(asked);
-  EXPECT_EQ(both.runs_each, 2U);
-  EXPECT_TRUE(both.both_ways);
-  put("case.toml", text + "both_ways = false\n");
-  const RemedySearch one = found(asked);
-  EXPECT_EQ(one.runs_each, 1U);
-  put("case.toml", std::string(text).replace(text.find("period = 0.45"), 13, "period = 0.45\npolarity = 'reversed'") +
-                       "both_ways = false\n");
-  const RemedySearch other = found(asked);
-  ASSERT_NE(one.trials.at(0).objective, other.trials.at(0).objective);
-  EXPECT_DOUBLE_EQ(both.trials.at(0).objective, std::max(one.trials[0].objective, other.trials[0].objective));
+/// Of a push to one side, and of a harmonic motion, which begins with a jump to one side.
+TEST_F(Remedies, GapsNeededAreThoseOfBothDirections) {
+  const auto of = [&](const std::string& text) {
+    put("case.toml", text);
+    return found("[remedy]\nobjective = 'gap_needed'\nevaluations = 10\n" + std::string(dampers));
+  };
+  const auto with_polarity = [](std::string text, const std::string& before) {
+    return text.insert(text.find(before) + before.size(), "\npolarity = 'reversed'");
+  };
+  const std::string harmonic = case_of(spring);
+  std::string pushed = harmonic;
+  const std::size_t motion = pushed.find("[excitation]"), analysis = pushed.find("[analysis]");
+  pushed.replace(
+      motion, analysis - motion,
+      "[excitation]\nkind = 'record'\ntime_step = 0.1\nvalues = [0, 3, 3, 3, 0, -1, -1, 0, 0]\nunit = 'm/s2'\n");
+  expect_both_directions(of, pushed, with_polarity(pushed, "unit = 'm/s2'"));
+  expect_both_directions(of, harmonic, with_polarity(harmonic, "period = 0.45"));
 }
 
 /// A choice that keeps a limit by numbers that may not hold says so first.

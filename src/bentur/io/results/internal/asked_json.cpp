@@ -112,7 +112,7 @@ Json excitation_json(const ExcitationSpec& excitation) {
             {"period", harmonic->period},
             {"displacement_amplitude", std::abs(harmonic->displacement_amplitude)},
             {"phase", harmonic->phase == HarmonicMotion::Phase::sine ? "sine" : "cosine"},
-            {"polarity", harmonic->displacement_amplitude < 0 ? "reversed" : "as-recorded"},
+            {"polarity", harmonic->is_reversed() ? "reversed" : "as-recorded"},
             {"pga", peak_acceleration(excitation.motion)}};
   } else {
     json = {{"kind", "none"}};

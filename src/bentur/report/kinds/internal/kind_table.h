@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
 
 // The tables of what can be drawn of a run, of a row or of buildings in plan.
@@ -43,14 +45,26 @@ inline bool is_of_a_place(const std::string& kind) {
   return std::find(std::begin(all), std::end(all), kind) != std::end(all);
 }
 
-/// Kinds of a place that show the worst gap as well, where that is another one.
-inline bool is_of_the_worst_too(const std::string& kind) { return kind == "displacement" || kind == "opening"; }
-
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
   std::vector<std::string> names;
   for (const auto& kind : table) names.emplace_back(kind.name);
   return names;
+}
+
+/// Of a figure of one place says which that is where another gap is the worst, which some kinds show as well.
+/// @param gap shown @param is_hit there
+template <class Run>
+void tell_place(const KindOf<Run>& kind, const Run& run, const std::vector<JudgedGap>& judged, std::size_t gap,
+                bool is_hit, const FigureOptions& options, Figure& figure) {
+  const std::optional<std::size_t> worst = worst_besides(judged, gap);
+  if (!worst) return;
+  const std::string_view name = kind.name;
+  bool with_worst = name == "overview" && figure.panels.size() > overview_panels;  // which adds it by itself
+  if (name == "displacement" || name == "opening") {
+    with_worst = add_worst(figure, *worst, options, [&](const FigureOptions& there) { return kind.make(run, there); });
+  }
+  figure.part = place_text(gap_names(run.problem), gap, *worst, is_hit, options, with_worst);
 }
 
 }  // namespace bentur

@@ -206,11 +206,9 @@ std::optional<std::size_t> worst_besides(const std::vector<JudgedGap>& judged, s
   return worst == gap ? std::nullopt : std::optional(worst);
 }
 
-std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged, std::size_t gap,
-                       bool is_hit, const FigureOptions& options, bool with_worst) {
-  const std::optional<std::size_t> worst = worst_besides(judged, gap);
-  if (!worst) return {};
-  const std::string &shown = gaps.at(gap), &other = gaps.at(*worst);
+std::string place_text(const std::vector<std::string>& gaps, std::size_t gap, std::size_t worst, bool is_hit,
+                       const FigureOptions& options, bool with_worst) {
+  const std::string &shown = gaps.at(gap), &other = gaps.at(worst);
   if (with_worst) {
     return is_hit ? word(options, "First {}, with the hardest impact, then the worst gap, {}", shown, other)
                   : word(options, "First {}, which come closest, then the worst gap, {}", shown, other);

@@ -117,12 +117,11 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
 [[nodiscard]] Tone tone_of(Sufficiency value);
 /// That of areas, which in grey are the darker the worse.
 [[nodiscard]] Tone area_tone_of(Sufficiency value);
-/// Of more than two buildings: between which a figure is that shows one place, the hardest impact or the closest
-/// approach, where that is not the gap that the verdict puts first. @param gap shown @param judged all
-/// @param with_worst the figure has the worst gap too, below
-[[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, const std::vector<JudgedGap>& judged,
-                                     std::size_t gap, bool is_hit, const FigureOptions& options,
-                                     bool with_worst = false);
+/// Between which buildings a figure is that shows one place, the hardest impact or the closest approach, where that is
+/// not the gap that the verdict puts first. @param gap shown @param worst that gap
+/// @param with_worst the figure has it too, below
+[[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, std::size_t gap, std::size_t worst,
+                                     bool is_hit, const FigureOptions& options, bool with_worst);
 /// What an overview has where one gap is the worst and is hit hardest: picture, opening, bars.
 constexpr std::size_t overview_panels = 3;
 /// The gap that the verdict puts first where that is not this one.

@@ -120,14 +120,7 @@ Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOpti
       const Eigen::Index point = chosen_point(run, options);
       const std::vector<JudgedGap> judged = judged_gaps(run);
       const std::size_t gap = contact_at(run.problem, point).gap;
-      const std::optional<std::size_t> worst = worst_besides(judged, gap);
-      const bool with_worst = kind == "overview"
-                                  ? figure.panels.size() > overview_panels
-                                  : worst && is_of_the_worst_too(kind) &&
-                                        add_worst(figure, *worst, options,
-                                                  [&](const FigureOptions& there) { return one.make(run, there); });
-      figure.part =
-          place_text(gap_names(run.problem), judged, gap, run.response.points[point].impacts > 0, options, with_worst);
+      tell_place(one, run, judged, gap, run.response.points[point].impacts > 0, options, figure);
     }
     if (kind == "floor-spectrum") {
       const Impact* const hardest = hardest_impact(run.response.impacts);
