@@ -207,31 +207,36 @@ struct Discrepancy {
   double size = 0;  ///< as a part of the largest [-]
 };
 
-struct Response {
+/// What a run came to, whatever stands there: a row or buildings in plan. Points are those of all gaps.
+struct RunOutcome {
   Status status = Status::done;
-  std::string message;               ///< why and when, unless done
-  double duration = 0;               ///< to where it went unless it ended before, Problem::duration or longer [s]
-  long steps = 0;                    ///< intervals over which the solution was advanced (with contact)
-  long events = 0;                   ///< contacts closed or opened
-  double wall_time = 0;              ///< of the solution alone [s]
-  std::optional<Collapse> collapse;  ///< where the status says so; all else is up to that time
-  std::optional<Collapse> collapse_no_contact;  ///< of the response with contact switched off
-  std::vector<BuildingPeaks> buildings;
-  std::vector<PointSummary> points;
-  std::vector<WatchedSummary> watched;  ///< as Problem::watched
-  std::vector<LinkSummary> links;       ///< as Problem::links
-  std::vector<Impact> impacts;          ///< by start, then point, then end
-  std::vector<CoupledState> coupled;    ///< at the end, of Building::coupled, building after building
-  Histories histories;                  ///< empty unless asked for
+  std::string message = {};               ///< why and when, unless done
+  double duration = 0;                    ///< to where it went unless it ended before, Problem::duration or longer [s]
+  long steps = 0;                         ///< intervals over which the solution was advanced (with contact)
+  long events = 0;                        ///< contacts closed or opened
+  double wall_time = 0;                   ///< of the solution alone [s]
+  std::optional<Collapse> collapse = {};  ///< where the status says so; all else is up to that time
+  std::optional<Collapse> collapse_no_contact = {};  ///< of the response with contact switched off
+  std::vector<PointSummary> points = {};
+  std::vector<WatchedSummary> watched = {};     ///< as the problem watches
+  std::vector<LinkSummary> links = {};          ///< as the problem's links
+  std::vector<Impact> impacts = {};             ///< by start, then point, then end
+  std::optional<EnergyAudit> energy = {};       ///< when asked for
+  std::optional<ReversedRun> reversed = {};     ///< where both ways were asked for and the ground moves
+  std::vector<Discrepancy> discrepancies = {};  ///< that the solver explains: more is a failure (self_checks.h)
+};
+
+/// Of a row.
+struct Response : RunOutcome {
+  std::vector<BuildingPeaks> buildings = {};
+  std::vector<CoupledState> coupled = {};  ///< at the end, of Building::coupled, building after building
+  Histories histories = {};                ///< empty unless asked for
   /// Displacements, openings and forces at instants chosen so that straight lines between them follow the solution:
   /// starts, peaks and ends of contacts, yields and extrema, and as many others as leave no curve by more than 10⁻³ of
   /// its scale; where a force jumps two at one time. Of buildings that can yield drifts and shears too, of struck
   /// columns, links and foundations all that Histories have. Empty unless asked for, and where the motion is so fast
   /// that this would take too many steps.
   Histories course = {};
-  std::optional<EnergyAudit> energy;            ///< when asked for
-  std::optional<ReversedRun> reversed = {};     ///< where both ways were asked for and the ground moves
-  std::vector<Discrepancy> discrepancies = {};  ///< that the solver explains: more is a failure (self_checks.h)
 };
 
 /// The largest drift of each building without contact.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "bentur/model/case.h"
+
 namespace bentur {
 
 std::vector<ResultAttribute> file_attributes(const std::string& title, const std::string& source,
@@ -14,6 +16,16 @@ std::vector<ResultAttribute> file_attributes(const std::string& title, const std
           {"source", source},
           {"history", fmt::format("{} {}", result_history, version)},
           {"bentur_version", std::string(version)}};
+}
+
+std::vector<ResultAttribute> run_attributes(const Case& c, const std::string& source, std::string_view version) {
+  std::vector<ResultAttribute> all =
+      file_attributes(c.title, fmt::format("{}, solver {}", source, name(c.analysis.solver)), version);
+  if (!c.source) return all;
+  all.push_back({"case_file", c.source->file});
+  all.push_back({"case_sha256", c.source->sha256});
+  if (c.source->text.size() <= longest_text) all.push_back({"case", c.source->text});
+  return all;
 }
 
 void name_coordinates(ResultVariable& variable, const std::string& more) {

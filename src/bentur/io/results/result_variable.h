@@ -11,6 +11,8 @@
 
 namespace bentur {
 
+struct Case;
+
 /// A dimension of the variables of a file of results.
 struct ResultDimension {
   std::string name;
@@ -52,6 +54,10 @@ inline constexpr std::size_t longest_text = 60000;
 /// The attributes that all files of ours have: conventions, title, source, history and version.
 [[nodiscard]] std::vector<ResultAttribute> file_attributes(const std::string& title, const std::string& source,
                                                            std::string_view version);
+
+/// The same of a run, with its case and solver.
+[[nodiscard]] std::vector<ResultAttribute> run_attributes(const Case& c, const std::string& source,
+                                                          std::string_view version);
 
 /// Names the coordinates of a variable's dimensions in its attribute "coordinates", behind `more`.
 void name_coordinates(ResultVariable& variable, const std::string& more = "");

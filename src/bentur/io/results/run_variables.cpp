@@ -59,9 +59,10 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     each({"link_kind", {links}, "", "what the links are"}, problem_.links, &Link::kind);
     quantities(Owner::link, links, first_places(static_cast<Eigen::Index>(links.size)));
     stretched("", time_, histories_.link_deformation, histories_.link_force);
-    impacts();
+    quantities(Owner::impact, this->impact_points(response_.impacts, problem_.points.size()),
+               first_places(std::ssize(response_.impacts)), "", " of each impact");
     FigureList<File, PartOf<File, FigureData>>(file_, run_.figures, problem_.buildings, length_, force_).all();
-    energy();
+    this->energy(response_.energy, time_, moment_, histories_.time);
     course();
   }
 
@@ -279,11 +280,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     points.coordinates = "point_elevation point_width " + List::of_points;
     fit(response_.points, points.size);
     quantities(Owner::point, points, first_places(static_cast<Eigen::Index>(points.size)));
-    if (time_.size > 0) {
-      pass({"opening", {time_, points}, length_, "opening of the contact points, negative in contact"},
-           histories_.opening);
-      pass({"force", {time_, points}, force_, "contact force"}, histories_.force);
-    }
+    this->openings("", time_, points, length_, force_, histories_);
     if constexpr (File::reads) each({"point_width", {points}, "", ""}, problem_.points, &ContactPoint::width);
     struck();
   }
@@ -323,44 +320,10 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     }
   }
 
-  void impacts() {
-    auto& all = response_.impacts;
-    const ResultDimension impact = file_.dimension({"impact", all.size()});
-    fit(all, impact.size);
-    std::vector<int> at;
-    for (const Impact& one : all) at.push_back(static_cast<int>(one.point));
-    made({"impact_point", {impact}, "", "number of the contact point of each impact, counted from 0"}, at);
-    if constexpr (File::reads) {
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        if (at[i] < 0 || at[i] >= std::ssize(problem_.points)) file_.source.fail("an impact is at no point of it");
-        all[i].point = at[i];
-      }
-    }
-    quantities(Owner::impact, impact, first_places(std::ssize(all)), "", " of each impact");
-  }
-
-  void energy() {
-    if (!file_.has("energy_input", response_.energy.has_value())) return;
-    if constexpr (File::reads) response_.energy.emplace().histories.time = response_.histories.time;
-    for (const auto& [name, values, what] : energy_curves) {
-      ResultVariable variable{fmt::format("energy_{}", name), {time_}, moment_, what};
-      auto& curve = response_.energy->histories.*values;
-      if (File::reads || curve.size() > 0) {
-        pass(std::move(variable), curve);
-      } else {  // nothing can yield
-        std::vector<double> zeros(time_.size);
-        made(std::move(variable), zeros);
-      }
-    }
-  }
-
-  /// In a group of its own, whose time has no even steps.
   void course() {
     auto& course = response_.course;
-    const ResultDimension time = file_.dimension({"exact/time", course.time.size()});
+    const ResultDimension time = this->course_time(course);
     if (time.size == 0) return;
-    pass({"exact/time", {time}, "s", "instants joined by straight lines; two where a force jumps", {{"axis", "T"}}},
-         course.time);
     for (std::size_t b = 0; b < problem_.buildings.size(); ++b) {
       const Building& building = problem_.buildings[b];
       const std::string number = fmt::format("_{}", b + 1);
@@ -388,9 +351,7 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
         if (nodes.size == 0) course.node_displacement[b].resize(0, std::ssize(course.time));
       }
     }
-    pass({"exact/opening", {time, points}, length_, "opening of the contact points, negative in contact"},
-         course.opening);
-    pass({"exact/force", {time, points}, force_, "contact force"}, course.force);
+    this->openings("exact/", time, points, length_, force_, course);
     stretched("exact/", time, course.link_deformation, course.link_force);
   }
 
@@ -418,13 +379,7 @@ Eigen::Index nearest_floor(const Building& building, double elevation) {
 ResultFile run_file(const RunResults& results, std::string_view version) {
   const Case& c = results.c;
   ResultFile file;
-  file.attributes =
-      file_attributes(c.title, fmt::format("seismic pounding analysis, solver {}", name(c.analysis.solver)), version);
-  if (c.source) {
-    file.attributes.push_back({"case_file", c.source->file});
-    file.attributes.push_back({"case_sha256", c.source->sha256});
-    if (c.source->text.size() <= longest_text) file.attributes.push_back({"case", c.source->text});
-  }
+  file.attributes = run_attributes(c, "seismic pounding analysis", version);
   if (const std::optional<RecordEcho>& record = c.excitation.record; record && !record->sha256.empty()) {
     file.attributes.push_back({"record_file", record->file});
     file.attributes.push_back({"record_size", fmt::format("{}", record->size)});

@@ -114,8 +114,7 @@ QuantitySource hinge_energy() {
 
 namespace {
 
-QuantitySource struck(When when) {
-  QuantitySource source;
+QuantitySource struck(When when, QuantitySource source) {
   source.row.is_told = [when](const RunView& run, Index point) {
     return holds(when, run.problem, run.problem.points[point]);
   };
@@ -132,37 +131,24 @@ ContactPoint capacities_of(const PlanContact& contact) {
   return point;
 }
 
-template <class Points>
-void keep_column(Points& points, const QuantityPlace& at, double ColumnPeaks::*member, double number) {
-  if (std::isnan(number)) return;  // no column is struck there
-  std::optional<ColumnPeaks>& column = points.at(at.item).column;
-  if (!column) column.emplace();
-  *column.*member = number;
-}
-
 }  // namespace
 
 QuantitySource of_struck(double ColumnPeaks::*member) {
-  QuantitySource source = struck(When::struck);
-  source.row.value = [member](const RunView& run, const QuantityPlace& at) {
-    const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
-    return column ? *column.*member : not_known;
-  };
-  source.row.keep = [member](Response& response, const QuantityPlace& at, double number) {
-    keep_column(response.points, at, member, number);
-  };
-  source.plan.value = [member](const PlanRun& run, const QuantityPlace& at) {
-    const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
-    return column ? *column.*member : not_known;
-  };
-  source.plan.keep = [member](PlanRun& run, const QuantityPlace& at, double number) {
-    keep_column(run.response.points, at, member, number);
-  };
-  return source;
+  return struck(When::struck, of_outcome(
+                                  [=](const RunOutcome& run, const QuantityPlace& at) {
+                                    const std::optional<ColumnPeaks>& column = run.points[at.item].column;
+                                    return column ? *column.*member : not_known;
+                                  },
+                                  [=](RunOutcome& run, const QuantityPlace& at, double number) {
+                                    if (std::isnan(number)) return;  // no column is struck there
+                                    std::optional<ColumnPeaks>& column = run.points.at(at.item).column;
+                                    if (!column) column.emplace();
+                                    *column.*member = number;
+                                  }));
 }
 
 QuantitySource of_struck(double (*value)(const ColumnPeaks&, const ContactPoint&), When when) {
-  QuantitySource source = struck(when);
+  QuantitySource source;
   source.row.value = [value](const RunView& run, const QuantityPlace& at) {
     const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
     return column ? value(*column, run.problem.points[at.item]) : not_known;
@@ -171,7 +157,7 @@ QuantitySource of_struck(double (*value)(const ColumnPeaks&, const ContactPoint&
     const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
     return column ? value(*column, capacities_of(*contact_at(run.problem, at.item).contact)) : not_known;
   };
-  return source;
+  return struck(when, std::move(source));
 }
 
 }  // namespace bentur::sources

@@ -85,35 +85,40 @@ template <class Compute>
 [[nodiscard]] QuantitySource of_gaps(double (*value)(const Problem&, const Response&, Eigen::Index),
                                      bool both_ways = false);
 
+/// Of what every run came to: `value` reads it of a RunOutcome, `keep` puts it there.
+template <class Value, class Keep>
+[[nodiscard]] QuantitySource of_outcome(Value value, Keep keep) {
+  QuantitySource source;
+  const auto read = [value](const auto& run, const QuantityPlace& at) { return value(run.response, at); };
+  source.row.value = read;
+  source.plan.value = read;
+  source.row.keep = [keep](Response& response, const QuantityPlace& at, double number) { keep(response, at, number); };
+  source.plan.keep = [keep](PlanRun& run, const QuantityPlace& at, double number) { keep(run.response, at, number); };
+  return source;
+}
 /// A member of each point, impact or link.
 template <class Item, class Member>
-[[nodiscard]] QuantitySource of_items(std::vector<Item> Response::*row, std::vector<Item> PlanResponse::*plan,
-                                      Member Item::*member) {
-  const auto value = [member](const std::vector<Item>& items, Eigen::Index item) {
-    return item < std::ssize(items) ? number_of(items[item].*member) : not_known;
-  };
-  QuantitySource source;
-  source.row.value = [=](const RunView& run, const QuantityPlace& at) { return value(run.response.*row, at.item); };
-  source.row.keep = [=](Response& response, const QuantityPlace& at, double number) {
-    keep_number((response.*row).at(at.item).*member, number);
-  };
-  source.plan.value = [=](const PlanRun& run, const QuantityPlace& at) { return value(run.response.*plan, at.item); };
-  source.plan.keep = [=](PlanRun& run, const QuantityPlace& at, double number) {
-    keep_number((run.response.*plan).at(at.item).*member, number);
-  };
+[[nodiscard]] QuantitySource of_items(std::vector<Item> RunOutcome::*list, Member Item::*member) {
+  QuantitySource source = of_outcome(
+      [=](const RunOutcome& run, const QuantityPlace& at) {
+        return at.item < std::ssize(run.*list) ? number_of((run.*list)[at.item].*member) : not_known;
+      },
+      [=](RunOutcome& run, const QuantityPlace& at, double number) {
+        keep_number((run.*list).at(at.item).*member, number);
+      });
   source.number = number_kind<Member>;
   return source;
 }
 template <class Member>
 [[nodiscard]] QuantitySource of_points(Member PointSummary::*member) {
-  return of_items(&Response::points, &PlanResponse::points, member);
+  return of_items(&RunOutcome::points, member);
 }
 template <class Member>
 [[nodiscard]] QuantitySource of_impacts(Member Impact::*member) {
-  return of_items(&Response::impacts, &PlanResponse::impacts, member);
+  return of_items(&RunOutcome::impacts, member);
 }
 [[nodiscard]] inline QuantitySource of_links(double LinkSummary::*member) {
-  return of_items(&Response::links, &PlanResponse::links, member);
+  return of_items(&RunOutcome::links, member);
 }
 /// Of points that was asked for in plan with `both_ways` alone.
 [[nodiscard]] QuantitySource needed_reversed();

@@ -119,9 +119,7 @@ void check_drift(const std::string& building, bool has_gravity_loads, double mos
              with_unit(of_hundred * most, "%"), with_unit(of_hundred * limit, "%"), is_met);
 }
 
-/// @param response of a row or of buildings in plan
-template <class Response>
-bool falls_in(const Response& response, Index building) {
+bool falls_in(const RunOutcome& response, Index building) {
   const auto is_of_it = [&](const std::optional<Collapse>& one) { return one && one->building == building; };
   return is_of_it(response.collapse) || is_of_it(response.collapse_no_contact);
 }

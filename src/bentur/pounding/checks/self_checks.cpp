@@ -41,29 +41,31 @@ double slack_of_impulse(bool integrated, const Solver& solver) {
 /// Says what is wrong, as far as a solver is bound to be right.
 class Judge {
  public:
-  Judge(const Solver& solver, const Verdict& verdict) : bound_(bound_of(solver)), verdict_(verdict) {}
+  Judge(const Solver& solver, RunOutcome& outcome) : outcome_(outcome), bound_(bound_of(solver)) {}
 
   /// A number that is two, `apart` by this part of the largest.
   template <class Told>
   void compare(const char* key, double apart, const Told& told, double slack = 1.0) {
     if (bound_ == infinite || apart <= round_off) return;
     if (!(apart <= slack * bound_)) return fail(told());
-    verdict_.discrepancies.push_back({key, apart});
+    outcome_.discrepancies.push_back({key, apart});
   }
 
   void fail(const std::string& what) {
-    verdict_.status = Status::failed;
-    if (verdict_.message.empty()) verdict_.message = "the run contradicts itself: " + what;
+    outcome_.status = Status::failed;
+    if (outcome_.message.empty()) outcome_.message = "the run contradicts itself: " + what;
   }
+
+ protected:
+  RunOutcome& outcome_;
 
  private:
   double bound_;
-  Verdict verdict_;
 };
 
 class Checks : private Judge {
  public:
-  Checks(const CheckedRun& run, const Solver& solver, const Verdict& verdict) : Judge(solver, verdict), run_(run) {}
+  Checks(const CheckedRun& run, const Solver& solver, RunOutcome& outcome) : Judge(solver, outcome), run_(run) {}
 
   using Judge::fail;
   void numbers();
@@ -92,46 +94,46 @@ void Checks::numbers() {
       fail(fmt::format("{} {} of {} is {}", list.what, i + 1, list.building, value));
     }
   }
-  for (std::size_t i = 0; i < run_.points.size(); ++i) {
-    const PointSummary& p = run_.points[i];
+  for (std::size_t i = 0; i < outcome_.points.size(); ++i) {
+    const PointSummary& p = outcome_.points[i];
     finite({p.gap_needed, p.contact_duration, p.peak_force, p.peak_force_time.value_or(0), p.peak_tension,
             p.peak_penetration, p.peak_closing_speed, p.impulse, p.energy_lost},
            [&] { return run_.place(i); });
   }
-  for (const Impact& one : run_.impacts) {
+  for (const Impact& one : outcome_.impacts) {
     finite({one.start, one.end, one.closing_speed, one.separation_speed, one.peak_force, one.peak_force_time,
             one.peak_penetration, one.impulse, one.peak_tension, one.energy_lost, one.tangential_impulse},
            [&] { return fmt::format("the impact at t = {:.6g} s", one.start); });
   }
-  for (const WatchedSummary& one : run_.watched) {
+  for (const WatchedSummary& one : outcome_.watched) {
     finite({one.gap_needed, one.least_opening, one.least_time}, [] { return "a watched floor"; });
   }
-  for (const LinkSummary& one : run_.links) {
+  for (const LinkSummary& one : outcome_.links) {
     finite({one.peak_compression, one.peak_tension, one.peak_closing, one.peak_opening, one.energy_dissipated},
            [] { return "a link"; });
   }
-  if (run_.energy) finite({run_.energy->peak_input, run_.energy->residual}, [] { return "the energies"; });
+  if (outcome_.energy) finite({outcome_.energy->peak_input, outcome_.energy->residual}, [] { return "the energies"; });
 }
 
 /// A point's totals are those of its impacts, which follow one another.
 void Checks::impacts() {
-  std::vector<PointSummary> found(run_.points.size());
-  std::vector<double> ended(run_.points.size(), 0.0);
-  const double slack = exact_bound * run_.duration;
-  for (const Impact& one : run_.impacts) {
+  std::vector<PointSummary> found(outcome_.points.size());
+  std::vector<double> ended(outcome_.points.size(), 0.0);
+  const double slack = exact_bound * outcome_.duration;
+  for (const Impact& one : outcome_.impacts) {
     PointSummary& point = found.at(one.point);
     ++(one.settling ? point.settling : point.impacts);
     point.impulse += one.impulse;
     point.peak_force = std::max(point.peak_force, one.peak_force);
     double& last = ended[one.point];
-    if (one.start < last - slack || one.end < one.start - slack || one.end > run_.duration + slack) {
+    if (one.start < last - slack || one.end < one.start - slack || one.end > outcome_.duration + slack) {
       fail(fmt::format("an impact at {} lasts from {:.9g} to {:.9g} s, after one that ended at {:.9g} s",
                        run_.place(one.point), one.start, one.end, last));
     }
     last = std::max(last, one.end);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const PointSummary& told = run_.points[i];
+    const PointSummary& told = outcome_.points[i];
     if (told.impacts == found[i].impacts && told.settling == found[i].settling &&
         told.peak_force == found[i].peak_force &&
         std::abs(told.impulse - found[i].impulse) <= round_off * std::abs(found[i].impulse)) {
@@ -145,27 +147,27 @@ void Checks::impacts() {
 /// Until two buildings meet, the response is that without contact: somewhere they meet exactly where some point needs
 /// more without contact than it is given.
 void Checks::first_contact() {
-  if (run_.impacts.empty() && !run_.touches_where_closed) return;
+  if (outcome_.impacts.empty() && !run_.touches_where_closed) return;
   double most = -infinite;
   std::size_t nearest = 0;
-  for (std::size_t i = 0; i < run_.points.size(); ++i) {
-    const double needed = run_.points[i].gap_needed;
+  for (std::size_t i = 0; i < outcome_.points.size(); ++i) {
+    const double needed = outcome_.points[i].gap_needed;
     const double scale = needed + run_.widths[i] + run_.moves[i];
     const double beyond = scale > 0.0 ? (needed - run_.widths[i]) / scale : 0.0;
     if (i > 0 && beyond <= most) continue;
     most = beyond;
     nearest = i;
   }
-  if (run_.points.empty()) return;
-  compare("check_first_contact", run_.impacts.empty() ? most : -most, [&] {
-    return fmt::format("{} impacts, but without contact {} needs {:.9g} and is given {:.9g}", run_.impacts.size(),
-                       run_.place(nearest), run_.points[nearest].gap_needed, run_.widths[nearest]);
+  if (outcome_.points.empty()) return;
+  compare("check_first_contact", outcome_.impacts.empty() ? most : -most, [&] {
+    return fmt::format("{} impacts, but without contact {} needs {:.9g} and is given {:.9g}", outcome_.impacts.size(),
+                       run_.place(nearest), outcome_.points[nearest].gap_needed, run_.widths[nearest]);
   });
 }
 
 /// Where nothing has touched, contact has changed nothing.
 void Checks::without_impact() {
-  if (!run_.impacts.empty()) return;
+  if (!outcome_.impacts.empty()) return;
   double apart = 0.0, scale = 0.0;
   const std::string* where = nullptr;
   for (const ComparedPeaks& one : run_.compared) {
@@ -187,8 +189,8 @@ void Checks::without_impact() {
 }
 
 /// What every solution has twice, whatever it is of.
-void check_measures(const SelfMeasures& measures, const CheckedRun& run, const Solver& solver, const Verdict& verdict) {
-  Judge judge(solver, verdict);
+void check_measures(const SelfMeasures& measures, const CheckedRun& run, const Solver& solver, RunOutcome& outcome) {
+  Judge judge(solver, outcome);
   const auto apart = [](const char* what, double by) {
     return [what, by] { return fmt::format("{} by {:.3g} of the largest", what, by); };
   };
@@ -203,8 +205,8 @@ void check_measures(const SelfMeasures& measures, const CheckedRun& run, const S
                 apart("a history goes beyond the peak that is found of it", measures.peaks));
   judge.compare("check_forces", measures.forces,
                 apart("the forces on a building at the end are out of balance", measures.forces));
-  if (run.energy) {
-    const double missing = run.energy->relative_residual();
+  if (outcome.energy) {
+    const double missing = outcome.energy->relative_residual();
     judge.compare("check_energy", missing,
                   [missing] { return fmt::format("{:.3g} of the energy that went in is not accounted for", missing); });
   }
@@ -280,26 +282,20 @@ double beyond_peak_rotations(const std::vector<BuildingPeaks::Hinge>& hinges,
   return largest > 0.0 ? beyond / largest : 0.0;
 }
 
-void check_run(const CheckedRun& run, const SelfMeasures& measures, const Solver& solver, const Verdict& verdict) {
-  Checks checks(run, solver, verdict);
+void check_run(const CheckedRun& run, const SelfMeasures& measures, const Solver& solver, RunOutcome& outcome) {
+  Checks checks(run, solver, outcome);
   if (!run.fault.empty()) checks.fail(run.fault);
   checks.numbers();
-  if (verdict.status == Status::failed) return;
+  if (outcome.status == Status::failed) return;
   checks.impacts();
   checks.first_contact();
   checks.without_impact();
-  check_measures(measures, run, solver, verdict);
+  check_measures(measures, run, solver, outcome);
 }
 
 void check_itself(const Problem& problem, const Solver& solver, const SelfMeasures& measures, Response& response) {
   if (response.status != Status::done && response.status != Status::collapsed) return;
-  CheckedRun run{.points = response.points,
-                 .impacts = response.impacts,
-                 .watched = response.watched,
-                 .links = response.links,
-                 .energy = response.energy,
-                 .duration = response.duration,
-                 .place =
+  CheckedRun run{.place =
                      [&](std::size_t i) {
                        return fmt::format("level {:.6g} of {}", problem.points[i].elevation,
                                           gap_name(problem, problem.points[i].left));
@@ -325,7 +321,7 @@ void check_itself(const Problem& problem, const Solver& solver, const SelfMeasur
   if (!is_finite(response.histories) || !is_finite(response.course)) {
     run.fault = "a number of the histories is not finite";
   }
-  check_run(run, all, solver, {response.status, response.message, response.discrepancies});
+  check_run(run, all, solver, response);
 }
 
 }  // namespace bentur

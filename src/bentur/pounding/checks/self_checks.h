@@ -15,13 +15,6 @@ namespace bentur {
 struct PlanProblem;
 struct PlanResponse;
 
-/// What is said of a run that has looked at itself.
-struct Verdict {
-  Status& status;
-  std::string& message;
-  std::vector<Discrepancy>& discrepancies;
-};
-
 /// A list of peaks of a building, every entry of which is a number but where `is_null` says that there is none.
 struct CheckedPeaks {
   const char* what;
@@ -36,14 +29,8 @@ struct ComparedPeaks {
   const Eigen::VectorXd &with, &without;
 };
 
-/// The numbers of a response that are checked, of a row and of buildings in plan alike.
+/// What is checked of a response beside its outcome, of a row and of buildings in plan alike.
 struct CheckedRun {
-  const std::vector<PointSummary>& points;
-  const std::vector<Impact>& impacts;
-  const std::vector<WatchedSummary>& watched;
-  const std::vector<LinkSummary>& links;
-  const std::optional<EnergyAudit>& energy;
-  double duration = 0;                            ///< [s]
   std::function<std::string(std::size_t)> place;  ///< where a point is
   std::vector<double> widths = {};                ///< w, per point [length]
   std::vector<double> moves = {};  ///< per point, how far its two buildings move at most without contact [length]
@@ -57,7 +44,7 @@ struct CheckedRun {
 
 /// Compares numbers of a response that were reached by different ways, and those that every solution has twice. A run
 /// that has failed is not looked at.
-void check_run(const CheckedRun& run, const SelfMeasures& measures, const Solver& solver, const Verdict& verdict);
+void check_run(const CheckedRun& run, const SelfMeasures& measures, const Solver& solver, RunOutcome& outcome);
 
 /// How far a hinge was from its place at rest, at the end or in any sample, beyond its peak rotation: as a part of the
 /// largest peak rotation [-]. @param rotation samples of θ, a row per hinge [rad]; empty: none

@@ -354,13 +354,15 @@ void summarise(const Solution& solution, const std::vector<double>& widths, std:
   }
 }
 
-std::vector<LinkSummary> links_of(const Solution& solution) {
-  std::vector<LinkSummary> links;
+void take_end(const Solution& solution, RunOutcome& outcome) {
+  outcome.status = solution.status;
+  outcome.message = solution.message;
+  outcome.steps = solution.steps;
+  outcome.links.clear();
   for (const ElementFound& joint : solution.joints) {
-    links.push_back(
+    outcome.links.push_back(
         {joint.peak_force, joint.peak_tension, joint.closing.reach, joint.opening.reach, joint.energy_lost});
   }
-  return links;
 }
 
 BuildingPeaks::Infill infill_of(const InfilledFrame& frame, const std::vector<const ElementFound*>& panels,
@@ -428,9 +430,7 @@ void take_loss(const StrengthLoss& loss, Eigen::Index storeys, Eigen::Index stor
 
 Response free_response(const Problem& problem, const Solution& free) {
   Response response;
-  response.status = free.status;
-  response.message = free.message;
-  response.steps = free.steps;
+  take_end(free, response);
   response.collapse = response.collapse_no_contact = collapse_of(problem, free);
   response.buildings = peaks_of(problem, free);
   for (BuildingPeaks& peaks : response.buildings) {
@@ -444,7 +444,6 @@ Response free_response(const Problem& problem, const Solution& free) {
   for (const double needed : free.needed) response.points.push_back({.gap_needed = needed});
   for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
   summarise_columns(problem, response.buildings, response.points);
-  response.links = links_of(free);
   response.coupled = free.coupled;
   return response;
 }
@@ -467,9 +466,7 @@ std::vector<LargestDrift> drifts_no_contact(const Response& response) {
 }
 
 void take_solution(const Problem& problem, Solution&& solution, Response& response) {
-  response.status = solution.status;
-  response.message = std::move(solution.message);
-  response.steps = solution.steps;
+  take_end(solution, response);
   response.events = solution.events;
   response.collapse = collapse_of(problem, solution);
   std::vector<BuildingPeaks> buildings = peaks_of(problem, solution);
@@ -490,7 +487,6 @@ void take_solution(const Problem& problem, Solution&& solution, Response& respon
   std::vector<double> widths;
   for (const WatchedFloor& floor : problem.watched) widths.push_back(floor.width);
   summarise(solution, widths, response.watched);
-  response.links = links_of(solution);
   response.histories = histories_of(problem, std::move(solution.samples), solution, &OutputsFound::history);
   response.course = histories_of(problem, std::move(solution.course), solution, &OutputsFound::course);
   response.energy = std::move(solution.energy);

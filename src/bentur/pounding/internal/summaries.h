@@ -67,8 +67,8 @@ struct InfillHistories {
 /// What a struck column carried, of the six forces at the ends of its pieces with contact and without.
 [[nodiscard]] ColumnPeaks column_peaks(const Eigen::Vector<double, 6>& with, const Eigen::Vector<double, 6>& without);
 
-/// What links did, the joints of a system.
-[[nodiscard]] std::vector<LinkSummary> links_of(const Solution& solution);
+/// How a solution ended, and what its links did.
+void take_end(const Solution& solution, RunOutcome& outcome);
 
 /// Adds impacts to the totals of their points.
 void summarise(const std::vector<Impact>& impacts, std::vector<PointSummary>& points);

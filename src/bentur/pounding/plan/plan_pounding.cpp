@@ -333,9 +333,7 @@ std::vector<double> gap_widths(const PlanProblem& problem) {
 
 PlanResponse free_response(const PlanProblem& problem, const Solution& free) {
   PlanResponse response;
-  response.status = free.status;
-  response.message = free.message;
-  response.steps = free.steps;
+  take_end(free, response);
   response.collapse = response.collapse_no_contact = collapse_of(problem, free);
   response.buildings = response.buildings_no_contact = peaks_of(problem, free);
   const std::vector<Index> places = places_of(problem);
@@ -347,7 +345,6 @@ PlanResponse free_response(const PlanProblem& problem, const Solution& free) {
   }
   for (const Reach& reach : free.watched) response.watched.push_back({.gap_needed = reach.reach});
   summarise_columns(problem, response.buildings, response.buildings_no_contact, response.points);
-  response.links = links_of(free);
   for (Index i = 0; i < 2; ++i) {
     response.peak_ground_acceleration(i) =
         peak_acceleration(problem.motions, {problem.axes(i, 0), problem.axes(i, 1)}).value_or(not_known);
@@ -380,16 +377,13 @@ std::vector<LargestDrift> drifts_no_contact(const PlanResponse& response) {
 
 void take_solution(const PlanProblem& problem, Solution&& solution, PlanResponse& response) {
   const std::vector<Index> places = places_of(problem);
-  response.status = solution.status;
-  response.message = std::move(solution.message);
+  take_end(solution, response);
   response.collapse = collapse_of(problem, solution);
-  response.steps = solution.steps;
   response.events = solution.events;
   response.buildings = peaks_of(problem, solution);
   summarise(solution, watched_widths(problem), response.watched);
   if (!solution.samples.time.empty()) response.histories = histories_of(problem, solution, places);
   if (!solution.course.time.empty()) response.course = course_of(problem, solution, places);
-  response.links = links_of(solution);
   response.impacts = in_places(std::move(solution.impacts), places);
   summarise(response.impacts, response.points);
   summarise_friction(response.impacts, response.friction);

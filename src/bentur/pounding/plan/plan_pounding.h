@@ -82,35 +82,21 @@ struct PlanHistories {
   Eigen::MatrixXd slip = {}, force_along = {};  ///< s and F_t (P-6); 0 where nothing rubs
 };
 
-/// What the response of buildings in plan was; the impacts' points count the contacts of all gaps.
-struct PlanResponse {
-  Status status = Status::done;
-  std::string message = {};                          ///< why and when, unless done
-  std::optional<Collapse> collapse = {};             ///< where the status says so; all else is up to that time
-  std::optional<Collapse> collapse_no_contact = {};  ///< of the response with contact switched off
-  double duration = 0;                               ///< as Response's [s]
-  long steps = 0, events = 0;
-  double wall_time = 0;  ///< of the solution alone [s]
+/// Of buildings in plan.
+struct PlanResponse : RunOutcome {
   /// Of the ground along x and along y as applied [length/s²]; NaN: not known, as peak_acceleration() of two has it.
   Eigen::Vector2d peak_ground_acceleration = Eigen::Vector2d::Constant(not_known);
-  std::vector<PlanPeaks> buildings;
-  std::vector<PlanPeaks> buildings_no_contact;  ///< the same with contact switched off
-  std::vector<PointSummary> points;             ///< of all gaps, as their contacts
-  std::vector<PlanFriction> friction;           ///< of the same points; zero where nothing rubs
-  std::vector<WatchedSummary> watched;          ///< of all gaps, as what they watch
-  std::vector<LinkSummary> links = {};          ///< as PlanProblem::links
-  std::vector<Impact> impacts;                  ///< by start, then point, then end
-  std::optional<EnergyAudit> energy = {};       ///< when asked for
-  PlanHistories histories = {};                 ///< empty unless asked for
+  std::vector<PlanPeaks> buildings = {};
+  std::vector<PlanPeaks> buildings_no_contact = {};  ///< the same with contact switched off
+  std::vector<PlanFriction> friction = {};           ///< of the points; zero where nothing rubs
+  PlanHistories histories = {};                      ///< empty unless asked for
   /// The exact course as Response's, of movements, rotations, openings and contact forces; empty unless asked for, and
   /// of more than `most_followed` buildings.
   PlanHistories course = {};
   static constexpr std::size_t most_followed = 6;
-  std::optional<ReversedRun> reversed = {};  ///< as Response's
   /// Where masses may stand elsewhere (PlanProblem::elsewhere), the largest of each building without contact, and of
   /// all of them are collapse_no_contact and what points and watched floors need; empty: nowhere.
   std::vector<LargestDrift> drifts_elsewhere = {};
-  std::vector<Discrepancy> discrepancies = {};
 };
 
 /// The largest drift of each building without contact, wherever its masses may stand.

@@ -71,16 +71,9 @@ void check_itself(const PlanProblem& problem, const Solver& solver, const SelfMe
   std::vector<const PlanContact*> contacts;
   std::vector<std::size_t> gaps;
   std::vector<double> moves;  // per building
-  CheckedRun run{.points = response.points,
-                 .impacts = response.impacts,
-                 .watched = response.watched,
-                 .links = response.links,
-                 .energy = response.energy,
-                 .duration = response.duration,
-                 .place = [&](std::size_t i) {
-                   return fmt::format("level {:.6g} of {}", contacts[i]->elevation,
-                                      gap_name(problem, problem.gaps[gaps[i]]));
-                 }};
+  CheckedRun run{.place = [&](std::size_t i) {
+    return fmt::format("level {:.6g} of {}", contacts[i]->elevation, gap_name(problem, problem.gaps[gaps[i]]));
+  }};
   for (std::size_t b = 0; b < response.buildings.size(); ++b) {
     const std::string& name = problem.buildings[b].name;
     const PlanPeaks &with = response.buildings[b], &without = response.buildings_no_contact[b];
@@ -108,7 +101,7 @@ void check_itself(const PlanProblem& problem, const Solver& solver, const SelfMe
   }
   SelfMeasures all = measures;
   all.peaks = std::max(all.peaks, beyond_peaks(response));
-  check_run(run, all, solver, {response.status, response.message, response.discrepancies});
+  check_run(run, all, solver, response);
 }
 
 }  // namespace bentur

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bentur/core/not_known.h"
+#include "bentur/io/results/internal/curve_names.h"
 #include "bentur/io/results/internal/variable_pass.h"
 #include "bentur/pounding/problem.h"
 
@@ -158,6 +159,61 @@ class PlaceList : protected VariablePass<File> {
     this->pass({"infill_panel_force" + number, {time, panels}, force, "force of the strut at work" + signs}, forces);
     this->pass({"infill_panel_shortening" + number, {time, panels}, length, "shortening of its diagonal" + signs},
                shortenings);
+  }
+
+  /// At which points impacts were; of as many as the file has. @param points how many there are
+  template <class Impacts>
+  ResultDimension impact_points(Impacts& all, std::size_t points) {
+    const ResultDimension impact = this->file_.dimension({"impact", all.size()});
+    this->fit(all, impact.size);
+    std::vector<int> at;
+    for (const Impact& one : all) at.push_back(static_cast<int>(one.point));
+    this->made({"impact_point", {impact}, "", "number of the contact point of each impact, counted from 0"}, at);
+    if constexpr (File::reads) {
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        if (at[i] < 0 || at[i] >= static_cast<Eigen::Index>(points)) {
+          this->file_.source.fail("an impact is at no point of it");
+        }
+        all[i].point = at[i];
+      }
+    }
+    return impact;
+  }
+  /// Where the energy was. @param moment its unit @param time of the histories [s]
+  template <class Energy>
+  void energy(Energy& energy, const ResultDimension& along, const std::string& moment,
+              const std::vector<double>& time) {
+    if (!this->file_.has("energy_input", energy.has_value())) return;
+    if constexpr (File::reads) energy.emplace().histories.time = time;
+    for (const auto& [name, values, what] : energy_curves) {
+      ResultVariable variable{std::string("energy_") + name, {along}, moment, what};
+      auto& curve = energy->histories.*values;
+      if (File::reads || curve.size() > 0) {
+        this->pass(std::move(variable), curve);
+      } else {  // nothing can yield
+        std::vector<double> zeros(along.size);
+        this->made(std::move(variable), zeros);
+      }
+    }
+  }
+  /// `group`: that of the exact course.
+  template <class Samples>
+  void openings(const std::string& group, const ResultDimension& time, const ResultDimension& points,
+                const std::string& length, const std::string& force, Samples& samples) {
+    if (time.size == 0) return;
+    this->pass({group + "opening", {time, points}, length, "opening of the contact points, negative in contact"},
+               samples.opening);
+    this->pass({group + "force", {time, points}, force, "contact force"}, samples.force);
+  }
+  /// Instants of the exact course, in a group of its own, as they have no even steps.
+  template <class Samples>
+  ResultDimension course_time(Samples& course) {
+    const ResultDimension time = this->file_.dimension({"exact/time", course.time.size()});
+    if (time.size == 0) return time;
+    this->pass(
+        {"exact/time", {time}, "s", "instants joined by straight lines; two where a force jumps", {{"axis", "T"}}},
+        course.time);
+    return time;
   }
 
   Problem& problem_;

@@ -70,8 +70,7 @@ template <class AnyProblem>
       {"building", building.name}, {"storey", building.model.storey_number(collapse.storey)}, {"time", collapse.time}};
 }
 
-template <class AnyResponse>
-[[nodiscard]] Json solver_json(const Solver& solver, const AnyResponse& response) {
+[[nodiscard]] inline Json solver_json(const Solver& solver, const RunOutcome& response) {
   Json json = {{"name", name(solver)}};
   if (const auto* adaptive = std::get_if<AdaptiveSolver>(&solver)) json["tolerance"] = adaptive->tolerance;
   if (const auto* stepwise = std::get_if<RungeKuttaSolver>(&solver)) json["step"] = stepwise->step;

@@ -67,9 +67,11 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     course();
     of_links();
     quantities(Owner::run, {}, {QuantityPlace{}});
-    of_impacts();
+    auto& impacts = run_.response.impacts;
+    const ResultDimension impact = this->impact_points(impacts, run_.response.points.size());
+    quantities(Owner::impact, {impact}, places_of(impacts.size()), "", " of each impact");
     plan_figures(file_, run_, length_, force_);
-    energy();
+    this->energy(run_.response.energy, time_, force_ + " " + length_, run_.response.histories.time);
   }
 
  private:
@@ -366,9 +368,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
     quantities(Owner::point, {points_}, places_of(points_.size));
     if (time_.size == 0) return;
     auto& histories = run_.response.histories;
-    pass({"opening", {time_, points_}, length_, "opening of the contact points, negative in contact"},
-         histories.opening);
-    pass({"force", {time_, points_}, force_, "contact force"}, histories.force);
+    this->openings("", time_, points_, length_, force_, histories);
     bool rubs = false;
     for (const PlanGap& gap : run_.problem.gaps) {
       for (const PlanContact& contact : gap.contacts) rubs = rubs || contact.rubbing;
@@ -383,13 +383,10 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
          histories.force_along);
   }
 
-  /// The exact course, in a group of its own, whose time has no even steps.
   void course() {
     auto& course = run_.response.course;
-    const ResultDimension time = file_.dimension({"exact/time", course.time.size()});
+    const ResultDimension time = this->course_time(course);
     if (time.size == 0) return;
-    pass({"exact/time", {time}, "s", "instants joined by straight lines; two where a force jumps", {{"axis", "T"}}},
-         course.time);
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
       const PlanBuilding& building = run_.problem.buildings[b];
       const std::string number = fmt::format("_{}", b + 1);
@@ -406,9 +403,7 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
       curves("displacement_y", course.y, length_, "displacement along y of the centres of mass, from the own base,");
       curves("rotation", course.rotation, "rad", "rotation, counter-clockwise from above,");
     }
-    pass({"exact/opening", {time, points_}, length_, "opening of the contact points, negative in contact"},
-         course.opening);
-    pass({"exact/force", {time, points_}, force_, "contact force"}, course.force);
+    this->openings("exact/", time, points_, length_, force_, course);
   }
 
   void point_places() {
@@ -426,32 +421,6 @@ class PlanVariables : private PlaceList<File, const PlanProblem> {
       run_.response.links.resize(links.size());
     }
     quantities(Owner::link, {link}, places_of(links.size()));
-  }
-
-  void of_impacts() {
-    auto& all = run_.response.impacts;
-    const ResultDimension impact = file_.dimension({"impact", all.size()});
-    fit(all, impact.size);
-    std::vector<int> at;
-    for (const Impact& one : all) at.push_back(static_cast<int>(one.point));
-    made({"impact_point", {impact}, "", "number of the contact point of each impact, counted from 0"}, at);
-    if constexpr (reads) {
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        if (at[i] < 0 || at[i] >= std::ssize(run_.response.points)) file_.source.fail("an impact is at no point of it");
-        all[i].point = at[i];
-      }
-    }
-    quantities(Owner::impact, {impact}, places_of(all.size()), "", " of each impact");
-  }
-
-  void energy() {
-    if (!file_.has("energy_input", run_.response.energy.has_value())) return;
-    if constexpr (reads) run_.response.energy.emplace().histories.time = run_.response.histories.time;
-    for (const auto& [name, values, what] : energy_curves) {
-      const std::string variable = fmt::format("energy_{}", name);
-      auto& curve = run_.response.energy->histories.*values;
-      if (file_.has(variable, curve.size() > 0)) pass({variable, {time_}, force_ + " " + length_, what}, curve);
-    }
   }
 
   [[nodiscard]] static std::vector<QuantityPlace> places_of(std::size_t count) {
@@ -478,13 +447,7 @@ bool is_plan_run(const ResultSource& source) { return source.has("footprint_1") 
 
 ResultFile plan_file(const PlanRun& run, std::string_view version) {
   ResultFile file;
-  file.attributes = file_attributes(
-      run.c.title, fmt::format("seismic pounding analysis in plan, solver {}", name(run.c.analysis.solver)), version);
-  if (run.c.source) {
-    file.attributes.push_back({"case_file", run.c.source->file});
-    file.attributes.push_back({"case_sha256", run.c.source->sha256});
-    if (run.c.source->text.size() <= longest_text) file.attributes.push_back({"case", run.c.source->text});
-  }
+  file.attributes = run_attributes(run.c, "seismic pounding analysis in plan", version);
   Teller teller;
   PlanVariables(teller, run).all();
   file.variables = std::move(teller.variables);
