@@ -73,6 +73,24 @@ void check_all(const TomlView& value, const Key& key, int lists) {
   }
 }
 
+/// "stick.masses" for a key that this table has not, but one of those in it: where several have it those that are
+/// given count. "kind = 'record'" for a word that a key of it takes. Empty where there is neither, or more than one.
+std::string place_below(const KeyTable& keys, const TomlValue& table, const std::string& key) {
+  std::vector<std::string> found, given;
+  for (const Key& one : keys.keys) {
+    if (one.kind == Key::Kind::choice && std::find(one.words.begin(), one.words.end(), key) != one.words.end()) {
+      found.push_back(fmt::format("{} = '{}'", one.name, key));
+    }
+    if (one.kind != Key::Kind::table || one.table == nullptr) continue;
+    const std::vector<std::string> below = one.table->names();
+    if (std::find(below.begin(), below.end(), key) == below.end()) continue;
+    found.push_back(fmt::format("{}.{}", one.name, key));
+    if (table.find(std::string(one.name)) != nullptr) given.push_back(found.back());
+  }
+  const std::vector<std::string>& of = given.empty() ? found : given;
+  return of.size() == 1 ? of.front() : "";
+}
+
 }  // namespace
 
 const Condition* broken_condition(const Key& key, const KeyTable& keys, const TomlValue& table) {
@@ -129,7 +147,8 @@ std::optional<TableView> TableView::of(const TomlView& view, const KeyTable& key
       return broken_condition(*key_of(keys, name, view.value()), keys, view.value()) == nullptr;
     });
   }
-  if (!view.is_table_of(names, &listed)) return std::nullopt;
+  const auto elsewhere = [&](const std::string& key) { return place_below(keys, view.value(), key); };
+  if (!view.is_table_of(names, &listed, elsewhere)) return std::nullopt;
   for (const TomlMember& member : view.value().members) {
     const Key* const key = key_of(keys, member.key, view.value());
     const Condition* const broken = key == nullptr ? nullptr : broken_condition(*key, keys, view.value());

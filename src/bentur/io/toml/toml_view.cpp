@@ -143,7 +143,8 @@ bool TomlView::has_error() const {
   });
 }
 
-bool TomlView::is_table_of(const std::vector<std::string>& known, const std::vector<std::string>* listed) const {
+bool TomlView::is_table_of(const std::vector<std::string>& known, const std::vector<std::string>* listed,
+                           const std::function<std::string(const std::string&)>& elsewhere) const {
   if (listed == nullptr) listed = &known;
   if (!is(TomlValue::Kind::table)) {
     error_value("must be a table");
@@ -151,7 +152,8 @@ bool TomlView::is_table_of(const std::vector<std::string>& known, const std::vec
   }
   for (const TomlMember& member : value_->members) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
-    const std::string near = likely(member.key, known);
+    std::string near = likely(member.key, known);
+    if (near.empty() && elsewhere) near = elsewhere(member.key);
     const std::string others = !near.empty()     ? ""
                                : listed->empty() ? ": there are none"
                                                  : fmt::format(", the known ones are {}", fmt::join(*listed, ", "));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,8 +52,10 @@ class TomlView {
   // Tables.
   /// False (and an error) unless this is a table; an error for each key that is not in `known`.
   /// @param listed those that it names where none is like the key; null: all
+  /// @param elsewhere where else a key may have been meant to stand, "" for nowhere
   [[nodiscard]] bool is_table_of(const std::vector<std::string>& known,
-                                 const std::vector<std::string>* listed = nullptr) const;
+                                 const std::vector<std::string>* listed = nullptr,
+                                 const std::function<std::string(const std::string& key)>& elsewhere = {}) const;
   [[nodiscard]] bool has(const std::string& key) const { return value_->find(key) != nullptr; }
   /// Nothing where the key is missing.
   [[nodiscard]] std::optional<TomlView> find(const std::string& key) const;
