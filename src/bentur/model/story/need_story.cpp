@@ -123,6 +123,26 @@ void tell_worst_masses(const GapView& facts, Eigen::Index gap, const std::vector
   statements.push_back(std::move(statement));
 }
 
+/// Of two that stay apart because they move alike: what they need is the small difference of two large movements, and
+/// grows as soon as one is not built as modelled.
+void tell_alike(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels,
+                std::vector<Statement>& statements) {
+  constexpr double alike = 0.1;
+  double needed = 0, sum = 0;
+  for (const LevelSeparation& one : levels) {
+    needed = std::max({needed, one.gap_needed, reversed_at(one)});
+    sum = std::max(sum, one.abs);
+  }
+  if (!judged_of(facts, gap).is_enough() || !(needed < alike * sum)) return;
+  statements.push_back({.kind = "move_alike",
+                        .gap = gap,
+                        .buildings = buildings_of(facts.problem, gap),
+                        .values = {value_in("share", percent * needed / sum, "%"),
+                                   value_in("sum", sum, facts.c.units.length),
+                                   text_of("left", facts.gaps.at(static_cast<std::size_t>(gap)).facts.left),
+                                   text_of("right", facts.gaps.at(static_cast<std::size_t>(gap)).facts.right)}});
+}
+
 }  // namespace
 
 bool is_bound(const GapView& facts, const FacingLevel& level, const std::optional<double>& need) {
@@ -176,6 +196,7 @@ void tell_need(const GapView& facts, Eigen::Index gap, std::vector<Statement>& s
   }
   tell_reversed(facts, gap, levels, statements);
   tell_worst_masses(facts, gap, levels, statements);
+  tell_alike(facts, gap, levels, statements);
 }
 
 }  // namespace bentur::story

@@ -40,6 +40,7 @@ constexpr Measure measures[] = {
     {"acceleration_ratio", "factor"},
     {"storey_shear_ratio", "factor"},
     {"acceleration", "acceleration"},
+    {"move_alike", "share", true},
 };
 
 /// What is told of all runs together, or says of a run that something did not happen.
