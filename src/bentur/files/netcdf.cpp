@@ -32,8 +32,8 @@ namespace {
 // The library is opened when the first file is: it brings HDF5, libcurl and forty others, and most runs read and write
 // none of its files. Where it was when this was built, or else where the system has one of that name.
 void* opened_library() {
-  if (void* library = ::dlopen(BENTUR_NETCDF_FILE, RTLD_NOW)) return library;
-  return ::dlopen(BENTUR_NETCDF_NAME, RTLD_NOW);
+  if (void* library = ::dlopen(BENTUR_NETCDF_FILE, RTLD_LAZY)) return library;
+  return ::dlopen(BENTUR_NETCDF_NAME, RTLD_LAZY);
 }
 
 /// @throws std::runtime_error where there is no library, or it does not have the function.

@@ -145,9 +145,13 @@ void fill(const std::vector<RowPart>& parts, const Run& run, std::span<double> r
   if (row.size() != row_size(parts)) {
     throw InvalidParameter("row", fmt::format("{} values", row.size()), fmt::format("must have {}", row_size(parts)));
   }
+  std::vector<QuantityPlace> places;
+  const RowPart* of = nullptr;  // whose places these are, and those of the parts that follow it
   for (const RowPart& part : parts) {
-    std::vector<QuantityPlace> places;
-    if (part.is_of_building()) places = places_in(run.problem, part.owner, part.building);
+    if (part.is_of_building() && (of == nullptr || of->owner != part.owner || of->building != part.building)) {
+      places = places_in(run.problem, part.owner, part.building);
+      of = &part;
+    }
     for (Index i = 0; i < part.count; ++i) {
       row[part.first + i] = value_of(*part.quantity, run, part.is_of_building() ? places[i] : QuantityPlace{i});
     }

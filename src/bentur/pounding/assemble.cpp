@@ -88,7 +88,7 @@ System system_of(const Problem& problem, bool levels) {
     system.watched_free = level_interfaces(
         faces, [&](std::size_t level, int side) { return face_floor(problem, level, side).has_value(); });
   }
-  system.motions = {problem.motion};
+  system.motions.push_back(problem.motion);  // of a list in braces there would be two copies
   system.delays = problem.delays;
   system.initial_displacement = problem.initial_displacement;
   system.initial_velocity = problem.initial_velocity;

@@ -150,10 +150,12 @@ template <class Free, class AnyProblem>
 Free StudyRuns::free_response_of(std::size_t run, const AnyProblem& problem, const AnalysisSpec& analysis,
                                  std::optional<Free> Group::*of) const {
   const std::optional<std::size_t> first = at_first_level(run);
-  if (first && *first != run && scales_ && is_homogeneous(system_of(problem))) {
+  const auto is_scalable = [&](const System& system) {
+    return is_homogeneous(system) && (facts_.plan || are_homogeneous(system.contacts, system.rubbing));
+  };
+  if (first && *first != run && scales_ && is_scalable(system_of(problem))) {
     const std::shared_ptr<const Group> group = shared_group(*first);
-    std::optional<Free> scaled = (*group.*of)->scaled(problem);
-    if (scaled && (facts_.plan || scaled->serves(problem))) return *std::move(scaled);
+    if (std::optional<Free> scaled = (*group.*of)->scaled(problem)) return *std::move(scaled);
   }
   return Free(problem, analysis.solver, nullptr, run_limits(analysis), facts_.plan.has_value());
 }
@@ -269,13 +271,15 @@ std::optional<RunResult> StudyRuns::solved_in_plan(Workspace& workspace, std::si
     } catch (const InvalidParameter&) {
     }
   }
-  const PlanFreeResponse* const shared = workspace.group ? &*workspace.group->free_in_plan : nullptr;
   options.limits = run_limits(chosen.c.analysis);
   options.levels = true;
-  PlanResponse response = shared != nullptr && shared->serves(*chosen.plan)
-                              ? shared->solve(*chosen.plan, options)
-                              : bentur::solve(*chosen.plan, chosen.c.analysis.solver, options);
-  return row_of(run, std::move(chosen.c), std::move(*chosen.plan), std::move(response));
+  std::optional<PlanResponse> response;
+  try {
+    if (workspace.group) response = workspace.group->free_in_plan->solve(*chosen.plan, options);
+  } catch (const InvalidParameter&) {  // more than gaps and laws differs from what the group is made of
+  }
+  if (!response) response = bentur::solve(*chosen.plan, chosen.c.analysis.solver, options);
+  return row_of(run, std::move(chosen.c), std::move(*chosen.plan), *std::move(response));
 }
 
 std::optional<RunResult> StudyRuns::row_of(std::size_t run, Case c, PlanProblem problem, PlanResponse response) const {

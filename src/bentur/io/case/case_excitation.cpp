@@ -258,6 +258,43 @@ std::vector<double> read_delays(const TableView& view, const std::vector<ReadBui
   return std::vector<double>(buildings.size(), 0.0);
 }
 
+/// [x, y, rotation] of each floor one after the other; empty (and an error) unless all are right.
+std::vector<double> read_triples(const TomlView& given, Range range, std::size_t floors) {
+  std::vector<double> values;
+  if (floors == 0 || !given.is_list_of("[x, y, rotation]", {floors, "one per floor"})) return values;
+  for (const TomlView& item : given.items()) {
+    const std::vector<double> triple = item.as_numbers(range, {3, "x, y and rotation"});
+    values.insert(values.end(), triple.begin(), triple.end());
+  }
+  return values.size() == 3 * floors ? values : std::vector<double>{};
+}
+
+/// One list per building, zeros where the case names none; empty when the table is missing.
+std::vector<std::vector<double>> read_initial_table(const TableView& initial, const std::string& key,
+                                                    const std::vector<ReadBuilding>& buildings, bool in_plan) {
+  const auto table = initial.find(key);
+  if (!table) return {};
+  const Key& known = initial.key(key);
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> lists;
+  for (const ReadBuilding& building : buildings) {
+    names.push_back(building.spec.name);
+    lists.emplace_back((in_plan ? 3 : 1) * building.elevations.size(), 0.0);
+  }
+  const std::string each = in_plan ? "list of one [x, y, rotation] per floor" : "list, one value per floor";
+  const bool is_table = read_by_building(*table, each, names, [&](std::size_t b, const TomlView& given) {
+    const std::size_t floors = buildings[b].elevations.size();
+    if (in_plan && buildings[b].spec.is_rigid()) {
+      given.error("is of a wall, which moves with the ground");
+      return;
+    }
+    const std::vector<double> values = in_plan ? read_triples(given, known.range, floors)
+                                               : given.as_numbers(known.range, {floors, std::string(known.each)});
+    if (!values.empty()) lists[b] = values;
+  });
+  return is_table ? lists : std::vector<std::vector<double>>{};
+}
+
 }  // namespace
 
 void read_motion(const TableView& view, const Units& units, const std::filesystem::path& folder,
@@ -335,6 +372,15 @@ void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buil
   if (along_y && !of_pairs) {
     read_motion(*along_y, c.units, files.folder, files.diagnostics, c.excitation_y, files.memo);
   }
+}
+
+InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool in_plan) {
+  InitialSpec initial;
+  const auto view = TableView(root, case_keys()).table("initial");
+  if (!view) return initial;
+  initial.displacements = read_initial_table(*view, "displacements", buildings, in_plan);
+  initial.velocities = read_initial_table(*view, "velocities", buildings, in_plan);
+  return initial;
 }
 
 }  // namespace bentur

@@ -11,6 +11,7 @@ namespace bentur {
 namespace {
 
 constexpr std::size_t most_buildings = 128;
+constexpr std::size_t most_cases = 32;
 constexpr std::size_t most_identities = 1024;
 constexpr std::size_t most_values = std::size_t{4} << 20;  // of records: 32 MiB
 
@@ -72,6 +73,17 @@ std::string building_key(const TomlValue& table, const Units& units, std::span<c
   return key;
 }
 
+std::string key_but_motion(const TomlValue& root, const std::filesystem::path& folder) {
+  std::string key;
+  append_text(folder.string(), key);
+  for (const TomlMember& member : root.members) {
+    if (member.key == "excitation") continue;
+    append_text(member.key, key);
+    append_content(member.value, key);
+  }
+  return key;
+}
+
 /// Appends what tells a file from what stands there later. @return whether any later change would show
 bool append_state(const std::string& file, std::string& key) {
   struct stat state = {};
@@ -115,6 +127,27 @@ void CaseMemo::keep(const TomlView& root, const Units& units, const std::vector<
     if (buildings_.size() >= most_buildings) buildings_.clear();
     buildings_.emplace(std::move(key), std::make_shared<const ReadBuilding>(buildings[b]));
   }
+}
+
+std::shared_ptr<const ReadCase> CaseMemo::but_motion(const TomlView& root, const std::filesystem::path& folder) const {
+  if (files_change_) return nullptr;
+  const std::string key = key_but_motion(root.value(), folder);
+  const std::lock_guard lock(mutex_);
+  const auto found = but_motions_.find(key);
+  return found == but_motions_.end() ? nullptr : found->second;
+}
+
+void CaseMemo::keep(const TomlView& root, const std::filesystem::path& folder, const ReadCase& read) {
+  if (files_change_) return;
+  auto kept = std::make_shared<ReadCase>(read);
+  kept->c.excitation = kept->c.excitation_y = {};
+  kept->c.angle = {};
+  kept->c.analysis = {};
+  if (kept->plan) kept->plan->motions = {};
+  std::string key = key_but_motion(root.value(), folder);
+  const std::lock_guard lock(mutex_);
+  if (but_motions_.size() >= most_cases) but_motions_.clear();
+  but_motions_.emplace(std::move(key), std::move(kept));
 }
 
 std::optional<StrongMotionRecord> CaseMemo::record(const std::filesystem::path& file, const RecordOptions& options,

@@ -15,7 +15,8 @@
 
 namespace bentur {
 
-/// What many readings of nearly the same case share: buildings that are given alike, with their modes, and records.
+/// What many readings of nearly the same case share: all that no motion changes where only that differs, else buildings
+/// that are given alike, with their modes; and records.
 /// Only what was found right is kept, and only so much of it; anything else is read again. Many threads may use it at
 /// once.
 class CaseMemo {
@@ -32,6 +33,13 @@ class CaseMemo {
   /// Keeps the buildings of a case that is right.
   void keep(const TomlView& root, const Units& units, const std::vector<ReadBuilding>& buildings);
 
+  /// What has been made before of a case in the same folder that says the same but for its [excitation], without all
+  /// that follows from that; null when there is none, or files change.
+  [[nodiscard]] std::shared_ptr<const ReadCase> but_motion(const TomlView& root,
+                                                           const std::filesystem::path& folder) const;
+  /// Keeps that of a case that is right.
+  void keep(const TomlView& root, const std::filesystem::path& folder, const ReadCase& read);
+
   /// As read_record().
   [[nodiscard]] std::optional<StrongMotionRecord> record(const std::filesystem::path& file,
                                                          const RecordOptions& options, Diagnostics& diagnostics);
@@ -44,6 +52,7 @@ class CaseMemo {
   bool files_change_ = false;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const ReadBuilding>> buildings_;
+  std::map<std::string, std::shared_ptr<const ReadCase>> but_motions_;
   std::map<std::string, std::shared_ptr<const StrongMotionRecord>> records_;
   std::map<std::string, FileIdentity> identities_;
   std::size_t values_ = 0;  // of all records

@@ -160,6 +160,9 @@ void read_backbone(const TableView& view, std::size_t storeys, Stick& stick);
 /// case_damping.cpp: damping_stiffness of a building, once its structure and damping are read.
 void read_damping_stiffness(const TableView& building, ReadBuilding& read);
 
+/// case_excitation.cpp: [initial], what moves at the start.
+[[nodiscard]] InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool in_plan);
+
 /// case_excitation.cpp: [excitation], of a case in plan both components and the angle of their axes, into a case whose
 /// gaps are known.
 void read_excitation(const TomlView& root, const std::vector<ReadBuilding>& buildings, const CaseFiles& files,

@@ -30,54 +30,14 @@ namespace {
 constexpr double shortest_time = 1e-15;  // of the duration: less has no phase left in a number [-]
 constexpr double most_samples = 1e7;     // of one history [-]
 
-/// [x, y, rotation] of each floor one after the other; empty (and an error) unless all are right.
-std::vector<double> read_triples(const TomlView& given, Range range, std::size_t floors) {
-  std::vector<double> values;
-  if (floors == 0 || !given.is_list_of("[x, y, rotation]", {floors, "one per floor"})) return values;
-  for (const TomlView& item : given.items()) {
-    const std::vector<double> triple = item.as_numbers(range, {3, "x, y and rotation"});
-    values.insert(values.end(), triple.begin(), triple.end());
-  }
-  return values.size() == 3 * floors ? values : std::vector<double>{};
-}
-
-/// One list per building, zeros where the case names none; empty when the table is missing.
-std::vector<std::vector<double>> read_initial_table(const TableView& initial, const std::string& key,
-                                                    const std::vector<ReadBuilding>& buildings, bool in_plan,
-                                                    bool& moves) {
-  const auto table = initial.find(key);
-  if (!table) return {};
-  const Key& known = initial.key(key);
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> lists;
-  for (const ReadBuilding& building : buildings) {
-    names.push_back(building.spec.name);
-    lists.emplace_back((in_plan ? 3 : 1) * building.elevations.size(), 0.0);
-  }
-  const std::string each = in_plan ? "list of one [x, y, rotation] per floor" : "list, one value per floor";
-  const bool is_table = read_by_building(*table, each, names, [&](std::size_t b, const TomlView& given) {
-    const std::size_t floors = buildings[b].elevations.size();
-    if (in_plan && buildings[b].spec.is_rigid()) {
-      given.error("is of a wall, which moves with the ground");
-      return;
-    }
-    const std::vector<double> values = in_plan ? read_triples(given, known.range, floors)
-                                               : given.as_numbers(known.range, {floors, std::string(known.each)});
-    if (values.empty()) return;
-    lists[b] = values;
-    moves = moves || std::any_of(values.begin(), values.end(), [](double x) { return x != 0; });
-  });
-  return is_table ? lists : std::vector<std::vector<double>>{};
-}
-
-/// @param moves set when something is given an initial displacement or velocity.
-InitialSpec read_initial(const TomlView& root, const std::vector<ReadBuilding>& buildings, bool in_plan, bool& moves) {
-  InitialSpec initial;
-  const auto view = TableView(root, case_keys()).table("initial");
-  if (!view) return initial;
-  initial.displacements = read_initial_table(*view, "displacements", buildings, in_plan, moves);
-  initial.velocities = read_initial_table(*view, "velocities", buildings, in_plan, moves);
-  return initial;
+/// Whether something is given an initial displacement or velocity.
+bool moves(const InitialSpec& initial) {
+  const auto any = [](const std::vector<std::vector<double>>& lists) {
+    return std::any_of(lists.begin(), lists.end(), [](const std::vector<double>& list) {
+      return std::any_of(list.begin(), list.end(), [](double x) { return x != 0; });
+    });
+  };
+  return any(initial.displacements) || any(initial.velocities);
 }
 
 Solver read_solver(const TableView& view) {
@@ -200,15 +160,21 @@ const ExcitationSpec& longest_of(const Case& c) {
   return length(c.excitation_y) > length(c.excitation) ? c.excitation_y : c.excitation;
 }
 
-/// What a case in plan is solved as, of one that is right so far.
+/// What a case in plan is solved as, of one that is right so far; where that is there but for the motion, with it.
 void make_in_plan(const TomlView& root, ReadCase& read, Diagnostics& diagnostics) {
-  std::vector<PlanBuilding> made = make_buildings(root, read.c, read.buildings);
-  read.plan.emplace();
+  const bool known = read.plan.has_value();
+  if (!known) read.plan.emplace();
+  std::vector<PlanBuilding> made = make_buildings(root, read.c, read.buildings, std::move(read.plan->buildings));
   refuse_masses_elsewhere(root, read.c, read.buildings);
   check_times(root, {}, read);
   if (!diagnostics.ok()) return;
   try {
-    read.plan = make_plan_problem(read.c, std::move(made));
+    if (known) {
+      read.plan->buildings = std::move(made);
+      take_motion(read.c, *read.plan);
+    } else {
+      read.plan = make_plan_problem(read.c, std::move(made));
+    }
   } catch (const InvalidParameter& fault) {  // an overlap at the start, of contacts without time
     const auto initial = root.find("initial");
     (initial ? *initial : root).error(std::string("cannot be computed with: ") + fault.what());
@@ -289,16 +255,13 @@ std::vector<Building> ReadCase::made_buildings() const {
   return made;
 }
 
-ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
-                         CaseMemo* memo, const std::function<void(double)>& progress) {
+namespace {
+
+/// All that does not hang on the ground motion.
+ReadCase read_but_motion(const TomlView& root, const CaseFiles& files, bool in_plan) {
+  const auto& [folder, diagnostics, memo] = files;
   ReadCase read;
   Case& c = read.c;
-  const CaseFiles files{folder, diagnostics, memo};
-  const bool in_plan = plan_of(root).has_value();
-  if (const auto study = root.find("case"); study && !root.has("building")) {
-    study->error("names the case of a study, which is not taken here: bentur sweep, ida, gap and remedy take studies");
-    return read;
-  }
   (void)TableView::of(root, case_keys());
   const auto title = root.find("title");
   c.title = title ? title->as_line().value_or("") : "";
@@ -315,37 +278,60 @@ ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& fold
   c.links = read_links(root, buildings, in_plan);
   const std::size_t neighbours = buildings.empty() ? 0 : buildings.size() - 1;
   const std::size_t gaps = !in_plan ? neighbours : diagnostics.ok() ? c.gaps.size() : 0;
-  read_excitation(root, buildings, files, in_plan, c);
-  bool moves = false;
-  c.initial = read_initial(root, buildings, in_plan, moves);
-  c.analysis = read_analysis(root, longest_of(c));
+  c.initial = read_initial(root, buildings, in_plan);
   c.code = read_code(root, c.units, buildings.size(), gaps);
   c.screening = read_screening(root);
   c.project = read_project(root, folder, diagnostics);
-  check_values(root, case_keys());
   for (const ReadBuilding& building : buildings) c.buildings.push_back(building.spec);
+  return read;
+}
+
+}  // namespace
+
+ReadCase read_case_parts(const TomlView& root, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                         CaseMemo* memo, const std::function<void(double)>& progress) {
+  const CaseFiles files{folder, diagnostics, memo};
+  const bool in_plan = plan_of(root).has_value();
+  if (const auto study = root.find("case"); study && !root.has("building")) {
+    study->error("names the case of a study, which is not taken here: bentur sweep, ida, gap and remedy take studies");
+    return {};
+  }
+  const std::shared_ptr<const ReadCase> known = memo != nullptr ? memo->but_motion(root, folder) : nullptr;
+  ReadCase read = known ? *known : read_but_motion(root, files, in_plan);
+  Case& c = read.c;
+  std::vector<ReadBuilding>& buildings = read.buildings;
+  read_excitation(root, buildings, files, in_plan, c);
+  c.analysis = read_analysis(root, longest_of(c));
+  if (const auto excitation = root.find("excitation"); !known) {
+    check_values(root, case_keys());
+  } else if (excitation && excitation->is(TomlValue::Kind::table)) {
+    check_values(*excitation, excitation_keys());
+  }
   if (!diagnostics.ok()) return read;
   const bool still =
       std::holds_alternative<NoMotion>(c.excitation.motion) && std::holds_alternative<NoMotion>(c.excitation_y.motion);
-  if (still && !is_without_motion(c) && !moves) {
+  if (still && !is_without_motion(c) && !moves(c.initial)) {
     root.find("excitation")
         ->find("kind")
         ->error_value("nothing would move: give [initial] displacements or velocities, or a ground motion");
   }
+  std::vector<TomlView> views;
   if (in_plan) {
     make_in_plan(root, read, diagnostics);
-    if (diagnostics.ok()) settle_excitation(root, read, diagnostics, progress);
-    return read;
+  } else {
+    for (std::size_t b = 0; b < buildings.size(); ++b) views.push_back(view_of(root, buildings, b));
+    check_assembled(views, c.units, buildings);
   }
-  std::vector<TomlView> views;
-  for (std::size_t b = 0; b < buildings.size(); ++b) views.push_back(view_of(root, buildings, b));
-  check_assembled(views, c.units, buildings);
-  if (diagnostics.ok()) {
+  if (!diagnostics.ok()) return read;
+  if (!in_plan) {
     check_overlaps(root, read);
     check_times(root, views, read);
-    settle_excitation(root, read, diagnostics, progress);
   }
-  if (memo != nullptr && diagnostics.ok()) memo->keep(root, c.units, buildings);
+  settle_excitation(root, read, diagnostics, progress);
+  if (memo != nullptr && diagnostics.ok() && !known) {
+    if (!in_plan) memo->keep(root, c.units, buildings);
+    memo->keep(root, folder, read);
+  }
   return read;
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,9 +13,16 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bentur/io/case/case_memo.h"
+#include "bentur/io/case/case_parts.h"
+#include "bentur/io/temporary_folder.h"
 #include "bentur/io/toml/toml_value.h"
+#include "bentur/model/plan/plan_run.h"
+#include "bentur/model/quantity_row.h"
+#include "bentur/model/run_results.h"
 #include "tests/support/mutated_text.h"
 
 namespace bentur {
@@ -238,6 +247,143 @@ TEST(CaseToml, MutatedCasesAreReadOrRefusedButNeverSilent) {
     read += good ? 1 : 0;
   }
   EXPECT_GT(read, 100);  // some mutations leave a case right, so that both outcomes are tried
+}
+
+/// What there is to be said of a text that is read with a memo, or without: its errors, or else its row of quantities.
+struct Outcome {
+  std::vector<std::string> errors = {};
+  std::vector<double> row = {};
+};
+
+Outcome outcome_of(const std::string& text, const fs::path& folder, CaseMemo* memo) {
+  Diagnostics diagnostics;
+  Outcome outcome;
+  const auto root = parse_toml(text, "case.toml", diagnostics);
+  const ReadCase read =
+      read_case_parts(TomlView(root.value(), "", "case.toml", diagnostics), folder, diagnostics, memo);
+  for (const Diagnostic& one : diagnostics.errors()) outcome.errors.push_back(one.text());
+  if (!outcome.errors.empty()) return outcome;
+  const auto fill = [&](const auto& problem, const auto& view_of) {
+    const std::vector<RowPart> parts = row_parts(problem, read.c.units, false);
+    outcome.row.resize(row_size(parts));
+    fill_row(parts, view_of(run_results(read.c, problem, solve(problem))), outcome.row);
+  };
+  if (read.plan) {
+    fill(*read.plan, [](PlanRun run) { return run; });
+  } else {
+    fill(read.problem(), [](const RunResults& run) { return run.view(); });
+  }
+  return outcome;
+}
+
+/// One of these texts.
+const std::string& one_of(const std::vector<std::string>& texts, std::mt19937& random) {
+  return texts[std::uniform_int_distribution<std::size_t>(0, texts.size() - 1)(random)];
+}
+
+/// Two buildings so far from one another, in a row or in plan, and no motion.
+std::string two_buildings(bool in_plan, double gap) {
+  if (!in_plan) {
+    return fmt::format(R"(
+[[building]]
+name = 'A'
+damping = 0.05
+width = 9
+stick = {{ storey_heights = [3, 3], masses = [30, 25], stiffnesses = [4e4, 3e4] }}
+[[building]]
+name = 'B'
+damping = 0.02
+width = 8
+stick = {{ storey_heights = [3, 3], masses = [20, 20], stiffnesses = [6e4, 5e4] }}
+[[gap]]
+between = ['A', 'B']
+width = {}
+contact = {{ law = 'linear', stiffness = 3e5 }}
+)",
+                       gap);
+  }
+  return fmt::format(R"(
+[plan]
+clearance = 0.1
+contact = {{ law = 'linear', stiffness = 4e5 }}
+[[building]]
+name = 'A'
+damping = 0.05
+plan = {{ corner = [0, 0], size = [9, 8], storey_heights = [3], masses = [200] }}
+rigidity = {{ centre = [4, 4.5], x = 4e4, y = 5e4, torsion = 3e6 }}
+[[building]]
+name = 'B'
+damping = 0.02
+plan = {{ corner = [{}, 0], size = [9, 8], storey_heights = [3], masses = [100] }}
+rigidity = {{ centre = [4, 4], x = 6e4, y = 6e4, torsion = 3e6 }}
+)",
+                     9 + gap);
+}
+
+/// A case whose ground moves in one of many ways, some of them wrong.
+std::string drawn_case(bool in_plan, std::mt19937& random) {
+  const auto number = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
+  std::string text = two_buildings(in_plan, number(0, 1) < 0.5 ? 0.01 : 0.02);
+  const auto motion = [&] {
+    const std::string kind = one_of({"record", "record", "record", "harmonic"}, random);
+    if (kind == "harmonic")
+      return fmt::format("kind = 'harmonic'\nperiod = {}\ndisplacement_amplitude = 0.02\n", number(0.1, 1));
+    return fmt::format("kind = 'record'\nfile = '{}'\nunit = 'm/s2'\n{} = {}\npolarity = '{}'\n",
+                       one_of({"short.csv", "long.csv"}, random), one_of({"scale", "pga"}, random),
+                       number(number(0, 1) < 0.1 ? -1 : 0.5, 4), one_of({"as-recorded", "reversed"}, random));
+  };
+  text += "[excitation]\n" + motion() +
+          one_of({"", "delays = [0, 0.1]\n", "wave_velocity = 300\n", "delays = [0]\n"}, random);
+  if (in_plan) text += one_of({"", "angle = 30\n"}, random);
+  if (in_plan && number(0, 1) < 0.5) text += "[excitation.y]\n" + motion();
+  return text + one_of({"", "[analysis]\nduration = 1.5\n", "[analysis]\ncollapse_drift = 0.2\n"}, random);
+}
+
+TEST(CaseToml, WhatReadingsShareChangesNothing) {
+  const TemporaryFolder folder;
+  for (const auto& [name, count] : {std::pair("short.csv", 50), {"long.csv", 90}}) {
+    std::ofstream file(folder.path() / name);
+    for (int n = 0; n < count; ++n) file << 0.02 * n << "," << 3 * std::sin(0.3 * n) << "\n";
+  }
+  std::mt19937 random(7);
+  CaseMemo memo;
+  int wrong = 0, right[] = {0, 0};
+  for (int round = 0; round < 400; ++round) {
+    const bool in_plan = round % 2 == 0;
+    const std::string text = drawn_case(in_plan, random);
+    const Outcome shared = outcome_of(text, folder.path(), &memo), alone = outcome_of(text, folder.path(), nullptr);
+    ASSERT_EQ(shared.errors, alone.errors) << text;
+    ASSERT_EQ(shared.row.size(), alone.row.size()) << text;
+    ASSERT_EQ(std::memcmp(shared.row.data(), alone.row.data(), alone.row.size() * sizeof(double)), 0) << text;
+    ++(alone.errors.empty() ? right[in_plan ? 1 : 0] : wrong);
+  }
+  for (const int count : right) EXPECT_GT(count, 50);
+  EXPECT_GT(wrong, 50);
+}
+
+TEST(CaseToml, ReadingsShareAllButTheMotion) {
+  const std::string analysis = "[analysis]\nduration = 2\n", building = two_buildings(true, 0.02) + analysis;
+  const std::string motion = "[excitation]\nkind = 'harmonic'\ndisplacement_amplitude = 0.02\nperiod = ";
+  Diagnostics diagnostics;
+  const auto is_known = [&](const std::string& text, const fs::path& folder, CaseMemo& memo) {
+    diagnostics = {};
+    const auto root = parse_toml(text, "case.toml", diagnostics);
+    const TomlView view(root.value(), "", "case.toml", diagnostics);
+    const bool known = memo.but_motion(view, folder) != nullptr;
+    (void)read_case_parts(view, folder, diagnostics, &memo);
+    return known;
+  };
+  CaseMemo memo;
+  EXPECT_FALSE(is_known(building + motion + "-1\n", "", memo));
+  EXPECT_FALSE(diagnostics.ok());
+  EXPECT_FALSE(is_known(building + motion + "0.5\n", "", memo)) << "the one before is wrong";
+  for (const Diagnostic& one : diagnostics.errors()) ADD_FAILURE() << one.text();
+  EXPECT_TRUE(is_known(building + motion + "0.6\n", "", memo));
+  EXPECT_FALSE(is_known(building + motion + "0.6\n", "elsewhere", memo));
+  EXPECT_FALSE(is_known(two_buildings(true, 0.03) + analysis + motion + "0.6\n", "", memo));
+  const auto of_files = CaseMemo::of_files_that_change();
+  EXPECT_FALSE(is_known(building + motion + "0.5\n", "", *of_files));
+  EXPECT_FALSE(is_known(building + motion + "0.6\n", "", *of_files));
 }
 
 }  // namespace

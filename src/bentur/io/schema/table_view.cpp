@@ -140,16 +140,19 @@ void check_values(const TomlView& table, const KeyTable& keys) {
 }
 
 std::optional<TableView> TableView::of(const TomlView& view, const KeyTable& keys) {
-  // Of what may stand beside a word that is given, such as kind = "record", no other keys are listed.
-  std::vector<std::string> names = keys.names(), listed;
-  if (view.is(Kind::table)) {
+  const bool is_table = view.is(Kind::table);
+  const std::vector<TomlMember>& members = view.value().members;
+  const auto is_known = [&](const TomlMember& one) { return key_of(keys, one.key, view.value()) != nullptr; };
+  if (!is_table || !std::all_of(members.begin(), members.end(), is_known)) {
+    // Of what may stand beside a word that is given, such as kind = "record", no other keys are listed.
+    std::vector<std::string> names = keys.names(), listed;
     std::copy_if(names.begin(), names.end(), std::back_inserter(listed), [&](const std::string& name) {
-      return broken_condition(*key_of(keys, name, view.value()), keys, view.value()) == nullptr;
+      return is_table && broken_condition(*key_of(keys, name, view.value()), keys, view.value()) == nullptr;
     });
+    const auto elsewhere = [&](const std::string& key) { return place_below(keys, view.value(), key); };
+    if (!view.is_table_of(names, &listed, elsewhere)) return std::nullopt;
   }
-  const auto elsewhere = [&](const std::string& key) { return place_below(keys, view.value(), key); };
-  if (!view.is_table_of(names, &listed, elsewhere)) return std::nullopt;
-  for (const TomlMember& member : view.value().members) {
+  for (const TomlMember& member : members) {
     const Key* const key = key_of(keys, member.key, view.value());
     const Condition* const broken = key == nullptr ? nullptr : broken_condition(*key, keys, view.value());
     if (broken == nullptr) continue;

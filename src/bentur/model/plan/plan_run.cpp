@@ -293,17 +293,21 @@ PlanProblem make_plan_problem(const Case& c, std::vector<PlanBuilding> buildings
   }
   problem.links = links_of(c.links, problem.buildings);
   problem.elsewhere = buildings_elsewhere(c.buildings);
+  problem.initial_displacement = initial_vectors(c.initial.displacements, problem.buildings);
+  problem.initial_velocity = initial_vectors(c.initial.velocities, problem.buildings);
+  problem.collapse_drift = c.analysis.collapse_drift;
+  take_motion(c, problem);
+  return problem;
+}
+
+void take_motion(const Case& c, PlanProblem& problem) {
   problem.motions = {c.excitation.motion, c.excitation_y.motion};
   problem.axes = axes_at(c.angle);
   problem.delays = c.excitation.delays;
   problem.kinematics = c.excitation.kinematics;
-  problem.initial_displacement = initial_vectors(c.initial.displacements, problem.buildings);
-  problem.initial_velocity = initial_vectors(c.initial.velocities, problem.buildings);
   problem.duration = c.analysis.duration;
   problem.goes_on = c.analysis.goes_on;
-  problem.collapse_drift = c.analysis.collapse_drift;
   validate(problem);
-  return problem;
 }
 
 PlanRun run_results(Case c, PlanProblem problem, PlanResponse response) {

@@ -45,6 +45,9 @@ struct RunResults;
 [[nodiscard]] PlanProblem make_plan_problem(const Case& c);
 /// The same of buildings that make_plan_building() has made of the case's.
 [[nodiscard]] PlanProblem make_plan_problem(const Case& c, std::vector<PlanBuilding> buildings);
+/// The ground motion of a case, and how long it is followed, into a problem that has all else of it.
+/// @throws InvalidParameter where the problem is not valid then
+void take_motion(const Case& c, PlanProblem& problem);
 
 /// A run of buildings in plan, just solved or read again from its results, whose records are known by their echo alone.
 struct PlanRun {

@@ -446,18 +446,18 @@ std::vector<ReadBuilding> read_plan_buildings(const TomlView& root, const Units&
 }
 
 std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
-                                         const std::vector<ReadBuilding>& buildings) {
-  std::vector<PlanBuilding> all;
+                                         const std::vector<ReadBuilding>& buildings, std::vector<PlanBuilding> made) {
+  const bool known = !made.empty();
   for (std::size_t b = 0; b < buildings.size(); ++b) {
     const TomlView view = view_of(root, buildings, b);
     try {
-      const PlanBuilding& made = all.emplace_back(make_plan_building(buildings[b].spec));
-      check_mode_times(view, made.modes, made.modal_damping, c.analysis.duration);
+      const PlanBuilding& one = known ? made[b] : made.emplace_back(make_plan_building(buildings[b].spec));
+      check_mode_times(view, one.modes, one.modal_damping, c.analysis.duration);
     } catch (const std::exception& error) {
       view.error(std::string("cannot be computed with: ") + error.what());
     }
   }
-  return all;
+  return made;
 }
 
 void refuse_masses_elsewhere(const TomlView& root, const Case& c, const std::vector<ReadBuilding>& buildings) {

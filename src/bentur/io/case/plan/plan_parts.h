@@ -27,9 +27,11 @@ using StruckNodes = std::map<std::pair<std::size_t, std::size_t>, std::vector<Co
 /// nothing (and an error) where none can.
 [[nodiscard]] std::optional<LevelPair> read_struck_level(const TomlView& elevation, double wanted, const GapSpec& gap,
                                                          const ReadBuilding& left, const ReadBuilding& right);
-/// The buildings with modes and damping, of what is right otherwise; an error at each that cannot be made.
+/// The buildings with modes and damping, of what is right otherwise; an error at each that cannot be made, or followed
+/// for so long. @param made those that have been made before
 [[nodiscard]] std::vector<PlanBuilding> make_buildings(const TomlView& root, const Case& c,
-                                                       const std::vector<ReadBuilding>& buildings);
+                                                       const std::vector<ReadBuilding>& buildings,
+                                                       std::vector<PlanBuilding> made = {});
 
 /// plan_buildings.cpp: an error at each building whose masses go both ways under a spectrum, which says what they do
 /// where they are expected alone.

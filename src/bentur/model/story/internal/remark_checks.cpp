@@ -95,7 +95,9 @@ void check_motion(const GroundMotion& motion, const ExcitationSpec& excitation, 
   } else {
     list.check(peak == 0 ? "motion_of_zeros" : "pga", subject, in_g);
   }
-  if (const auto* sampled = std::get_if<SampledMotion>(&motion); sampled != nullptr && peak > 0) {
+  const auto* const sampled = std::get_if<SampledMotion>(&motion);
+  if (sampled != nullptr && peak > 0 &&
+      duration < sampled->time_step * static_cast<double>(sampled->acceleration.size())) {
     const auto at = std::max_element(sampled->acceleration.begin(), sampled->acceleration.end(),
                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
     const double time = sampled->time_step * static_cast<double>(at - sampled->acceleration.begin());
