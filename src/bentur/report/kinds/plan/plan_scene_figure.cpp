@@ -87,7 +87,7 @@ class PlanPicture {
     const PlanBuilding& building = run_.problem.buildings[b];
     if (building.is_rigid()) return;
     for (const std::vector<PlanPoint>& ring : scene_.outlines(building.model.footprint)) {
-      Curve curve{.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
+      Curve curve{.tone = Tone::grey, .line = Line::dotted, .width = 0.7, .complete = true};
       for (const PlanPoint& at : ring) add(curve, scene_.place(at));
       panel_.curves.push_back(std::move(curve));
     }
@@ -465,6 +465,7 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
   const double count = static_cast<double>(openings.size());
   for (Panel& opening : openings) {
     opening.height = is_wide ? std::max(1.8, (height - gaps.height - around) / count - around * (count - 1)) : 2.4;
+    name_rules_at_ends(opening);
   }
   if (is_wide) {
     figure.columns = 2;
