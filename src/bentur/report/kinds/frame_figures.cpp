@@ -373,6 +373,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
       for (std::size_t k = 0; k < (sheet.has_rows_of_frames ? columns.size() : frames.size()); ++k) {
         highest = std::max(highest, (sheet.has_rows_of_frames ? drawn[k][f] : drawn[c][k]).high());
       }
+      highest += 0.06 * one_cm;  // half the line of a beam
       const double factor = shown_factor(run, carried.form);
       const std::string unit = shown_unit(run, carried.form);
       const Diagram diagram(carried, frame, one.scale);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bentur/core/not_known.h"
+#include "bentur/report/kinds/internal/convex_area.h"
 
 namespace bentur {
 namespace {
@@ -11,37 +12,11 @@ namespace {
 void stop(Curve& curve) {
   curve.x.push_back(not_known);
   curve.y.push_back(not_known);
-  if (!curve.top.empty()) curve.top.push_back(not_known);
 }
 
 void add(Curve& curve, const std::pair<double, double>& place) {
   curve.x.push_back(place.first);
   curve.y.push_back(place.second);
-}
-
-/// A piece of an area along a column as what lies above each place along x. @param lower, upper its ends: where it
-/// begins along x, where it ends, and its height
-struct Level {
-  double left = 0, right = 0, height = 0;
-};
-void add_piece(Curve& curve, const Level& lower, const Level& upper) {
-  std::vector<double> places{lower.left, lower.right, upper.left, upper.right};
-  std::sort(places.begin(), places.end());
-  for (const double x : places) {
-    double from = 0, to = 1;  // parts of the height between which x is within the piece
-    const auto within = [&](double at_lower, double at_upper) {
-      const double growth = at_upper - at_lower;
-      if (growth > 0) from = std::max(from, -at_lower / growth);
-      if (growth < 0) to = std::min(to, -at_lower / growth);
-    };
-    within(x - lower.left, x - upper.left);
-    within(lower.right - x, upper.right - x);
-    const double rise = upper.height - lower.height;
-    curve.x.push_back(x);
-    curve.y.push_back(lower.height + rise * std::min(from, 1.0));
-    curve.top.push_back(lower.height + rise * std::max({from, to, 0.0}));
-  }
-  stop(curve);
 }
 
 }  // namespace
@@ -93,19 +68,15 @@ Curve Diagram::area(const Band& band, bool of_beams, Curve style) const {
   for (Eigen::Index n = 0; n < std::ssize(frame_->members); ++n) {
     if (frame_->members[n].of_beam != of_beams || std::isnan(carried_->of(*band.high, n).front())) continue;
     const std::vector<Station> stations = stations_of(band, n);
-    for (std::size_t k = 0; k < stations.size(); ++k) {
-      const auto [x, y] = at(n, stations[k].along, stations[k].low);
-      const auto [to_x, to_y] = at(n, stations[k].along, stations[k].high);
-      if (of_beams) {
-        add(style, {x, y});
-        style.top.push_back(to_y);
-      } else if (k > 0) {
-        const double below = at(n, stations[k - 1].along, 0).second;
-        add_piece(style, {at(n, 0, stations[k - 1].low).first, at(n, 0, stations[k - 1].high).first, below},
-                  {x, to_x, y});
-      }
+    const auto corner = [&](double along, double value) {
+      const auto [x, y] = at(n, along, value);
+      return Eigen::Vector2d(x, y);
+    };
+    for (std::size_t k = 1; k < stations.size(); ++k) {
+      const Station &from = stations[k - 1], &to = stations[k];
+      add_area(style, {corner(from.along, from.low), corner(from.along, from.high), corner(to.along, to.high),
+                       corner(to.along, to.low)});
     }
-    if (of_beams) stop(style);
   }
   return style;
 }
