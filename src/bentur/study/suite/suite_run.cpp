@@ -274,7 +274,6 @@ void run_records(const AnyProblem& problem, const WithMotion& with_motion, const
   }
 }
 
-
 /// Nothing unless all of them differ.
 std::vector<std::string> if_different(std::vector<std::string> names) {
   const bool are = std::set<std::string>(names.begin(), names.end()).size() == names.size();
