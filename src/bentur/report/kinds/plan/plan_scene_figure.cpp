@@ -150,7 +150,7 @@ class PlanPicture {
 
   /// In each footprint where it is broadest, above or below its centres where there are any.
   void add_names() {
-    NameRows rows{.half_height = 0.5 * high_name * length_of_cm()};
+    NameRows rows{.half_height = 0.5 * high_name * length_of_cm(), .marks = marks()};
     if (!has_centres()) {
       std::vector<std::vector<PlanRings>> above;
       for (Index b = 0; b < std::ssize(rings_); ++b) above.push_back(rings_above(b));
@@ -169,6 +169,22 @@ class PlanPicture {
         for (Curve& curve : panel_.curves) curve.in_legend = curve.in_legend || curve.label == building.name;
       }
     }
+  }
+
+  /// Where marks and rays lie, with some room around them.
+  [[nodiscard]] std::vector<Box> marks() const {
+    constexpr double of_one = 0.08;  // half of a mark of size 1, with room [cm]
+    std::vector<Box> boxes;
+    for (const Curve& curve : panel_.curves) {
+      const bool are_rays = curve.tone == Tone::red && curve.top.empty() && curve.line == Line::solid;
+      const double half = curve.mark != Mark::none ? of_one * curve.mark_size * length_of_cm() : 0;
+      if (!are_rays && half == 0) continue;
+      for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (std::isnan(curve.x[i])) continue;
+        boxes.push_back({curve.x[i] - half, curve.x[i] + half, curve.y[i] - half, curve.y[i] + half});
+      }
+    }
+    return boxes;
   }
 
   /// Whether the words of a name have room for each of them, about.
