@@ -295,6 +295,10 @@ TEST(HandIn, OfASuiteTheRecordThatNeedsMostIsDrawn) {
   for (const SuiteRecordRun& one : run.records) {
     EXPECT_GE(run.records[governing].needed.front(), one.needed.front());
   }
+  SuiteRun near = run;  // whose number would lie on the line of what is given
+  const double given = near.records[0].judged.front().width;
+  near.records[0].needed.front() = 0.95 * given;
+  EXPECT_EQ(make_figure(near, gaps.value(), "gap-needed").panels.front().texts.front().x, given);
   const std::string page = suite_report_html(run, gaps.value(), {.version = "0"});
   EXPECT_TRUE(holds(page, "The record that needs most, " + record_names(*c.excitation.suite)[governing]));
   EXPECT_TRUE(holds(page, "Not evaluated: DDC (links tie the buildings"));
