@@ -107,6 +107,7 @@ void draw_suite(const PlotArguments& arguments) {
   }
   if (arguments.list) return list_kinds(figure_kinds(SuiteRun{}));
   std::optional<SuiteRun> run;
+  std::optional<GapStudy> gaps;
   if (arguments.kind != "suite") {
     const std::vector<FigureKind> kinds = figure_kinds(SuiteRun{});
     if (std::none_of(kinds.begin(), kinds.end(), [&](const FigureKind& one) { return one.name == arguments.kind; })) {
@@ -114,9 +115,10 @@ void draw_suite(const PlotArguments& arguments) {
                                                 arguments.kind));
     }
     run = run_records(loaded, true, arguments.language);
+    gaps = gaps_over_records(loaded, arguments.results, arguments.language);
   }
   const auto make = [&](const FigureOptions& options) {
-    return run ? make_figure(*run, arguments.kind, options) : suite_figure(*suite, loaded.c.units, options);
+    return run ? make_figure(*run, *gaps, arguments.kind, options) : suite_figure(*suite, loaded.c.units, options);
   };
   std::optional<Figure> figure;
   try {

@@ -390,7 +390,7 @@ class Spectrum(Figures):
         acceleration, displacement = blocks(self.folder / "s.py")
         self.assertEqual([row[0] for row in acceleration], [float(row["period [s]"]) for row in rows])
         self.assertEqual([row[1] for row in displacement], [float(row["displacement [m]"]) for row in rows])
-        self.assertIn("Sa [g]", self.texts(self.folder / "s.svg"))
+        self.assertIn("Acceleration Sa [g]", self.texts(self.folder / "s.svg"))
         self.bentur(0, "spectrum", record, "--unit", "g", "--lang", "id", "-o", "s.svg", "--force")
         self.assertIn("Periode T [s]", self.texts(self.folder / "s.svg"))
 

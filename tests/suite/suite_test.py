@@ -330,6 +330,8 @@ class Suites(unittest.TestCase):
         records = self.gap(file)["studied"][0]["gaps"][0]["records"]
         self.assertIn(f"largest {max(one['gap_needed'] for one in records):.4g} m under ", drawn)
         self.assertIn("given: 0.05 m", drawn)
+        code = self.gap(file)["studied"][0]["gaps"][0]["code"]
+        self.assertIn(f"{code['takes']}, by EN 1998-1: {code['gap_needed']:.4g} m<", drawn)
         values = {float(value) for line in (self.folder / "needs-data.csv").read_text().splitlines()
                   for value in re.findall(r"[-+.\de]+", line) if re.fullmatch(r"[\d.]+(e[-+]?\d+)?", value)}
         for one in records:

@@ -379,6 +379,25 @@ TEST(Layout, LegendsLieAboveTheFramesAndNotOnOneAnother) {
   }
 }
 
+/// Where columns as wide as the longest entry would take lines more.
+TEST(Layout, EntriesOfUnlikeLengthsStandBehindOneAnother) {
+  Panel panel{.x = {.label = "x"}, .y = {.label = "y"}};
+  for (const char* const label : {"an entry that takes most of the width", "second", "third", "fourth", "fifth"}) {
+    panel.curves.push_back(line(label, 1));
+  }
+  const Layout placed = layout({.panels = {panel}});
+  const std::vector<LegendEntry>& entries = placed.panels.front().legend;
+  ASSERT_EQ(entries.size(), 5U);
+  std::set<double> lines;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    lines.insert(entries[i].y);
+    EXPECT_LE(entries[i].x + sample_width + beside_sample + text_width(entries[i].label), placed.width);
+    if (i == 0 || entries[i].y != entries[i - 1].y) continue;
+    EXPECT_GT(entries[i].x, entries[i - 1].x + sample_width + beside_sample + text_width(entries[i - 1].label));
+  }
+  EXPECT_EQ(lines.size(), 2U);
+}
+
 TEST(Layout, AUnitStaysWithItsNumber) {
   for (double width = 2; width < 8.8; width += 0.1) {
     Figure figure = simple("Old frame | New frame, level 10 m");

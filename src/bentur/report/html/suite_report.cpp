@@ -58,14 +58,14 @@ Html worst_picture(const SuiteRun& run, const html::Report& report, const std::s
   const std::size_t record = governing_record(run);
   const Case c = case_of_record(run.c, record);
   const std::string caption =
-      report.say("figure.overview_of_record", {{"record", run.c.excitation.suite->records[record].name()}});
+      report.say("figure.overview_of_record", {{"record", record_names(*run.c.excitation.suite)[record]}});
   return run.plan ? picture_of(c, make_plan_problem(c, run.plan->buildings), caption, language)
                   : picture_of(c, make_problem(c, run.problem.buildings), caption, language);
 }
 
-Html needs_picture(const SuiteRun& run, const html::Report& report, const std::string& language) {
+Html needs_picture(const SuiteRun& run, const GapStudy& gaps, const html::Report& report, const std::string& language) {
   try {
-    return html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, "gap-needed", drawn); },
+    return html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, gaps, "gap-needed", drawn); },
                                 report.say("figure.gap-needed"), language);
   } catch (const NoFigure&) {
     return {};
@@ -115,10 +115,10 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
   const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(
       {{"suite", "the spectra"}},
-      [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(run, kind, drawn); }, "figure.",
-      options.language);
+      [&](const std::string& kind, const FigureOptions& drawn) { return make_figure(run, gaps, kind, drawn); },
+      "figure.", options.language);
   html::PageSection verdict = html::verdict_section(report);
-  verdict.content += needs_picture(run, report, options.language);
+  verdict.content += needs_picture(run, gaps, report, options.language);
   verdict.content += worst_picture(run, report, options.language);
   html::PageBody body{
       .header = html::title_block(report, title, say("suite.by", {{"version", options.version}})),

@@ -9,6 +9,7 @@
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/kinds/internal/frame_diagram.h"
 #include "bentur/report/kinds/internal/free_place.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/run_figures.h"
@@ -17,20 +18,13 @@
 namespace bentur {
 namespace {
 
-/// One of the three that members carry, along each member: at MemberForces::stations, or the same from end to end.
-struct Carried {
-  const char *form = "", *symbol = "";  ///< of its unit; what it is called in short
-  bool is_moment = false, is_axial = false;
-  const char* largest = "";  ///< "largest moment {}, {}"
+/// Members among which the largest is sought: all, or columns of one storey, or beams of one floor.
+struct Among {
+  Eigen::Index level = 0;  ///< from 1; 0: all
+  bool of_beams = false;
 
-  [[nodiscard]] std::vector<double> of(const FrameForces::Forces& forces, Eigen::Index member) const {
-    if (!is_moment) return std::vector(2, (is_axial ? forces.axial : forces.shears)(member));
-    const auto column = forces.moments.col(member);
-    return {column.begin(), column.end()};
-  }
-  [[nodiscard]] std::vector<double> stations() const {
-    if (!is_moment) return {0, 1};
-    return {std::begin(MemberForces::stations), std::end(MemberForces::stations)};
+  [[nodiscard]] bool has(const FrameMember& member) const {
+    return level == 0 || (member.level == level && member.of_beam == of_beams);
   }
 };
 
@@ -40,8 +34,9 @@ struct LargestForce {
   Eigen::Index member = -1;
   std::size_t station = 0;
 
-  void take(const Carried& carried, const FrameForces& frame, const FrameForces::Forces& forces) {
+  void take(const Carried& carried, const FrameForces& frame, const FrameForces::Forces& forces, Among among = {}) {
     for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
+      if (!among.has(frame.members[n])) continue;
       const std::vector<double> values = carried.of(forces, n);
       for (std::size_t k = 0; k < values.size(); ++k) {
         if (!(std::abs(values[k]) > std::abs(value) * (1 + 1e-9))) continue;  // of those that are alike the first
@@ -55,10 +50,11 @@ struct LargestForce {
 
 /// Those of all that are as large as it, but for round-off, itself among them; of a symmetrical frame there are more.
 std::vector<LargestForce> alike_to(const LargestForce& largest, const Carried& carried, const FrameForces& frame,
-                                   const std::vector<const FrameForces::Forces*>& among) {
+                                   const std::vector<const FrameForces::Forces*>& drawn, Among among) {
   std::vector<LargestForce> found;
-  for (const FrameForces::Forces* const forces : among) {
+  for (const FrameForces::Forces* const forces : drawn) {
     for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
+      if (!among.has(frame.members[n])) continue;
       const std::vector<double> values = carried.of(*forces, n);
       for (std::size_t k = 0; k < (carried.is_moment ? values.size() : 1); ++k) {
         const bool is_alike = std::abs(values[k]) > std::abs(largest.value) * (1 - 1e-6);
@@ -68,53 +64,6 @@ std::vector<LargestForce> alike_to(const LargestForce& largest, const Carried& c
   }
   return found;
 }
-
-/// Places of a diagram on its frame: columns to the right, beams downwards, by `scale` [length per unit].
-class Diagram {
- public:
-  Diagram(const Carried& carried, const FrameForces& frame, double scale)
-      : carried_(&carried), frame_(&frame), scale_(scale) {}
-
-  [[nodiscard]] std::pair<double, double> at(Eigen::Index member, double station, double value) const {
-    const FrameMember& of = frame_->members[member];
-    const double along = of.from + station * of.length();
-    return of.of_beam ? std::pair(along, of.place - scale_ * value) : std::pair(of.place + scale_ * value, along);
-  }
-  /// Around the area between the members and the values, or hatches so far apart across it.
-  [[nodiscard]] Curve outline(const FrameForces::Forces& forces, Curve style, double apart = 0) const {
-    const std::vector<double> stations = carried_->stations();
-    for (Eigen::Index n = 0; n < std::ssize(frame_->members); ++n) {
-      const std::vector<double> values = carried_->of(forces, n);
-      if (std::isnan(values.front())) continue;
-      const auto add = [&](double station, double value) {
-        const auto [x, y] = at(n, station, value);
-        style.x.push_back(x);
-        style.y.push_back(y);
-      };
-      const auto stop = [&] { style.x.push_back(not_known), style.y.push_back(not_known); };
-      if (apart > 0) {
-        const int hatches = std::max(2, static_cast<int>(std::lround(frame_->members[n].length() / apart)));
-        for (int k = 1; k < hatches; ++k) {
-          const double station = static_cast<double>(k) / hatches;
-          add(station, 0);
-          add(station, values.front() + station * (values.back() - values.front()));
-          stop();
-        }
-      } else {
-        add(0, 0);
-        for (std::size_t k = 0; k < values.size(); ++k) add(stations[k], values[k]);
-        add(1, 0);
-        stop();
-      }
-    }
-    return style;
-  }
-
- private:
-  const Carried* carried_;
-  const FrameForces* frame_;
-  double scale_;
-};
 
 /// What a round number is drawn as, below the frame: the largest that some force drawn to this scale reaches.
 /// @param scale [length per unit shown] @param most the largest of these forces, as it is shown
@@ -163,7 +112,7 @@ std::string member_text(const FigureOptions& options, const Carried& carried, co
 }
 
 /// What the panels of a column show of each frame: one of the three at the instant, or the largest of the run.
-struct Shown {
+struct ShownForces {
   Carried carried = {};
   bool at_instant = false;
 
@@ -190,7 +139,7 @@ struct Drawn {
 };
 
 /// To a scale at which diagrams of neighbouring columns, and of beams one above another, do not meet.
-Drawn drawn_of(const RunResults& run, const Shown& shown, const FrameForces& frame) {
+Drawn drawn_of(const RunResults& run, const ShownForces& shown, const FrameForces& frame) {
   const StructuralModel& model = run.problem.buildings[frame.building].model;
   double bay = INFINITY, storey = INFINITY;  // the shortest
   for (const FrameMember& member : frame.members) {
@@ -211,7 +160,10 @@ Drawn drawn_of(const RunResults& run, const Shown& shown, const FrameForces& fra
       }
     }
   }
-  constexpr double part = 0.45, least = 0.04;  // of a bay or storey; of the height of a tall frame, so that it is seen
+  const double part = shown.at_instant          ? 0.45
+                      : shown.carried.is_moment ? 0.4
+                                                : 0.3;  // of a bay or storey; bands are as wide the other way
+  constexpr double least = 0.04;                        // of the height of a tall frame, so that it is seen
   const double high = least * extent_of(frame).top;
   const auto of_room = [&](double room, double most) {
     return most > 0 ? std::max(part * room, high) / most : INFINITY;
@@ -252,100 +204,184 @@ std::vector<const FrameForces*> frames_shown(const RunResults& run, const Figure
   return frames;
 }
 
-/// The lines of the members themselves.
-Curve members_of(const Diagram& diagram, const FrameForces& frame, Tone tone) {
-  Curve members{.tone = tone, .width = 1.2, .complete = true};
-  for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
-    for (const double station : {0.0, 1.0}) {
-      const auto [x, y] = diagram.at(n, station, 0);
-      members.x.push_back(x);
-      members.y.push_back(y);
-    }
-    members.x.push_back(not_known);
-    members.y.push_back(not_known);
-  }
-  return members;
-}
-
-/// Writes the largest value beside its dot, of several that are alike where there is most room.
+/// Writes a value beside its dot, of several that are alike where there is most room; nowhere if that is further away
+/// than `most_far` [cm].
 void name_largest(Panel& panel, const Diagram& diagram, const Carried& carried, const FrameForces& frame,
-                  const LargestForce& force, const std::vector<const FrameForces::Forces*>& among,
-                  const std::string& text, double one_cm) {
+                  const LargestForce& force, const std::vector<LargestForce>& alike, const std::string& text,
+                  double one_cm, double most_far = INFINITY) {
   if (force.member < 0) return;
   std::optional<Panel> best;
-  double nearest = INFINITY;
-  for (const LargestForce& alike : alike_to(force, carried, frame, among)) {
+  double nearest = most_far * one_cm;
+  for (const LargestForce& one : alike) {
     for (const double station :
-         carried.is_moment ? std::vector{carried.stations()[alike.station]}
+         carried.is_moment ? std::vector{carried.stations()[one.station]}
                            : std::vector{0.5, 0.35, 0.65, 0.2, 0.8, 0.1, 0.9}) {  // it is alike along the member
-      const auto [x, y] = diagram.at(alike.member, station, alike.value);
+      if (!carried.is_moment && frame.members[one.member].of_beam && (station < 0.3 || station > 0.7)) continue;
+      const auto [x, y] = diagram.at(one.member, station, one.value);
       Panel here = panel;
-      here.curves.push_back({.x = {x}, .y = {y}, .line = Line::none, .mark = Mark::disc, .complete = true});
+      here.curves.push_back({.x = {x},
+                             .y = {y},
+                             .line = Line::none,
+                             .mark = Mark::disc,
+                             .complete = true,
+                             .mark_size = std::isinf(most_far) ? 1 : 0.7});
       const double far = add_beside(here, x, y, text, one_cm);
       if (far > nearest - 0.02 * one_cm) continue;
       nearest = far;
       best = std::move(here);
     }
   }
-  panel = std::move(*best);
+  if (best) panel = *std::move(best);
 }
 
-/// A row for each frame, a column for what is shown of it; on a telephone two columns at most.
-Figure frame_figure(const RunResults& run, const FigureOptions& options, const std::string& title,
-                    const std::vector<Shown>& columns) {
-  const std::vector<const FrameForces*> frames = frames_shown(run, options);
-  const bool are_slender = std::all_of(frames.begin(), frames.end(), [](const FrameForces* one) {
-    return extent_of(*one).top > 1.2 * extent_of(*one).right;  // so that two stand side by side on a telephone
+/// How the panels of a figure stand: a row for each frame and in it one panel for each of what is shown, or the other
+/// way round, whichever draws frames larger.
+struct Sheet {
+  bool has_rows_of_frames = true;
+  std::size_t beside = 1;
+  double width = 0;          ///< of the figure [cm]
+  double one_cm = 0;         ///< what a centimetre is [length]
+  double of_panel = 0;       ///< how wide a panel is [cm]
+  bool leaves_room = false;  ///< in the last row of a frame
+};
+
+constexpr double below_frame = 1.1;  // the frame, a number and a bar [cm]
+
+/// @param drawn of each of what is shown its frames
+Sheet sheet_of(const std::vector<std::vector<Drawn>>& drawn, const FigureOptions& options, bool has_rows_of_frames) {
+  const std::size_t count = drawn.size(), frames = drawn.front().size();
+  const bool are_three = count > 2;
+  const bool are_slender = std::all_of(drawn.front().begin(), drawn.front().end(), [](const Drawn& one) {
+    return extent_of(*one.frame).top >
+           1.2 * extent_of(*one.frame).right;  // so that two stand side by side on a telephone
   });
-  const bool are_three = columns.size() > 2;
-  const std::size_t beside = !options.narrow ? columns.size() : are_slender || are_three ? 2 : 1;
-  Figure figure{.title = title,
-                .columns = static_cast<int>(beside),
-                .width = options.narrow ? options.width : broad(options.width),
-                .shared_legend = are_three};
-  const bool has_impacts = !run.response.impacts.empty();
-  const bool leaves_room = columns.size() % beside > 0;
+  Sheet sheet{.has_rows_of_frames = has_rows_of_frames,
+              .beside = !has_rows_of_frames ? frames
+                        : !options.narrow   ? count
+                                            : static_cast<std::size_t>(are_slender || are_three ? 2 : 1)};
+  sheet.width = options.narrow || sheet.beside == 1 ? options.width : broad(options.width);
+  sheet.leaves_room = has_rows_of_frames && count % sheet.beside > 0;
   // Of rows so high that frames over the width of a panel can be read; two of them leave room for others on a page.
-  const double above = leaves_room ? 1.0 : 0.8;  // title of a row and what is free between two [cm]
+  const double above = sheet.leaves_room ? 1.0 : 0.8;  // title of a row and what is free between two [cm]
   const double highest = are_three ? 6.9 : 7.8, of_legend = are_three ? 0.5 : 0;  // [cm]
-  const std::size_t rows = frames.size() * ((columns.size() + beside - 1) / beside);
-  const double room = are_three && !options.narrow ? 15.6 : page_height;  // two thirds of a page [cm]
-  const double height = std::min(highest, (room - of_legend) / static_cast<double>(rows) - above);
+  const std::size_t rows = has_rows_of_frames ? frames * ((count + sheet.beside - 1) / sheet.beside) : count;
+  const bool is_lower = are_three && !options.narrow && has_rows_of_frames && frames <= 2;
+  const double room = is_lower ? 15.6 : page_height;  // two thirds of a page [cm]
+  const double height = std::min(highest, (room - of_legend) / static_cast<double>(rows) - above) - below_frame;
   constexpr double between = 0.8;  // of the panels of a row, and beside them [cm]
-  const double width = figure.width / figure.columns - between;
-  constexpr double below = 1.1;           // the frame, a number and a bar [cm]
+  sheet.of_panel = sheet.width / static_cast<double>(sheet.beside) - between;
+  for (const std::vector<Drawn>& all : drawn) {
+    for (const Drawn& one : all)
+      sheet.one_cm = std::max({sheet.one_cm, one.high() / height, one.wide() / sheet.of_panel});
+  }
+  return sheet;
+}
+
+/// Diagrams of the beams, over them those of the columns where they are as large along the whole member.
+void add_diagrams(Panel& panel, const Diagram& diagram, const FrameForces& frame, const ShownForces& shown,
+                  bool has_impacts, const std::pair<std::string, std::string>& labels) {
+  const auto band_of = [&](bool touches) {
+    const std::vector<const FrameForces::Forces*> forces = shown.of(frame, touches);
+    return forces.size() == 1 ? Band{.high = forces.front()} : Band{.low = forces.back(), .high = forces.front()};
+  };
+  const Band with = band_of(true);
+  const auto fill = [&](bool of_beams) {
+    Curve area = diagram.area(with, of_beams, {.tone = Tone::pale});
+    if (!area.x.empty()) panel.curves.push_back(std::move(area));
+  };
+  const auto edge = [&](bool of_beams) {
+    const auto add = [&](const Band& band, Curve style) {
+      style.width = 0.9;
+      style.complete = true;
+      Curve outline = diagram.outline(band, of_beams, std::move(style));
+      if (!outline.x.empty()) panel.curves.push_back(std::move(outline));
+    };
+    if (!shown.at_instant && has_impacts) {
+      add(band_of(false), {.label = of_beams ? "" : labels.second, .tone = Tone::grey, .line = Line::dashed});
+    }
+    add(with, {.label = of_beams ? "" : labels.first});
+  };
+  if (shown.carried.is_moment) {
+    for (const bool of_beams : {true, false}) fill(of_beams);
+    for (const bool of_beams : {true, false}) edge(of_beams);
+    return;
+  }
+  for (const bool of_beams : {true, false}) {
+    fill(of_beams);
+    edge(of_beams);
+  }
+}
+
+/// The largest of all with its unit, then those of each storey and floor where there is room beside them.
+void name_values(Panel& panel, const Diagram& diagram, const ShownForces& shown, const Drawn& one, double factor,
+                 const std::string& unit, double one_cm) {
+  const FrameForces& frame = *one.frame;
+  const Carried& carried = shown.carried;
+  const std::vector<const FrameForces::Forces*> drawn = shown.of(frame, true);
+  const auto value_of = [&](const LargestForce& force) { return number(factor * std::abs(force.value)); };
+  const LargestForce& largest = one.largest;
+  name_largest(panel, diagram, carried, frame, largest, alike_to(largest, carried, frame, drawn, {}),
+               value_of(largest) + " " + unit, one_cm);
+  if (largest.member < 0) return;
+  Eigen::Index storeys = 0;
+  for (const FrameMember& member : frame.members) storeys = std::max(storeys, member.level);
+  constexpr double least = 0.05, most_far = 0.45;  // of the largest of all, [cm]
+  for (Eigen::Index level = 1; level <= storeys; ++level) {
+    for (const bool of_beams : {false, true}) {
+      const Among among{level, of_beams};
+      LargestForce force;
+      for (const FrameForces::Forces* const forces : drawn) force.take(carried, frame, *forces, among);
+      if (among.has(frame.members[largest.member]) || std::abs(force.value) < least * std::abs(largest.value)) continue;
+      name_largest(panel, diagram, carried, frame, force, alike_to(force, carried, frame, drawn, among),
+                   value_of(force), one_cm, most_far);
+    }
+  }
+}
+
+Figure frame_figure(const RunResults& run, const FigureOptions& options, const std::string& title,
+                    const std::vector<ShownForces>& columns) {
+  const std::vector<const FrameForces*> frames = frames_shown(run, options);
+  const bool are_three = columns.size() > 2;
+  const bool has_impacts = !run.response.impacts.empty();
   std::vector<std::vector<Drawn>> drawn;  // of each column
   std::vector<double> most;               // forces
-  double high = 0, one_cm = 0;            // [length]
-  for (const Shown& shown : columns) {
+  for (const ShownForces& shown : columns) {
     std::vector<Drawn>& all = drawn.emplace_back();
     for (const FrameForces* frame : frames) all.push_back(drawn_of(run, shown, *frame));
     most.push_back(choose_scales(all));
-    for (const Drawn& one : all) {
-      high = std::max(high, one.high());
-      one_cm = std::max({one_cm, one.high() / (height - below), one.wide() / width});
-    }
   }
-  const double low = -below * one_cm, bar = -0.85 * one_cm;
+  Sheet sheet = sheet_of(drawn, options, true);
+  if (are_three && !options.narrow && frames.size() <= 2) {
+    const Sheet other = sheet_of(drawn, options, false);
+    if (other.one_cm < sheet.one_cm) sheet = other;
+  }
+  Figure figure{
+      .title = title, .columns = static_cast<int>(sheet.beside), .width = sheet.width, .shared_legend = are_three};
+  const double one_cm = sheet.one_cm;
+  const double low = -below_frame * one_cm, bar = -0.85 * one_cm;
+  figure.panels.resize(frames.size() * columns.size());
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const FrameForces& frame = *frames[f];
     const Building& building = run.problem.buildings[frame.building];
     const auto [right, top] = extent_of(frame);
-    double highest_of_row = top;
-    for (const std::vector<Drawn>& all : drawn) highest_of_row = std::max(highest_of_row, all[f].high());
     std::string finding;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      const Shown& shown = columns[c];
+      const ShownForces& shown = columns[c];
       const Carried& carried = shown.carried;
       const Drawn& one = drawn[c][f];
+      double highest = top;  // of its row
+      for (std::size_t k = 0; k < (sheet.has_rows_of_frames ? columns.size() : frames.size()); ++k) {
+        highest = std::max(highest, (sheet.has_rows_of_frames ? drawn[k][f] : drawn[c][k]).high());
+      }
+      highest += 0.06 * one_cm;  // half the line of a beam
       const double factor = shown_factor(run, carried.form);
       const std::string unit = shown_unit(run, carried.form);
       const Diagram diagram(carried, frame, one.scale);
-      const double side = (one_cm * width - right) / 2;  // for numbers too
+      const double side = (one_cm * sheet.of_panel - right) / 2;  // for numbers too
       Panel panel{.x = {.from = -side, .to = right + side, .numbers = false},
-                  .y = {.from = low, .to = highest_of_row, .numbers = false},
-                  .height = (highest_of_row - low) / one_cm,
-                  .begins_row = c == 0 && leaves_room,
+                  .y = {.from = low, .to = highest, .numbers = false},
+                  .height = (highest - low) / one_cm,
+                  .begins_row = c == 0 && sheet.leaves_room,
                   .to_scale = true};
       panel.title = building.name + ", " + with_unit(carried.symbol, unit);
       if (shown.at_instant) {
@@ -354,38 +390,21 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
         panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
       }
       if (one.is_of_own_scale) panel.title += ", " + word(options, "own scale");
-      panel.curves.push_back(members_of(diagram, frame, tone_of(options, frame.building)));
+      const bool is_first = f == 0 && c == 0 && are_three && !shown.at_instant && has_impacts;
+      add_diagrams(panel, diagram, frame, shown, has_impacts,
+                   {is_first ? word(options, "with contact") : "", is_first ? word(options, "without contact") : ""});
+      panel.curves.push_back(diagram.members(tone_of(options, frame.building)));
       const auto first = std::find_if(drawn[c].begin(), drawn[c].end(),
                                       [](const Drawn& each) { return !each.is_of_own_scale && each.most() > 0; });
       if (one.is_of_own_scale || &one == &*first) {  // that of all others is said once
         const double largest = factor * (one.is_of_own_scale ? one.most() : most[c]);
         add_scale(panel, one.scale / factor, largest, one_cm, unit, bar);
       }
-      const auto label = [&](const char* text, bool is_first) {  // in the legend
-        const bool is_there = is_first && f == 0 && c == 0 && are_three && !shown.at_instant && has_impacts;
-        return is_there ? word(options, text) : std::string();
-      };
-      if (shown.at_instant) {
-        panel.curves.push_back(
-            diagram.outline(frame.instant, {.width = 0.5, .complete = true}, 0.03 * std::max(top, right)));
-      }
-      const std::vector<const FrameForces::Forces*> with = shown.of(frame, true), without = shown.of(frame, false);
-      for (std::size_t i = 0; i < without.size() && has_impacts; ++i) {
-        panel.curves.push_back(diagram.outline(*without[i], {.label = label("without contact", i == 0),
-                                                             .tone = Tone::grey,
-                                                             .line = Line::dashed,
-                                                             .width = 0.9,
-                                                             .complete = true}));
-      }
-      for (std::size_t i = 0; i < with.size(); ++i) {
-        panel.curves.push_back(
-            diagram.outline(*with[i], {.label = label("with contact", i == 0), .width = 0.9, .complete = true}));
-      }
+      name_values(panel, diagram, shown, one, factor, unit, one_cm);
+      figure.panels[sheet.has_rows_of_frames ? f * columns.size() + c : c * frames.size() + f] = std::move(panel);
       const LargestForce& largest = one.largest;
-      const auto text_of = [&](double value) { return number(factor * std::abs(value)) + " " + unit; };
-      name_largest(panel, diagram, carried, frame, largest, with, text_of(largest.value), one_cm);
-      figure.panels.push_back(std::move(panel));
       if (largest.member < 0 || (shown.at_instant && columns.size() == 2)) continue;
+      const auto text_of = [&](double value) { return number(factor * std::abs(value)) + " " + unit; };
       finding += (finding.empty() ? "" : ", ") +
                  word(options, carried.largest, text_of(largest.value), member_text(options, carried, frame, largest));
       if (has_impacts && !shown.at_instant) {

@@ -7,6 +7,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/structure/modes.h"
 
 namespace bentur {
 namespace {
@@ -253,7 +254,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Panel& panel = figure.panels[b];
-    panel.x.label = with_unit(word(options, "max |x|"), run.c.units.length);
+    panel.x.label = with_unit(word(options, "Displacement max |x|"), run.c.units.length);
     end_round(panel.x, largest);
     const Curve with{.label = word(options, has_impacts ? "with contact" : "largest displacement"), .mark = Mark::disc};
     const Curve without{.label = word(options, "without contact"),
@@ -384,6 +385,8 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
   constexpr std::size_t most_of_room = 8;
   Figure figure = beside(run, options, shown, shown.size() > most_of_room ? 2.5 : 2.7);
   figure.title = "Mode shapes, largest sway 1";
+  const bool has_shares = shown.size() <= 2;  // of more panels they have no room in one line
+  if (!has_shares) figure.lacks = "shares";
   for (const Eigen::Index b : shown) {
     const Building& building = run.problem.buildings[b];
     figure.finding += (figure.finding.empty() ? "" : "; ") + word(options, "T₁ of {}", building.name) + " " +
@@ -395,6 +398,7 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
     panel.x = {.label = word(options, "Shape φ [–]"), .from = -1.08, .to = 1.08};
     panel.rules = {{.at = 0, .vertical = true}};
     const Eigen::MatrixXd shapes = sway_shapes(building);
+    const Eigen::VectorXd shares = modal_properties(building).effective_mass_fraction;
     for (Eigen::Index mode = 0; mode < std::min(shapes.cols(), most_modes); ++mode) {
       constexpr const char* names[] = {"T₁", "T₂", "T₃"};
       const double period = 2 * std::numbers::pi / building.modes.omega(mode);
@@ -402,6 +406,9 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
                                : period < 0.1 && period >= 0.01 ? fmt::format("{:.3f}", period)  // no wider
                                                                 : fmt::format("{:#.3g}", period);
       Curve style{.label = fmt::format("{} {} s", names[mode], text)};
+      if (has_shares) {
+        style.label += ", " + fmt::format("{:.0f} %", 100 * shares(mode));
+      }
       tell_apart(style, static_cast<std::size_t>(mode), building_tone(shown[b]));
       panel.curves.push_back(over_height(building, shapes.col(mode), style));
     }

@@ -97,9 +97,11 @@ struct SpectrumCurves {
 [[nodiscard]] std::size_t governing_record(const SuiteRun& run, std::optional<std::size_t> gap = {});
 
 /// The kinds of figure that the runs of a suite give: "suite", its spectra, and "gap-needed", what each record needs of
-/// a gap beside what is given. @throws NoFigure when there is no such kind, or no gap where anything is needed.
+/// a gap beside what is given and, where a code scales them, what that takes of them. @throws NoFigure when there is no
+/// such kind, or no gap where anything is needed.
 [[nodiscard]] std::vector<FigureKind> figure_kinds(const SuiteRun& run);
-[[nodiscard]] Figure make_figure(const SuiteRun& run, const std::string& kind, const FigureOptions& options = {});
+[[nodiscard]] Figure make_figure(const SuiteRun& run, const GapStudy& gaps, const std::string& kind,
+                                 const FigureOptions& options = {});
 
 /// What happens at other widths of a gap.
 struct GapCurve {

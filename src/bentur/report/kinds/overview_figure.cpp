@@ -28,6 +28,7 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
   Panel panel = opening_figure(run, there).panels.front();
   panel.events = {};
   panel.curves.resize(1);
+  panel.curves.front().in_legend = false;  // the axis says it
   if (instant.point) {
     panel.rules.front().label = word(options, "closed at 0");
     panel.rules.front().line = Line::dash_dot;  // the curve is solid
@@ -58,7 +59,7 @@ void add_opening_of(std::size_t worst, const RunResults& run, Figure& figure, Fi
   } catch (const NoFigure&) {
     return;
   }
-  for (const std::size_t one : {1, 2}) figure.panels[one].height = 2.2;
+  for (const std::size_t one : {1, 2}) figure.panels[one].height = 2.4;
 }
 
 /// Width over height of what a picture shows.
@@ -107,6 +108,7 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
     figure.panels.front().rows = static_cast<int>(figure.panels.size()) - 1;
     figure.shares = {left, frames - left};
   }
+  for (std::size_t i = 1; i + 1 < figure.panels.size(); ++i) name_rules_at_ends(figure.panels[i]);
   return figure;
 }
 

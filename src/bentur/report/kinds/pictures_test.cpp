@@ -11,6 +11,7 @@
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/structure/modes.h"
 #include "tests/support/column_case.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
@@ -149,10 +150,25 @@ TEST(Pictures, NoLineIsAHairline) {
   for (const RunResults* run : {&linked_run(), &supported_run(), &hinged_frames()}) {
     for (const FigureKind& kind : figure_kinds(*run)) {
       for (const Panel& panel : make_figure(*run, kind.name).panels) {
-        for (const Curve& curve : panel.curves) EXPECT_GE(curve.width, 0.5) << kind.name;  // [px]
+        for (const Curve& curve : panel.curves) EXPECT_GE(0.75 * curve.width, 0.5) << kind.name;  // [pt]
       }
     }
   }
+}
+
+/// Of one or two buildings, beside the periods.
+TEST(Pictures, ModesSayTheirPartOfTheMass) {
+  const RunResults& run = hinged_frames();
+  const Figure figure = make_figure(run, "modes");
+  ASSERT_EQ(figure.panels.size(), 2U);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const Eigen::VectorXd parts = modal_properties(run.problem.buildings[b]).effective_mass_fraction;
+    for (std::size_t mode = 0; mode < figure.panels[b].curves.size(); ++mode) {
+      const std::string part = std::to_string(std::lround(100 * parts(static_cast<Eigen::Index>(mode))));
+      EXPECT_TRUE(figure.panels[b].curves[mode].label.ends_with(" s, " + part + " %"));
+    }
+  }
+  EXPECT_EQ(figure.lacks, "");
 }
 
 TEST(Pictures, EnvelopesEndOnANumberAndHaveItsHalfOrItsQuarters) {

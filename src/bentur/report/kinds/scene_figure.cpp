@@ -195,7 +195,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     }
     ghost.tone = Tone::grey;
     ghost.line = Line::dotted;
-    ghost.width = 0.5;
+    ghost.width = 0.7;
     panel.curves.push_back(std::move(ghost));
   }
   for (std::size_t b = 0; b < ends.size(); ++b) {

@@ -59,12 +59,13 @@ Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& option
     }
     return one;
   };
-  Figure figure{
-      .title = fmt::format("{}, damping ratio {}", curves.title, number(curves.damping)),
-      .panels = {panel(with_unit("Sa", curves.acceleration_unit), curves.acceleration, &SpectrumMark::acceleration),
-                 panel(with_unit("Sd", curves.length), curves.displacement, &SpectrumMark::displacement)},
-      .width = options.width,
-      .shared_legend = true};
+  Figure figure{.title = fmt::format("{}, damping ratio {}", curves.title, number(curves.damping)),
+                .panels = {panel(with_unit(word(options, "Acceleration Sa"), curves.acceleration_unit),
+                                 curves.acceleration, &SpectrumMark::acceleration),
+                           panel(with_unit(word(options, "Displacement Sd"), curves.length), curves.displacement,
+                                 &SpectrumMark::displacement)},
+                .width = options.width,
+                .shared_legend = true};
   const auto highest = std::max_element(curves.acceleration.begin(), curves.acceleration.end());
   figure.finding = word(options, "largest Sa {} at {}", number(*highest) + " " + curves.acceleration_unit,
                         seconds_text(curves.periods[highest - curves.acceleration.begin()]));
@@ -131,7 +132,7 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
     };
     Panel panel{.title = place,
                 .x = {.from = spectra.periods.front(), .to = spectra.periods.back(), .logarithmic = true},
-                .y = {.label = with_unit("Sa", "g"), .from = 0},
+                .y = {.label = with_unit(word(options, "Acceleration Sa"), "g"), .from = 0},
                 .height = 3.6};
     panel.curves.push_back(curve(floor.with_contact,
                                  {.label = word(options, has_impacts ? "with contact" : "acceleration of the floor")}));

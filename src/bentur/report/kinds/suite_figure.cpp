@@ -38,11 +38,17 @@ std::size_t worst_gap(const SuiteRun& run) {
   return worst;
 }
 
+/// What the code that scales the records takes of a gap; nullptr where none does, or where it is not known.
+const SuiteDemand* demand_of(const GapStudy& gaps, std::size_t gap) {
+  if (gaps.needs.size() != 1 || gap >= gaps.needs.front().gaps.size() || !gaps.is_whole()) return nullptr;
+  const std::optional<SuiteDemand>& demand = gaps.needs.front().gaps[gap].demand;
+  return demand && demand->is_known() ? &*demand : nullptr;
+}
+
 /// What each record needs of a gap, by the tone of what is judged of it, the first record uppermost.
-Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& options) {
+Panel needs_panel(const SuiteRun& run, const GapStudy& gaps, std::size_t gap, const FigureOptions& options) {
   const std::string& length = run.c.units.length;
-  const std::vector<SuiteRecord>& records = run.c.excitation.suite->records;
-  const std::vector<std::string> names = gap_names(run.problem);
+  const std::vector<std::string> records = record_names(*run.c.excitation.suite), names = gap_names(run.problem);
   const std::size_t count = run.records.size();
   Panel panel{.title = names.size() > 1 ? names[gap] : "",
               .x = {.label = with_unit(word(options, "Gap needed"), length), .from = 0},
@@ -60,7 +66,7 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
   for (std::size_t i = 0; i < count; ++i) {
     const SuiteRecordRun& one = run.records[i];
     const double place = static_cast<double>(count - 1 - i);
-    panel.y.names[count - 1 - i] = records[i].name();
+    panel.y.names[count - 1 - i] = records[i];
     if (std::isnan(values[i])) {
       const bool falls = gap < one.needed.size() && std::isinf(one.needed[gap]);
       panel.texts.push_back({.x = 0, .y = place, .text = word(options, falls ? "a building collapses" : "not known")});
@@ -85,26 +91,45 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
                             .mark = Mark::cross,
                             .complete = true});
   }
-  panel.curves.push_back({.label = word(options, "given") + ": " + number(given) + " " + length,  // over the bars
-                          .x = {given, given},
-                          .y = {-0.5, static_cast<double>(count) - 0.5},
-                          .line = Line::dashed,
-                          .width = 1.4});
+  const auto draw_across = [&](double at, const std::string& label, Line line) {  // over the bars
+    panel.curves.push_back({.label = label + ": " + number(at) + " " + length,
+                            .x = {at, at},
+                            .y = {-0.5, static_cast<double>(count) - 0.5},
+                            .line = line,
+                            .width = 1.4});
+  };
+  draw_across(given, word(options, "given"), Line::dashed);
+  if (const SuiteDemand* const demand = demand_of(gaps, gap)) {
+    const bool is_mean = demand->measure.kind == SuiteMeasure::Kind::mean;
+    draw_across(demand->taken(), word(options, is_mean ? "mean, by {}" : "largest, by {}", demand->measure.code),
+                Line::dash_dot);
+    most = std::max(most, demand->taken());
+  }
   constexpr double of_names = 2.5;  // beside the bars [cm]
   double of_numbers = 0;
   for (const PlaceText& one : panel.texts) {
     if (one.x > 0) of_numbers = std::max(of_numbers, text_width(one.text) + 0.4);
   }
-  panel.x.to = most / (1 - of_numbers / (options.width - of_names));
+  const double room = options.width - of_names;  // of the frame
+  panel.x.to = most / (1 - of_numbers / room);
+  std::set<double> across;
+  for (const Curve& line : panel.curves) {
+    if (line.top.empty() && line.x.size() == 2) across.insert(line.x.front());
+  }
+  for (PlaceText& one : panel.texts) {  // behind the lines across the bars on which they would lie
+    for (const double at : across) {
+      if (at > one.x && at < one.x + (text_width(one.text) + 0.2) / room * *panel.x.to) one.x = at;
+    }
+  }
   return panel;
 }
 
-Figure needs_figure(const SuiteRun& run, const FigureOptions& options) {
+Figure needs_figure(const SuiteRun& run, const GapStudy& study, const FigureOptions& options) {
   const std::size_t gaps = gap_names(run.problem).size();
   if (options.gap && *options.gap >= gaps) throw NoFigure("there is no such gap: gaps are counted from 0");
   const std::size_t gap = options.gap ? *options.gap : worst_gap(run);
   Figure figure{.title = "What each record needs to stay apart without contact, the larger of both directions",
-                .panels = {needs_panel(run, gap, options)},
+                .panels = {needs_panel(run, study, gap, options)},
                 .width = options.width,
                 .shared_legend = true};
   const std::size_t worst = governing_record(run, gap);
@@ -113,7 +138,7 @@ Figure needs_figure(const SuiteRun& run, const FigureOptions& options) {
   figure.finding = word(
       options, "largest {} under {}, given {}",
       std::isinf(most.needed[gap]) ? word(options, "a building collapses") : number(most.needed[gap]) + " " + length,
-      run.c.excitation.suite->records[worst].name(), number(most.judged[gap].width) + " " + length);
+      record_names(*run.c.excitation.suite)[worst], number(most.judged[gap].width) + " " + length);
   if (gaps > 1 && !options.gap) figure.part = word(options, "the most critical of {} gaps", std::to_string(gaps));
   return figure;
 }
@@ -136,9 +161,9 @@ std::vector<FigureKind> figure_kinds(const SuiteRun& /*run*/) {
           {"suite", "spectra of the records, their mean, the target"}};
 }
 
-Figure make_figure(const SuiteRun& run, const std::string& kind, const FigureOptions& options) {
+Figure make_figure(const SuiteRun& run, const GapStudy& gaps, const std::string& kind, const FigureOptions& options) {
   if (kind == "gap-needed") {
-    Figure figure = needs_figure(run, options);
+    Figure figure = needs_figure(run, gaps, options);
     figure.title = figure_title(options.language, "figure.gap-needed", std::move(figure.title));
     return figure;
   }
@@ -154,7 +179,7 @@ Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOpti
   const std::vector<double>& periods = suite.target.periods;
   const auto [first, last] = suite.target.band();
   Panel panel{.x = {.label = word(options, "Period T [s]"), .from = first, .to = last, .logarithmic = true},
-              .y = {.label = with_unit("Sa", "g"), .from = 0},
+              .y = {.label = with_unit(word(options, "Acceleration Sa"), "g"), .from = 0},
               .height = 4.6,
               .names_at_ends = true};
   for (const SuiteRecord& record : suite.records) {
@@ -162,7 +187,7 @@ Figure suite_figure(const SuiteSpec& suite, const Units& units, const FigureOpti
                             .x = periods,
                             .y = in_g(record.spectrum),
                             .tone = Tone::grey,
-                            .width = 0.6,
+                            .width = 0.7,
                             .of_several = true});
   }
   const std::vector<double> target = in_g(suite.target.ordinates), mean = in_g(suite.mean);

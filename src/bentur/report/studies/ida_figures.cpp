@@ -106,8 +106,15 @@ std::string intensity_text(const SweepDimension& levels, double intensity) {
   return number(intensity) + (levels.unit.empty() || levels.unit == "–" ? "" : " " + levels.unit);
 }
 
-Axis intensity_axis(const SweepDimension& levels) {
-  return {.label = levels.label, .from = 0, .to = *std::max_element(levels.numbers.begin(), levels.numbers.end())};
+/// "Intensity Sa (1.2 s, 5 %) [g]"; other measures are words by themselves.
+std::string intensity_words(const SweepDimension& levels, const FigureOptions& options) {
+  return (levels.label.starts_with("Sa") ? word(options, "Intensity") + " " : "") + levels.label;
+}
+
+Axis intensity_axis(const SweepDimension& levels, const FigureOptions& options) {
+  return {.label = intensity_words(levels, options),
+          .from = 0,
+          .to = *std::max_element(levels.numbers.begin(), levels.numbers.end())};
 }
 
 }  // namespace
@@ -143,18 +150,31 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
   const std::string quantity = "peak_force";
   const std::string unit = sweep.unit(quantity);
   Panel panel{.x = {.label = with_unit(word(options, "Peak contact force F"), unit), .from = 0},
-              .y = intensity_axis(levels),
+              .y = intensity_axis(levels, options),
               .height = 5.5,
               .names_at_ends = true};
+  constexpr double above = 0.1;  // the ends of fractiles, for their names
+  *panel.y.to *= 1 + above;
   std::vector<std::vector<double>> at_level(levels.size);
+  Curve collapses{.label = word(options, "last level before collapse"),
+                  .line = Line::none,
+                  .mark = Mark::cross,
+                  .complete = true,
+                  .mark_size = 1.3};
   bool any_force = false;
   for (const std::vector<std::size_t>& place : places) {
     Curve record{.label = panel.curves.empty() ? records_text(sweep, options, ida, places.size()) : "",
                  .tone = Tone::grey,
-                 .width = 0.5,
+                 .width = 0.7,
                  .of_several = true};
+    bool has_collapsed = false;
     for (std::size_t i = 0; i < levels.size; ++i) {
       const double value = largest(sweep, quantity, place, ida.level, i);
+      if (std::isinf(value) && !has_collapsed && i > 0 && std::isfinite(record.x.back())) {
+        collapses.x.push_back(record.x.back());
+        collapses.y.push_back(record.y.back());
+      }
+      has_collapsed = has_collapsed || std::isinf(value);
       record.x.push_back(std::isfinite(value) ? value : NAN);
       record.y.push_back(std::isfinite(value) ? levels.numbers[i] : NAN);
       if (!std::isnan(value)) at_level[i].push_back(value);
@@ -176,6 +196,7 @@ Panel ida_panel(const SweepData& sweep, const FigureOptions& options, const Anal
     }
     panel.curves.push_back(std::move(curve));
   }
+  if (!collapses.x.empty()) panel.curves.push_back(std::move(collapses));
   if (!any_force) {
     panel.x.to = 1;
     panel.x.numbers = false;
@@ -247,7 +268,7 @@ Figure cloud_figure(const SweepData& sweep, const FigureOptions& options) {
   auto cases = sweep.combinations(sweep.chosen(options.at), cloud.others);
   thin_out(cases);
   const std::string unit = unit_text(results.quantity_units);
-  Panel panel{.x = {.label = cloud.levels.label, .logarithmic = true},
+  Panel panel{.x = {.label = intensity_words(cloud.levels, options), .logarithmic = true},
               .y = {.label = with_unit(is_asked ? quantity_text(options.event) : word(options, "Gap needed"), unit),
                     .logarithmic = true},
               .height = 5.5};
@@ -322,6 +343,21 @@ std::string why_unfitted(const SweepDimension& levels, const Fragility& fit, con
 
 }  // namespace
 
+namespace {
+
+/// "observed, n = 20", without the number of runs of a level where that is not alike.
+std::string observed_label(const std::vector<IntensityCount>& counts, const FigureOptions& options) {
+  const auto has_runs = [](const IntensityCount& one) { return one.runs > 0; };
+  const auto first = std::find_if(counts.begin(), counts.end(), has_runs);
+  const bool are_alike = first != counts.end() && std::all_of(first, counts.end(), [&](const IntensityCount& one) {
+                           return one.runs == 0 || one.runs == first->runs;
+                         });
+  if (!are_alike || first->runs < 2) return word(options, "observed");
+  return word(options, "observed") + ", n = " + std::to_string(first->runs);
+}
+
+}  // namespace
+
 Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const Analysis ida = analysis(sweep);
   const SweepDimension& levels = ida.levels;
@@ -338,14 +374,15 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
   const bool pounding = options.event == pounding_event;
   const bool collapse = options.event == collapse_event;
   const std::string event = event_text(options.event, unit_text(results.quantity_units));
-  Panel panel{.x = intensity_axis(levels),
+  Panel panel{.x = intensity_axis(levels, options),
               .y = {.label = pounding   ? word(options, "Probability of pounding P [–]")
                              : collapse ? word(options, "Probability of collapse P [–]")
                                         : "P(" + event + ") [–]",
                     .from = 0,
                     .to = 1},
-              .height = 5.5};
-  std::vector<Curve> areas, lines;
+              .height = 5.5,
+              .names_at_ends = true};
+  std::vector<Curve> areas, edges, lines;
   std::string finding;
   std::vector<std::string> unfitted;  // reasons, one a case
   bool any_event = false, is_observed_named = false;
@@ -353,6 +390,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     Curve observed;
     tell_apart(observed, c);
     observed.line = Line::none;
+    observed.mark = mark_of(c + 1);  // open, as discs hide the curve
     const CaseFragility fragility = fit_case(results.table, case_number(sweep, ida, cases[c]), {}, options.method);
     for (const IntensityCount& count : fragility.counts) {
       if (count.runs == 0) continue;
@@ -360,6 +398,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       observed.y.push_back(static_cast<double>(count.events) / static_cast<double>(count.runs));
     }
     any_event = any_event || fragility.events > 0;
+    const std::string observed_words = observed_label(fragility.counts, options);
     const Fragility& fit = fragility.fit;
     const std::string name = case_name(sweep, ida, cases[c]);
     if (fit.kind != Fragility::Kind::fitted) {
@@ -405,15 +444,12 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
         area.top.push_back(bounds->upper);
       }
       if (!area.x.empty()) {
-        if (cases.size() == 1) {
-          areas.push_back(std::move(area));
-        } else {  // of several curves the bounds as thin lines, which stay apart where they cross
-          Curve lower{
-              .label = area.label, .x = area.x, .y = area.y, .tone = line.tone, .line = Line::dotted, .width = 0.6};
-          Curve upper{.x = area.x, .y = area.top, .tone = line.tone, .line = Line::dotted, .width = 0.6};
-          areas.push_back(std::move(lower));
-          areas.push_back(std::move(upper));
+        if (cases.size() > 1) {  // where bands of several curves lie over one another their edges tell them apart
+          for (const std::vector<double>* const y : {&area.y, &area.top}) {
+            edges.push_back({.x = area.x, .y = *y, .tone = line.tone, .line = Line::dotted, .width = 0.7});
+          }
         }
+        areas.push_back(std::move(area));
       }
       line.legend_mark = observed.mark;
       lines.push_back(std::move(line));
@@ -421,11 +457,11 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
         if (part->x.size() > 1) lines.push_back(std::move(*part));
       }
     } else {  // nothing that a colour could stand for
-      observed.label = name.empty() ? word(options, "observed") : word(options, "{}, no fit", name);
+      observed.label = name.empty() ? observed_words : word(options, "{}, no fit", name);
       observed.tone = Tone::grey;
     }
     if (fit.kind == Fragility::Kind::fitted && !is_observed_named) {
-      observed.label = word(options, "observed");
+      observed.label = observed_words;
       is_observed_named = true;
     }
     lines.push_back(std::move(observed));
@@ -439,6 +475,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     panel.title = unfitted.size() == 1 ? unfitted.front() : "";
   }
   panel.curves = areas;
+  panel.curves.insert(panel.curves.end(), edges.begin(), edges.end());
   panel.curves.insert(panel.curves.end(), lines.begin(), lines.end());
   return {.title = fmt::format("Fragility: probability of {} against intensity, lognormal fits with bootstrap bounds",
                                pounding ? "pounding" : event),

@@ -19,7 +19,9 @@ double force(int record, int level, int width) { return std::max(0, (record + 1)
 
 /// Results as docs/studies.md has them: record × width × intensity × point.
 /// @param step at the first width all records pound from the second level on
-std::filesystem::path write_results(const std::filesystem::path& folder, bool step = false, int records = 3) {
+/// @param collapses whether the last record collapses at the highest level
+std::filesystem::path write_results(const std::filesystem::path& folder, bool step = false, int records = 3,
+                                    bool collapses = false) {
   const std::filesystem::path path = folder / "ida.nc";
   NetcdfWriter file(path.string());
   const ResultDimension record{"record", static_cast<std::size_t>(records)}, width{"width", widths},
@@ -48,6 +50,11 @@ std::filesystem::path write_results(const std::filesystem::path& folder, bool st
   file.add({"peak_drift_ratio_1", {record, width, intensity, floor}, "1", "largest drift", {}, drifts});
   file.add(
       {"status", {record, width, intensity}, "", "how the run ended", {}, std::vector<signed char>(forces.size())});
+  if (collapses) {
+    std::vector<signed char> collapsed(forces.size(), 0);
+    for (int w = 0; w < widths; ++w) collapsed[collapsed.size() - 1 - static_cast<std::size_t>(w * levels)] = 1;
+    file.add({"collapsed", {record, width, intensity}, "", "whether a storey collapsed", {}, collapsed});
+  }
   file.finish();
   return path;
 }
@@ -66,7 +73,7 @@ TEST(IdaFigure, FractilesOfTheRecords) {
   FigureOptions options;
   options.at = {{"width", "0.1"}};
   const Figure figure = make_figure(results, "ida", options);
-  EXPECT_EQ(figure.panels[0].y.label, "Sa (1.2 s, 5 %) [g]");
+  EXPECT_EQ(figure.panels[0].y.label, "Intensity Sa (1.2 s, 5 %) [g]");
   EXPECT_EQ(figure.panels[0].curves.size(), count + 3U);
   EXPECT_EQ(figure.lacks, "");
   const Curve& median = labelled(figure, "50 %");
@@ -134,21 +141,41 @@ TEST(IdaFigure, LinesAreDarkEnough) {
   }
 }
 
+/// Its curve ends there, with a cross at the last level that it has; no other is marked.
+TEST(IdaFigure, MarksWhereRunsCollapse) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path(), false, 3, true));
+  FigureOptions options;
+  options.at = {{"width", "0.1"}};
+  const Figure figure = make_figure(results, "ida", options);
+  const Curve& collapse = labelled(figure, "last level before collapse");
+  EXPECT_EQ(collapse.mark, Mark::cross);
+  EXPECT_EQ(collapse.x, std::vector<double>{force(2, 2, 0)});
+  EXPECT_EQ(collapse.y, std::vector<double>{1.5});
+  const TemporaryFolder other;
+  const NetcdfReader without(write_results(other.path()));
+  EXPECT_ANY_THROW((void)labelled(make_figure(without, "ida", options), "last level before collapse"));
+}
+
 TEST(IdaFigure, FragilityOfEachWidth) {
   const TemporaryFolder folder;
   const NetcdfReader results(write_results(folder.path()));
   const Figure figure = make_figure(results, "fragility");
-  const Curve& observed = labelled(figure, "observed");
+  const Curve& observed = labelled(figure, "observed, n = 3");
+  EXPECT_EQ(observed.mark, Mark::circle) << "open";
   EXPECT_EQ(observed.x, (std::vector<double>{0.5, 1, 1.5, 2}));
   for (std::size_t i = 0; i < 4; ++i) EXPECT_DOUBLE_EQ(observed.y[i], static_cast<double>(i) / 3);
   const Curve& fit = labelled(figure, "gap 0.1 m");
   EXPECT_TRUE(std::is_sorted(fit.y.begin(), fit.y.end()));
   EXPECT_GT(fit.y.back(), 0.9);
   labelled(figure, "gap 0.2 m");
-  const Curve* const lower = &labelled(figure, "95 % bounds");
-  const Curve* const upper = lower + 1;  // of several cases they are lines
-  ASSERT_EQ(lower->x, upper->x);
-  for (std::size_t i = 0; i < lower->x.size(); ++i) EXPECT_LE(lower->y[i], upper->y[i]);
+  const Curve& band = labelled(figure, "95 % bounds");
+  ASSERT_EQ(band.x.size(), band.top.size());
+  for (std::size_t i = 0; i < band.x.size(); ++i) EXPECT_LE(band.y[i], band.top[i]);
+  for (const std::vector<double>* const y : {&band.y, &band.top}) {  // of several cases bands have edges
+    EXPECT_TRUE(std::any_of(figure.panels[0].curves.begin(), figure.panels[0].curves.end(),
+                            [&](const Curve& one) { return one.line == Line::dotted && one.y == *y; }));
+  }
   FigureOptions options;
   options.at = {{"width", "0.1"}};
   const Figure alone = make_figure(results, "fragility", options);
@@ -167,7 +194,7 @@ TEST(IdaFigure, FragilityNamesBoundsAndMarksWhereTheFirstWidthHasNoFit) {
   EXPECT_TRUE(figure.panels[0].title.starts_with("no fit: ")) << figure.panels[0].title;
   EXPECT_NE(figure.finding.find("gap 0.1 m: " + figure.panels[0].title), std::string::npos) << figure.finding;
   EXPECT_FALSE(labelled(figure, "95 % bounds").x.empty());
-  EXPECT_EQ(labelled(figure, "observed").mark, labelled(figure, "gap 0.2 m").legend_mark);
+  EXPECT_EQ(labelled(figure, "observed, n = 3").mark, labelled(figure, "gap 0.2 m").legend_mark);
 }
 
 TEST(IdaFigure, APanelForEachWidthWhereNoneIsChosen) {
@@ -190,7 +217,7 @@ TEST(IdaFigure, FragilityOfAnotherEvent) {
   EXPECT_EQ(figure.panels[0].y.label, "P(peak force > 25 kN) [–]");
   options.event = "drift > 0.0125";
   EXPECT_EQ(make_figure(results, "fragility", options).panels[0].y.label, "P(drift > 1.25 %) [–]");
-  const Curve& observed = labelled(figure, "observed");
+  const Curve& observed = labelled(figure, "observed, n = 3");
   for (int level = 0; level < levels; ++level) {
     double events = 0;
     for (int record = 0; record < records; ++record) events += force(record, level, 0) > 25 ? 1 : 0;

@@ -296,7 +296,7 @@ const std::vector<SweepKind>& sweep_kinds() {
       {"impacts", "impacts", "Impacts", true, true},
       {"penetration", "peak_penetration", "Peak penetration δ", false, true},
       {"impulse", "impulse", "Impulse of all impacts", true, true},
-      {"displacement", "peak_displacement", "max |x|"},
+      {"displacement", "peak_displacement", "Displacement max |x|"},
       {"acceleration", "peak_acceleration", "Peak floor acceleration"},
       {"acceleration-ratio", "acceleration_ratio", "Floor acceleration, ratio"},
       {"shear", "peak_storey_shear", "Peak storey shear V"},

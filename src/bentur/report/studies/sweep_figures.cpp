@@ -351,7 +351,7 @@ class SweepDrawing {
     Curve lower = band, upper = band;
     for (Curve* bound : {&lower, &upper}) {
       bound->top.clear();
-      bound->width = 0.6;
+      bound->width = 0.7;
       bound->line = along_names ? Line::none : Line::dotted;
       bound->mark = along_names ? Mark::triangle : Mark::none;
       bound->tone = along_names ? Tone::grey : median.tone;

@@ -118,15 +118,25 @@ class Frame {
     const double half = text_width(name.label) / 2;
     const double at = across(name.x), up = upwards(name.y);
     using Side = PlaceText::Side;
-    const std::pair<Side, Box> places[] = {
-        {Side::above, {at - half, at + half, up + clear, up + clear + high}},
-        {Side::right, {at + clear, at + clear + 2 * half, up - high / 2, up + high / 2}},
-        {Side::left, {at - clear - 2 * half, at - clear, up - high / 2, up + high / 2}},
-        {Side::below, {at - half, at + half, up - clear - high, up - clear}}};
+    const auto above = [&](double moved) {
+      return Box{at + moved - half, at + moved + half, up + clear, up + clear + high};
+    };
+    struct Place {
+      Side side;
+      Box box;
+      double moved = 0;  // along x from the middle [cm]
+    };
+    const Place places[] = {{Side::above, above(0)},
+                            {Side::right, {at + clear, at + clear + 2 * half, up - high / 2, up + high / 2}},
+                            {Side::left, {at - clear - 2 * half, at - clear, up - high / 2, up + high / 2}},
+                            {Side::below, {at - half, at + half, up - clear - high, up - clear}},
+                            {Side::above, above(0.8 * half), 0.8 * half},
+                            {Side::above, above(-0.8 * half), -0.8 * half}};
     for (const bool on_rules : {false, true}) {  // a thin line behind a name, where there is no other place
-      for (const auto& [side, box] : places) {
+      for (const auto& [side, box, moved] : places) {
         if (!is_free(box) || (!on_rules && is_on_rule(box))) continue;
         name.side = side;
+        if (moved != 0) name.x = value_at(x_, (at + moved) / width_);
         taken_.push_back({box.left - between, box.right + between, box.bottom, box.top});
         return name;
       }

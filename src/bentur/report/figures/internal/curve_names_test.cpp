@@ -50,6 +50,25 @@ TEST(CurveNames, StandBesideTheFrameWhereCurvesEndThereAndNotInTheLegend) {
   EXPECT_EQ(in_legend(layout(figure)), (std::vector<std::string>{"upper", "lower"}));
 }
 
+/// Of curves that end side by side within the frame the names stand above the ends, moved where they would meet.
+TEST(CurveNames, AboveNeighbouringEndsGiveWayToOneAnother) {
+  Figure figure{.panels = {panel_of({{.label = "first", .x = {0, 5}, .y = {0, 8}},
+                                     {.label = "second", .x = {0, 5.9}, .y = {0, 8}},
+                                     {.x = {6.3, 6.3}, .y = {0, 8}}})}};
+  const Layout placed = layout(figure);
+  EXPECT_TRUE(in_legend(placed).empty());
+  const std::vector<CurveName>& names = placed.panels.front().names;
+  ASSERT_EQ(names.size(), 2U);
+  const auto across = [&](const CurveName& name) {
+    return along(placed.panels.front().x, name.x) * (placed.panels.front().right - placed.panels.front().left);
+  };
+  EXPECT_EQ(names[0].side, Side::above);
+  EXPECT_EQ(names[0].x, 5);
+  EXPECT_EQ(names[1].side, Side::above);
+  EXPECT_GT(names[1].x, 5.9);
+  EXPECT_GT(across(names[1]) - text_width("second") / 2, across(names[0]) + text_width("first") / 2);
+}
+
 TEST(CurveNames, OfCurvesThatEndNearOneAnotherAreSpreadWithinTheFrame) {
   Panel panel = panel_of({});
   for (const double end : {0.01, 0.09, 0.17, 0.25}) {

@@ -132,7 +132,7 @@ void fit(PlacedPanel& placed) {
   widen(y, scale * height);
 }
 
-/// Panels of one row or column of the figure have margins alike.
+/// Panels of one row or column of the figure have margins alike, but for names along upright axes.
 class Arrangement {
  public:
   explicit Arrangement(const Figure& figure)
@@ -146,7 +146,7 @@ class Arrangement {
       const auto beyond = column + static_cast<std::ptrdiff_t>(across);
       const std::size_t row = *std::max_element(column, beyond);
       const auto first = static_cast<std::size_t>(column - taken.begin());
-      cells_.push_back({row, first, first + across - 1});
+      cells_.push_back({.row = row, .column = first, .last = first + across - 1});
       std::fill(column, beyond, row + static_cast<std::size_t>(panel.rows));
       rows_ = std::max(rows_, *column);
       const int most = std::max(2, static_cast<int>(panel.height / 0.55));
@@ -179,19 +179,23 @@ class Arrangement {
  private:
   struct Cell {
     std::size_t row = 0, column = 0;
-    std::size_t last = 0;  // column
+    std::size_t last = 0;    // column
+    double of_names = 0;     // what names along its upright axis take beyond the numbers of others in the column [cm]
+    bool has_names = false;  // beside the frame or within it, so that there are none to the right
   };
 
   void place_columns() {
     std::vector<double> left(columns_, 0.0), right(columns_, edge);
     std::vector<double> labelled(columns_, 0.0);  // room of the numbers that a label stands beside
+    std::vector<double> of_names(columns_, 0.0);  // along the upright axes
     for (std::size_t i = 0; i < result_.panels.size(); ++i) {
       PlacedPanel& placed = result_.panels[i];
       const Panel& panel = *placed.panel;
       double numbers = 0;
       for (const auto& [at, text] : placed.y.labels) numbers = std::max(numbers, text_width(text));
       if (!panel.y.numbers) numbers = 0;
-      double& before = left[cells_[i].column];
+      const bool has_names = !panel.y.names.empty();
+      double& before = (has_names ? of_names : left)[cells_[i].column];
       const bool has_label = !scaled(panel.y.label, placed.y).empty();
       before = std::max(before, (has_label ? label_room : 0.1) + 0.2 + numbers);
       if (has_label) labelled[cells_[i].column] = std::max(labelled[cells_[i].column], 0.2 + numbers);
@@ -202,6 +206,13 @@ class Arrangement {
       for (const auto& [at, text] : placed.scale.labels) widest = std::max(widest, text_width(text));
       double& behind = right[cells_[i].last];
       behind = std::max(behind, scale_width + 0.2 + widest + 0.1 + label_room);
+    }
+    for (std::size_t i = 0; i < result_.panels.size(); ++i) {  // frames beside numbers are not in line with names
+      const std::size_t c = cells_[i].column;
+      if (left[c] == 0) left[c] = of_names[c];
+      const Panel& panel = *result_.panels[i].panel;
+      if (!panel.y.names.empty()) cells_[i].of_names = std::max(0.0, of_names[c] - left[c]);
+      cells_[i].has_names = !panel.y.names.empty() || panel.to_scale;
     }
     constexpr int attempts = 3;  // until the numbers at the ends of the x axes have room
     for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -237,11 +248,11 @@ class Arrangement {
     }
     for (std::size_t i = 0; i < result_.panels.size(); ++i) {
       PlacedPanel& placed = result_.panels[i];
-      const auto& [row, first, last] = cells_[i];
+      const auto& [row, first, last, of_names, has_names] = cells_[i];
       placed.cell_left = begins[first];
-      placed.left = begins[first] + (placed.panel->to_scale ? edge : left[first]);
+      placed.left = begins[first] + (placed.panel->to_scale ? edge : left[first] + of_names);
       placed.cell_right = begins[last + 1];
-      placed.right = placed.cell_right - right[last];
+      placed.right = placed.cell_right - (has_names ? std::min(right[last], 1.5 * edge) : right[last]);
       place_numbers(placed, placed.right - placed.left);
     }
   }

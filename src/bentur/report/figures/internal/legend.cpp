@@ -11,6 +11,8 @@
 namespace bentur {
 namespace {
 
+constexpr double between_entries = 0.25;  // of one line [cm]
+
 /// Whether what follows a space is the unit of the number or of the label before it.
 bool is_before_unit(const std::string& text, std::size_t space) {
   const auto is = [&](std::size_t at, int (*kind)(int)) {
@@ -28,6 +30,23 @@ std::size_t phrase_end(const std::string& rest, std::size_t end, double width, s
     if (ends_phrase && (more > 1 || text_width(rest.substr(at + 1)) <= width)) return at;
   }
   return end;
+}
+
+/// Places entries one behind the other, as many in a line as have room. @return how many lines they take
+std::size_t arrange_in_turn(std::vector<LegendEntry>& list, double width) {
+  std::size_t lines = 0;
+  double end = width + 1;  // of the line so far
+  for (LegendEntry& entry : list) {
+    const double wide = sample_width + beside_sample + text_width(entry.label);
+    if (end + wide > width) {
+      ++lines;
+      end = 0;
+    }
+    entry.x = end;
+    entry.y = -(static_cast<double>(lines) - 0.5) * line_height;
+    end += wide + between_entries;
+  }
+  return lines;
 }
 
 }  // namespace
@@ -86,10 +105,13 @@ double arrange(std::vector<LegendEntry>& list, double width) {
   }
   const bool is_divided = entries.size() > list.size();
   list = std::move(entries);
-  const double step = sample_width + 0.35 + longest;
-  const auto fitting = std::min(static_cast<std::size_t>(std::max(1.0, (width + 0.25) / step)), list.size());
+  const double step = sample_width + beside_sample + between_entries + longest;
+  const auto fitting = std::min(static_cast<std::size_t>(std::max(1.0, (width + between_entries) / step)), list.size());
   const std::size_t rows = is_divided ? list.size() : (list.size() + fitting - 1) / fitting;
   const std::size_t columns = (list.size() + rows - 1) / rows;
+  if (const std::size_t lines = is_divided ? rows : arrange_in_turn(list, width); lines + 1 < rows) {
+    return static_cast<double>(lines) * line_height;
+  }
   for (std::size_t i = 0; i < list.size(); ++i) {
     list[i].x = static_cast<double>(i % columns) * step;
     const std::size_t row = i / columns;

@@ -37,8 +37,8 @@ struct LegendEntry {
 /// already is the same.
 void add_entries(const PlacedPanel& placed, std::vector<LegendEntry>& list);
 
-/// Places the entries in rows and columns within a width, x and y measured from the upper left corner; labels that are
-/// too long go on below. @return the height they take [cm]
+/// Places the entries in rows and columns within a width, or where that takes some lines fewer one behind the other, x
+/// and y measured from the upper left corner; labels that are too long go on below. @return the height they take [cm]
 double arrange(std::vector<LegendEntry>& list, double width);
 
 /// Moves entries to the right, so that they stand about `middle` but end within `width`.

@@ -123,6 +123,11 @@ double along(const Ticks& ticks, double at) {
                            : (at - ticks.from) / (ticks.to - ticks.from);
 }
 
+double value_at(const Ticks& ticks, double part) {
+  return ticks.logarithmic ? ticks.from * std::pow(ticks.to / ticks.from, part)
+                           : ticks.from + part * (ticks.to - ticks.from);
+}
+
 void put_at(Ticks& ticks, const std::vector<double>& places, double room) {
   const double least = room * (ticks.to - ticks.from);
   const auto near = [&](double a, double b) { return b - a < least; };

@@ -37,6 +37,8 @@ struct TickRequest {
 [[nodiscard]] Ticks make_ticks(const TickRequest& request);
 /// Where a value stands along an axis, 0 at its begin and 1 at its end.
 [[nodiscard]] double along(const Ticks& ticks, double at);
+/// The value at that part of it.
+[[nodiscard]] double value_at(const Ticks& ticks, double part);
 /// Puts the numbers at these places, ascending, unless two of them are nearer than a part `room` of the axis.
 void put_at(Ticks& ticks, const std::vector<double>& places, double room);
 /// The label of an axis with these numbers: "Force F [10⁶ N]"; where numbers stand for names, "Record (number)".

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -145,6 +146,43 @@ Panel gap_panel(const std::vector<JudgedGap>& judged, const std::string& length,
     first->label = label;
   }
   return panel;
+}
+
+void name_rules_at_ends(Panel& panel) {
+  constexpr double of_name = 0.5, half_name = 0.18;  // [cm]
+  constexpr double margin = 0.04;                    // of what there is to see
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto take = [&](double y) {
+    low = std::fmin(low, y);
+    high = std::fmax(high, y);
+  };
+  for (const Curve& curve : panel.curves) {
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      if (curve.x[i] >= *panel.x.from && curve.x[i] <= *panel.x.to) take(curve.y[i]);
+    }
+  }
+  for (const RuleLine& rule : panel.rules) {
+    if (!rule.vertical) take(rule.at);
+  }
+  if (panel.y.least) {
+    take(panel.y.least->first);
+    take(panel.y.least->second);
+  }
+  const double from = low - margin * (high - low);
+  const double one_cm = (high - from) / (panel.height - of_name);
+  panel.y.from = from;
+  panel.y.to = high + of_name * one_cm;
+  panel.names_at_ends = true;
+  std::vector<Curve> lines;
+  for (const RuleLine& rule : panel.rules) {
+    if (rule.label.empty()) continue;
+    Curve line{.label = rule.label, .tone = rule.tone, .line = rule.line, .complete = true};
+    line.x = rule.vertical ? std::vector{rule.at, rule.at} : std::vector{*panel.x.from, *panel.x.to};
+    line.y = rule.vertical ? std::vector{from, *panel.y.to - half_name * one_cm} : std::vector{rule.at, rule.at};
+    lines.push_back(std::move(line));
+  }
+  panel.curves.insert(panel.curves.begin(), lines.begin(), lines.end());  // below the others
+  std::erase_if(panel.rules, [](const RuleLine& rule) { return !rule.label.empty(); });
 }
 
 }  // namespace bentur

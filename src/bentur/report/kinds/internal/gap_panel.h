@@ -13,4 +13,8 @@ namespace bentur {
 [[nodiscard]] Panel gap_panel(const std::vector<JudgedGap>& judged, const std::string& length,
                               const FigureOptions& options);
 
+/// Has rules of a panel over time named where they end, in place of a legend: those across beside the frame, an upright
+/// one in room that is made above all curves. @param panel whose height is what it stays
+void name_rules_at_ends(Panel& panel);
+
 }  // namespace bentur

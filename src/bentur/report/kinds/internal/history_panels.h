@@ -41,7 +41,7 @@ struct HistoryPlace {
 /// The part of a curve within a window, with one point more at either side.
 [[nodiscard]] Curve within(const Curve& whole, const TimeWindow& window);
 /// Of the line of many vibrations side by side: no journal prints one that is much thinner.
-constexpr double width_over_time = 0.6;
+constexpr double width_over_time = 0.7;
 /// The starts of the contacts there; of very many those that can be distinguished.
 [[nodiscard]] Events contacts_within(const HistoryPlace& place, const TimeWindow& window, const FigureOptions& options);
 /// Room for all curves within a window and for marks above them, so that panels can be compared.

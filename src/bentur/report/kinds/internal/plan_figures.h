@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bentur/model/plan/plan_run.h"
+#include "bentur/report/figures/box.h"
 #include "bentur/report/kinds/internal/history_panels.h"
 #include "bentur/report/scene/plan_scene.h"
 
@@ -31,6 +32,7 @@ namespace bentur {
 struct NameRows {
   std::array<double, 3> parts = {0.5, 0.85, 0.15};  ///< of its height, the best first
   double half_height = 0;                           ///< of the name [length]
+  std::vector<Box> marks = {};                      ///< to which it gives way
 };
 constexpr double high_name = 0.4;  ///< with room above and below it [cm]
 /// A name where rings of a picture, as far as none above covers them, leave it the most room along x, in one of these

@@ -208,6 +208,47 @@ TEST(PlanNames, LieWithinOutlinesThatTurnInwards) {
   EXPECT_EQ(place_of_name("Yard", closed({{0, 0}, {20, 0}, {20, 0.5}, {0, 0.5}}), {.half_height = 0.5}).room, 0);
 }
 
+TEST(PlanNames, GiveWayToMarks) {
+  const PlanRings square = closed({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+  NameRows rows{.half_height = 0.5};
+  EXPECT_EQ(place_of_name("Yard", square, rows).y, 10);
+  rows.marks = {{9.8, 10.2, 9.8, 10.2}};
+  EXPECT_EQ(place_of_name("Yard", square, rows).y, 17) << "another row has more room";
+  for (const double y : {17.0, 3.0}) rows.marks.push_back({13.8, 14.2, y - 0.2, y + 0.2});
+  const PlaceText beside = place_of_name("Yard", square, rows);
+  EXPECT_LE(beside.x + beside.room / 2, 13.8) << "in its broader part";
+}
+
+/// As they are drawn: on no mark, no ray and no other text, also where a centre is where a name would stand.
+TEST(PlanNames, LieOnNoMarkOfAScene) {
+  for (const char* const centre : {"centre = [7.5, 9.0]", "centre = [7.5, 13.5]", "centre = [7.5, 4.5]"}) {
+    const PlanRun pair = test::plan_run(test::twisting_pair("centre = [7.5, 9.0]", centre));
+    for (const char* const kind : {"scene", "overview"}) {
+      const Figure figure = make_figure(pair, kind);
+      const Panel& panel = figure.panels.front();
+      const PanelPlace place = placed_figure(figure, "").panels.front();
+      const double one_cm = 96 / 2.54 * (place.x.second - place.x.first) / place.width;
+      const auto box_of = [&](const PlaceText& text) {
+        const double half = one_cm * text_width(text.text) / 2, high = 0.13 * one_cm;
+        return Box{text.x - half, text.x + half, text.y - high, text.y + high};
+      };
+      ASSERT_EQ(panel.texts.size(), 2U) << centre;
+      EXPECT_FALSE(box_of(panel.texts[0]).meets(box_of(panel.texts[1])));
+      for (const PlaceText& text : panel.texts) {
+        const Box box = box_of(text);
+        for (const Curve& curve : panel.curves) {
+          if (curve.mark == Mark::none && curve.tone != Tone::red) continue;
+          const double half = 0.04 * one_cm * (curve.mark == Mark::none ? 0 : curve.mark_size);
+          for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            EXPECT_FALSE(box.meets({curve.x[i] - half, curve.x[i] + half, curve.y[i] - half, curve.y[i] + half}))
+                << centre << ", " << kind << ": " << text.text << " on " << curve.label;
+          }
+        }
+      }
+    }
+  }
+}
+
 /// As it is drawn, in a column, where those of the court and of the L have no room, and over a page.
 TEST(PlanMap, NamesLieWithinTheirOutlines) {
   for (const double width : {column_width, page_width}) {

@@ -48,6 +48,20 @@ std::vector<Span> in_both(const std::vector<Span>& a, const std::vector<Span>& b
   return both;
 }
 
+/// What a mark leaves of them.
+std::vector<Span> beside(const std::vector<Span>& spans, const Box& mark) {
+  std::vector<Span> left;
+  for (const auto& [from, to] : spans) {
+    if (mark.right <= from || mark.left >= to) {
+      left.emplace_back(from, to);
+      continue;
+    }
+    if (mark.left > from) left.emplace_back(from, mark.left);
+    if (mark.right < to) left.emplace_back(mark.right, to);
+  }
+  return left;
+}
+
 }  // namespace
 
 PlaceText place_of_name(const std::string& name, const PlanRings& rings, const NameRows& rows,
@@ -62,6 +76,9 @@ PlaceText place_of_name(const std::string& name, const PlanRings& rings, const N
     std::vector<Span> spans = free_spans(y, rings, above);
     for (const double edge : {y - rows.half_height, y + rows.half_height}) {
       spans = in_both(spans, free_spans(edge, rings, above));
+    }
+    for (const Box& mark : rows.marks) {
+      if (mark.bottom < y + rows.half_height && mark.top > y - rows.half_height) spans = beside(spans, mark);
     }
     for (const auto& [from, to] : spans) {
       const double room = 0.94 * (to - from);

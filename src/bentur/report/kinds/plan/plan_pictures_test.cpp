@@ -210,6 +210,34 @@ TEST(PlanPictures, TheSceneShowsTheHardestImpact) {
   EXPECT_NEAR(mass.x[1], rigidity.x[1], 1e-9);
 }
 
+/// Across the gap at each place where a floor goes inside what it faces and no contact is modelled; nowhere else.
+TEST(PlanPictures, GapsAreHatchedWhereContactIsNotModelled) {
+  const PlanRun run = test::plan_run(test::twisting_pair("[3.5, 3.2]\nmasses = [250", "[3.5, 2.0]\nmasses = [250"));
+  const PlanScene scene(run);
+  const PlanGap& gap = run.problem.gaps.front();
+  std::vector<PlanPoint> places;
+  for (std::size_t i = 0; i < gap.watched.size(); ++i) {
+    if (run.response.watched[i].closes) places.push_back(scene.place(gap.middle(gap.watched[i])));
+  }
+  ASSERT_FALSE(places.empty());
+  for (const char* const kind : {"scene", "overview"}) {
+    const Panel panel = make_figure(run, kind).panels.front();
+    const Curve& hatches = labelled(panel, "contact not modelled");
+    EXPECT_EQ(hatches.tone, Tone::red);
+    for (std::size_t i = 0; i < places.size(); ++i) {  // four lines about each place
+      PlanPoint middle(0, 0);
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (const std::size_t end : {0, 1}) {
+          const std::size_t at = (4 * i + k) * 3 + end;
+          middle += PlanPoint(hatches.x.at(at), hatches.y.at(at)) / 8;
+        }
+      }
+      EXPECT_NEAR((middle - places[i]).norm(), 0, 1e-9) << kind;
+    }
+    EXPECT_ANY_THROW((void)labelled(make_figure(twisting(), kind).panels.front(), "contact not modelled"));
+  }
+}
+
 /// The opening figure tells of the gap that it shows, the one hit hardest, by its name where there are several.
 TEST(PlanPictures, TheOverviewTellsOfTheGapThatItShows) {
   EXPECT_EQ(make_figure(twisting(), "overview").finding.find("Walled and Frame collide 7"), 0U);

@@ -15,6 +15,7 @@
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/burst.h"
+#include "bentur/report/kinds/internal/convex_area.h"
 #include "bentur/report/kinds/internal/gap_panel.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/story_text.h"
@@ -71,6 +72,7 @@ class PlanPicture {
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b);
     if (has_centres()) add_centres();
     add_links();
+    add_not_modelled();
     add_points();
     add_names();
     return std::move(panel_);
@@ -87,7 +89,7 @@ class PlanPicture {
     const PlanBuilding& building = run_.problem.buildings[b];
     if (building.is_rigid()) return;
     for (const std::vector<PlanPoint>& ring : scene_.outlines(building.model.footprint)) {
-      Curve curve{.tone = Tone::grey, .line = Line::dotted, .width = 0.6, .complete = true};
+      Curve curve{.tone = Tone::grey, .line = Line::dotted, .width = 0.7, .complete = true};
       for (const PlanPoint& at : ring) add(curve, scene_.place(at));
       panel_.curves.push_back(std::move(curve));
     }
@@ -148,7 +150,7 @@ class PlanPicture {
 
   /// In each footprint where it is broadest, above or below its centres where there are any.
   void add_names() {
-    NameRows rows{.half_height = 0.5 * high_name * length_of_cm()};
+    NameRows rows{.half_height = 0.5 * high_name * length_of_cm(), .marks = marks()};
     if (!has_centres()) {
       std::vector<std::vector<PlanRings>> above;
       for (Index b = 0; b < std::ssize(rings_); ++b) above.push_back(rings_above(b));
@@ -167,6 +169,22 @@ class PlanPicture {
         for (Curve& curve : panel_.curves) curve.in_legend = curve.in_legend || curve.label == building.name;
       }
     }
+  }
+
+  /// Where marks and rays lie, with some room around them.
+  [[nodiscard]] std::vector<Box> marks() const {
+    constexpr double of_one = 0.08;  // half of a mark of size 1, with room [cm]
+    std::vector<Box> boxes;
+    for (const Curve& curve : panel_.curves) {
+      const bool are_rays = curve.tone == Tone::red && curve.top.empty() && curve.line == Line::solid;
+      const double half = curve.mark != Mark::none ? of_one * curve.mark_size * length_of_cm() : 0;
+      if (!are_rays && half == 0) continue;
+      for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (std::isnan(curve.x[i])) continue;
+        boxes.push_back({curve.x[i] - half, curve.x[i] + half, curve.y[i] - half, curve.y[i] + half});
+      }
+    }
+    return boxes;
   }
 
   /// Whether the words of a name have room for each of them, about.
@@ -236,29 +254,23 @@ class PlanPicture {
     }
   }
 
-  /// The area of a convex polygon.
-  static void fill(Curve& curve, const std::vector<PlanPoint>& corners) {
-    for (const PlanPoint& at : corners) curve.x.push_back(at.x());
-    std::sort(curve.x.begin(), curve.x.end());
-    const double round_off = 1e-9 * (curve.x.back() - curve.x.front());
-    curve.x.erase(
-        std::unique(curve.x.begin(), curve.x.end(), [&](double a, double b) { return std::abs(a - b) <= round_off; }),
-        curve.x.end());
-    for (const double x : curve.x) {
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const PlanPoint &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if (x < std::min(a.x(), b.x()) - round_off || x > std::max(a.x(), b.x()) + round_off) continue;
-        const bool is_upright = std::abs(b.x() - a.x()) <= round_off;
-        const double part = is_upright ? 0 : std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0);
-        for (const double y : {a.y() + part * (b.y() - a.y()), is_upright ? b.y() : a.y() + part * (b.y() - a.y())}) {
-          low = std::min(low, y);
-          high = std::max(high, y);
+  /// Hatches across gaps where at some level and time a floor goes inside what it faces and no contact is modelled.
+  void add_not_modelled() {
+    Curve hatches{.label = word(options_, "contact not modelled"), .tone = Tone::red, .width = 0.9, .complete = true};
+    std::size_t number = 0;  // among what all gaps watch
+    for (const PlanGap& gap : run_.problem.gaps) {
+      const PlanPoint across = 0.4 * size_ * gap.stretch.n, along(-across.y(), across.x());
+      for (const PlanWatched& watched : gap.watched) {
+        if (!run_.response.watched[number++].closes) continue;
+        const StretchCorner at = gap.at(watched);
+        for (const double step : {-1.5, -0.5, 0.5, 1.5}) {
+          if (!hatches.x.empty()) add(hatches, {not_known, not_known});
+          add(hatches, scene_.place(at.left) - across + (step - 0.4) * along);
+          add(hatches, scene_.place(at.right) + across + (step + 0.4) * along);
         }
       }
-      curve.y.push_back(low);
-      curve.top.push_back(high);
     }
+    if (!hatches.x.empty()) panel_.curves.push_back(std::move(hatches));
   }
 
   void add_strip(const Stretch& stretch, double from, double to, Tone tone, double most) {
@@ -271,7 +283,7 @@ class PlanPicture {
     const double thin = std::min(stretch.n.dot(corners[3] - corners[0]), stretch.n.dot(corners[2] - corners[1]));
     const PlanPoint wider = 0.5 * std::max(0.0, 2 * least - thin) * stretch.n;
     for (std::size_t i = 0; i < corners.size(); ++i) corners[i] += i < 2 ? PlanPoint(-wider) : wider;
-    fill(strip, corners);
+    add_area(strip, corners);
     panel_.curves.push_back(std::move(strip));
   }
 
@@ -465,6 +477,7 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
   const double count = static_cast<double>(openings.size());
   for (Panel& opening : openings) {
     opening.height = is_wide ? std::max(1.8, (height - gaps.height - around) / count - around * (count - 1)) : 2.4;
+    name_rules_at_ends(opening);
   }
   if (is_wide) {
     figure.columns = 2;
