@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -38,20 +39,30 @@ std::size_t worst_gap(const SuiteRun& run) {
   return worst;
 }
 
-/// What each record needs of a gap, by the tone of what is judged of it, the first record uppermost.
+/// Of what the records need where a code takes their mean; NaN of one that is not known.
+double mean_that_counts(const SuiteRun& run, const std::vector<double>& needed) {
+  const bool is_mean = suite_measure(*run.c.excitation.suite).kind == SuiteMeasure::Kind::mean;
+  if (!is_mean || !run.is_whole()) return not_known;
+  return std::accumulate(needed.begin(), needed.end(), 0.0) / static_cast<double>(needed.size());
+}
+
+/// What each record needs of a gap, by the tone of what is judged of it, the first record uppermost, their mean below.
 Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& options) {
   const std::string& length = run.c.units.length;
   const std::vector<SuiteRecord>& records = run.c.excitation.suite->records;
   const std::vector<std::string> names = gap_names(run.problem);
   const std::size_t count = run.records.size();
-  Panel panel{.title = names.size() > 1 ? names[gap] : "",
-              .x = {.label = with_unit(word(options, "Gap needed"), length), .from = 0},
-              .height = 0.6 + 0.36 * static_cast<double>(count)};
-  panel.y.names.resize(count);
   std::vector<double> values;
   for (const SuiteRecordRun& one : run.records) {
     values.push_back(gap < one.needed.size() && std::isfinite(one.needed[gap]) ? one.needed[gap] : NAN);
   }
+  const double mean = mean_that_counts(run, values);
+  const std::size_t rows = std::isnan(mean) ? count : count + 1;
+  if (rows > count) values.push_back(mean);
+  Panel panel{.title = names.size() > 1 ? names[gap] : "",
+              .x = {.label = with_unit(word(options, "Gap needed"), length), .from = 0},
+              .height = 0.6 + 0.36 * static_cast<double>(rows)};
+  panel.y.names.resize(rows);
   const std::vector<std::string> numbers = column(values);  // with digits alike
   bool some_unmodelled = false;
   std::set<Sufficiency> named;
@@ -59,8 +70,8 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
   double given = NAN, most = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const SuiteRecordRun& one = run.records[i];
-    const double place = static_cast<double>(count - 1 - i);
-    panel.y.names[count - 1 - i] = records[i].name();
+    const double place = static_cast<double>(rows - 1 - i);
+    panel.y.names[rows - 1 - i] = records[i].name();
     if (std::isnan(values[i])) {
       const bool falls = gap < one.needed.size() && std::isinf(one.needed[gap]);
       panel.texts.push_back({.x = 0, .y = place, .text = word(options, falls ? "a building collapses" : "not known")});
@@ -76,6 +87,11 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
         {.x = values[i], .y = place, .text = numbers[i] + " " + length + (is_unmodelled ? " ×" : "")});
     some_unmodelled = some_unmodelled || is_unmodelled;
   }
+  if (rows > count) {
+    panel.y.names.front() = word(options, "mean");
+    panel.curves.push_back(bar(0, mean, 0, 0.6, Tone::grey));
+    panel.texts.push_back({.x = mean, .y = 0, .text = numbers.back() + " " + length});
+  }
   if (std::isnan(given)) throw NoFigure("no record has been run to its end, or no floors face one another");
   if (some_unmodelled) {  // marked behind the numbers, as a mark on a dark bar is lost in grey
     panel.curves.push_back({.label = word(options, "contact not modelled"),
@@ -87,7 +103,7 @@ Panel needs_panel(const SuiteRun& run, std::size_t gap, const FigureOptions& opt
   }
   panel.curves.push_back({.label = word(options, "given") + ": " + number(given) + " " + length,  // over the bars
                           .x = {given, given},
-                          .y = {-0.5, static_cast<double>(count) - 0.5},
+                          .y = {-0.5, static_cast<double>(rows) - 0.5},
                           .line = Line::dashed,
                           .width = 1.4});
   constexpr double of_names = 2.5;  // beside the bars [cm]

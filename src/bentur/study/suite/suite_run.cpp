@@ -363,7 +363,7 @@ std::string suite_said_json(const SuiteRun& run, const GapStudy& gaps) {
       const bool is_rule = one.worst.kind == Reason::Kind::rule;
       reasons.push_back({{"kind", word_of(one.worst)},
                          {"records", one.runs},
-                         {"worst", is_rule ? Json(nullptr) : Json(suite_of(run).records[one.run].name())}});
+                         {"worst", is_rule ? Json(nullptr) : Json(suite_of(run).records[one.run].files())}});
       if (is_rule) reasons.back()["rule"] = one.worst.subject;
     }
     json["judgements"].push_back(

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/schema/case_keys.h"
@@ -23,13 +22,6 @@ std::vector<std::string> reading_keys() {
 bool is_of_all_records(const std::string& key) {
   const std::vector<std::string> known = {"delays", "wave_velocity", "wave_angle", "kinematics", "polarity", "angle"};
   return std::find(known.begin(), known.end(), key) != known.end();
-}
-
-/// Its name without folders.
-std::string short_name(const SuiteRecord& record) {
-  const auto short_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-  const std::string name = short_of(record.echo.file);
-  return record.along_y ? name + " + " + short_of(record.along_y->echo.file) : name;
 }
 
 bool has_suite(const Study& study) {
@@ -54,23 +46,18 @@ std::optional<Vary> take_suite(Study& study, Diagnostics& diagnostics) {
   const auto entries_at = [&](const ParameterPath& path) { return find_value(study.case_root, path)->items; };
   const std::vector<TomlValue> entries = entries_at({"excitation", "files"});
   const std::vector<TomlValue> along_y = pairs ? entries_at({"excitation", "y", "files"}) : std::vector<TomlValue>();
-  std::set<std::string> names;
   Vary vary;
   vary.parameter = "excitation.file";
   vary.path = {"excitation", "file"};
   vary.name = "record";
-  for (const SuiteRecord& record : study.suite->records) {
-    names.insert(short_name(record));
-  }
   for (const std::string& key : reading_keys()) {
     vary.file_keys.push_back({{"excitation", key}, {}});
     if (pairs) vary.file_keys.push_back({{"excitation", "y", key}, {}});
   }
   if (pairs) vary.file_keys.push_back({{"excitation", "y", "file"}, {}});
   for (const SuiteRecord& record : study.suite->records) {
-    const bool short_names = names.size() == study.suite->records.size();
     vary.values.push_back(toml_text(record.echo.file));
-    vary.labels.push_back(short_names ? short_name(record) : record.name());
+    vary.labels.push_back(record.name());
     vary.normalisation.push_back(record.factor);
     for (FileKey& key : vary.file_keys) {
       const bool is_of_y = key.path.size() == 3;
