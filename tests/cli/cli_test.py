@@ -599,7 +599,8 @@ class Run(CommandLine):
         for building in summary["buildings"]:
             self.assertEqual(set(building), {
                 "name", "elevations", "periods", "peak_displacement", "peak_displacement_no_contact", "amplification",
-                "peak_drift_ratio", "peak_acceleration", "peak_acceleration_no_contact", "acceleration_ratio",
+                "peak_drift_ratio", "peak_drift_ratio_no_contact", "peak_acceleration",
+                "peak_acceleration_no_contact", "acceleration_ratio",
                 "peak_storey_shear", "peak_storey_shear_no_contact", "storey_shear_ratio", "weight",
                 "base_shear_coefficient", "period_per_storey", "first_period"})
             for key in "acceleration", "storey_shear":

@@ -765,11 +765,11 @@ class List(Reports):
             self.sorts()
 
     def sorts(self):
-        count = self.js("document.getElementById('impact-list').tHead.rows[0].cells.length")
+        count = self.js("document.getElementById('impact-list').tHead.lastElementChild.cells.length")
         for number in range(count):
             for sign in 1, -1:
                 self.js(f"document.querySelectorAll('#impact-list .sorter')[{number}].click()")
-                order = self.js(f"document.querySelectorAll('#impact-list th')[{number}].getAttribute('aria-sort')")
+                order = self.js(f"document.querySelectorAll('#impact-list tr:last-child th')[{number}].getAttribute('aria-sort')")
                 values = [value.replace("−", "-") for value in self.column(number) if value != "–"]
                 try:
                     values = list(map(float, values))
@@ -780,9 +780,15 @@ class List(Reports):
 
     def test_hardest_first(self):
         self.opened(self.example("m12-el-centro"))
-        heads = self.js("Array.from(document.querySelectorAll('#impact-list th')).map(h => h.textContent)")
+        heads = self.js("Array.from(document.querySelectorAll('#impact-list tr:last-child th')).map(h => h.textContent)")
         forces = list(map(float, self.column(next(i for i, h in enumerate(heads) if h.startswith("Peak force")))))
         self.assertEqual(forces, sorted(forces, reverse=True))
+        self.browser.call("Emulation.setEmulatedMedia", media="print")
+        title = "document.querySelector('#impact-list tr').offsetHeight"
+        self.assertGreater(self.js(title), 0, "paper says the order")
+        self.js("document.querySelectorAll('#impact-list .sorter')[0].click()")
+        self.assertEqual(self.js(title), 0, "that of no other one")
+        self.browser.call("Emulation.setEmulatedMedia", media="")
         self.assertEqual(len(forces), 37)
 
     def test_download_is_the_file_of_bentur_run(self):

@@ -49,6 +49,13 @@ TEST(PlanNetcdf, HoldsTheRunAndItsHistories) {
   EXPECT_EQ(file.texts("plane_name_1"),
             (std::vector<std::string>{"south wall", "north frame", "west frame", "east frame"}));
   EXPECT_EQ(file.numbers("footprint_2"), (std::vector<double>{12.04, 0, 12.04 + 15, 18}));
+  // The first building has planes, the second one none.
+  const std::vector<PlanPeaks>& free = run.response.buildings_no_contact;
+  const Eigen::VectorXd edges = free[1].edge_drift_ratio(), plane = free[0].planes[1].drift_ratio;
+  EXPECT_EQ(file.numbers("peak_drift_ratio_no_contact_2"), std::vector<double>(edges.begin(), edges.end()));
+  const std::vector<double> of_planes = file.numbers("plane_peak_drift_ratio_no_contact_1");
+  EXPECT_EQ((std::vector<double>{of_planes[2], of_planes[3]}), std::vector<double>(plane.begin(), plane.end()));
+  EXPECT_NE(file.numbers("peak_drift_ratio_no_contact_2"), file.numbers("peak_drift_ratio_2"));
   // Samples stay within the peaks of the continuous response, and come near.
   for (const auto& [history, peak] :
        {std::pair{"displacement_x_1", "peak_displacement_x_1"}, std::pair{"displacement_y_2", "peak_displacement_y_2"},

@@ -227,11 +227,7 @@ void read_summary(const UnorderedJson& json, const fs::path& file, RunResults& r
     links += table.at("points").size();
   }
   if (links != results.problem.links.size()) fail(file, "is not of the same run as histories.nc");
-  const std::vector<LargestDrift> drifts = take_judged_by(json.at("judged_by"), results.response);
-  for (std::size_t b = 0; b < std::min(drifts.size(), results.response.buildings.size()); ++b) {
-    results.response.buildings[b].drift_ratio_no_contact =
-        drift_ratios_with(results.problem.buildings[b].model.floors(), drifts[b]);
-  }
+  take_judged_by(json.at("judged_by"), results.response);
 }
 
 /// Takes buildings, gaps and codes as they were given from the copy of the case, if it is that of these results.
@@ -312,12 +308,7 @@ void read_plan_summary(const UnorderedJson& json, const fs::path& file, PlanRun&
       json, file, run.problem.buildings, [](const PlanBuilding&) { return Eigen::Index(1); }, run.response);
   if (!run.response.collapse) run.problem.duration = json.at("solver").at("end_time");
   run.response.duration = run.problem.duration;
-  const std::vector<LargestDrift> drifts = take_judged_by(json.at("judged_by"), run.response);
-  for (std::size_t b = 0; b < std::min(drifts.size(), run.response.buildings_no_contact.size()); ++b) {
-    PlanPeaks& peaks = run.response.buildings_no_contact[b];
-    peaks.drift_south = peaks.drift_north = peaks.drift_west = peaks.drift_east =
-        drift_ratios_with(run.problem.buildings[b].model.floors(), drifts[b]);
-  }
+  run.response.drifts_elsewhere = take_judged_by(json.at("judged_by"), run.response);
   for (const UnorderedJson& entry : json.at("remarks")) run.remarks.push_back(remark(entry));
   for (const UnorderedJson& one : json.at("discrepancies")) {
     run.response.discrepancies.push_back({one.at("key"), one.at("size")});

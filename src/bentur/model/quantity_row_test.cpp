@@ -40,7 +40,10 @@ Response some_response() {
     next += 2;
     return VectorXd(Eigen::Vector2d(next, next + 1));
   };
-  for (int b = 0; b < 3; ++b) response.buildings.push_back({two(), two(), two(), two(), two()});
+  for (int b = 0; b < 3; ++b) {
+    response.buildings.push_back({two(), two(), two(), two(), two()});
+    response.buildings.back().drift_ratio_no_contact = two();
+  }
   for (int i = 0; i < 3; ++i) {
     next += 20;
     response.points.push_back({.gap_needed = next,
@@ -88,6 +91,7 @@ TEST_F(SweepRow, HoldsEachNumberUnderItsName) {
     EXPECT_EQ((*this)["peak_displacement_no_contact" + number], list(peaks.displacement_no_contact));
     EXPECT_EQ((*this)["amplification" + number], list(peaks.displacement.cwiseQuotient(peaks.displacement_no_contact)));
     EXPECT_EQ((*this)["peak_drift_ratio" + number], list(peaks.drift_ratio));
+    EXPECT_EQ((*this)["peak_drift_ratio_no_contact" + number], list(peaks.drift_ratio_no_contact));
     EXPECT_EQ((*this)["peak_acceleration" + number], list(peaks.acceleration));
     EXPECT_EQ((*this)["peak_storey_shear" + number], list(peaks.storey_shear));
     EXPECT_NEAR((*this)["first_period" + number].at(0), std::numbers::pi / 2, 1e-14);

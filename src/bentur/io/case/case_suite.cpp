@@ -274,6 +274,7 @@ void settle_suite(const TomlView& root, ReadCase& read, const std::function<void
       settle(suite, read.plan ? suite_periods(read.plan->buildings) : suite_periods(made), progress);
   for (const SuiteFault& fault : faults) tell_fault(fault, suite, names, view);
   if (!faults.empty()) return;
+  name_records(suite.records);
   for (const SuiteRecord& record : suite.records) {
     if (!std::isfinite(record.echo.pga / read.c.units.gravity)) {
       view.find("scale")->error("scales a record beyond what can be computed with");

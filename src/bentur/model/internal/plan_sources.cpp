@@ -91,17 +91,15 @@ QuantitySource plan_base_shear(PlanList list) {
   });
 }
 
-QuantitySource edge_drift() {
-  return in_plan([](const PlanRun& run, const QuantityPlace& at) {
-    return entry(run.response.buildings[at.item].edge_drift_ratio(), at.floor);
+QuantitySource edge_drift(PlanBuildings of) {
+  return in_plan([of](const PlanRun& run, const QuantityPlace& at) {
+    return entry((run.response.*of)[at.item].edge_drift_ratio(), at.floor);
   });
 }
 
-QuantitySource of_plane(VectorXd PlanPeaks::Plane::*list) {
+QuantitySource of_plane(VectorXd PlanPeaks::Plane::*list, PlanBuildings of) {
   return of_list(
-      &PlanResponse::buildings, [list](auto& peaks, const QuantityPlace& at) -> auto& {
-        return peaks.planes[at.plane].*list;
-      });
+      of, [list](auto& peaks, const QuantityPlace& at) -> auto& { return peaks.planes[at.plane].*list; });
 }
 
 QuantitySource plan_yielding(VectorXd BuildingPeaks::Yielding::*list, PlanBuildings of) {

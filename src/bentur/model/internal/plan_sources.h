@@ -22,9 +22,10 @@ using PlanList = Eigen::VectorXd PlanPeaks::*;
 [[nodiscard]] QuantitySource plan_ratio(PlanList list, PlanList across);
 /// The largest shear of the lowest storey over the weight of the building.
 [[nodiscard]] QuantitySource plan_base_shear(PlanList list);
-[[nodiscard]] QuantitySource edge_drift();
+[[nodiscard]] QuantitySource edge_drift(PlanBuildings of = &PlanResponse::buildings);
 /// Over the storeys of a plane.
-[[nodiscard]] QuantitySource of_plane(Eigen::VectorXd PlanPeaks::Plane::*list);
+[[nodiscard]] QuantitySource of_plane(Eigen::VectorXd PlanPeaks::Plane::*list,
+                                      PlanBuildings of = &PlanResponse::buildings);
 /// Of the infill of a frame.
 [[nodiscard]] QuantitySource plan_infill(Eigen::VectorXd BuildingPeaks::Infill::*list);
 [[nodiscard]] QuantitySource plan_yielding(Eigen::VectorXd BuildingPeaks::Yielding::*list,

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <string>
 
 #include "bentur/core/errors.h"
@@ -266,6 +267,20 @@ std::vector<SuiteFault> settle(SuiteSpec& suite, std::vector<SuitePeriods> build
   if (!faults.empty()) return faults;
   if (const auto fault = SuiteChoice(suite).make()) return {*fault};
   return {};
+}
+
+void name_records(std::vector<SuiteRecord>& records) {
+  const auto stem = [](const RecordEcho& echo) {
+    const std::string file = echo.file.substr(echo.file.find_last_of('/') + 1);
+    return file.substr(0, file.find_last_of('.'));
+  };
+  std::set<std::string> names;
+  for (SuiteRecord& record : records) {
+    record.called = stem(record.echo) + (record.along_y ? " + " + stem(record.along_y->echo) : "");
+    names.insert(record.called);
+  }
+  if (names.size() == records.size()) return;
+  for (SuiteRecord& record : records) record.called = record.files();
 }
 
 Case case_of_record(const Case& c, std::size_t number) {

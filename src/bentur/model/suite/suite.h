@@ -32,9 +32,16 @@ struct SuiteRecord {
   std::vector<double> spectrum = {};
   std::optional<SuiteComponent> along_y = {};  ///< of buildings in plan the other component, with the same step
 
+  std::string called = {};  ///< by name_records()
+
   /// Its file; of a pair both, "A.AT2 + B.AT2".
-  [[nodiscard]] std::string name() const { return along_y ? echo.file + " + " + along_y->echo.file : echo.file; }
+  [[nodiscard]] std::string files() const { return along_y ? echo.file + " + " + along_y->echo.file : echo.file; }
+  /// In tables and sentences.
+  [[nodiscard]] std::string name() const { return called.empty() ? files() : called; }
 };
+
+/// Calls records by their files without folders and endings, "A + B"; where two of these are alike, by all of them.
+void name_records(std::vector<SuiteRecord>& records);
 
 /// What is asked of a suite.
 struct SuiteRequest {

@@ -218,5 +218,24 @@ TEST_F(Suites, WhatCodesTake) {
   EXPECT_EQ(taken("asce-7-16", 10), Measure::too_few);
 }
 
+/// By their files without folders and endings, unless two of these are alike.
+TEST(Suite, RecordsAreCalledByTheirFiles) {
+  std::vector<SuiteRecord> records(2);
+  records[0].echo.file = "../records/A.north.AT2";
+  EXPECT_EQ(records[0].name(), "../records/A.north.AT2") << "that nobody has called otherwise";
+  records[0].along_y = SuiteComponent{};
+  records[0].along_y->echo.file = "../records/A.east.AT2";
+  records[1].echo.file = "C:lobes.csv";
+  name_records(records);
+  EXPECT_EQ(records[0].name(), "A.north + A.east");
+  EXPECT_EQ(records[0].files(), "../records/A.north.AT2 + ../records/A.east.AT2");
+  EXPECT_EQ(records[1].name(), "C:lobes");
+  records[0].along_y.reset();
+  records[1].echo.file = "others/A.north.csv";
+  name_records(records);
+  EXPECT_EQ(records[0].name(), "../records/A.north.AT2");
+  EXPECT_EQ(records[1].name(), "others/A.north.csv");
+}
+
 }  // namespace
 }  // namespace bentur

@@ -77,7 +77,8 @@ PageSection columns_section(const Report& report) {
   table.add(say("columns.hardest"), "s", times);
   add_columns(table, table_columns(Owner::point, report.run, places_of(points), say.number(), QuantityTable::struck));
   return {"columns", say("heading.columns"),
-          lead(report, points) + table.markup() + element("p", Html::text(say("columns.note")), "class=\"note\"")};
+          lead(report, points) + table.called(say("columns.table")).markup() +
+              element("p", Html::text(say("columns.note")), "class=\"note\"")};
 }
 
 }  // namespace bentur::html

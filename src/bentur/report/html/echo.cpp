@@ -243,9 +243,8 @@ class Echo {
 
   void add_table(const std::string& name, const HtmlTable& table, const std::vector<const TomlValue*>& values) {
     const std::string at = place(values);
-    if (!name.empty()) tables_ += element("p", name + (at.empty() ? "" : ", " + at));
-    if (name.empty() && !at.empty()) tables_ += element("p", at, "class=\"note\"");
-    tables_ += table.markup();
+    const std::string title = name.empty() || at.empty() ? name + at : name + ", " + at;
+    tables_ += title.empty() ? table.markup() : under("h4", title, table);
   }
 
   const Words& say_;

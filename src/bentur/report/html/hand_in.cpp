@@ -147,7 +147,7 @@ PageSection records_section(const std::vector<AppliedRecord>& records, const Uni
   table.add(say("records.step"), "s", steps);
   table.add(say("records.length"), "s", lengths);
   table.add("SHA-256", "", hashes, false);
-  return {"records", say("heading.records"), table.markup()};
+  return {"records", say("heading.records"), table.called(say("records.table")).markup()};
 }
 
 std::vector<PageSection> in_order_of_codes(std::vector<PageSection> sections, PageSection records,

@@ -45,19 +45,20 @@ Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, s
         element("p", say("impacts.print", {{"n", std::to_string(impacts_in_print)}, {"all", std::to_string(all)}}),
                 "class=\"print\"");
   }
-  content += table.markup(fmt::format("id=\"impact-list\" data-sorted=\"{}\"", sorted)) +
+  content += table.called(say("impacts.order")).markup(fmt::format("id=\"impact-list\" data-sorted=\"{}\"", sorted)) +
              element("p", Html::text(say("impacts.restitution")), "class=\"note\"");
   return content;
 }
 
 void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const HtmlTable& places, const Words& say,
                  bool in_plan) {
-  const std::string_view name = quantity_named("peak_force", Owner::impact, in_plan).label[say.number()];
-  const auto force = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const TableColumn& column) { return column.label == name; });
-  if (force != quantities.end()) {
-    table.add(force->label, force->unit, std::move(force->cells));
-    quantities.erase(force);
+  for (const char* const key : {"peak_force", "peak_force_time"}) {
+    const std::string_view name = quantity_named(key, Owner::impact, in_plan).label[say.number()];
+    const auto first = std::find_if(quantities.begin(), quantities.end(),
+                                    [&](const TableColumn& column) { return column.label == name; });
+    if (first == quantities.end()) continue;
+    table.add(first->label, first->unit, std::move(first->cells));
+    quantities.erase(first);
   }
   table.add(places);
   add_columns(table, std::move(quantities));

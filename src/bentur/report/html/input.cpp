@@ -126,17 +126,17 @@ Derived of_building(const Report& report, const TomlValue& given, Eigen::Index b
     derived.rows.emplace_back(say("input.stiffness_factor"), number(building.model.stiffness_factor.value_or(1)));
   }
   if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) {
-    HtmlTable members = members_table(*frame, *given.find("frame"), report);
-    if (members.rows() > 0) derived.tables += element("p", say("input.members")) + members.markup();
-    derived.printed.push_back(std::move(members));
+    const HtmlTable members = members_table(*frame, *given.find("frame"), report);
+    derived.tables += under("h4", say("input.members"), members);
+    derived.printed.push_back(members.called(say("input.members")));
   }
   derived.printed.resize(1);  // one for each building
   if (building.is_rigid()) return derived;
-  derived.tables += element("h4", say("heading.modes")) + modes_table(building, report, most_modes).markup();
+  derived.tables += under("h4", say("heading.modes"), modes_table(building, report, most_modes));
   if (const Eigen::Index rest = modal_properties(building).periods.size() - most_modes; rest > 0) {
     derived.tables += element("p", say("input.modes_more", {{"n", std::to_string(rest)}}), "class=\"note\"");
   }
-  derived.printed.push_back(modes_table(building, report, 1));
+  derived.printed.push_back(modes_table(building, report, 1).called(say("heading.modes")));
   return derived;
 }
 
@@ -188,7 +188,7 @@ Derived of_gap(const Report& report, Eigen::Index gap) {
     const Key& key = key_of_law(contact_keys(), name, spec.contact.law);
     add(label_text(key.label, say), unit_of(key, report.c.units), values);
   }
-  derived.tables = table.markup();
+  derived.tables = under("h4", say("input.levels"), table);
   derived.printed = {row};
   return derived;
 }
@@ -284,7 +284,7 @@ Html without_case(const Report& report) {
       table.add(label_text(key.label, say), unit_of(key, report.c.units), reversed(values, link.elevations.size()));
     }
     content += element("h3", label_text(case_keys().at("link").label, say)) +
-               facts({choice(link_keys(), "law", link.law)}) + table.markup();
+               facts({choice(link_keys(), "law", link.law)}) + under("h4", say("input.levels"), table);
   }
   Derived analysis = of_analysis(report, {});
   analysis.rows.push_back(choice(analysis_keys(), "solver", name(report.c.analysis.solver)));

@@ -99,10 +99,8 @@ HtmlTable floors_table(const Report& report, Eigen::Index b, std::vector<TableCo
   return table;
 }
 
-/// A table under a line that says what it is of.
-Html under(const Report& report, const char* lead, const HtmlTable& table) {
-  return table.rows() == 0 ? Html() : fold("h4", report.say(lead), table.markup());
-}
+/// A table under its title, folded away on a telephone.
+Html folded(const HtmlTable& table) { return table.rows() == 0 ? Html() : fold("h4", table.title(), table.markup()); }
 
 /// What the foundation does; empty without soil.
 Html foundation_text(const Report& report, Eigen::Index b) {
@@ -113,13 +111,13 @@ Html foundation_text(const Report& report, Eigen::Index b) {
 }
 
 /// Of one [[link]] table, from the top down.
-Html links_table(const Report& report, const std::vector<Eigen::Index>& links) {
+HtmlTable links_table(const Report& report, const std::vector<Eigen::Index>& links) {
   std::vector<double> elevations;
   for (const Eigen::Index i : links) elevations.push_back(report.problem.links[i].elevation);
   HtmlTable table;
   table.add(report.say("column.elevation"), report.c.units.length, elevations);
   add_quantities(table, report, Owner::link, places_of(links));
-  return table.markup();
+  return table;
 }
 
 /// Restitution asked and obtained, where a law was asked for one or an impact tells one.
@@ -151,7 +149,7 @@ Html restitution_table(const Report& report) {
   table.add(say("column.asked"), "", asked);
   table.add(say("column.smallest"), "", smallest);
   table.add(say("column.largest"), "", largest);
-  return element("h3", Html::text(say("heading.restitution"))) + table.markup() +
+  return under("h3", say("heading.restitution"), table) +
          element("p", Html::text(say("peaks.restitution_note")), "class=\"note\"");
 }
 
@@ -175,10 +173,10 @@ PageSection peaks_section(const Report& report) {
   for (Eigen::Index gap = 0; gap < gap_count(report.problem); ++gap) {
     std::vector<Eigen::Index> points = points_of(report.problem, gap);
     if (points.empty()) continue;
-    const Html all = contact_table(report, points).markup();
+    const std::string name = gap_name(report.problem, gap), heading = say("heading.contact_of", {{"gap", name}});
+    const Html all = contact_table(report, points).called(heading).markup();
     std::erase_if(points, [&](Eigen::Index point) { return report.response.points[point].impacts == 0; });
-    const std::string name = gap_name(report.problem, gap);
-    contacts.add(say("heading.contact_of", {{"gap", name}}), all, {contact_table(report, points)}, name);
+    contacts.add(heading, all, {contact_table(report, points)}, name);
   }
   Html content = contacts.markup(say, "appendix.contacts");
   const std::size_t language = say.number();
@@ -187,19 +185,20 @@ PageSection peaks_section(const Report& report) {
     if (links.empty()) continue;
     std::reverse(links.begin(), links.end());
     const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
-    content += element("h3", Html::text(say("heading.links_of", {{"link", name}}))) + links_table(report, links);
+    content += under("h3", say("heading.links_of", {{"link", name}}), links_table(report, links));
   }
   for (Eigen::Index b = 0; b < std::ssize(report.problem.buildings); ++b) {
-    const std::string name = report.problem.buildings[b].name;
+    const std::string name = report.problem.buildings[b].name, heading = say("heading.peaks_of", {{"building", name}});
     const std::vector<QuantityPlace> floors = floors_from_top(report.problem, b);
     const auto table = [&](QuantityTable of) {
       return floors_table(report, b, table_columns(Owner::floor, report.run, floors, language, of));
     };
-    const HtmlTable main = table(QuantityTable::main), forces = table(QuantityTable::forces);
-    const HtmlTable yielding = table(QuantityTable::yielding);
-    buildings.add(say("heading.peaks_of", {{"building", name}}),
-                  main.markup() + under(report, "peaks.forces", forces) + proportions_text(report, b) +
-                      foundation_text(report, b) + under(report, "peaks.yielding", yielding),
+    const HtmlTable main = table(QuantityTable::main);
+    const HtmlTable forces = table(QuantityTable::forces).called(say("peaks.forces"));
+    const HtmlTable yielding = table(QuantityTable::yielding).called(say("peaks.yielding"));
+    buildings.add(heading,
+                  main.called(heading).markup() + folded(forces) + proportions_text(report, b) +
+                      foundation_text(report, b) + folded(yielding),
                   {main, forces, yielding}, name);
   }
   content += buildings.markup(say, "appendix.buildings");

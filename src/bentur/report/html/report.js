@@ -48,12 +48,13 @@
     const rows = Array.from(body.rows);
     rows.sort((a, b) => compare(value(a, column), value(b, column), direction));
     body.append(...rows);
-    Array.from(table.tHead.rows[0].cells).forEach((cell, i) => {
+    Array.from(table.tHead.lastElementChild.cells).forEach((cell, i) => {
       if (i === column) cell.setAttribute("aria-sort", direction > 0 ? "ascending" : "descending");
       else cell.removeAttribute("aria-sort");
     });
     const byForce = column === Number(table.dataset.sorted) && direction < 0;
     const [hardest, first] = document.querySelectorAll("#in-sight span");
+    table.tHead.rows[0].classList.toggle("titles", byForce); // which says in print that the hardest come first
     hardest.hidden = !byForce;
     first.hidden = byForce;
   }
@@ -69,7 +70,7 @@
   function buildList() {
     const table = document.getElementById("impact-list");
     if (!table) return;
-    Array.from(table.tHead.rows[0].cells).forEach((cell, column) => {
+    Array.from(table.tHead.lastElementChild.cells).forEach((cell, column) => {
       const button = html("button"); // over the whole cell
       button.type = "button";
       button.className = "sorter";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -18,6 +19,7 @@
 #include "bentur/report/html/internal/motion_data.h"
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
+#include "bentur/report/html/page_parts.h"
 
 namespace bentur {
 namespace {
@@ -370,6 +372,50 @@ TEST(Report, FiguresStandInlineInThePagesOwnStyle) {
   for (const html::PageFigure& one : html::page_figures(figure_kinds(impact), make, "figure.", "en")) {
     EXPECT_TRUE(has(page, one.svg)) << one.caption;
   }
+}
+
+/// What is higher than a third of a page is of two pictures, between which a page may end, under one caption, and
+/// comes last; those of a column's width come first, two to a line.
+TEST(Report, HighFiguresArePartedForPaper) {
+  const Simulated frames = run(example("row-of-three"));
+  const auto make = [&](const std::string& kind, const FigureOptions& options) {
+    return make_figure(frames, kind, options);
+  };
+  const std::vector<html::PageFigure> figures = html::page_figures(figure_kinds(frames), make, "figure.", "en");
+  const auto pictures = [](const std::string& markup) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = markup.find("class=\"bentur\"", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  std::size_t parted = 0;
+  bool wide_before = false;
+  for (const html::PageFigure& one : figures) {
+    EXPECT_EQ(pictures(one.svg), one.is_parted ? 2U : 1U) << one.caption;
+    EXPECT_TRUE(one.wide || !wide_before) << one.caption << " has no neighbour";
+    EXPECT_TRUE(one.is_parted || parted == 0) << one.caption << " would fill what the one before it leaves";
+    parted += one.is_parted ? 1 : 0;
+    wide_before = one.wide;
+  }
+  EXPECT_GE(parted, 1U) << "of two gaps";
+  const std::string section = html::figures_section(Words("en"), figures).content.str();
+  EXPECT_TRUE(has(section, "<figure class=\"broad parted\"><div class=\"wide\""));
+}
+
+/// When an impact is hardest stands beside how hard it is, and the table says its order.
+TEST(Report, ImpactsHaveTheTimeOfTheirPeak) {
+  const Simulated impact = run(example("two-frames-si"));
+  const std::vector<PageColumn> columns = impact_columns(impact, "en");
+  const auto force = std::find_if(columns.begin(), columns.end(),
+                                  [](const PageColumn& column) { return column.heading == "Peak force"; });
+  ASSERT_NE(force, columns.end());
+  ASSERT_NE(force + 1, columns.end());
+  EXPECT_EQ((force + 1)->heading, "Peak at");
+  EXPECT_EQ((force + 1)->unit, "s");
+  const auto& impacts = impact.response.impacts;
+  const auto hardest = std::max_element(impacts.begin(), impacts.end(),
+                                        [](const Impact& a, const Impact& b) { return a.peak_force < b.peak_force; });
+  EXPECT_EQ((force + 1)->cells.front(), fmt::format("{:.4f}", hardest->peak_force_time));
+  EXPECT_TRUE(has(impact.page(), ">Impacts, the hardest first</th>"));
 }
 
 TEST(Report, ImpactsWithoutDurationHaveASpeedInPlaceOfAForce) {

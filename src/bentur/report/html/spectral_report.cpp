@@ -29,7 +29,7 @@ html::PageSection spectral_gap_section(const Report& report) {
 }
 
 /// Of a building known by its peaks, highest first.
-Html given_peaks_table(const GivenPeaks& given, const std::vector<double>& elevations, const Report& report) {
+HtmlTable given_peaks_table(const GivenPeaks& given, const std::vector<double>& elevations, const Report& report) {
   const std::string& length = report.c.units.length;
   std::vector<double> levels(elevations.rbegin(), elevations.rend());
   std::vector<double> as_given(given.displacement.begin(), given.displacement.end());
@@ -40,11 +40,11 @@ Html given_peaks_table(const GivenPeaks& given, const std::vector<double>& eleva
   table.add(report.say("column.elevation"), length, levels);
   table.add(report.say("spectral.given"), length, as_given);
   if (given.amplification != 1) table.add(report.say("spectral.amplified"), length, expected);
-  return table.markup();
+  return table;
 }
 
 /// The floors' peaks, the highest first; in plan along x and along y.
-Html floor_peaks(const Building& building, const SpectralPeaks& peaks, const Report& report) {
+HtmlTable floor_peaks(const Building& building, const SpectralPeaks& peaks, const Report& report) {
   const std::string& length = report.c.units.length;
   const auto from_top = [](const auto& list) {
     std::vector<double> turned(list.begin(), list.end());
@@ -60,12 +60,12 @@ Html floor_peaks(const Building& building, const SpectralPeaks& peaks, const Rep
     table.add("y, SRSS", length, from_top(peaks.srss_y));
     table.add("y, CQC", length, from_top(peaks.cqc_y));
   }
-  return table.markup();
+  return table;
 }
 
 /// The modes that they are made of, with the mass that moves along each direction.
-Html spectral_modes_table(const Modes& modes, const Eigen::MatrixXd& load, const SpectralModes& spectral,
-                          const Report& report) {
+HtmlTable spectral_modes_table(const Modes& modes, const Eigen::MatrixXd& load, const SpectralModes& spectral,
+                               const Report& report) {
   const Words& say = report.say;
   const auto values = [](const Eigen::VectorXd& list) { return std::vector<double>(list.begin(), list.end()); };
   HtmlTable table;
@@ -76,7 +76,7 @@ Html spectral_modes_table(const Modes& modes, const Eigen::MatrixXd& load, const
     const std::string label = load.cols() == 1 ? say("spectral.mass") : say(i == 0 ? "plan.mass_x" : "plan.mass_y");
     table.add(label, "%", values(100 * modal_properties(modes, load.col(i)).effective_mass_fraction));
   }
-  return table.markup();
+  return table;
 }
 
 /// Of each building the floors' peaks, and the modes they are made of.
@@ -85,17 +85,16 @@ html::PageSection spectral_peaks_section(const Report& report, const SpectralGap
   for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
     const Building& building = report.problem.buildings[b];
     if (building.given) {
-      content += element("h3", building.name) + given_peaks_table(*building.given, building.model.elevations, report);
+      content += under("h3", building.name, given_peaks_table(*building.given, building.model.elevations, report));
       continue;
     }
     if (building.is_rigid()) continue;
-    content += element("h3", building.name) + floor_peaks(building, spectral.peaks[b], report);
-    if (spectral.plan) {
-      const PlanBuilding& of_plan = spectral.plan->buildings[b];
-      content += spectral_modes_table(of_plan.modes, of_plan.model.load, spectral.modes[b], report);
-    } else {
-      content += spectral_modes_table(building.modes, building.model.load, spectral.modes[b], report);
-    }
+    content += under("h3", building.name, floor_peaks(building, spectral.peaks[b], report));
+    const auto modes = [&](const auto& of) {
+      return under("h4", report.say("heading.modes"),
+                   spectral_modes_table(of.modes, of.model.load, spectral.modes[b], report));
+    };
+    content += spectral.plan ? modes(spectral.plan->buildings[b]) : modes(building);
   }
   return {"peaks", report.say("spectral.peaks"), content};
 }

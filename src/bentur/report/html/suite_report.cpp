@@ -58,7 +58,7 @@ Html worst_picture(const SuiteRun& run, const html::Report& report, const std::s
   const std::size_t record = governing_record(run);
   const Case c = case_of_record(run.c, record);
   const std::string caption =
-      report.say("figure.overview_of_record", {{"record", record_names(*run.c.excitation.suite)[record]}});
+      report.say("figure.overview_of_record", {{"record", run.c.excitation.suite->records[record].name()}});
   return run.plan ? picture_of(c, make_plan_problem(c, run.plan->buildings), caption, language)
                   : picture_of(c, make_problem(c, run.problem.buildings), caption, language);
 }

@@ -78,7 +78,7 @@ Html table_of(const SaidTable& table, HtmlTable::OnTelephone form, std::vector<s
     std::vector<std::string> cells = column.cells;
     shown.add(column.label, column.unit, std::move(cells), table.are_numbers[i]);
   }
-  return shown.markup("", form);
+  return shown.called(table.heading).markup("", form);
 }
 
 PageSection verdict_section(const Verdict& verdict, const Words& say) {
@@ -108,9 +108,9 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   for (const StoryTable& table : verdict.story.tables) {
     if (!table.kind.starts_with("row")) continue;
     const SaidTable shown = said(table, say);
-    block += table_of(shown, HtmlTable::OnTelephone::gaps);
+    block += element("h3", shown.heading) + table_of(shown, HtmlTable::OnTelephone::gaps);
     if (shown.note.empty()) continue;
-    const Html link = element("a", say("gap.all_of_them"), "href=\"#gaps\"");
+    const Html link = element("a", say("gap.all_of_them", {{"section", say("heading.gaps")}}), "href=\"#gaps\"");
     block += element("p", Html::text(shown.note + " ") + link);
   }
   block += verdict.key;
@@ -136,7 +136,9 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   // Of several tables one can be parted from the others by the end of a page, so that pictures have room before it.
   const std::string box = fmt::format("class=\"verdict {}\"", verdict_tone(all));
   Html behind;
-  if (known) behind = element("div", table_of(*known, HtmlTable::OnTelephone::said), box);
+  if (known) {
+    behind = element("div", element("h3", known->heading) + table_of(*known, HtmlTable::OnTelephone::said), box);
+  }
   return {"verdict", say("heading.verdict"), element("div", block, box), behind};
 }
 

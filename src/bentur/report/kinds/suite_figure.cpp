@@ -48,16 +48,17 @@ const SuiteDemand* demand_of(const GapStudy& gaps, std::size_t gap) {
 /// What each record needs of a gap, by the tone of what is judged of it, the first record uppermost.
 Panel needs_panel(const SuiteRun& run, const GapStudy& gaps, std::size_t gap, const FigureOptions& options) {
   const std::string& length = run.c.units.length;
-  const std::vector<std::string> records = record_names(*run.c.excitation.suite), names = gap_names(run.problem);
+  const std::vector<SuiteRecord>& records = run.c.excitation.suite->records;
+  const std::vector<std::string> names = gap_names(run.problem);
   const std::size_t count = run.records.size();
-  Panel panel{.title = names.size() > 1 ? names[gap] : "",
-              .x = {.label = with_unit(word(options, "Gap needed"), length), .from = 0},
-              .height = 0.6 + 0.36 * static_cast<double>(count)};
-  panel.y.names.resize(count);
   std::vector<double> values;
   for (const SuiteRecordRun& one : run.records) {
     values.push_back(gap < one.needed.size() && std::isfinite(one.needed[gap]) ? one.needed[gap] : NAN);
   }
+  Panel panel{.title = names.size() > 1 ? names[gap] : "",
+              .x = {.label = with_unit(word(options, "Gap needed"), length), .from = 0},
+              .height = 0.6 + 0.36 * static_cast<double>(count)};
+  panel.y.names.resize(count);
   const std::vector<std::string> numbers = column(values);  // with digits alike
   bool some_unmodelled = false;
   std::set<Sufficiency> named;
@@ -66,7 +67,7 @@ Panel needs_panel(const SuiteRun& run, const GapStudy& gaps, std::size_t gap, co
   for (std::size_t i = 0; i < count; ++i) {
     const SuiteRecordRun& one = run.records[i];
     const double place = static_cast<double>(count - 1 - i);
-    panel.y.names[count - 1 - i] = records[i];
+    panel.y.names[count - 1 - i] = records[i].name();
     if (std::isnan(values[i])) {
       const bool falls = gap < one.needed.size() && std::isinf(one.needed[gap]);
       panel.texts.push_back({.x = 0, .y = place, .text = word(options, falls ? "a building collapses" : "not known")});
@@ -138,7 +139,7 @@ Figure needs_figure(const SuiteRun& run, const GapStudy& study, const FigureOpti
   figure.finding = word(
       options, "largest {} under {}, given {}",
       std::isinf(most.needed[gap]) ? word(options, "a building collapses") : number(most.needed[gap]) + " " + length,
-      record_names(*run.c.excitation.suite)[worst], number(most.judged[gap].width) + " " + length);
+      run.c.excitation.suite->records[worst].name(), number(most.judged[gap].width) + " " + length);
   if (gaps > 1 && !options.gap) figure.part = word(options, "the most critical of {} gaps", std::to_string(gaps));
   return figure;
 }

@@ -145,7 +145,7 @@ html::PageSection varied(const SweepData& sweep, const Words& say) {
   table.add(say("sweep.varies"), "", names, false);
   table.add(say("sweep.count"), "", counts);
   table.add(say("sweep.values"), "", values, false);
-  return {"varied", say("heading.varied"), table.markup()};
+  return {"varied", say("heading.varied"), table.called(say("varied.table")).markup()};
 }
 
 /// "0.234", or why there is none.
@@ -215,7 +215,7 @@ html::HtmlTable fragility_table(const FragilityReport& report, const SweepData& 
 
 /// The gap for some probabilities of pounding at some intensities, by the fragilities of `report`; nothing where no one
 /// gap width varies.
-Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, const Words& say) {
+html::HtmlTable gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, const Words& say) {
   constexpr std::size_t most_levels = 6;
   const std::vector<double> levels = report.results.table.intensities();
   html::HtmlTable table;
@@ -258,7 +258,7 @@ Html gaps_for_probabilities(FragilityReport& report, const SweepData& sweep, con
     table.add(say("ida.gap_for", {{"p", number(100 * probabilities[p])}}), units, gaps[p]);
     table.add(say("ida.bounds"), units, bounds[p]);
   }
-  return table.markup();
+  return table;
 }
 
 /// Whether the fragility of something else than pounding is asked for, or by something else than likelihood.
@@ -274,9 +274,9 @@ Html asked_fragility(const SweepData& sweep, const ReportOptions& options, const
   const FragilityRequest request{.event = options.event, .method = options.method};
   const auto report = fragility_report(read_ida_results(sweep.results(), *rule), request, error);
   if (!report) throw std::runtime_error(error);
-  Html content = element(
-      "h3", say("ida.of_event", {{"event", options.event}, {"method", say("ida.method." + name_of(options.method))}}));
-  content += fragility_table(*report, sweep, say).markup();
+  Html content = html::under(
+      "h3", say("ida.of_event", {{"event", options.event}, {"method", say("ida.method." + name_of(options.method))}}),
+      fragility_table(*report, sweep, say));
   std::vector<std::string> lines;  // several cases may have one: what is needed does not depend on the gap given
   for (const CaseFragility& one : report->fragilities) {
     if (!one.cloud) continue;
@@ -312,7 +312,7 @@ html::PageSection ida_section(const SweepData& sweep, const ReportOptions& optio
                                    {"intensity", sweep.intensities().short_name},
                                    {"from", html::quantity(intensities.front(), unit)},
                                    {"to", html::quantity(intensities.back(), unit)}}));
-  content += element("h3", say("ida.pounding")) + fragility_table(*report, sweep, say).markup();
+  content += html::under("h3", say("ida.pounding"), fragility_table(*report, sweep, say));
   if (asks_more(options)) content += asked_fragility(sweep, options, say);
   request.event = collapse_event;
   if (sweep.results().find("collapsed") != nullptr) {
@@ -321,11 +321,10 @@ html::PageSection ida_section(const SweepData& sweep, const ReportOptions& optio
     const bool any = of_collapse && std::any_of(of_collapse->fragilities.begin(), of_collapse->fragilities.end(),
                                                 [](const CaseFragility& one) { return one.events > 0; });
     if (any) {
-      content += element("h3", say("ida.collapse")) + fragility_table(*of_collapse, sweep, say).markup();
+      content += html::under("h3", say("ida.collapse"), fragility_table(*of_collapse, sweep, say));
     }
   }
-  const Html gaps = gaps_for_probabilities(*report, sweep, say);
-  if (!gaps.str().empty()) content += element("h3", say("ida.gaps")) + gaps;
+  content += html::under("h3", say("ida.gaps"), gaps_for_probabilities(*report, sweep, say));
   content +=
       element("p", say("ida.note", {{"resamples", std::to_string(request.bootstrap.resamples)}}), "class=\"note\"");
   if (results.table.is_cloud()) content += element("p", say("ida.note_cloud"), "class=\"note\"");
@@ -393,7 +392,8 @@ html::PageSection runs_table(const SweepData& sweep, const Words& say) {
     table.add(say("sweep.peak_force"), sweep.unit("peak_force"), column(forces));
   }
   table.add(say("sweep.gap_needed"), sweep.unit(need), column(needed));
-  Html content = element("details", element("summary", say("sweep.every_run")) + table.markup());
+  Html content =
+      element("details", element("summary", say("sweep.every_run")) + table.called(say("sweep.every_run")).markup());
   if (rows < status.size()) {
     content +=
         element("p", say("sweep.runs_cut", {{"shown", std::to_string(rows)}, {"all", std::to_string(status.size())}}),

@@ -12,7 +12,6 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/study/gap/gap_study_story.h"
 #include "bentur/study/suite/suite_hand_in.h"
-#include "bentur/study/suite/suite_run.h"
 
 namespace bentur {
 namespace {
@@ -55,24 +54,6 @@ files = [{ file = "el-centro-1940-ns.csv", unit = "g", event = "1" },
 same_owner = false
 en-1998-1 = { behaviour_factor = 1.0 }
 )";
-
-/// The earthquake where each record has one of its own, else the file without its folders where that is enough.
-TEST(SuiteRecords, AreCalledByEarthquakesOrFiles) {
-  SuiteSpec suite;
-  suite.records.resize(2);
-  suite.records[0].echo.file = "far/a.csv";
-  suite.records[1].echo.file = "far/b.csv";
-  EXPECT_EQ(record_names(suite), (std::vector<std::string>{"a.csv", "b.csv"}));
-  suite.records[0].event = "Kobe";
-  EXPECT_EQ(record_names(suite), (std::vector<std::string>{"a.csv", "b.csv"})) << "one is not known";
-  suite.records[1].event = "Kobe";
-  EXPECT_EQ(record_names(suite), (std::vector<std::string>{"a.csv", "b.csv"})) << "both are of one";
-  suite.records[1].event = "Imperial Valley";
-  EXPECT_EQ(record_names(suite), (std::vector<std::string>{"Kobe", "Imperial Valley"}));
-  EXPECT_EQ(record_file_names(suite), (std::vector<std::string>{"a.csv", "b.csv"}));
-  suite.records[1].echo.file = "near/a.csv";
-  EXPECT_EQ(record_file_names(suite), (std::vector<std::string>{"far/a.csv", "near/a.csv"}));
-}
 
 class SuiteOfThree : public testing::Test {
  protected:

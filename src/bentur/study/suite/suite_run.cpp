@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "bentur/core/errors.h"
 #include "bentur/core/number_text.h"
@@ -274,34 +272,7 @@ void run_records(const AnyProblem& problem, const WithMotion& with_motion, const
   }
 }
 
-/// Nothing unless all of them differ.
-std::vector<std::string> if_different(std::vector<std::string> names) {
-  const bool are = std::set<std::string>(names.begin(), names.end()).size() == names.size();
-  return are ? names : std::vector<std::string>{};
-}
-
 }  // namespace
-
-std::vector<std::string> record_file_names(const SuiteSpec& suite) {
-  const auto of_all = [&](const auto& name) {
-    std::vector<std::string> names;
-    for (const SuiteRecord& one : suite.records) names.push_back(name(one));
-    return names;
-  };
-  const auto file = [](const RecordEcho& echo) { return std::filesystem::path(echo.file).filename().string(); };
-  const std::vector<std::string> in_short = if_different(of_all([&](const SuiteRecord& one) {
-    return one.along_y ? file(one.echo) + " + " + file(one.along_y->echo) : file(one.echo);
-  }));
-  return in_short.empty() ? of_all([](const SuiteRecord& one) { return one.name(); }) : in_short;
-}
-
-std::vector<std::string> record_names(const SuiteSpec& suite) {
-  std::vector<std::string> events;
-  for (const SuiteRecord& one : suite.records) events.push_back(one.event);
-  const bool are_known = std::find(events.begin(), events.end(), "") == events.end();
-  events = if_different(std::move(events));
-  return are_known && !events.empty() ? events : record_file_names(suite);
-}
 
 SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress) {
   if (!c.excitation.suite) throw InvalidParameter("excitation.kind", "no suite", "must be \"suite\"");
@@ -392,7 +363,7 @@ std::string suite_said_json(const SuiteRun& run, const GapStudy& gaps) {
       const bool is_rule = one.worst.kind == Reason::Kind::rule;
       reasons.push_back({{"kind", word_of(one.worst)},
                          {"records", one.runs},
-                         {"worst", is_rule ? Json(nullptr) : Json(suite_of(run).records[one.run].name())}});
+                         {"worst", is_rule ? Json(nullptr) : Json(suite_of(run).records[one.run].files())}});
       if (is_rule) reasons.back()["rule"] = one.worst.subject;
     }
     json["judgements"].push_back(

@@ -51,11 +51,6 @@ struct SuiteRun {
   [[nodiscard]] double largest(std::size_t quantity) const;
 };
 
-/// The files of the records, without folders where that leaves all different.
-[[nodiscard]] std::vector<std::string> record_file_names(const SuiteSpec& suite);
-/// What pictures call them: their earthquakes where each has one of its own, else their files.
-[[nodiscard]] std::vector<std::string> record_names(const SuiteSpec& suite);
-
 /// Runs a case with each record of its suite. @param progress gets the fraction done; where it answers false the rest
 /// is left out. @throws InvalidParameter unless the case has a suite.
 [[nodiscard]] SuiteRun run_suite(const Case& c, const std::function<bool(double)>& progress);

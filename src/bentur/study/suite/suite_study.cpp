@@ -7,7 +7,6 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/schema/case_keys.h"
 #include "bentur/model/suite/suite.h"
-#include "bentur/study/suite/suite_run.h"
 
 namespace bentur {
 namespace {
@@ -56,9 +55,9 @@ std::optional<Vary> take_suite(Study& study, Diagnostics& diagnostics) {
     if (pairs) vary.file_keys.push_back({{"excitation", "y", key}, {}});
   }
   if (pairs) vary.file_keys.push_back({{"excitation", "y", "file"}, {}});
-  vary.labels = record_file_names(*study.suite);
   for (const SuiteRecord& record : study.suite->records) {
     vary.values.push_back(toml_text(record.echo.file));
+    vary.labels.push_back(record.name());
     vary.normalisation.push_back(record.factor);
     for (FileKey& key : vary.file_keys) {
       const bool is_of_y = key.path.size() == 3;

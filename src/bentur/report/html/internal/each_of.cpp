@@ -26,37 +26,45 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
   }
   if (all_.size() <= most_open) return content;
   const std::vector<std::pair<std::string, std::string>> count = {{"count", std::to_string(all_.size())}};
+  const std::string all(what), heading = say.has(all + ".printed") ? all + ".printed" : all;
+  const std::string of = say.has(all + ".of") ? say(all + ".of") : "";
   Html printed;
   for (HtmlTable table : printed_) {
     constexpr std::size_t most = 160;         // rows, of some two pages
     constexpr std::size_t most_columns = 14;  // with letters that can be read
     const std::size_t rows = table.rows();
     if (rows == 0) continue;
+    // What all are comes first; what is to be said of a table stands below it, so that its title is right above it.
+    if (printed.str().empty()) table = table.called(say(heading, count));
+    table.call_first(of);
+    Html below;
     if (rows > most) {
-      printed += element("p", say("appendix.cut", {{"shown", std::to_string(most)}, {"all", std::to_string(rows)}}));
+      below += element("p", say("appendix.cut", {{"shown", std::to_string(most)}, {"all", std::to_string(rows)}}));
     }
     if (are_given_) {
       const std::vector<std::string> alike = table.take_alike();
       if (!alike.empty()) {
-        printed += element("p", say("appendix.alike", {{"list", fmt::format("{}", fmt::join(alike, "; "))}}));
+        below += element("p", say("appendix.alike", {{"list", fmt::format("{}", fmt::join(alike, "; "))}}));
       }
       for (const HtmlTable& part : table.in_page_widths()) printed += part.printed(most);
+      printed += below;
       continue;
     }
     const std::size_t columns = table.columns();
     if (columns > most_columns) {
-      printed += element(
+      below += element(
           "p", say("appendix.narrow", {{"shown", std::to_string(most_columns)},
                                        {"all", std::to_string(columns)},
                                        {"names", fmt::format("{}", fmt::join(table.names_from(most_columns), ", "))}}));
       table.cut_columns(most_columns);
     }
-    printed += table.printed(most);
+    printed += table.printed(most) + below;
   }
   if (!printed.str().empty()) {
-    const std::string all(what), heading = say.has(all + ".printed") ? all + ".printed" : all;
     const Html note = say.has(all + ".paper") ? element("p", say(all + ".paper")) : Html();
-    printed = element("div", element("h3", say(heading, count)) + note + printed, "class=\"print joined\"");
+    printed = element("div", element("h3", say(heading, count)) + printed + note, "class=\"print joined\"");
+  } else {
+    printed = element("p", say("appendix.in_file", {{"what", say(what, count)}}), "class=\"print joined\"");
   }
   return printed + element("details", element("summary", say(what, count)) + content, "class=\"appendix\"") +
          Html::markup("\n");

@@ -31,6 +31,10 @@ Html element(std::string_view name, std::string_view text, std::string_view attr
   return element(name, Html::text(text), attributes);
 }
 
+Html under(std::string_view level, std::string_view heading, const HtmlTable& table) {
+  return table.rows() == 0 ? Html() : element(level, heading) + table.called(heading).markup();
+}
+
 Html fold(std::string_view level, std::string_view heading, const Html& content) {
   return element("details", element("summary", element(level, heading)) + content, "class=\"fold\" open");
 }
@@ -61,6 +65,12 @@ void HtmlTable::add(const std::string& name, const std::string& unit, std::vecto
   columns_.push_back({name, unit, std::move(cells), numeric, std::move(values)});
 }
 
+HtmlTable HtmlTable::called(std::string_view title) const {
+  HtmlTable one = *this;
+  one.title_ = title;
+  return one;
+}
+
 void HtmlTable::make_alike(Column& column) {
   if (column.values.empty()) return;
   constexpr std::string_view bound = "≤ ";
@@ -87,6 +97,7 @@ void HtmlTable::add_new(const HtmlTable& other) {
 
 void HtmlTable::join(const std::string& name, const HtmlTable& other) {
   if (other.rows() == 0) return;
+  if (title_.empty()) title_ = other.title_;
   if (columns_.empty()) add("", "", std::vector<std::string>(), false);
   const std::size_t all = rows() + other.rows();
   columns_.front().cells.resize(all, name);
@@ -136,6 +147,7 @@ std::vector<HtmlTable> HtmlTable::in_page_widths() const {
     taken += letters(columns_[i]) + between;
     if (taken > most) {
       parts.emplace_back().columns_ = {columns_.front()};
+      parts.back().title_ = title_;
       taken = letters(columns_.front()) + between + letters(columns_[i]) + between;
     }
     parts.back().columns_.push_back(columns_[i]);
@@ -227,9 +239,16 @@ Html HtmlTable::written(std::string_view attributes, Heads heads, std::size_t mo
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
     body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");
   }
+  Html title;  // shown in print alone, where the head of a table stands on each of its pages
+  std::string about(attributes);
+  if (!title_.empty()) {
+    title = element("tr", element("th", title_, fmt::format("scope=\"colgroup\" colspan=\"{}\"", columns_.size())),
+                    "class=\"titles\" hidden");
+    about += fmt::format("{}aria-label=\"{}\"", about.empty() ? "" : " ", Html::text(title_).str());
+  }
   const Html table =
-      element("thead", element("tr", head)) + Html::markup("\n") + element("tbody", Html::markup("\n") + body);
-  return element("div", element("table", table, attributes), "class=\"wide\" tabindex=\"0\"") + Html::markup("\n");
+      element("thead", title + element("tr", head)) + Html::markup("\n") + element("tbody", Html::markup("\n") + body);
+  return element("div", element("table", table, about), "class=\"wide\" tabindex=\"0\"") + Html::markup("\n");
 }
 
 Html facts(const std::vector<std::pair<std::string, std::string>>& rows, const std::vector<std::string>& sources) {

@@ -69,6 +69,11 @@ class HtmlTable {
   [[nodiscard]] std::vector<std::string> take_alike();
   /// In tables of a page's width at most, each with the first column.
   [[nodiscard]] std::vector<HtmlTable> in_page_widths() const;
+  /// The same with a title, which on paper stands above it on each page.
+  [[nodiscard]] HtmlTable called(std::string_view title) const;
+  [[nodiscard]] const std::string& title() const { return title_; }
+  /// What joined tables are of, above their names.
+  void call_first(const std::string& name) { columns_.front().name = name; }
   /// Without what stands behind so many columns.
   void cut_columns(std::size_t most) { columns_.resize(std::min(columns_.size(), most)); }
   /// What columns are of, from one on, counted from 0; each once.
@@ -93,10 +98,14 @@ class HtmlTable {
   [[nodiscard]] bool is_broad() const;
   [[nodiscard]] Html written(std::string_view attributes, Heads heads, std::size_t most) const;
 
+  std::string title_;
   std::vector<Column> columns_;
   std::vector<std::size_t> marked_;
   std::vector<std::string> titles_;
 };
+
+/// A table under a heading that says what it is of, which on paper is the table's title; nothing of none.
+[[nodiscard]] Html under(std::string_view level, std::string_view heading, const HtmlTable& table);
 
 /// Content under a heading, which the page's script folds away on a telephone. @param level of the heading, "h3"
 [[nodiscard]] Html fold(std::string_view level, std::string_view heading, const Html& content);

@@ -45,6 +45,23 @@ TEST(Markup, TableEscapesNamesUnitsAndCells) {
   EXPECT_EQ(facts({{"<a>", "<b>"}}).str().find("<a>"), std::string::npos);
 }
 
+/// What a table is of stands in its head, which paper repeats, and in a heading, which a screen has; it is no text of
+/// the case that could bring in markup.
+TEST(Markup, ATitleStandsInTheHeadOfItsTable) {
+  HtmlTable table;
+  table.add("Level", "m", std::vector<double>{300, 200});
+  table.add("Needed", "m", std::vector<double>{5, 0.25});
+  EXPECT_EQ(table.markup().str().find("titles"), std::string::npos);
+  const std::string markup = under("h4", "A <&> B", table).str();
+  EXPECT_EQ(markup.find("<h4>A &lt;&amp;&gt; B</h4><div class=\"wide\""), 0U) << markup;
+  EXPECT_NE(
+      markup.find("<table aria-label=\"A &lt;&amp;&gt; B\"><thead><tr class=\"titles\" hidden><th scope=\"colgroup\" "
+                  "colspan=\"2\">A &lt;&amp;&gt; B</th></tr><tr><th scope=\"col\">Level"),
+      std::string::npos)
+      << markup;
+  EXPECT_TRUE(under("h4", "None", HtmlTable()).str().empty());
+}
+
 /// On a telephone a table that is broader is cards, each cell with its heading; a narrow one stays a table.
 TEST(Markup, BroadTablesAreCardsOnATelephone) {
   HtmlTable table;
@@ -111,10 +128,26 @@ TEST(EachOf, SaysOnPaperOnceWhatIsAlikeInAll) {
   for (std::size_t at = 0; (at = printed.find("<table", at)) != std::string::npos; ++at) ++tables;
   for (std::size_t at = 0; (at = printed.find(">House 7<", at)) != std::string::npos; ++at) ++rows;
   EXPECT_EQ(tables, 2U) << "of some 118 letters each";
+  std::size_t titles = 0;
+  const std::string title = ">8 buildings, each as it is given</th></tr><tr><th scope=\"col\" class=\"t\">Building<";
+  for (std::size_t at = 0; (at = printed.find(title, at)) != std::string::npos; ++at) ++titles;
+  EXPECT_EQ(titles, 2U) << "both are called what they are of: " << printed;
   EXPECT_EQ(rows, 2U) << "each names its rows";
   for (const char* const name : {"Stiffness", "Masses 0", "Masses 1", "Masses 2"}) {
     EXPECT_NE(printed.find(name), std::string::npos) << name;
   }
+}
+
+/// What has no table in short on paper is said to be in the file.
+TEST(EachOf, SaysWhereTheRestIs) {
+  EachOf many, few;
+  for (int n = 0; n < 8; ++n) (n < 3 ? few : many).add("Gap " + std::to_string(n), Html::text("whole"));
+  many.add("Gap 8", Html::text("whole"));
+  many.add("Gap 9", Html::text("whole"));
+  const std::string said =
+      "<p class=\"print joined\">7 gaps, each by itself: in the file from which this was printed.</p>";
+  EXPECT_NE(many.folded(Words("en"), "appendix.gaps").str().find(said), std::string::npos);
+  EXPECT_EQ(few.folded(Words("en"), "appendix.gaps").str().find("printed"), std::string::npos) << "paper has them";
 }
 
 /// Of one row nothing is alike in all.

@@ -101,7 +101,10 @@ PageSection figures_section(const Words& say, const std::vector<PageFigure>& fig
     const Html drawing = Html::markup(figures[i].svg);
     Html shown = figures[i].wide ? element("div", drawing, "class=\"wide\" tabindex=\"0\"") : drawing;
     if (!figures[i].slim.empty()) shown += element("div", Html::markup(figures[i].slim), "class=\"slim\"");
-    content += element("figure", shown + element("figcaption", caption), figures[i].wide ? "class=\"broad\"" : "") +
+    content += element("figure", shown + element("figcaption", caption),
+                       figures[i].is_parted ? "class=\"broad parted\""
+                       : figures[i].wide    ? "class=\"broad\""
+                                            : "") +
                Html::markup("\n");
   }
   return {"figures", say("heading.figures"), element("div", content, "class=\"figures\"")};

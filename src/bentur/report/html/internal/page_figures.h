@@ -11,10 +11,10 @@ namespace bentur::html {
 /// A figure that stands in a page as inline SVG.
 struct PageFigure {
   std::string caption;
-  std::string svg;        ///< by figure_element()
-  bool wide = false;      ///< wider than a journal's column
-  bool is_high = false;   ///< takes more than a third of a page in print by far
-  std::string slim = {};  ///< the same for a telephone, where it can be drawn so
+  std::string svg;         ///< by figure_element()
+  bool wide = false;       ///< wider than a journal's column
+  bool is_parted = false;  ///< is of several pictures, one below another
+  std::string slim = {};   ///< the same for a telephone, where it can be drawn so
 };
 
 using MakeKind = std::function<Figure(const std::string& kind, const FigureOptions& options)>;

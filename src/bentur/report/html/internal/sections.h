@@ -130,7 +130,8 @@ struct Verdict {
                                   const std::string& language);
 /// The hardest impacts, as many as a page lists, the hardest first.
 [[nodiscard]] std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts);
-/// Adds what is reported of impacts to a table of them: the peak force first, then where they are, then all else.
+/// Adds what is reported of impacts to a table of them: the peak force and its time first, then where they are, then
+/// all else.
 void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const HtmlTable& places, const Words& say,
                  bool in_plan);
 /// The list of impacts with its buttons; a page's script sorts and saves it. @param all how many there are

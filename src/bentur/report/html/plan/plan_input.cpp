@@ -57,7 +57,7 @@ class PlanInput {
         if (is_building) {
           const auto b = static_cast<Index>(i);
           told += given_planes(b, planes, printed) + modes(b);
-          printed.push_back(modes_table(b, 1));
+          printed.push_back(main_modes(b).called(say_("heading.modes")));
         }
         each.add(heading, told, printed);
       }
@@ -94,7 +94,7 @@ class PlanInput {
     table.add(label_text(plane_keys().at("angle").label, say_), "°", angles);
     const Key& stiffness = plane_keys().at("stiffnesses");
     table.add(label_text(stiffness.label, say_), unit_of(stiffness, c_.units), stiffnesses);
-    Html content = element("p", say_("plan.planes")) + table.markup();
+    Html content = under("h4", say_("plan.planes"), table);
     HtmlTable yielding_planes;
     for (std::size_t p = 0; p < std::min(given.items.size(), names.size()); ++p) {
       TomlValue yielding = given.items[p];
@@ -107,15 +107,14 @@ class PlanInput {
       content += element("p", names[p]) + echoed.markup;
       yielding_planes.join(names[p], echoed.row);
     }
-    printed[1] = std::move(table);
-    printed[2] = std::move(yielding_planes);
+    printed[1] = table.called(say_("plan.planes"));
+    printed[2] = yielding_planes.called(say_("plan.yielding_planes"));
     return content;
   }
 
   [[nodiscard]] Html modes(Index b) const {
     constexpr Index most = 8;
-    const HtmlTable table = modes_table(b, most);
-    return table.rows() == 0 ? Html() : element("h4", say_("heading.modes")) + table.markup();
+    return under("h4", say_("heading.modes"), modes_table(b, most));
   }
 
   /// Of modes as many as are asked for; none of what is rigid.
@@ -139,6 +138,22 @@ class PlanInput {
     table.add(say_("column.damping"), "%", damping);
     table.add(say_("plan.mass_x"), "%", mass_x);
     table.add(say_("plan.mass_y"), "%", mass_y);
+    return table;
+  }
+
+  /// Of the modes with the largest mass along x and along y; none of what is rigid.
+  [[nodiscard]] HtmlTable main_modes(Index b) const {
+    const PlanBuilding& building = problem_.buildings[b];
+    HtmlTable table;
+    if (building.is_rigid()) return table;
+    for (const Index axis : {0, 1}) {
+      const ModalProperties along = modal_properties(building.modes, building.model.load.col(axis));
+      Index mode = 0;
+      const double most = along.effective_mass_fraction.maxCoeff(&mode);
+      table.add(say_(axis == 0 ? "plan.mode_x" : "plan.mode_y"), "", {std::to_string(mode + 1)}, true);
+      table.add(say_("column.period"), "s", std::vector<double>{along.periods(mode)});
+      table.add(say_(axis == 0 ? "plan.mass_x" : "plan.mass_y"), "%", std::vector<double>{rounded(100 * most)});
+    }
     return table;
   }
 

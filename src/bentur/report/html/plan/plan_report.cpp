@@ -86,20 +86,23 @@ class PlanPage {
   [[nodiscard]] html::PageSection peaks() const {
     html::EachOf all_contacts, buildings;
     for (std::size_t g = 0; g < gaps_.size(); ++g) {
-      all_contacts.add(say_("heading.contact_of", {{"gap", gaps_[g]}}), contacts(g, false).markup(),
-                       {contacts(g, true)}, gaps_[g]);
+      const std::string heading = say_("heading.contact_of", {{"gap", gaps_[g]}});
+      all_contacts.add(heading, contacts(g, false).called(heading).markup(), {contacts(g, true)}, gaps_[g]);
     }
     Html content = all_contacts.markup(say_, "appendix.contacts");
     for (const std::vector<Index>& links : links_by_spec(run_.c.links)) {
       if (links.empty()) continue;
       const std::string name = link_name(run_.problem, run_.problem.links[links.front()]);
-      content += element("h3", say_("heading.links_of", {{"link", name}})) + links_table(links);
+      content += html::under("h3", say_("heading.links_of", {{"link", name}}), links_table(links));
     }
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) {
-      const HtmlTable main = floors(b, false), forces = floors(b, true);
+      const HtmlTable main = floors(b, false), forces = floors(b, true).called(say_("peaks.forces"));
       const std::string& name = run_.problem.buildings[b].name;
-      buildings.add(say_("heading.peaks_of", {{"building", name}}),
-                    main.markup() + forces.markup() + foundation(b) + bearings(b) + planes(b), {main, forces}, name);
+      const std::string heading = say_("heading.peaks_of", {{"building", name}});
+      buildings.add(heading,
+                    main.called(heading).markup() + html::under("h4", forces.title(), forces) + foundation(b) +
+                        bearings(b) + planes(b),
+                    {main, forces}, name);
     }
     content += buildings.markup(say_, "appendix.buildings");
     for (const StoryTable& table : story_.tables) {
@@ -140,7 +143,8 @@ class PlanPage {
     table.add(say_("columns.struck"), "", struck, false);
     html::add_columns(table, table_columns(Owner::point, run_, places, say_.number(), QuantityTable::struck));
     return {"columns", say_("heading.columns"),
-            table.markup() + element("p", Html::text(say_("columns.note_in_plan")), "class=\"note\"")};
+            table.called(say_("columns.table")).markup() +
+                element("p", Html::text(say_("columns.note_in_plan")), "class=\"note\"")};
   }
 
   [[nodiscard]] html::PageSection impacts(const std::vector<Index>& listed) const {
@@ -169,7 +173,7 @@ class PlanPage {
   }
 
   /// Of one [[link]] table, from the top down, with where in plan they are and along what they act.
-  [[nodiscard]] Html links_table(const std::vector<Index>& links) const {
+  [[nodiscard]] HtmlTable links_table(const std::vector<Index>& links) const {
     std::vector<QuantityPlace> places;
     std::vector<double> elevation, x, y;
     std::vector<std::string> along;
@@ -188,7 +192,7 @@ class PlanPage {
     table.add("y", length_, y);
     table.add(say_("column.along"), "", along, false);
     html::add_columns(table, table_columns(Owner::link, run_, places, say_.number()));
-    return table.markup();
+    return table;
   }
 
   [[nodiscard]] HtmlTable floors(Index b, bool of_forces) const {
@@ -210,7 +214,7 @@ class PlanPage {
     if (columns.empty()) return {};
     HtmlTable table;
     html::add_columns(table, std::move(columns));
-    return element("p", say_("plan.foundation")) + table.markup();
+    return html::under("h4", say_("plan.foundation"), table);
   }
 
   /// What bearings below a slab do; empty without one.
@@ -226,7 +230,7 @@ class PlanPage {
     table.add("x", length_, x);
     table.add("y", length_, y);
     html::add_columns(table, table_columns(Owner::bearing, run_, places, say_.number()));
-    return element("p", say_("plan.bearings")) + table.markup();
+    return html::under("h4", say_("plan.bearings"), table);
   }
 
   [[nodiscard]] Html planes(Index b) const {
@@ -243,7 +247,7 @@ class PlanPage {
     table.add(say_("column.plane"), "", names, false);
     table.add(say_("column.elevation"), length_, levels);
     html::add_columns(table, table_columns(Owner::plane, run_, places, say_.number()));
-    return table.markup();
+    return html::under("h4", say_("plan.of_planes"), table);
   }
 
   const PlanRun& run_;

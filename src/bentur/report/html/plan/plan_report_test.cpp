@@ -1,10 +1,13 @@
 #include "bentur/report/html/plan/plan_report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <regex>
 #include <string>
@@ -265,6 +268,34 @@ TEST(PlanReport, BarsAreOfOnePlace) {
     EXPECT_TRUE(shows(bars, number(value))) << value << bars;
   }
   EXPECT_EQ(*gap_needed_reversed(row_of(run)->problem, row_of(run)->response, 0), *level->gap_needed_reversed);
+}
+
+/// Of many houses paper has the modes that move the most mass along x and along y, not a first one that moves none.
+TEST(PlanReport, HasOfManyTheModesThatCount) {
+  std::string text =
+      "[units]\nlength = \"m\"\nforce = \"kN\"\n[plan]\nclearance = 0.1\ncontact = { law = \"linear\", stiffness = 4e5 "
+      "}\n"
+      "[excitation]\nkind = \"harmonic\"\nacceleration_amplitude = 0.5\nperiod = 0.5\n[analysis]\nduration "
+      "= 0.5\n";
+  constexpr int houses = 7;
+  for (int n = 0; n < houses; ++n) {
+    // Stiff along x and soft along y, so that the first mode is along y: mass 120 t, 10 m apart.
+    text += "[[building]]\nname = \"H" + std::to_string(n) + "\"\ndamping = 0.05\n[building.plan]\ncorner = [" +
+            std::to_string(n * 10.05) +
+            ", 0.0]\nsize = [10.0, 12.0]\nstorey_heights = [3.0]\nmasses = [120.0]\n[building.rigidity]\n"
+            "centre = [5.0, 6.0]\nx = " +
+            std::to_string(40000 + 1000 * n) + "\ny = 10000\ntorsion = 9e6\n";
+  }
+  const std::string page = page_of(test::plan_run(text));
+  const std::size_t begin = page.find(">Modes</th>"), end = page.find("</table>", begin);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string table = page.substr(begin, end - begin);
+  for (int n = 0; n < houses; ++n) {
+    const double along_x = 2 * std::numbers::pi * std::sqrt(120.0 / (40000 + 1000 * n));
+    EXPECT_TRUE(shows(table, ">H" + std::to_string(n) + "</td><td>" + fmt::format("{:.4f}", along_x))) << table;
+  }
+  const std::string alike = page.substr(end, page.find("</div>", end + 10) - end + 200);
+  EXPECT_TRUE(shows(alike, "Mode along x 2; Mass along x 100\u00A0%; Mode along y 1; Period 0.6883\u00A0s;")) << alike;
 }
 
 TEST(PlanReport, ShowsTextsOfTheCaseAsTheyAre) {
