@@ -59,8 +59,8 @@ class RunList : private PlaceList<File, PartOf<File, Problem>> {
     each({"link_kind", {links}, "", "what the links are"}, problem_.links, &Link::kind);
     quantities(Owner::link, links, first_places(static_cast<Eigen::Index>(links.size)));
     stretched("", time_, histories_.link_deformation, histories_.link_force);
-    quantities(Owner::impact, this->impact_points(response_.impacts, problem_.points.size()),
-               first_places(std::ssize(response_.impacts)), "", " of each impact");
+    const ResultDimension impact = this->impact_points(response_.impacts, problem_.points.size());
+    quantities(Owner::impact, impact, first_places(std::ssize(response_.impacts)), "", " of each impact");
     FigureList<File, PartOf<File, FigureData>>(file_, run_.figures, problem_.buildings, length_, force_).all();
     this->energy(response_.energy, time_, moment_, histories_.time);
     course();
