@@ -70,11 +70,6 @@ Figure figure_of(const RunResults& run, const std::string& kind, const FigureOpt
   return make_figure(run, kind, options);
 }
 
-/// Of all records of a suite together.
-Figure figure_of(const SuiteRun& run, const std::string& kind, const FigureOptions& options, const val&) {
-  return make_figure(run, kind, options);
-}
-
 /// Of buildings in plan no other widths are asked for.
 Figure figure_of(const PlanRun& run, const std::string& kind, const FigureOptions& options, const val&) {
   return make_figure(run, kind, options);
@@ -119,7 +114,7 @@ val Studio::draw(const std::string& kind, const std::string& language, const val
     const FigureOptions options = options_of(language, wanted);
     const MakeFigure make = [&](const FigureOptions& with) {
       return plan_run_    ? figure_of(*plan_run_, kind, with, wanted)
-             : suite_run_ ? figure_of(*suite_run_, kind, with, wanted)
+             : suite_run_ ? make_figure(*suite_run_, *suite_gaps_, kind, with)
                           : figure_of(*run_, kind, with, wanted);
     };
     const Figure figure = options.narrow ? narrow_figure(make, options) : make(options);
@@ -145,7 +140,7 @@ std::string Studio::figure_file(const std::string& kind, const std::string& lang
   try {
     const FigureOptions options = options_of(language, wanted);
     if (plan_run_) return figure_svg(figure_of(*plan_run_, kind, options, wanted));
-    if (suite_run_) return figure_svg(figure_of(*suite_run_, kind, options, wanted));
+    if (suite_run_) return figure_svg(make_figure(*suite_run_, *suite_gaps_, kind, options));
     return run_ ? figure_svg(figure_of(*run_, kind, options, wanted)) : "";
   } catch (const std::exception&) {
     return "";
