@@ -134,13 +134,13 @@ void tell_alike(const GapView& facts, Eigen::Index gap, const std::vector<LevelS
     sum = std::max(sum, one.abs);
   }
   if (!judged_of(facts, gap).is_enough() || !(needed < alike * sum)) return;
-  statements.push_back({.kind = "move_alike",
-                        .gap = gap,
-                        .buildings = buildings_of(facts.problem, gap),
-                        .values = {value_in("share", percent * needed / sum, "%"),
-                                   value_in("sum", sum, facts.c.units.length),
-                                   text_of("left", facts.gaps.at(static_cast<std::size_t>(gap)).facts.left),
-                                   text_of("right", facts.gaps.at(static_cast<std::size_t>(gap)).facts.right)}});
+  statements.push_back(
+      {.kind = "move_alike",
+       .gap = gap,
+       .buildings = buildings_of(facts.problem, gap),
+       .values = {value_in("share", percent * needed / sum, "%"), value_in("sum", sum, facts.c.units.length),
+                  text_of("left", facts.gaps.at(static_cast<std::size_t>(gap)).facts.left),
+                  text_of("right", facts.gaps.at(static_cast<std::size_t>(gap)).facts.right)}});
 }
 
 }  // namespace
