@@ -97,10 +97,11 @@ test("its words are those of run and gap, with the spectra, and a table of each"
     await page.selectOption("#language", "en");
     await solved(page);
     const kinds = await page.$$eval("[data-figure]", (found) => found.map((one) => one.dataset.figure));
-    assert.deepEqual(kinds, ["suite"]);
+    assert.deepEqual(kinds, ["gap-needed", "suite"]);
     await page.locator('[data-figure="suite"]').evaluate((one) => one.scrollIntoView());
     await page.waitForSelector('[data-figure="suite"] .sheet svg');
     assert.match(await taken(page, '[data-file="suite.svg"]'), /0\.9 of the target/);
+    assert.match(await taken(page, '[data-file="gap-needed.svg"]'), /largest, by EN 1998-1/);
     for (const [id, words] of [["records", /σ|misfit|NOWHERE/], ["runs", /largest/], ["gaps", /84 %/]]) {
       assert.match(await page.textContent(`[data-table="${id}"]`), words);
     }
@@ -130,7 +131,7 @@ test("one record is a run like any other, in motion", async () => {
     await page.waitForFunction(() => document.querySelectorAll("#record option").length === 2);
     await solved(page);
     assert.equal(await page.inputValue("#record"), "0");
-    assert.equal(await page.locator("[data-figure]").count(), 1);
+    assert.equal(await page.locator("[data-figure]").count(), 2);
   });
 });
 

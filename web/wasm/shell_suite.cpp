@@ -15,6 +15,7 @@
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/suite_report.h"
+#include "bentur/report/kinds/kinds.h"
 #include "shell.h"
 #include "shell_answers.h"
 
@@ -114,8 +115,11 @@ Json Studio::suite_overview(const Words& say) const {
   Json all = overview_of(case_->title, case_->units, longest, gaps, names, suite_story(*suite_run_, *suite_gaps_), say);
   all["spectral"] = false;
   all["suite"] = suite_choice(*suite_, 0);
-  all["figures"] = Json::array(
-      {{{"kind", "suite"}, {"caption", say(caption_key("suite", false))}, {"tells", true}, {"overTime", false}}});
+  Json& figures = all["figures"] = Json::array();
+  for (const FigureKind& one : figure_kinds(*suite_run_)) {
+    figures.push_back(
+        {{"kind", one.name}, {"caption", say(caption_key(one.name, false))}, {"tells", true}, {"overTime", false}});
+  }
   return all;
 }
 

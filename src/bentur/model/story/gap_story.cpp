@@ -72,7 +72,9 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
     abs.numbers.push_back(of_peaks(one->abs));
     srss.numbers.push_back(of_peaks(one->srss));
     ddc.numbers.push_back(of_peaks(shown(one->ddc)));
-    verdict.texts.emplace_back(judged_word(value, judged, facts.is_cut));
+    const bool is_pushed = is_governing && value == Sufficiency::too_small && !governing->is_short() &&
+                           !judged.reasons.empty() && judged.reasons.front().kind == Reason::Kind::contact;
+    verdict.texts.emplace_back(is_pushed ? "gap.pushed" : judged_word(value, judged, facts.is_cut));
     governs.texts.emplace_back(is_governing ? "gap.governs" : "");
     const WatchedFloor* const floor = level.is_point ? nullptr : &facts.problem.watched[level.index];
     kind.texts.emplace_back(floor == nullptr                    ? "gap.contact"

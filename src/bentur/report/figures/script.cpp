@@ -117,7 +117,7 @@ for panel in figure["panels"]:
         sheet.text(text, y, entry["label"], verticalalignment="center")
 if figure["part"]:
     sheet.text(0.5, -0.02, figure["part"], ha="center", va="top")
-sheet.savefig(sys.argv[1] if len(sys.argv) > 1 else here.with_suffix(".svg"), dpi=300, bbox_inches="tight")
+sheet.savefig(sys.argv[1] if len(sys.argv) > 1 else here.with_name(here.stem + "-drawn.svg"), dpi=300, bbox_inches="tight")
 )";
 
 /// Data and description grow together.

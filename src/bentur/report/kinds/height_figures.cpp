@@ -303,8 +303,8 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
     bool of_storeys = false;
   };
   const Ratio ratios[] = {
-      {"acceleration_ratio", "Floor acceleration, ratio [–]", "floor acceleration up to {} times: {}"},
-      {"storey_shear_ratio", "Storey shear, ratio [–]", "storey shear up to {} times: {}", true}};
+      {"acceleration_ratio", "Acceleration, contact / without [–]", "floor acceleration up to {} times: {}"},
+      {"storey_shear_ratio", "Storey shear, contact / without [–]", "storey shear up to {} times: {}", true}};
   const std::vector<Eigen::Index> shown = moving(run, options);
   for (const auto& [key, label, finding, of_storeys] : ratios) {
     const Quantity& quantity = quantity_named(key, Owner::floor);

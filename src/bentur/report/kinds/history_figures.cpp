@@ -108,6 +108,9 @@ Figure inside_opening(const RunResults& run, const NearestFloor& inside, const F
   return figure;
 }
 
+/// Of neighbours in a row one is dashed, in all frames the same.
+Line line_of(Eigen::Index building) { return building % 2 == 0 ? Line::solid : Line::dashed; }
+
 /// The displacements of that floor and of what it faces at its level, which the opening gives.
 Figure inside_displacement(const RunResults& run, const NearestFloor& inside, const FigureOptions& options) {
   const std::vector<double> own = row_of(course_of(run).displacement[inside.floor_of], inside.floor);
@@ -118,7 +121,7 @@ Figure inside_displacement(const RunResults& run, const NearestFloor& inside, co
                 .x = inside.time,
                 .y = own,
                 .tone = building_tone(static_cast<std::size_t>(b)),
-                .line = b == inside.left ? Line::solid : Line::dashed};
+                .line = line_of(b)};
     for (std::size_t i = 0; b != inside.floor_of && i < own.size(); ++i) {
       curve.y[i] -= (of_left ? 1 : -1) * (inside.width - inside.opening[i]);
     }
@@ -144,7 +147,7 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
               .x = course_of(run).time,
               .y = row_of(course_of(run).displacement[b], floor),
               .tone = building_tone(b),
-              .line = b == point.left ? Line::solid : Line::dashed};
+              .line = line_of(b)};
     if (run.response.course.time.empty()) add_peak(one, run.response.buildings[b].displacement(floor));
     return one;
   };
@@ -266,6 +269,7 @@ Figure column_figure(const RunResults& run, const FigureOptions& options, Eigen:
     if (of.capacity > 0) {
       rules.push_back({.at = sign * factor * of.capacity,
                        .label = sign > 0 ? word(options, "capacity") : "",
+                       .tone = Tone::red,
                        .line = Line::dashed});
     }
   }

@@ -12,8 +12,6 @@
 namespace bentur {
 namespace {
 
-constexpr double longest_name = 3.6;  // of a place along an axis [cm]
-
 /// The smallest of 1, 2, 5, 10 · 10^n that is at least `step`.
 double round_step(double step) {
   const double power = std::pow(10.0, std::floor(std::log10(step)));

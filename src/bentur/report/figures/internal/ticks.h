@@ -7,6 +7,9 @@
 
 namespace bentur {
 
+/// Of a place along an axis, of which more is cut [cm].
+inline constexpr double longest_name = 3.6;
+
 /// Where an axis begins and ends, and its numbers.
 struct Ticks {
   double from = 0, to = 1;

@@ -305,7 +305,13 @@ double report_output_step(const PlanProblem& problem) {
     numbers += static_cast<double>(kinds * building.model.floors());
   }
   for (const PlanGap& gap : problem.gaps) numbers += 4 * static_cast<double>(gap.contacts.size());
-  return std::max({finest, problem.duration / most, problem.duration * numbers / most_numbers});
+  const double least = std::max({finest, problem.duration / most, problem.duration * numbers / most_numbers});
+  // Rounded up to what most output steps are multiples of: some figures show samples at these alone.
+  const double ten = std::pow(10, std::floor(std::log10(least) + 1e-9));
+  for (const double factor : {1, 2, 5}) {
+    if (factor * ten >= (1 - 1e-9) * least) return factor * ten;
+  }
+  return 10 * ten;
 }
 
 std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {

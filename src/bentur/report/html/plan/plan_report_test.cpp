@@ -73,6 +73,7 @@ TEST(PlanReport, HistoriesOfManyFitIntoAPage) {
   const double step = report_output_step(problem);
   EXPECT_GT(step, 1e-3);
   EXPECT_LT(step, 1e-2);
+  EXPECT_NEAR(std::remainder(1e-2, step), 0, 1e-9) << "samples at the output step are among them";
   SolveOptions options;
   options.output_step = step;
   EXPECT_LT(effort(problem, ExactSolver{}, options).memory, 300e6);

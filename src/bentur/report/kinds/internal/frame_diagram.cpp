@@ -48,8 +48,17 @@ Curve Diagram::members(Tone tone) const {
 }
 
 std::vector<Diagram::Station> Diagram::stations_of(const Band& band, Eigen::Index member) const {
-  const std::vector<double> along = carried_->stations(), high = carried_->of(*band.high, member);
-  const std::vector<double> low = band.low != nullptr ? carried_->of(*band.low, member) : std::vector<double>{};
+  // What no eye sees is nothing, so that round-off makes no other areas.
+  const auto seen = [&](const FrameForces::Forces& forces) {
+    constexpr double of_length = 1e-6;
+    std::vector<double> values = carried_->of(forces, member);
+    for (double& one : values) {
+      if (std::abs(scale_ * one) < of_length * frame_->members[member].length()) one = 0;
+    }
+    return values;
+  };
+  const std::vector<double> along = carried_->stations(), high = seen(*band.high);
+  const std::vector<double> low = band.low != nullptr ? seen(*band.low) : std::vector<double>{};
   std::vector<Station> all;
   for (std::size_t k = 0; k < high.size(); ++k) {
     if (!low.empty()) {

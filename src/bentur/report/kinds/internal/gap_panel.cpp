@@ -15,6 +15,7 @@
 #include "bentur/model/story/judgement_story.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/figures/internal/text_width.h"
+#include "bentur/report/figures/internal/ticks.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/scene/names.h"
 #include "bentur/report/words.h"
@@ -100,17 +101,20 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
   constexpr std::size_t most = 5;
   std::vector<std::size_t> gaps = worst_first(judged);
   gaps.resize(std::min(judged.size(), most));
-  std::sort(gaps.begin(), gaps.end(), std::greater<>());
+  // From below: of many the worst is uppermost, of a few they stand as the buildings do.
+  judged.size() > most ? std::reverse(gaps.begin(), gaps.end()) : std::sort(gaps.begin(), gaps.end(), std::greater<>());
   const auto names = names_of(judged);
   std::vector<std::string> told;  // what of the three is known of some gap
   for (std::size_t place = 0; place < gaps.size(); ++place) {
     const JudgedGap& gap = judged[gaps[place]];
     const std::vector<GapBar> bars = bars_of(gap);
     const std::optional<GoverningNeed> found = governing_need(gap.facts);
-    const std::string behind = std::isnan(bars[1].value) ? ": " + word(options, "not known")
-                               : found                   ? ", " + word(options, "level {}", level_text(*found, length))
-                                                         : "";
-    panel.y.names.push_back(names[gaps[place]].first + " | " + names[gaps[place]].second + behind);
+    const std::string between = names[gaps[place]].first + " | " + names[gaps[place]].second;
+    const std::string level = found ? level_text(*found, length) : "";
+    const std::string with_word = found ? between + ", " + word(options, "level {}", level) : between;
+    panel.y.names.push_back(std::isnan(bars[1].value)              ? between + ": " + word(options, "not known")
+                            : text_width(with_word) > longest_name ? between + ", " + level
+                                                                   : with_word);
     told.resize(bars.size());
     for (std::size_t k = 0; k < bars.size(); ++k) {
       add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
