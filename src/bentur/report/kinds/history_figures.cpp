@@ -108,8 +108,11 @@ Figure inside_opening(const RunResults& run, const NearestFloor& inside, const F
   return figure;
 }
 
-/// Of neighbours in a row one is dashed, in all frames the same.
-Line line_of(Eigen::Index building) { return building % 2 == 0 ? Line::solid : Line::dashed; }
+/// Of three neighbours in a row each has its own, in all frames the same.
+Line line_of(Eigen::Index building) {
+  constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot};
+  return lines[building % 3];
+}
 
 /// The displacements of that floor and of what it faces at its level, which the opening gives.
 Figure inside_displacement(const RunResults& run, const NearestFloor& inside, const FigureOptions& options) {

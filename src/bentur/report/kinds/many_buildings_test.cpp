@@ -125,7 +125,7 @@ TEST(ManyBuildings, BarsAreOfTheWorstGapsOfBothWays) {
   std::vector<std::size_t> order = worst_first(judged_gaps(run));
   ASSERT_EQ(order.front(), before.back());
   order.resize(5);
-  std::sort(order.begin(), order.end(), std::greater<>());
+  std::reverse(order.begin(), order.end());  // the worst uppermost
   std::vector<std::string> expected;
   for (const std::size_t gap : order) {  // with the level at which each falls short the most
     const auto need = governing_need(judged_gaps(run).at(gap).facts);

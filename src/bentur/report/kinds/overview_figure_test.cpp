@@ -133,11 +133,11 @@ TEST(Overview, BarsAreGivenAndNeeded) {
   EXPECT_EQ(bars.title, "needed at level " + number(level.elevation) + " m");
   const RunResults row = example_run("row-of-three");
   std::vector<double> expected;
-  std::vector<std::string> names;  // with the level of the need, the last uppermost
+  std::vector<std::string> names;  // with the level of the need, for whose word there is no room; the last uppermost
   for (Eigen::Index gap = 0; gap < 2; ++gap) {
     const GoverningLevel one = governing_level(row.problem, row.response, gap);
     expected.insert(expected.end(), {one.width, one.gap_needed, one.gap_needed_reversed.value()});
-    names.insert(names.begin(), gap_name(row.problem, gap) + ", level " + number(one.elevation) + " m");
+    names.insert(names.begin(), gap_name(row.problem, gap) + ", " + number(one.elevation) + " m");
   }
   EXPECT_EQ(ends_of_bars(overview(row).panels.back()), expected);
   EXPECT_EQ(overview(row).panels.back().y.names, names);

@@ -72,7 +72,7 @@ TEST(PlanReport, HistoriesOfManyFitIntoAPage) {
   for (int n = 0; n < 100; ++n) problem.buildings.push_back(building);
   const double step = report_output_step(problem);
   EXPECT_GT(step, 1e-3);
-  EXPECT_LT(step, 1e-2);
+  EXPECT_LE(step, 1e-2);
   EXPECT_NEAR(std::remainder(1e-2, step), 0, 1e-9) << "samples at the output step are among them";
   SolveOptions options;
   options.output_step = step;
