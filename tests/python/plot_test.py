@@ -69,13 +69,13 @@ def test_scripts_beside_figures_draw_and_complain_of_nothing(name, program, tmp_
         subprocess.run([program, "run", f"{ROOT}/examples/{name}.toml", "-q", "-o", tmp_path, "--figures", "svg"], check=True)
     scripts = sorted(tmp_path.rglob("*.py"))
     assert len(scripts) == 2 if name == "sweep" else len(scripts) > 5
-    for script in scripts:
-        script.with_suffix(".svg").unlink()
+    written = {script: script.with_suffix(".svg").read_bytes() for script in scripts}
     every = "import runpy, sys, matplotlib.pyplot as plt\nfor one in sys.argv[1:]:\n sys.argv = [one]\n runpy.run_path(one)\n plt.close()"
     drawn = subprocess.run([sys.executable, "-W", "error", "-c", every, *scripts], capture_output=True, text=True)
     assert (drawn.returncode, drawn.stderr) == (0, "")
     for script in scripts:
-        assert "<path" in script.with_suffix(".svg").read_text(), script
+        assert "<path" in script.with_name(script.stem + "-drawn.svg").read_text(), script
+        assert script.with_suffix(".svg").read_bytes() == written[script], script
 
 
 def test_a_report_has_its_figures(result):

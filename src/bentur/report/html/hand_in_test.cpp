@@ -277,10 +277,10 @@ TEST(HandIn, ImpactsOfARecordWhoseContactIsNotModelledAreNotKnown) {
   // The buildings are drawn under the record that needs most; how records were scaled stands with them.
   const std::string page = suite_report_html(run, gaps, {.version = "0"});
   const std::size_t verdict = page.find("<section id=\"verdict\""), records = page.find("<section id=\"records\"");
-  const std::size_t drawn = page.find("class=\"overview\""), scaled = page.find("2 records of 2 files are taken");
+  const std::size_t drawn = page.find("class=\"overview\""), scaled = page.find("2 records of 2 files taken");
   EXPECT_TRUE(verdict < drawn && drawn < page.find("<section", drawn));
   EXPECT_TRUE(holds(page, "The record that needs most, el-centro-1940-ns:"));
-  EXPECT_TRUE(records < scaled && scaled == page.rfind("2 records of 2 files are taken"));
+  EXPECT_TRUE(records < scaled && scaled == page.rfind("2 records of 2 files taken"));
 }
 
 /// Whose bar is the longest, and whom the verdict names, though another has harder impacts.
