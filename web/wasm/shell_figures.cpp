@@ -70,11 +70,6 @@ Figure figure_of(const RunResults& run, const std::string& kind, const FigureOpt
   return make_figure(run, kind, options);
 }
 
-/// Of buildings in plan no other widths are asked for.
-Figure figure_of(const PlanRun& run, const std::string& kind, const FigureOptions& options, const val&) {
-  return make_figure(run, kind, options);
-}
-
 val axis(const std::string& label, const std::pair<double, double>& ends, bool logarithmic) {
   val one = val::object();
   one.set("label", label);
@@ -113,7 +108,7 @@ val Studio::draw(const std::string& kind, const std::string& language, const val
     if (!run_ && !plan_run_ && !suite_run_) return drawn;
     const FigureOptions options = options_of(language, wanted);
     const MakeFigure make = [&](const FigureOptions& with) {
-      return plan_run_    ? figure_of(*plan_run_, kind, with, wanted)
+      return plan_run_    ? make_figure(*plan_run_, kind, with)
              : suite_run_ ? make_figure(*suite_run_, *suite_gaps_, kind, with)
                           : figure_of(*run_, kind, with, wanted);
     };
@@ -139,7 +134,7 @@ val Studio::draw(const std::string& kind, const std::string& language, const val
 std::string Studio::figure_file(const std::string& kind, const std::string& language, const val& wanted) const {
   try {
     const FigureOptions options = options_of(language, wanted);
-    if (plan_run_) return figure_svg(figure_of(*plan_run_, kind, options, wanted));
+    if (plan_run_) return figure_svg(make_figure(*plan_run_, kind, options));
     if (suite_run_) return figure_svg(make_figure(*suite_run_, *suite_gaps_, kind, options));
     return run_ ? figure_svg(figure_of(*run_, kind, options, wanted)) : "";
   } catch (const std::exception&) {
