@@ -81,7 +81,10 @@ HtmlTable impact_table(const Report& report, const std::vector<Eigen::Index>& li
   if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
   places.add(say("column.elevation"), report.c.units.length, elevations);
   if (!struck_points(report.problem).empty()) places.add(say("columns.struck"), "", struck, false);
-  add_impacts(table, table_columns(Owner::impact, report.run, places_of(listed), say.number()), places, say, false);
+  add_impacts(table,
+              without_losses(table_columns(Owner::impact, report.run, places_of(listed), say.number()), Owner::impact,
+                             report.response.points, say),
+              places, say, false);
   return table;
 }
 
@@ -89,7 +92,9 @@ PageSection impacts_section(const Report& report, const std::vector<Eigen::Index
   const Words& say = report.say;
   const std::size_t all = report.response.impacts.size();
   if (all == 0) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
-  return {"impacts", say("heading.impacts"), impact_list(say, impact_table(report, listed), listed.size(), all)};
+  return {
+      "impacts", say("heading.impacts"),
+      impact_list(say, impact_table(report, listed), listed.size(), all) + elastic_note(report.response.points, say)};
 }
 
 }  // namespace bentur::html

@@ -74,6 +74,26 @@ void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
   }
 }
 
+bool is_elastic(const std::vector<PointSummary>& points) {
+  constexpr double round_off = 1e-9;
+  const auto loses_nothing = [](const PointSummary& one) {
+    return std::abs(one.energy_lost) <= round_off * one.peak_force * one.peak_penetration;
+  };
+  return std::any_of(points.begin(), points.end(), [](const PointSummary& one) { return one.impacts > 0; }) &&
+         std::all_of(points.begin(), points.end(), loses_nothing);
+}
+
+std::vector<TableColumn> without_losses(std::vector<TableColumn> columns, Owner owner,
+                                        const std::vector<PointSummary>& points, const Words& say) {
+  const std::string_view lost = quantity_named("energy_lost", owner).label[say.number()];
+  if (is_elastic(points)) std::erase_if(columns, [&](const TableColumn& one) { return one.label == lost; });
+  return columns;
+}
+
+Html elastic_note(const std::vector<PointSummary>& points, const Words& say) {
+  return is_elastic(points) ? element("p", say("peaks.elastic"), "class=\"note\"") : Html();
+}
+
 void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places) {
   add_columns(table, table_columns(owner, report.run, places, report.say.number()));
 }
@@ -85,7 +105,8 @@ HtmlTable contact_table(const Report& report, const std::vector<Eigen::Index>& p
   for (const Eigen::Index i : points) elevations.push_back(report.problem.points[i].elevation);
   HtmlTable table;
   table.add(report.say("column.elevation"), report.c.units.length, elevations);
-  add_quantities(table, report, Owner::point, places_of(points));
+  add_columns(table, without_losses(table_columns(Owner::point, report.run, places_of(points), report.say.number()),
+                                    Owner::point, report.response.points, report.say));
   return table;
 }
 
@@ -178,7 +199,7 @@ PageSection peaks_section(const Report& report) {
     std::erase_if(points, [&](Eigen::Index point) { return report.response.points[point].impacts == 0; });
     contacts.add(heading, all, {contact_table(report, points)}, name);
   }
-  Html content = contacts.markup(say, "appendix.contacts");
+  Html content = contacts.markup(say, "appendix.contacts") + elastic_note(report.response.points, say);
   const std::size_t language = say.number();
   content += restitution_table(report);
   for (std::vector<Eigen::Index> links : links_by_spec(report.c.links)) {

@@ -374,8 +374,21 @@ TEST(Report, FiguresStandInlineInThePagesOwnStyle) {
   }
 }
 
-/// What is higher than a third of a page is of two pictures, between which a page may end, under one caption, and
-/// comes last; those of a column's width come first, two to a line.
+/// A column of zeros is left out, and why it is not there is said below; without contact nothing is said.
+TEST(Report, ElasticContactHasNoColumnOfWhatIsLost) {
+  const std::string note = "No energy is lost across the gap: the contact is elastic.", lost = ">Energy lost<";
+  const std::string text = example("two-frames-si");
+  ASSERT_NE(text.find("law = \"linear\""), std::string::npos);
+  const std::string elastic = run(text).page();
+  EXPECT_TRUE(has(elastic, note) && !has(elastic, lost));
+  const std::string lossy = run(example("struck-column")).page();
+  EXPECT_TRUE(!has(lossy, note) && has(lossy, lost));
+  const std::string apart = run(replaced(text, "width = 0.05", "width = 2.0")).page();
+  EXPECT_TRUE(!has(apart, note) && has(apart, lost));
+}
+
+/// What is higher than a third of a page is of two pictures, between which a page may end, or of one for each of three
+/// rows, under one caption, and comes last; those of a column's width come first, two to a line.
 TEST(Report, HighFiguresArePartedForPaper) {
   const Simulated frames = run(example("row-of-three"));
   const auto make = [&](const std::string& kind, const FigureOptions& options) {

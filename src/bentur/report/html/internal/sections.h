@@ -166,6 +166,13 @@ void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const Ht
 [[nodiscard]] std::string mass_unit(const Units& units);          ///< "t", "kgf·s²/cm"
 /// Columns of quantities, behind those that say where they are.
 void add_columns(HtmlTable& table, std::vector<TableColumn> columns);
+/// Whether there was contact, and none lost more energy than round-off.
+[[nodiscard]] bool is_elastic(const std::vector<PointSummary>& points);
+/// Columns of contact, without what it loses where it loses nothing.
+[[nodiscard]] std::vector<TableColumn> without_losses(std::vector<TableColumn> columns, Owner owner,
+                                                      const std::vector<PointSummary>& points, const Words& say);
+/// Says in place of that column that contact is elastic; nothing where it stands.
+[[nodiscard]] Html elastic_note(const std::vector<PointSummary>& points, const Words& say);
 /// Every quantity of an owner that is for tables, at these places.
 void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places);
 

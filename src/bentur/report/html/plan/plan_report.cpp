@@ -89,7 +89,7 @@ class PlanPage {
       const std::string heading = say_("heading.contact_of", {{"gap", gaps_[g]}});
       all_contacts.add(heading, contacts(g, false).called(heading).markup(), {contacts(g, true)}, gaps_[g]);
     }
-    Html content = all_contacts.markup(say_, "appendix.contacts");
+    Html content = all_contacts.markup(say_, "appendix.contacts") + html::elastic_note(run_.response.points, say_);
     for (const std::vector<Index>& links : links_by_spec(run_.c.links)) {
       if (links.empty()) continue;
       const std::string name = link_name(run_.problem, run_.problem.links[links.front()]);
@@ -151,7 +151,8 @@ class PlanPage {
     const std::vector<Impact>& all = run_.response.impacts;
     if (all.empty()) return {"impacts", say_("heading.impacts"), element("p", say_("impacts.none"))};
     const HtmlTable table = html::impact_table(run_, listed, say_);
-    return {"impacts", say_("heading.impacts"), html::impact_list(say_, table, listed.size(), all.size())};
+    return {"impacts", say_("heading.impacts"),
+            html::impact_list(say_, table, listed.size(), all.size()) + html::elastic_note(run_.response.points, say_)};
   }
 
  private:
@@ -168,7 +169,8 @@ class PlanPage {
     for (const Index point : points) places.push_back({point});
     HtmlTable table;
     add_places(run_, points, say_, table);
-    html::add_columns(table, table_columns(Owner::point, run_, places, say_.number()));
+    html::add_columns(table, html::without_losses(table_columns(Owner::point, run_, places, say_.number()),
+                                                  Owner::point, run_.response.points, say_));
     return table;
   }
 
@@ -286,7 +288,10 @@ html::HtmlTable html::impact_table(const PlanRun& run, const std::vector<Index>&
   table.add("#", "", numbers);
   if (run.problem.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
   add_places(run, points, say, places);
-  html::add_impacts(table, table_columns(Owner::impact, run, impacts, say.number()), places, say, true);
+  html::add_impacts(table,
+                    html::without_losses(table_columns(Owner::impact, run, impacts, say.number()), Owner::impact,
+                                         run.response.points, say),
+                    places, say, true);
   return table;
 }
 
