@@ -37,10 +37,18 @@ Story suite_story(const SuiteSpec& suite, const Units& units) {
     period_2.numbers.push_back(one.second.value_or(NAN));
   }
   Story told;
-  told.statements.push_back(
-      {.kind = "suite",
-       .values = {count_of("records", std::ssize(suite.records)), count_of("files", static_cast<long>(suite.files)),
-                  value_in("least", least_factor), value_in("most", most_factor), value_in("misfit", most_misfit)}});
+  const bool are_alike = number(least_factor) == number(most_factor);
+  Statement taken{
+      .kind = are_alike ? "suite_alike" : "suite",
+      .values = {count_of("records", std::ssize(suite.records)), count_of("files", static_cast<long>(suite.files))}};
+  if (are_alike) {
+    taken.values.push_back(value_in("factor", most_factor));
+  } else {
+    taken.values.push_back(value_in("least", least_factor));
+    taken.values.push_back(value_in("most", most_factor));
+  }
+  taken.values.push_back(value_in("misfit", most_misfit));
+  told.statements.push_back(std::move(taken));
   Statement mean{.kind = suite.request.is_of_code() ? "suite_mean_of_code" : "suite_mean",
                  .values = {value_in("ratio", least_ratio), value_in("from", first, "s"), value_in("to", last, "s")}};
   if (suite.request.is_of_code()) {

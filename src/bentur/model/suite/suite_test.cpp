@@ -5,8 +5,11 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "bentur/core/errors.h"
+#include "bentur/model/suite/suite_story.h"
 #include "bentur/solve/spectrum/response_spectrum.h"
 #include "bentur/structure/stick.h"
 
@@ -84,6 +87,23 @@ TEST_F(Suites, TheRecordThatTheTargetIsMadeOf) {
   EXPECT_NEAR(suite.target.periods.back(), 2, 1e-12);
   EXPECT_NEAR(suite.buildings.at(1).first, 1, 1e-12);
   EXPECT_FALSE(suite.buildings.at(1).second.has_value());
+}
+
+/// Factors that are alike are one.
+TEST_F(Suites, SaysItsFactorsOrTheOneFactor) {
+  SuiteSpec one = suite_about(2.5), all = suite_about(2.5);
+  one.request.select = 1;
+  ASSERT_TRUE(settled(one).empty() && settled(all).empty());
+  const auto names = [](const Statement& statement) {
+    std::vector<std::string> found;
+    for (const StoryValue& value : statement.values) found.push_back(value.name);
+    return found;
+  };
+  const Statement alike = suite_story(one, {}).statements.front(), apart = suite_story(all, {}).statements.front();
+  EXPECT_EQ(alike.kind, "suite_alike");
+  EXPECT_EQ(names(alike), (std::vector<std::string>{"records", "files", "factor", "misfit"}));
+  EXPECT_EQ(apart.kind, "suite");
+  EXPECT_EQ(names(apart), (std::vector<std::string>{"records", "files", "least", "most", "misfit"}));
 }
 
 TEST_F(Suites, PairsAreMeasuredAsAskedFor) {
