@@ -56,7 +56,7 @@ std::string hinge_name(const FigureWords& say, const HingePlace& place) {
 }
 
 std::string hinge_level_text(const FigureWords& say, const HingeBounds& bounds, int level) {
-  if (level <= 1) return word(say, "yields");
+  if (level <= 1) return word(say, "has yielded");
   const auto bound = static_cast<std::size_t>(level) - 2;
   if (bounds.are_limits) return word(say, "beyond {}", level_names.at(bound));
   constexpr std::array<const char*, 3> parts{"1/4", "1/2", "3/4"};

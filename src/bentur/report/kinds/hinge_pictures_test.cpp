@@ -60,7 +60,7 @@ TEST(HingePictures, AreColouredByLimitsAndNumberedByOrder) {
       for (std::size_t k = 0; k < order[group].size(); ++k) wanted.insert(std::to_string(group + 1));
     }
     EXPECT_EQ(numbers, wanted);
-    EXPECT_EQ(marks_labelled(panel, "yields"), wanted.size() - io);
+    EXPECT_EQ(marks_labelled(panel, "has yielded"), wanted.size() - io);
     EXPECT_EQ(marks_labelled(panel, "has not yielded"), run.response.buildings[b].hinges.size() - wanted.size());
   }
   EXPECT_GT(coloured, 3U);
@@ -134,7 +134,7 @@ TEST(HingePictures, OfAStillAreThoseThatHaveFormedByThen) {
     drawn = 0;
     const Figure figure = make_figure(run, kind);
     for (const Curve& curve : figure.panels.front().curves) {
-      if (curve.label == "yields" || curve.label.starts_with("beyond ")) drawn += curve.x.size();
+      if (curve.label == "has yielded" || curve.label.starts_with("beyond ")) drawn += curve.x.size();
     }
     EXPECT_EQ(drawn, formed) << kind;
   }
