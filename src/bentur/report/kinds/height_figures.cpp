@@ -77,7 +77,7 @@ std::vector<Eigen::Index> moving(const RunResults& run, const FigureOptions& opt
 /// figure takes a page's width, and then more rows.
 Figure beside(const RunResults& run, const FigureOptions& options, const std::vector<Eigen::Index>& shown,
               double room) {
-  constexpr double of_axis = 1.2;  // numbers and label of the elevations [cm]
+  constexpr double of_axis = 1.2, above = 1.5;  // numbers and label of the elevations, title and numbers of a row [cm]
   Figure figure{.width = options.width};
   const auto fitting = [&] {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::max(0.0, figure.width - of_axis) / room));
@@ -87,12 +87,22 @@ Figure beside(const RunResults& run, const FigureOptions& options, const std::ve
   const std::size_t columns = (shown.size() + rows - 1) / rows;
   figure.columns = static_cast<int>(columns);
   const Axis elevation = elevation_axis(run, options, shown);
+  const double highest = page_height / static_cast<double>(rows) - above;
+  const double height = options.narrow ? frame_height(run, shown) : std::min(frame_height(run, shown), highest);
   for (std::size_t b = 0; b < shown.size(); ++b) {
-    Panel panel{.title = run.problem.buildings[shown[b]].name, .y = elevation, .height = frame_height(run, shown)};
+    Panel panel{.title = run.problem.buildings[shown[b]].name, .y = elevation, .height = height};
     if (b % columns != 0) leave_to_neighbour(panel.y);
+    if (!options.narrow && rows > 2 && b / columns != rows / 2) panel.y.label = "";  // one for all rows
     figure.panels.push_back(panel);
   }
   return figure;
+}
+
+/// Whether the panel has the label of the axes below: of rows of three or more the middle one of the last row, else all
+/// of the last row, as there is nothing below the middle of two.
+bool is_labelled(std::size_t panel, std::size_t count, int columns) {
+  const auto of_row = static_cast<std::size_t>(columns), last = (count - 1) / of_row * of_row;
+  return of_row < 3 ? panel + of_row >= count : panel == std::min(last + of_row / 2, count - 1);
 }
 
 /// A curve from the base, which does not move, up; with marks where there are few floors.
@@ -173,8 +183,6 @@ void set_apart(Figure& figure, bool narrow) {
   while (narrow && columns < most_narrow && are_high()) ++columns;
   const std::size_t rows = rows_of(columns);
   const double most_high = std::max(2.0, std::min(highest, page_height / static_cast<double>(rows) - beside));
-  const std::size_t last = (count - 1) / columns * columns;  // the first of the last row
-  const std::size_t labelled = std::min(last + columns / 2, count - 1);
   std::vector<Panel> panels;
   for (const Panel& all : figure.panels) {
     double from = all.rules.front().at, to = from;
@@ -193,7 +201,7 @@ void set_apart(Figure& figure, bool narrow) {
       if (is_stepped(one.curves.front())) one.curves.front().mark = Mark::none;
       one.x.from = all.x.from.value_or(from == 0 ? 0 : from - margin);
       one.x.to = to + margin;
-      if (i != labelled) one.x.label = "";
+      if (!is_labelled(i, count, static_cast<int>(columns))) one.x.label = "";
       if (rows > 1) one.height = std::min(one.height, most_high);
       one.y = figure.panels.front().y;
       one.begins_row = i == 0;
@@ -238,7 +246,8 @@ struct Largest {
 
 Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   const std::vector<Eigen::Index> shown = moving(run, options);
-  Figure figure = beside(run, options, shown, 2);
+  constexpr std::size_t most_in_a_row = 6;
+  Figure figure = beside(run, options, shown, !options.narrow && shown.size() > most_in_a_row ? 3.6 : 2);
   const bool has_impacts = !run.response.impacts.empty();  // else the responses with and without contact are one
   figure.title = "Largest displacements relative to the bases";
   if (has_impacts) figure.title += ", with and without contact";
@@ -254,7 +263,9 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
   for (std::size_t b = 0; b < shown.size(); ++b) {
     const Building& building = run.problem.buildings[shown[b]];
     Panel& panel = figure.panels[b];
-    panel.x.label = with_unit(word(options, "Displacement max |x|"), run.c.units.length);
+    if (is_labelled(b, shown.size(), figure.columns)) {
+      panel.x.label = with_unit(word(options, "Displacement max |x|"), run.c.units.length);
+    }
     end_round(panel.x, largest);
     const Curve with{.label = word(options, has_impacts ? "with contact" : "largest displacement"), .mark = Mark::disc};
     const Curve without{.label = word(options, "without contact"),

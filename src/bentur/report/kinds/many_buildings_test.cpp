@@ -303,6 +303,7 @@ TEST(ManyBuildings, AreThoseThatTheVerdictNames) {
   const Figure of_all = make_figure(row(), "envelope");  // where each has a place of its own there is room for all
   EXPECT_EQ(of_all.panels.size(), row().problem.buildings.size());
   EXPECT_EQ(of_all.part, "");
+  EXPECT_TRUE(of_all.columns == 3 && of_all.panels[6].x.label.empty() && !of_all.panels[7].x.label.empty());
   const Figure of_some = make_figure(test::drawn_run(row_of(13)), "amplification");
   const std::string part = fmt::format("Shown are {} of 13", of_some.panels.size());
   EXPECT_TRUE(of_some.part.starts_with(part) && of_some.finding.starts_with(part)) << of_some.part;
