@@ -379,6 +379,17 @@ levels = [0.1, 0.3, 0.6]
         self.clean(page)
         self.accessible()
 
+    def test_cards_of_a_telephone_have_titles_of_their_own(self):
+        """Such as hinges, of which many are of columns, and contacts in plan, of which many are at one level."""
+        for page in self.example("hinged-frame"), self.report(self.block(3)):
+            self.opened(page, PHONE)
+            titles = self.js("""[...document.querySelectorAll('.cards')].map((table) =>
+                [...table.querySelectorAll('tbody td:first-child')].map((cell) =>
+                    cell.textContent + getComputedStyle(cell, '::after').content))""")
+            self.assertGreater(len(titles), 3)
+            for of_table in titles:
+                self.assertEqual(len(of_table), len(set(of_table)), of_table)
+
     def test_figures_with_many_panels_are_drawn_for_a_telephone(self):
         for page in self.example("two-frames-si"), self.report(self.block(12)):
             self.opened(page, PHONE)

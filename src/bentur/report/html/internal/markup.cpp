@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "bentur/core/not_known.h"
@@ -181,6 +182,30 @@ bool HtmlTable::is_broad() const {
   return columns_.size() > 2 && all > most;
 }
 
+bool HtmlTable::is_long(const Column& column) {
+  constexpr std::size_t longest = 26;  // letters of two lines in a third of a card; what is longer has its own line
+  return !column.numeric && letters(column) > longest;
+}
+
+std::size_t HtmlTable::telling() const {
+  std::vector<std::string> titles(rows());
+  for (std::size_t count = 1; count < columns_.size(); ++count) {
+    for (std::size_t row = 0; row < rows(); ++row) titles[row] += columns_[count - 1].cells[row] + '\n';
+    if (std::set(titles.begin(), titles.end()).size() == rows()) return count;
+  }
+  return 1;
+}
+
+const char* HtmlTable::cards() const {
+  const auto other = std::count_if(columns_.begin() + static_cast<std::ptrdiff_t>(telling()), columns_.end(),
+                                   [](const Column& one) { return !is_long(one); });
+  const auto fullness = [&](double of_line) {  // of the last line
+    const double left = std::fmod(static_cast<double>(other), of_line);
+    return left > 0 ? left / of_line : 1;
+  };
+  return fullness(4) > fullness(3) ? "cards four" : "cards";
+}
+
 Html HtmlTable::markup(std::string_view attributes, OnTelephone form) const {
   const auto of_class = [&](const char* name, Heads heads) {
     return written(fmt::format("{}{}class=\"{}\"", attributes, attributes.empty() ? "" : " ", name), heads, rows());
@@ -195,7 +220,7 @@ Html HtmlTable::markup(std::string_view attributes, OnTelephone form) const {
     case OnTelephone::as_fits:
       break;
   }
-  return is_broad() ? of_class("cards", Heads::in_cells) : written(attributes, Heads::above, rows());
+  return is_broad() ? of_class(cards(), Heads::in_cells) : written(attributes, Heads::above, rows());
 }
 
 Html HtmlTable::printed(std::size_t most) const {
@@ -206,11 +231,14 @@ Html HtmlTable::printed(std::size_t most) const {
 
 Html HtmlTable::written(std::string_view attributes, Heads heads, std::size_t most) const {
   if (columns_.empty()) return {};
-  constexpr std::size_t longest = 26;  // letters of two lines in a third of a card; what is longer has its own line
+  const std::size_t titled = heads == Heads::in_cells ? telling() : 1;  // columns that are the title of a card
+  const auto head_of = [](const Column& one) { return one.unit.empty() ? one.name : with_unit(one.name, one.unit); };
   std::vector<std::string> alignments;
-  for (const Column& column : columns_) {
-    const bool is_long = !column.numeric && heads == Heads::in_cells && letters(column) > longest;
-    alignments.emplace_back(column.numeric ? "" : is_long ? "class=\"t long\"" : "class=\"t\"");
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    std::string classes = columns_[i].numeric ? "" : "t";
+    if (heads == Heads::in_cells && is_long(columns_[i])) classes += " long";
+    if (i > 0 && i < titled) classes += classes.empty() ? "told" : " told";
+    alignments.push_back(classes.empty() ? "" : fmt::format("class=\"{}\"", classes));
   }
   const bool units =
       std::any_of(columns_.begin(), columns_.end(), [](const Column& column) { return !column.unit.empty(); });
@@ -232,8 +260,15 @@ Html HtmlTable::written(std::string_view attributes, Heads heads, std::size_t mo
         about += std::string(about.empty() ? "" : " ") + name + "=\"" + Html::text(text).str() + "\"";
       };
       if (&column == &columns_.front() && row < titles_.size()) put("title", titles_[row]);
-      if (heads == Heads::in_cells)
-        put("data-head", column.unit.empty() ? column.name : with_unit(column.name, column.unit));
+      if (heads == Heads::in_cells) put("data-head", head_of(column));
+      if (&column == &columns_.front() && titled > 1) {
+        std::string rest;
+        for (std::size_t i = 1; i < titled; ++i) {
+          const Column& one = columns_[i];
+          rest += ", " + (one.numeric ? head_of(one) + " " + signed_text(one.cells.at(row)) : one.cells.at(row));
+        }
+        put("data-rest", rest);
+      }
       line += element("td", column.numeric ? signed_text(column.cells.at(row)) : column.cells.at(row), about);
     }
     const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();

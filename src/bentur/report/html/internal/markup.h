@@ -93,6 +93,12 @@ class HtmlTable {
 
  private:
   enum class Heads { above, in_cells };
+  /// Has a line of its own in a card.
+  [[nodiscard]] static bool is_long(const Column& column);
+  /// How many of the first columns it takes to tell all rows apart: these are the title of a card; 1 where none do.
+  [[nodiscard]] std::size_t telling() const;
+  /// The class of cards whose cells stand three to a line, or four where that leaves less of the last one empty.
+  [[nodiscard]] const char* cards() const;
   static void make_alike(Column& column);
   [[nodiscard]] static std::size_t letters(const Column& column);  ///< of the broadest line that is not divided
   [[nodiscard]] bool is_broad() const;

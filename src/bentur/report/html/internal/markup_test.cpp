@@ -79,6 +79,24 @@ TEST(Markup, BroadTablesAreCardsOnATelephone) {
   EXPECT_EQ(table.printed(2).str().find("data-head"), std::string::npos) << "paper has room";
 }
 
+/// A card is called by as many of the first columns as it takes to tell it from all others.
+TEST(Markup, CardsHaveTitlesOfTheirOwn) {
+  HtmlTable table;
+  table.add("Member", "", {"column", "column", "beam", "column"}, false);
+  table.add("Level", "m", {"3", "3", "3", "6"});
+  table.add("End", "", {"top", "bottom", "left", "top"}, false);
+  for (const char* const name : {"Rotation", "Residual", "Moment", "Energy"}) {
+    table.add(name, "kN·m", std::vector<double>{1, 2, 3, 4});
+  }
+  const std::string cards = table.markup().str();
+  for (const char* const rest : {"Level [m] 3, top", "Level [m] 3, bottom", "Level [m] 3, left", "Level [m] 6, top"}) {
+    EXPECT_NE(cards.find("data-head=\"Member\" data-rest=\", " + std::string(rest) + "\""), std::string::npos) << cards;
+  }
+  EXPECT_NE(cards.find("<td class=\"t told\" data-head=\"End\">bottom</td>"), std::string::npos) << cards;
+  EXPECT_NE(cards.find("class=\"cards four\""), std::string::npos) << "four cells are left: " << cards;
+  EXPECT_EQ(table.printed(4).str().find("data-rest"), std::string::npos) << "a row is no card";
+}
+
 /// Others have a form that is theirs by what they are, however broad they are.
 TEST(Markup, SomeTablesHaveAFormOfTheirOwnOnATelephone) {
   HtmlTable table;
