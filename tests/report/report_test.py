@@ -341,6 +341,24 @@ levels = [0.1, 0.3, 0.6]
         self.assertLessEqual(self.js("document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
         self.browser.call("Emulation.setEmulatedMedia", media="")
 
+    @unittest.skipUnless(shutil.which("pdftotext"), "needs pdftotext")
+    def test_pages_are_full_and_no_figure_stands_in_a_table(self):
+        """No page but the last ends with more than a fifth of it empty, and both pictures of a verdict come before the
+        remarks, or between them and the first table that pages part."""
+        for page in self.report(self.block(30)), self.report(self.block(12)), self.example("hinged-frame"):
+            self.opened(page)
+            printed = page.with_suffix(".pdf")
+            self.browser.pdf(printed)
+            words = subprocess.run(["pdftotext", "-bbox", str(printed), "-"], check=True, capture_output=True, text=True)
+            top, bottom = 842 * 18 / 297, 842 * (1 - 16 / 297)
+            pages = words.stdout.split("<page ")[1:]
+            empty = [1 - (max(low for low in map(float, re.findall(r'yMax="([\d.]+)"', one)) if low < bottom) - top) /
+                     (bottom - top) for one in pages]
+            self.assertLess(max(empty[:-1]), 0.2, f"{page.name}: {empty}")
+            text = subprocess.run(["pdftotext", "-layout", str(printed), "-"], check=True, capture_output=True, text=True)
+            instant = text.stdout.index("at the instant that the picture names")
+            self.assertLess(instant, re.search("^Gap needed$", text.stdout, re.MULTILINE).start(), page.name)
+
     def test_letters_of_figures_have_seven_points_on_paper(self):
         """A page's width and a column's, one opening figure and two, frames and many houses."""
         for page in self.example("two-frames-si"), self.example("row-of-three"), self.report(self.block(12)):

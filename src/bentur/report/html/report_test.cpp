@@ -403,7 +403,7 @@ TEST(Report, HighFiguresArePartedForPaper) {
   std::size_t parted = 0;
   bool wide_before = false;
   for (const html::PageFigure& one : figures) {
-    EXPECT_EQ(pictures(one.svg), one.is_parted ? 2U : 1U) << one.caption;
+    EXPECT_TRUE(one.is_parted ? pictures(one.svg) > 1 : pictures(one.svg) == 1) << one.caption;
     EXPECT_TRUE(one.wide || !wide_before) << one.caption << " has no neighbour";
     EXPECT_TRUE(one.is_parted || parted == 0) << one.caption << " would fill what the one before it leaves";
     parted += one.is_parted ? 1 : 0;

@@ -33,8 +33,17 @@ void spread(Figure& figure, std::size_t most) {
   }
 }
 
-/// Of what is on paper a line by itself, or half a line: three of pictures so high with their captions fill a page.
-constexpr double third_of_page = 8.05;  // [cm]
+/// Of what is on paper a line by itself, or half a line: three of pictures so high with their captions fill a page, or
+/// two of those that have three rows of panels or more.
+constexpr double third_of_page = 8.05, half_of_page = 12.4;  // [cm]
+
+std::size_t rows_of(const Figure& figure) { return figure.panels.size() / static_cast<std::size_t>(figure.columns); }
+
+double room_of(const Figure& figure) {
+  const auto is_picture = [](const Panel& one) { return one.to_scale; };
+  const bool has_pictures = std::any_of(figure.panels.begin(), figure.panels.end(), is_picture);
+  return rows_of(figure) >= 3 && !has_pictures ? half_of_page : third_of_page;
+}
 
 /// Of a caption below a figure over the page, or over half of it, in lines as report.css prints them [cm].
 double caption_height(const std::string& caption, bool is_wide) {
@@ -43,24 +52,30 @@ double caption_height(const std::string& caption, bool is_wide) {
   return free + of_line * std::ceil(static_cast<double>(caption.size() + 10) / letters);  // with its number
 }
 
-/// Above and below the end of a row near its middle, where what follows begins by itself, if it has any: pages may
-/// end there.
+/// Above and below the end of a row near its middle, where what follows begins by itself, if it has any, or of an odd
+/// number of rows each by itself: pages may end there.
 std::vector<Figure> parted(const Figure& figure) {
   const std::vector<Panel>& panels = figure.panels;
   const auto stands_alone = [](const Panel& one) { return one.rows == 1 && one.across == 1; };
   const bool is_plain = std::all_of(panels.begin(), panels.end(), stands_alone);
-  std::size_t first = 0;  // of the second part
-  for (std::size_t i = 1; i < panels.size() && first == 0; ++i) {
-    if (panels[i].begins_row) first = i;
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  const std::size_t rows = rows_of(figure);
+  std::size_t length = 0;  // of the first part
+  for (std::size_t i = 1; i < panels.size() && length == 0; ++i) {
+    if (panels[i].begins_row) length = i;
   }
-  const std::size_t columns = static_cast<std::size_t>(figure.columns), rows = panels.size() / columns;
-  if (first == 0 && is_plain && rows % 2 == 0 && rows * columns == panels.size()) first = rows / 2 * columns;
-  if (first == 0) return {figure};
-  std::vector<Figure> parts(2, figure);
-  const auto middle = panels.begin() + static_cast<std::ptrdiff_t>(first);
-  parts[0].panels.assign(panels.begin(), middle);
-  parts[1].panels.assign(middle, panels.end());
-  parts[1].panels.front().begins_row = false;
+  const bool is_in_two = length > 0;
+  if (!is_in_two && is_plain && rows * columns == panels.size()) length = (rows % 2 == 0 ? rows / 2 : 1) * columns;
+  if (length == 0) return {figure};
+  std::vector<Figure> parts;
+  for (std::size_t first = 0; first < panels.size();) {
+    const std::size_t end = is_in_two && first > 0 ? panels.size() : std::min(first + length, panels.size());
+    Figure& part = parts.emplace_back(figure);
+    part.panels.assign(panels.begin() + static_cast<std::ptrdiff_t>(first),
+                       panels.begin() + static_cast<std::ptrdiff_t>(end));
+    part.panels.front().begins_row = false;
+    first = end;
+  }
   return parts;
 }
 
@@ -86,8 +101,9 @@ void order(std::vector<Drawn>& figures) {
   }
   for (Drawn& one : figures) {
     Figure low = one.figure;
-    bound_height(low, third_of_page - one.below());
-    one.is_parted = one.is_wide() && layout(low).height + one.below() > third_of_page + 0.5;
+    const double room = room_of(low);
+    bound_height(low, room - one.below());
+    one.is_parted = one.is_wide() && layout(low).height + one.below() > room + 0.5;
   }
   std::stable_partition(figures.begin(), figures.end(), [](const Drawn& one) { return !one.is_parted; });
   std::stable_partition(figures.begin(), figures.end(), is_narrow);
@@ -123,7 +139,7 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
     std::vector<Figure> parts = is_parted ? parted(figure) : std::vector{figure};
     shown.is_parted = parts.size() > 1;
     for (Figure& part : parts) {
-      bound_height(part, third_of_page - caption_height(caption, shown.wide));
+      bound_height(part, (shown.is_parted ? third_of_page : room_of(part)) - caption_height(caption, shown.wide));
       shown.svg += figure_element(part, caption);
     }
     if (!shown.wide) continue;
