@@ -275,43 +275,83 @@ void add_peak(Curve& samples, double peak) {
   samples.y.insert(samples.y.begin() + behind, signed_peak);
 }
 
+namespace {
+
+constexpr double wide_value = 0.26;  // of a panel
+constexpr double tall_value = 0.57;  // [cm] also where the panel becomes lower, beside others
+
+/// Where a value is written: above or below this place.
+struct ValuePlace {
+  double x = 0, y = 0;
+};
+
+/// Beyond all curves about a place along x, as far as a value is wide, and not before `y`.
+ValuePlace beyond_curves(const Panel& panel, double x, double y, double half) {
+  const double sign = y > 0 ? 1 : -1;
+  ValuePlace place{std::clamp(x, *panel.x.from + half, *panel.x.to - half), sign * y};
+  for (const Curve& one : panel.curves) {
+    for (std::size_t i = 0; i < one.x.size(); ++i) {
+      if (std::abs(one.x[i] - place.x) < half) place.y = std::max(place.y, sign * one.y[i]);
+    }
+  }
+  place.y *= sign;
+  return place;
+}
+
+/// Beyond a peak and all that goes further near it, beside values that stand there, within the frame.
+ValuePlace place_beyond(const Panel& panel, double x, double y) {
+  const double half = wide_value / 2 * (*panel.x.to - *panel.x.from);
+  ValuePlace place = beyond_curves(panel, x, y, half);
+  for (const PlaceText& one : panel.texts) {
+    if (one.y * y < 0 || std::abs(one.x - place.x) >= 2 * half) continue;
+    const bool has_room = one.x + 3 * half <= *panel.x.to;
+    place = beyond_curves(panel, one.x + (has_room ? 2 : -2) * half, y, half);
+  }
+  return place;
+}
+
+}  // namespace
+
 void name_peaks(const std::vector<Panel*>& panels, const std::vector<Curve>& curves,
                 const std::function<std::string(double)>& text) {
-  constexpr double wide = 0.26, tall = 0.45;  // of a value: a part of the panel, and [cm]
+  for (Panel* const panel : panels) {
+    if (!panel->y.least) panel->y.least = range_of(panel->curves, {*panel->x.from, *panel->x.to});
+  }
   for (const Curve& curve : curves) {
     const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto most = std::max_element(curve.y.begin(), curve.y.end(), size);
     if (most == curve.y.end() || *most == 0) continue;
     const double x = curve.x[static_cast<std::size_t>(most - curve.y.begin())], y = *most;
     const auto shows = [&](const Panel* panel) {
-      const double edge = wide / 2 * (*panel->x.to - *panel->x.from);
       const auto same = [&](const Curve& one) { return one.label == curve.label; };
-      return x >= *panel->x.from + edge && x <= *panel->x.to - edge &&
-             std::any_of(panel->curves.begin(), panel->curves.end(), same);
+      return x >= *panel->x.from && x <= *panel->x.to && std::any_of(panel->curves.begin(), panel->curves.end(), same);
     };
-    const auto found = std::find_if(panels.rbegin(), panels.rend(), shows);
+    const auto is_free = [&](const Panel* panel) {
+      if (!shows(panel)) return false;
+      const ValuePlace place = place_beyond(*panel, x, y);
+      return place.y == y && std::abs(place.x - x) <= wide_value / 2 * (*panel->x.to - *panel->x.from);
+    };
+    auto found = std::find_if(panels.rbegin(), panels.rend(), is_free);
+    if (found == panels.rend()) found = std::find_if(panels.rbegin(), panels.rend(), shows);
     if (found == panels.rend()) continue;
     Panel& panel = **found;
-    const double sign = y > 0 ? 1 : -1, beside = wide / 2 * (*panel.x.to - *panel.x.from);
-    const bool is_free = std::none_of(panel.curves.begin(), panel.curves.end(), [&](const Curve& one) {
-      for (std::size_t i = 0; i < one.x.size(); ++i) {
-        if (std::abs(one.x[i] - x) < beside && sign * one.y[i] > sign * y) return true;
-      }
-      return false;
-    });
-    if (!is_free) continue;
-    panel.texts.push_back({x, y, text(std::abs(y)), y > 0 ? PlaceText::Side::above : PlaceText::Side::below});
-    auto [low, high] = range_of(panel.curves, {*panel.x.from, *panel.x.to});
-    if (panel.y.least) {
-      low = std::min(low, panel.y.least->first);
-      high = std::max(high, panel.y.least->second);
+    const ValuePlace place = place_beyond(panel, x, y);
+    const double half = wide_value / 2 * (*panel.x.to - *panel.x.from);
+    if (place.y != y || std::abs(place.x - x) > half) {  // led to its peak across what goes further
+      panel.curves.push_back({.x = {x, std::clamp(x, place.x - 0.8 * half, place.x + 0.8 * half)},
+                              .y = {y, place.y},
+                              .tone = curve.tone,
+                              .width = 0.7,
+                              .complete = true});
     }
-    const double part = tall / panel.height;
-    if (y > 0) high = std::max(high, (y - part * low) / (1 - part));
-    if (y < 0) low = std::min(low, (y - part * high) / (1 - part));
-    panel.y.least = {low, high};
+    panel.texts.push_back(
+        {place.x, place.y, signed_text(text(y)), y > 0 ? PlaceText::Side::above : PlaceText::Side::below});
+    auto [low, high] = *panel.y.least;
+    const double part = tall_value / panel.height;
+    if (y > 0) high = std::max(high, (place.y - part * low) / (1 - part));
+    if (y < 0) low = std::min(low, (place.y - part * high) / (1 - part));
     for (Panel* other : panels) {  // at one scale with those of the same time
-      if (other->x.from == panel.x.from && other->x.to == panel.x.to) other->y.least = panel.y.least;
+      if (other->x.from == panel.x.from && other->x.to == panel.x.to) other->y.least = {low, high};
     }
   }
 }

@@ -78,8 +78,9 @@ void name_value(std::vector<Panel>& panels, double x, double y, const std::strin
 /// through three of them goes furthest; nothing where they hold it.
 void add_peak(Curve& samples, double peak);
 
-/// Writes the largest value of each curve above or below it, in the last panel that shows that, with room for it; not
-/// where another curve goes further there. @param text of a value
+/// Writes the largest value of each curve, with its sign, above or below it, in the last panel where nothing goes
+/// further there, with room for it; where there is none, beyond what goes further, led to its peak. @param text of a
+/// value
 void name_peaks(const std::vector<Panel*>& panels, const std::vector<Curve>& curves,
                 const std::function<std::string(double)>& text);
 
