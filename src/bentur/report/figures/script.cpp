@@ -106,9 +106,11 @@ for panel in figure["panels"]:
         ax.set_title("\n".join(panel["title"]), fontsize=8, y=panel["title_y"], pad=0, verticalalignment="center")
     for entry in panel["legend"]:
         begin, end, text, y = entry["place"]
-        if entry["area"]:
+        if entry["area"] or entry["outline"]:
             sheet.add_artist(Rectangle((begin, y - entry["half"]), end - begin, 2 * entry["half"],
-                                       transform=sheet.transFigure, color=entry["color"], linewidth=0))
+                                       transform=sheet.transFigure, edgecolor=entry["color"],
+                                       facecolor="none" if entry["outline"] else entry["color"],
+                                       linewidth=0.75 if entry["outline"] else 0))
         else:
             ends = {**style(entry), "marker": "None"}
             sheet.add_artist(Line2D([begin, end], [y, y], transform=sheet.transFigure, **ends))
@@ -302,6 +304,7 @@ class Writer {
                        {entry.x / layout_.width, end / layout_.width, (end + beside_sample) / layout_.width,
                         entry.y / layout_.height}},
                       {"area", static_cast<int>(entry.area)},
+                      {"outline", static_cast<int>(entry.outline)},
                       {"half", sample_height / 2 / layout_.height}};
     described.update(
         drawn(entry.event ? Tone::grey : entry.tone, entry.line, entry.mark, entry.width, entry.mark_size));

@@ -200,10 +200,12 @@ class Drawing {
   void legend(const PlacedPanel& placed) {
     for (const LegendEntry& entry : placed.legend) {
       const double begin = x(entry.x), end = x(entry.x + sample_width), middle = y(entry.y);
-      if (entry.area) {
+      if (entry.area || entry.outline) {
         const double tall = sample_height / pixel;
+        const std::string style = entry.area ? drawn_in("fill", colour(entry.tone))
+                                             : "fill=\"none\" " + line_style(entry.tone, entry.line, entry.width);
         out_ += fmt::format("<path d=\"M{} {}H{}v{}H{}Z\" {}/>\n", length(begin), length(middle - tall / 2),
-                            length(end), length(tall), length(begin), drawn_in("fill", colour(entry.tone)));
+                            length(end), length(tall), length(begin), style);
       } else if (entry.line != Line::none) {
         path(fmt::format("M{} {}H{}", length(begin), length(middle), length(end)),
              line_style(entry.tone, entry.line, entry.width));

@@ -153,15 +153,15 @@ TEST(ManyBuildings, BarsHaveTheColourOfWhatIsJudged) {
   const Panel bars = make_figure(run, "overview").panels.back();
   long filled = 0;
   for (const Curve& bar : bars.curves) {
-    if (bar.tone == Tone::grey || bar.top.empty()) continue;  // given, or reversed
+    if (bar.tone == Tone::black || bar.top.empty()) continue;  // given, or reversed
     const Sufficiency value = judged[order.at(static_cast<std::size_t>(std::lround(bar.y[0])))].judgement.value;
     const Tone not_small = value == Sufficiency::unknown ? Tone::gold : Tone::pale_teal;
     EXPECT_EQ(bar.tone, value == Sufficiency::too_small ? Tone::red : not_small);
     ++filled;
   }
   EXPECT_GE(filled, 3);
-  const auto is_red = [](const Curve& one) { return one.tone == Tone::red && one.label == "too small"; };
-  EXPECT_EQ(std::count_if(bars.curves.begin(), bars.curves.end(), is_red), 1);
+  const auto is_red = [](const Curve& one) { return one.tone == Tone::red && one.label == "needed: too small"; };
+  EXPECT_TRUE(std::any_of(bars.curves.begin(), bars.curves.end(), is_red));
 }
 
 /// Drawings of storeys have no marks at both ends of every step.

@@ -141,7 +141,14 @@ TEST(Overview, BarsAreGivenAndNeeded) {
   }
   EXPECT_EQ(ends_of_bars(overview(row).panels.back()), expected);
   EXPECT_EQ(overview(row).panels.back().y.names, names);
-  EXPECT_EQ(overview(row).panels.back().title, "each gap: top given, middle needed, bottom reversed");
+  const Figure figure = overview(row);
+  const Layout placing = layout(figure);
+  std::vector<std::string> key;
+  for (const LegendEntry& entry : placing.panels.back().legend) {
+    key.push_back(entry.label);
+    EXPECT_EQ(entry.outline, entry.label == "reversed");
+  }
+  EXPECT_EQ(key, (std::vector<std::string>{"given", "needed: too small", "reversed"}));
 }
 
 /// A free response that ended in a collapse tells nothing of what would have been needed.

@@ -25,6 +25,7 @@ struct LegendEntry {
   Mark mark = Mark::none;
   double width = 1;
   bool area = false, event = false;
+  bool outline = false;  ///< of an area
   double mark_size = 1;
   double x = 0, y = 0;  ///< left end and middle height in the figure, from its lower left corner [cm]
 };

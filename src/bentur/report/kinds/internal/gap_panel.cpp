@@ -1,8 +1,5 @@
 #include "bentur/report/kinds/internal/gap_panel.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -27,7 +24,7 @@ namespace {
 struct GapBar {
   const char* name;
   double value = 0;
-  Tone tone = Tone::grey;
+  Tone tone = Tone::black;
   bool is_hollow = false;
 };
 
@@ -53,6 +50,10 @@ std::string level_text(const GoverningNeed& need, const std::string& length) {
   return number(need.at.elevation) + " " + length;
 }
 
+std::string judged_text(const JudgedGap& gap, const FigureOptions& options) {
+  return word(options, Words("en")(judgement_word(gap.judgement.value)));
+}
+
 /// Each bar by its name and value, the given gap uppermost.
 void add_one_gap(Panel& panel, const JudgedGap& gap, const std::string& length, const FigureOptions& options) {
   const std::vector<GapBar> bars = bars_of(gap);
@@ -65,6 +66,7 @@ void add_one_gap(Panel& panel, const JudgedGap& gap, const std::string& length, 
     const std::string value = std::isnan(one.value) ? word(options, "not known") : numbers[at] + " " + length;
     panel.y.names.push_back(word(options, one.name) + ": " + value);
     add_bar(panel, one, static_cast<double>(k), 0.6);
+    if (at == 1 && !std::isnan(one.value)) panel.curves.back().label = judged_text(gap, options);
   }
   const std::optional<GoverningNeed> found = governing_need(gap.facts);
   if (found && (found->given.needed || found->reversed.needed)) {
@@ -95,7 +97,8 @@ std::vector<std::pair<std::string, std::string>> names_of(const std::vector<Judg
   return all;
 }
 
-/// Gaps by the names of their buildings and the level, the first uppermost; of many those that the verdict names first.
+/// Gaps by the names of their buildings and the level, bars in the legend, the first uppermost; of many those that the
+/// verdict names first.
 void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::string& length,
               const FigureOptions& options) {
   constexpr std::size_t most = 5;
@@ -104,7 +107,6 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
   // From below: of many the worst is uppermost, of a few they stand as the buildings do.
   judged.size() > most ? std::reverse(gaps.begin(), gaps.end()) : std::sort(gaps.begin(), gaps.end(), std::greater<>());
   const auto names = names_of(judged);
-  std::vector<std::string> told;  // what of the three is known of some gap
   for (std::size_t place = 0; place < gaps.size(); ++place) {
     const JudgedGap& gap = judged[gaps[place]];
     const std::vector<GapBar> bars = bars_of(gap);
@@ -115,22 +117,14 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
     panel.y.names.push_back(std::isnan(bars[1].value)              ? between + ": " + word(options, "not known")
                             : text_width(with_word) > longest_name ? between + ", " + level
                                                                    : with_word);
-    told.resize(bars.size());
+    const std::string labels[] = {word(options, "given"), word(options, "needed: {}", judged_text(gap, options)),
+                                  word(options, "reversed")};
     for (std::size_t k = 0; k < bars.size(); ++k) {
       add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
-      if (!std::isnan(bars[k].value)) told[k] = word(options, bars[k].name);
+      if (!std::isnan(bars[k].value)) panel.curves.back().label = labels[k];
     }
   }
-  std::vector<std::string> placed;
-  const auto place_of = [&](const char* place, std::size_t k) {
-    if (!told[k].empty()) placed.push_back(word(options, place, told[k]));
-  };
-  place_of("top {}", 0);
-  place_of("middle {}", 1);
-  place_of("bottom {}", 2);
-  panel.title = word(options, "each gap: {}", fmt::format("{}", fmt::join(placed, ", ")));
-  if (judged.size() > most)
-    panel.title += "; " + word(options, "the most critical of {} gaps", std::to_string(judged.size()));
+  if (judged.size() > most) panel.title = word(options, "the most critical of {} gaps", std::to_string(judged.size()));
   panel.height = 0.3 + 0.6 * static_cast<double>(gaps.size());
 }
 
@@ -139,16 +133,6 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
 Panel gap_panel(const std::vector<JudgedGap>& judged, const std::string& length, const FigureOptions& options) {
   Panel panel{.x = {.label = with_unit(word(options, "Gap w"), length), .from = 0}};
   judged.size() == 1 ? add_one_gap(panel, judged.front(), length, options) : add_gaps(panel, judged, length, options);
-  for (const JudgedGap& one : judged) {  // in the legend, each colour that is there once
-    const std::string label = word(options, Words("en")(judgement_word(one.judgement.value)));
-    const auto is_of = [&](const Curve& bar) {
-      return !bar.top.empty() && bar.tone == area_tone_of(one.judgement.value);
-    };
-    const auto is_named = [&](const Curve& bar) { return bar.label == label; };
-    const auto first = std::find_if(panel.curves.begin(), panel.curves.end(), is_of);
-    if (first == panel.curves.end() || std::any_of(panel.curves.begin(), panel.curves.end(), is_named)) continue;
-    first->label = label;
-  }
   return panel;
 }
 
