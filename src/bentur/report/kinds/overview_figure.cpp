@@ -52,10 +52,9 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
 }
 
 /// The opening of the worst gap, where that has one over time, below that of the gap which is hit hardest.
-void add_opening_of(std::size_t worst, const RunResults& run, Figure& figure, FigureOptions options) {
-  options.gap = worst;
+void add_opening_of_worst(const RunResults& run, Figure& figure, const FigureOptions& of_worst) {
   try {
-    figure.panels.push_back(opening_panel(run, chosen_instant(run, options), options));
+    figure.panels.push_back(opening_panel(run, chosen_instant(run, of_worst), of_worst));
   } catch (const NoFigure&) {
     return;
   }
@@ -93,7 +92,7 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   if (instant.point && !options.gap && !options.elevation) {
     const auto gap = static_cast<std::size_t>(run.problem.points[*instant.point].gap);
     if (const std::optional<std::size_t> worst = worst_besides(judged, gap))
-      add_opening_of(*worst, run, figure, options);
+      add_opening_of_worst(run, figure, options_of_worst(judged[*worst], *worst, options));
   }
   const bool has_both = figure.panels.size() + 1 > overview_panels;
   figure.panels.push_back(gap_panel(judged, run.c.units.length, options));

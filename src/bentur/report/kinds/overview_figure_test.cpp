@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "bentur/core/number_text.h"
 #include "bentur/io/case/case_toml.h"
@@ -149,6 +150,35 @@ TEST(Overview, BarsAreGivenAndNeeded) {
     EXPECT_EQ(entry.outline, entry.label == "reversed");
   }
   EXPECT_EQ(key, (std::vector<std::string>{"given", "needed: too small", "reversed"}));
+}
+
+/// Of the gap that is worst but not hit hardest, where its bars are of a level at which it is hit.
+TEST(Overview, TheWorstGapOpensAtTheLevelOfItsBars) {
+  RunResults row = example_run("row-of-three");
+  ASSERT_EQ(overview(row).panels.size(), 4U);
+  const std::vector<ContactPoint>& points = row.problem.points;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    PointSummary& point = row.response.points[i];
+    const bool is_below = points[i].gap == 1 && points[i + 1].gap == 1 && point.impacts > 0;
+    if (!is_below) continue;
+    const double before = std::exchange(point.gap_needed, 10.0);
+    const std::string level = number(points[i].elevation) + " m";
+    for (const std::string kind : {"overview", "opening", "displacement"}) {
+      FigureOptions options;
+      options.width = page_width;
+      const std::vector<Panel> panels = make_figure(row, kind, options).panels;
+      EXPECT_TRUE(std::any_of(panels.begin(), panels.end(), [&](const Panel& one) {
+        return one.title == "Middle | East, level " + level;
+      })) << kind;
+    }
+    EXPECT_TRUE(overview(row).panels.back().y.names.front().ends_with(level));
+    const int impacts = std::exchange(point.impacts, 0);  // not there: where it is hit hardest
+    EXPECT_EQ(overview(row).panels[2].title, "Middle | East, level " + number(points.back().elevation) + " m");
+    point.impacts = impacts;
+    point.gap_needed = before;
+    return;
+  }
+  FAIL() << "no lower level is hit";
 }
 
 /// A free response that ended in a collapse tells nothing of what would have been needed.

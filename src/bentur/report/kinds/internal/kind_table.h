@@ -62,7 +62,8 @@ void tell_place(const KindOf<Run>& kind, const Run& run, const std::vector<Judge
   const std::string_view name = kind.name;
   bool with_worst = name == "overview" && figure.panels.size() > overview_panels;  // which adds it by itself
   if (name == "displacement" || name == "opening") {
-    with_worst = add_worst(figure, *worst, options, [&](const FigureOptions& there) { return kind.make(run, there); });
+    with_worst = add_worst(figure, options_of_worst(judged[*worst], *worst, options),
+                           [&](const FigureOptions& there) { return kind.make(run, there); });
   }
   figure.part = place_text(gap_names(run.problem), gap, *worst, is_hit, options, with_worst);
 }

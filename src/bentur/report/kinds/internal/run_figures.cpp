@@ -206,6 +206,17 @@ std::optional<std::size_t> worst_besides(const std::vector<JudgedGap>& judged, s
   return worst == gap ? std::nullopt : std::optional(worst);
 }
 
+FigureOptions options_of_worst(const JudgedGap& judged, std::size_t worst, FigureOptions options) {
+  options.gap = worst;
+  const std::optional<GoverningNeed> need = governing_need(judged.facts);
+  const std::vector<LevelFacts>& levels = judged.facts.levels;
+  const auto is_hit_there = [&](const LevelFacts& one) {
+    return one.at.elevation == need->at.elevation && one.given.impacts > 0;
+  };
+  if (need && std::any_of(levels.begin(), levels.end(), is_hit_there)) options.elevation = need->at.elevation;
+  return options;
+}
+
 std::string place_text(const std::vector<std::string>& gaps, std::size_t gap, std::size_t worst, bool is_hit,
                        const FigureOptions& options, bool with_worst) {
   const std::string &shown = gaps.at(gap), &other = gaps.at(worst);

@@ -126,15 +126,16 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
 constexpr std::size_t overview_panels = 3;
 /// The gap that the verdict puts first where that is not this one.
 [[nodiscard]] std::optional<std::size_t> worst_besides(const std::vector<JudgedGap>& judged, std::size_t gap);
+/// Where that gap is shown: at the level that its bars are of where it is hit there, else where it is hit hardest.
+[[nodiscard]] FigureOptions options_of_worst(const JudgedGap& judged, std::size_t worst, FigureOptions options);
 /// Panels of another figure below those of one, all somewhat lower.
 void append(Figure& figure, Figure&& below);
 /// Below what a figure shows of one gap the same of the worst one. @return whether it can be drawn
 template <class Make>
-bool add_worst(Figure& figure, std::size_t worst, FigureOptions options, const Make& make) {
-  options.gap = worst;
+bool add_worst(Figure& figure, const FigureOptions& of_worst, const Make& make) {
   Figure below;
   try {
-    below = make(options);
+    below = make(of_worst);
   } catch (const NoFigure&) {
     return false;
   }

@@ -467,10 +467,8 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
       options.gap || options.elevation ? std::nullopt
                                        : worst_besides(judged, contact_at(run.problem, chosen_point(run, options)).gap);
   if (worst) {
-    FigureOptions there = options;
-    there.gap = worst;
     try {
-      openings.push_back(opening_over_run(run, there));
+      openings.push_back(opening_over_run(run, options_of_worst(judged[*worst], *worst, options)));
     } catch (const NoFigure&) {  // no contact is modelled there
     }
   }
