@@ -78,6 +78,7 @@ struct PlaceText {
   Side side = Side::right;
   /// How wide it may be, as x; more is set in lines, and of a word that is wider the text is not there. 0: as it is.
   double room = 0;
+  Tone tone = Tone::black;
 };
 
 /// Instants marked along the upper edge of a panel.

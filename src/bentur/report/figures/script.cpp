@@ -235,7 +235,7 @@ class Writer {
       const auto& [across, up] = sides[static_cast<std::size_t>(one.side)];
       if (!text.empty()) texts.push_back({one.x, one.y, text, across, up, colour(tone).paper, moved});
     };
-    for (const PlaceText& one : panel.texts) add(one, plain_lines(text_lines(one, placed)), Tone::black, 0);
+    for (const PlaceText& one : panel.texts) add(one, plain_lines(text_lines(one, placed)), one.tone, 0);
     constexpr double points = 72 / 2.54;  // of a centimetre
     for (const CurveName& name : placed.names) {
       const double moved = std::abs(name.up) > 0.02 ? name.up * points : 0;

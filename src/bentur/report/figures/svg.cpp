@@ -253,7 +253,7 @@ class Drawing {
     out_ += "</svg>\n";
     if (panel.map) scale(placed, frame);
     for (std::size_t c = 0; c < points.size(); ++c) marks(panel.curves[c], points[c], frame);
-    for (const PlaceText& one : panel.texts) beside(one, text_lines(one, placed), frame);
+    for (const PlaceText& one : panel.texts) beside(one, text_lines(one, placed), frame, one.tone);
     for (const CurveName& name : placed.names) named(name, panel.curves[name.curve].tone, frame);
     for (const double at : panel.events.x) {
       if (at < placed.x.from || at > placed.x.to) continue;
@@ -325,8 +325,7 @@ class Drawing {
   static constexpr double clear = 5;  // between a place and the text beside it [px]
 
   /// Clear of a mark there.
-  void beside(const PlaceText& one, const std::vector<std::string>& lines, const Frame& frame,
-              Tone tone = Tone::black) {
+  void beside(const PlaceText& one, const std::vector<std::string>& lines, const Frame& frame, Tone tone) {
     double px = frame.x(one.x);
     const double py = frame.y(one.y);
     if (!frame.holds(px, py)) return;

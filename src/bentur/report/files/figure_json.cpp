@@ -117,7 +117,8 @@ class Reader {
 
   void read(const Node& node, const std::string& where, PlaceText& to) {
     table(node, where,
-          {field("x", to.x), field("y", to.y), field("text", to.text), field("side", to.side), field("room", to.room)});
+          {field("x", to.x), field("y", to.y), field("text", to.text), field("side", to.side), field("room", to.room),
+           field("tone", to.tone)});
     if (to.room < 0) error(where + ".room", fmt::format("{}", to.room), "must be 0 or more");
   }
 

@@ -28,7 +28,7 @@ TEST(FigureJson, ReadsEveryMember) {
                    "line": "dash-dot", "mark": "cross", "legend_mark": "disc", "width": 1.5, "complete": true,
                    "mark_size": 2.5}],
        "rules": [{"at": 1, "vertical": true, "label": "r", "tone": "red", "line": "dotted"}],
-       "texts": [{"x": 1, "y": 2, "text": "w", "side": "above"}],
+       "texts": [{"x": 1, "y": 2, "text": "w", "side": "above", "tone": "grey"}],
        "events": {"label": "e", "x": [0.5]}},
       {"map": {"x_edges": [0, 1], "y_edges": [0, 1], "values": [2], "label": "m", "ratio": true, "range": [1, 2]}}]})",
                                                         "f.json", diagnostics);
@@ -52,6 +52,7 @@ TEST(FigureJson, ReadsEveryMember) {
   EXPECT_EQ(curve.mark_size, 2.5);
   EXPECT_EQ(panel.texts.at(0).side, PlaceText::Side::above);
   EXPECT_EQ(panel.texts.at(0).text, "w");
+  EXPECT_EQ(panel.texts.at(0).tone, Tone::grey);
   EXPECT_EQ(panel.rules.at(0).tone, Tone::red);
   EXPECT_EQ(panel.events.x, std::vector<double>{0.5});
   ASSERT_TRUE(figure->panels.at(1).map);

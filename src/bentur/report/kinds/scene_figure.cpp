@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "bentur/core/not_known.h"
@@ -226,11 +227,27 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
     panel.curves.push_back({.x = {x}, .y = {y}, .tone = Tone::red, .line = Line::none, .mark = Mark::circle});
   }
   for (const Inside& one : inside_at(run, instant)) panel.curves.push_back(hatches(scene, places, one));
+  std::set<Eigen::Index> strike;
   for (const Impact& impact : run.response.impacts) {
     if (!instant.impact || impact.start > instant.time || impact.end < instant.time) continue;
-    const auto [x, y] = places(scene.contacts[impact.point]);
-    panel.curves.push_back(burst(x, y, size));
+    strike.insert(impact.point);
   }
+  Curve struck{.label = word(options, "struck point"),
+               .tone = Tone::red,
+               .line = Line::none,
+               .mark = Mark::disc,
+               .complete = true,
+               .mark_size = 1.5};  // with an edge, on lines of all tones
+  for (Eigen::Index i = 0; i < std::ssize(run.problem.points); ++i) {
+    const auto [x, y] = places(scene.contacts[i]);
+    if (strike.count(i) > 0) {
+      panel.curves.push_back(burst(x, y, size));
+    } else if (run.response.points[i].impacts > 0) {
+      struck.x.push_back(x);
+      struck.y.push_back(y);
+    }
+  }
+  if (!struck.x.empty()) panel.curves.push_back(std::move(struck));
   return panel;
 }
 

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bentur/model/gap/gap_outcome.h"
 #include "bentur/model/judgement/judged_gaps.h"
+#include "bentur/model/plan/plan_places.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/box.h"
 #include "bentur/report/figures/internal/text_width.h"
@@ -303,6 +306,29 @@ TEST(PlanMap, CornersDifferInSizeAndFill) {
   }
   EXPECT_GT(tones.size(), 1U);
   EXPECT_EQ(marks.size(), tones.size());
+}
+
+/// In the scene of many houses the names of those that strike now are black, the others grey; where nothing strikes
+/// there is no mark.
+TEST(PlanMap, TheSceneOfABlockStressesWhatStrikesNow) {
+  const std::regex outlines("polygon = .*\n(court = .*\n)?");  // which leave names little room
+  const PlanRun run = test::plan_run(std::regex_replace(block(), outlines, "size = [10.0, 12.0]\n"));
+  const Panel panel = make_figure(run, "scene").panels.front();
+  const auto hardest = hardest_impact(run.response.impacts);
+  ASSERT_NE(hardest, nullptr);
+  std::set<std::string> strike;
+  for (const Impact& impact : run.response.impacts) {
+    if (impact.start > hardest->peak_force_time || impact.end < hardest->peak_force_time) continue;
+    const PlanGap& gap = run.problem.gaps[contact_at(run.problem, impact.point).gap];
+    for (const Eigen::Index b : {gap.left, gap.right}) strike.insert(run.problem.buildings[b].name);
+  }
+  std::set<Tone> tones;
+  for (const PlaceText& name : panel.texts) {
+    EXPECT_EQ(name.tone, strike.contains(name.text) ? Tone::black : Tone::grey) << name.text;
+    tones.insert(name.tone);
+  }
+  EXPECT_EQ(tones.size(), 2U);
+  for (const Curve& curve : panel.curves) EXPECT_NE(curve.label, "contact point");
 }
 
 /// What moves has names at the same places: within the outlines, and in the table beside it those of the texts.

@@ -10,16 +10,11 @@
 
 #include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
-#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/plan/plan_places.h"
-#include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/convex_area.h"
-#include "bentur/report/kinds/internal/gap_panel.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
-#include "bentur/report/story_text.h"
-#include "bentur/report/words.h"
 
 namespace bentur {
 namespace {
@@ -46,7 +41,7 @@ bool meet(const PlanBox& a, const PlanBox& b) {
 class PlanPicture {
  public:
   PlanPicture(const PlanRun& run, const PlanInstant& instant, const FigureOptions& options)
-      : run_(run), scene_(run), options_(options), time_(instant.time) {
+      : run_(run), scene_(run), options_(options), time_(instant.time), shown_(*instant.point) {
     const double level = contact_at(run.problem, *instant.point).contact->elevation;
     for (const PlanBuilding& building : run.problem.buildings) {
       const auto b = std::ssize(floors_);
@@ -145,8 +140,18 @@ class PlanPicture {
     }
   }
 
-  /// Of more buildings there is room for names alone.
+  /// Of more buildings there is room for names and what is struck alone.
   [[nodiscard]] bool has_centres() const { return run_.problem.buildings.size() <= 6; }
+
+  /// Those that strike one another now; where none do, those of the place that is shown.
+  [[nodiscard]] std::set<Index> struck_buildings() const {
+    std::set<Index> all;
+    for (const Index point : touching_.empty() ? std::set<Index>{shown_} : touching_) {
+      const PlanGap& gap = run_.problem.gaps[contact_at(run_.problem, point).gap];
+      all.insert({gap.left, gap.right});
+    }
+    return all;
+  }
 
   /// In each footprint where it is broadest, above or below its centres where there are any.
   void add_names() {
@@ -154,7 +159,10 @@ class PlanPicture {
     if (!has_centres()) {
       std::vector<std::vector<PlanRings>> above;
       for (Index b = 0; b < std::ssize(rings_); ++b) above.push_back(rings_above(b));
+      const std::set<Index> struck = struck_buildings();
+      Index b = 0;
       for (PlaceText& name : places_of_names(run_.problem, rings_, rows, length_of_cm(), above)) {
+        if (struck.count(b++) == 0) name.tone = Tone::grey;
         if (fits(name)) panel_.texts.push_back(std::move(name));
       }
       return;
@@ -322,8 +330,41 @@ class PlanPicture {
     }
   }
 
-  /// Contacts at both edges, those of the level shown; corners that strike then, and those that did before or will;
-  /// which of them slip off at some time, and corners that are none of their own.
+  /// What happens at a place of a gap, at all its levels.
+  struct PointMarks {
+    StretchCorner place;
+    bool is_shown = false, strikes = false, is_struck = false, slips = false;  // of the level shown
+    bool is_struck_elsewhere = false;
+  };
+
+  [[nodiscard]] std::vector<PointMarks> marks_of(std::size_t g, const std::set<Index>& slips) const {
+    const PlanGap& gap = run_.problem.gaps[g];
+    std::vector<PointMarks> all;
+    for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
+      const PlanContact& contact = gap.contacts[i];
+      const StretchCorner place = gap.at(contact);
+      const auto is_there = [&](const PointMarks& one) {
+        return one.place.left == place.left && one.place.right == place.right;
+      };
+      auto found = std::find_if(all.begin(), all.end(), is_there);
+      if (found == all.end()) found = all.insert(all.end(), {.place = place});
+      const Index point = first_contact(run_.problem, g) + i;
+      const bool is_struck = run_.response.points[point].impacts > 0;
+      if (floor_at(run_.problem, gap, contact, 0) == floors_[gap.left] &&
+          floor_at(run_.problem, gap, contact, 1) == floors_[gap.right]) {
+        found->is_shown = true;
+        found->strikes = found->strikes || touching_.count(point) > 0;
+        found->is_struck = found->is_struck || is_struck;
+        found->slips = found->slips || slips.count(point) > 0;
+      } else {
+        found->is_struck_elsewhere = found->is_struck_elsewhere || is_struck;
+      }
+    }
+    return all;
+  }
+
+  /// Contacts at both edges of the level shown; corners that strike then, and those that did before or will, or do at
+  /// another level alone; which of them slip off at some time, and corners that are none of their own.
   void add_points() {
     Curve open{.line = Line::none, .mark = Mark::circle, .complete = true, .mark_size = 0.8};
     open.label = word(options_, "contact point");
@@ -332,6 +373,9 @@ class PlanPicture {
     hit.label = word(options_, "struck point");
     hit.tone = Tone::red;
     hit.mark = Mark::disc;  // distinct in grey, as the larger one of what strikes now
+    Curve elsewhere = open;
+    elsewhere.label = word(options_, "touched at another level");
+    elsewhere.tone = Tone::red;
     Curve now = hit;
     now.label = word(options_, "strikes now");
     now.mark_size = 1.8;
@@ -349,35 +393,38 @@ class PlanPicture {
     std::vector<PlanPoint> bursts;
     for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) {
       const PlanGap& gap = run_.problem.gaps[g];
-      for (const StretchCorner& corner : merged_corners(run_.problem, gap)) {
-        add(merged, moved(gap.left, corner.left));
-        add(merged, moved(gap.right, corner.right));
-      }
-      for (Index i = 0; i < std::ssize(gap.contacts); ++i) {
-        const PlanContact& contact = gap.contacts[i];
-        if (floor_at(run_.problem, gap, contact, 0) != floors_[gap.left] ||
-            floor_at(run_.problem, gap, contact, 1) != floors_[gap.right]) {
-          continue;
+      const auto mark = [&](Curve& marks, const StretchCorner& at) {
+        add(marks, moved(gap.left, at.left));
+        add(marks, moved(gap.right, at.right));
+      };
+      for (const StretchCorner& corner : merged_corners(run_.problem, gap)) mark(merged, corner);
+      for (const PointMarks& one : marks_of(g, slips)) {
+        if (one.slips) mark(slid, one.place);
+        if (one.strikes) {
+          mark(now, one.place);
+          bursts.push_back((moved(gap.left, one.place.left) + moved(gap.right, one.place.right)) / 2);
+        } else if (one.is_struck) {
+          mark(hit, one.place);
+        } else if (one.is_struck_elsewhere) {
+          mark_seen(elsewhere, gap, one.place);
+        } else if (one.is_shown && has_centres()) {  // of many buildings those that nothing strikes are left out
+          mark(open, one.place);
         }
-        const Index point = first_contact(run_.problem, g) + i;
-        const StretchCorner place = gap.at(contact);
-        const PlanPoint left = moved(gap.left, place.left), right = moved(gap.right, place.right);
-        const bool is_on = touching_.count(point) > 0;
-        if (slips.count(point) > 0) {
-          add(slid, left);
-          add(slid, right);
-        }
-        Curve& marks = is_on ? now : run_.response.points[point].impacts > 0 ? hit : open;
-        add(marks, left);
-        add(marks, right);
-        if (is_on) bursts.push_back((left + right) / 2);
       }
     }
     const double size = bursts.size() > 2 ? 0.6 * size_ : size_;
     for (const PlanPoint& at : bursts) panel_.curves.push_back(burst(at.x(), at.y(), size));
-    for (Curve* const marks : {&merged, &open, &hit, &slid, &now}) {
+    for (Curve* const marks : {&merged, &open, &elsewhere, &hit, &slid, &now}) {
       if (!marks->x.empty()) panel_.curves.push_back(std::move(*marks));
     }
+  }
+
+  /// At both edges, as far as nothing above covers them; at both where it covers both.
+  void mark_seen(Curve& marks, const PlanGap& gap, const StretchCorner& at) const {
+    const PlanPoint left = moved(gap.left, at.left), right = moved(gap.right, at.right);
+    const bool hides_left = is_covered(gap.left, left), hides_right = is_covered(gap.right, right);
+    if (!hides_left || hides_right) add(marks, left);
+    if (!hides_right || hides_left) add(marks, right);
   }
 
   static void add(Curve& curve, const PlanPoint& at) {
@@ -389,6 +436,7 @@ class PlanPicture {
   PlanScene scene_;
   const FigureOptions& options_;
   double time_, size_ = 0;
+  Index shown_;  // contact
   std::vector<Index> floors_;
   std::vector<Eigen::Vector3d> motions_;
   std::vector<PlanRings> rings_;  // of the floors, moved
@@ -423,69 +471,6 @@ Figure scene_figure(const PlanRun& run, const FigureOptions& options) {
           .finding = instant_text(run, instant, options, ", "),
           .panels = {picture.panel(instant_text(run, instant, options, ", " + factor + "; "), 0.8 * options.width)},
           .width = options.width};
-}
-
-namespace {
-
-/// What the verdict says first of the gap that is shown, behind its name where there are several.
-std::string finding_of(const PlanRun& run, std::size_t gap, const FigureOptions& options) {
-  const std::vector<std::string> names = gap_names(run.problem);
-  for (const SaidStatement& one : said(run_story(run).statements, Words(options.language))) {
-    if (one.gap != static_cast<Index>(gap)) continue;
-    return (names.size() > 1 ? names[gap] + ": " : "") + one.text;
-  }
-  return {};
-}
-
-/// The opening over the run, with the instant that the picture shows.
-Panel opening_over_run(const PlanRun& run, const FigureOptions& options) {
-  const PlanInstant instant = telling_instant(run.response, asked_points(run, options));
-  Panel panel = opening_figure(run, options).panels.front();
-  panel.events = {};
-  panel.rules.push_back({.at = instant.time,
-                         .vertical = true,
-                         .label = word(options, instant.impact ? "hardest impact" : "where they come closest"),
-                         .tone = Tone::red,
-                         .line = Line::dotted});
-  panel.x.label = word(options, "Time t [s]");
-  panel.x.numbers = true;
-  return panel;
-}
-
-}  // namespace
-
-Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
-  constexpr double wide = 12, height = 6.6, around = 1.4;  // [cm], of titles and axes
-  const bool is_wide = options.width >= wide;
-  Figure figure = scene_figure(run, options);
-  figure.title = "The buildings from above where they meet, the opening of the gap, and the gap that is needed";
-  figure.finding = finding_of(run, contact_at(run.problem, chosen_point(run, options)).gap, options);
-  const std::vector<JudgedGap> judged = judged_gaps(run);
-  Panel gaps = gap_panel(judged, run.c.units.length, options);
-  std::vector<Panel> openings = {opening_over_run(run, options)};
-  const std::optional<std::size_t> worst =
-      options.gap || options.elevation ? std::nullopt
-                                       : worst_besides(judged, contact_at(run.problem, chosen_point(run, options)).gap);
-  if (worst) {
-    try {
-      openings.push_back(opening_over_run(run, options_of_worst(judged[*worst], *worst, options)));
-    } catch (const NoFigure&) {  // no contact is modelled there
-    }
-  }
-  const double count = static_cast<double>(openings.size());
-  for (Panel& opening : openings) {
-    opening.height = is_wide ? std::max(1.8, (height - gaps.height - around) / count - around * (count - 1)) : 2.4;
-    name_rules_at_ends(opening);
-  }
-  if (is_wide) {
-    figure.columns = 2;
-    figure.shares = {1.2, 1};
-    figure.panels.front().rows = static_cast<int>(openings.size()) + 1;
-    figure.panels.front().height = height;
-  }
-  for (Panel& opening : openings) figure.panels.push_back(std::move(opening));
-  figure.panels.push_back(std::move(gaps));
-  return figure;
 }
 
 }  // namespace bentur
