@@ -12,58 +12,12 @@
 #include "bentur/report/kinds/internal/frame_diagram.h"
 #include "bentur/report/kinds/internal/free_place.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
+#include "bentur/report/kinds/internal/largest_forces.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/scene/scene.h"
 
 namespace bentur {
 namespace {
-
-/// Members among which the largest is sought: all, or columns of one storey, or beams of one floor.
-struct Among {
-  Eigen::Index level = 0;  ///< from 1; 0: all
-  bool of_beams = false;
-
-  [[nodiscard]] bool has(const FrameMember& member) const {
-    return level == 0 || (member.level == level && member.of_beam == of_beams);
-  }
-};
-
-/// Where the largest of all is.
-struct LargestForce {
-  double value = 0;  ///< signed
-  Eigen::Index member = -1;
-  std::size_t station = 0;
-
-  void take(const Carried& carried, const FrameForces& frame, const FrameForces::Forces& forces, Among among = {}) {
-    for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
-      if (!among.has(frame.members[n])) continue;
-      const std::vector<double> values = carried.of(forces, n);
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        if (!(std::abs(values[k]) > std::abs(value) * (1 + 1e-9))) continue;  // of those that are alike the first
-        value = values[k];
-        member = n;
-        station = k;
-      }
-    }
-  }
-};
-
-/// Those of all that are as large as it, but for round-off, itself among them; of a symmetrical frame there are more.
-std::vector<LargestForce> alike_to(const LargestForce& largest, const Carried& carried, const FrameForces& frame,
-                                   const std::vector<const FrameForces::Forces*>& drawn, Among among) {
-  std::vector<LargestForce> found;
-  for (const FrameForces::Forces* const forces : drawn) {
-    for (Eigen::Index n = 0; n < std::ssize(frame.members); ++n) {
-      if (!among.has(frame.members[n])) continue;
-      const std::vector<double> values = carried.of(*forces, n);
-      for (std::size_t k = 0; k < (carried.is_moment ? values.size() : 1); ++k) {
-        const bool is_alike = std::abs(values[k]) > std::abs(largest.value) * (1 - 1e-6);
-        if (is_alike) found.push_back({values[k], n, k});
-      }
-    }
-  }
-  return found;
-}
 
 /// What a round number is drawn as, below the frame: the largest that some force drawn to this scale reaches.
 /// @param scale [length per unit shown] @param most the largest of these forces, as it is shown
@@ -205,10 +159,10 @@ std::vector<const FrameForces*> frames_shown(const RunResults& run, const Figure
 }
 
 /// Writes a value beside its dot, of several that are alike where there is most room; nowhere if that is further away
-/// than `most_far` [cm].
+/// than `most_far` [cm]. @param at_blow what the legend calls the dot of what is at a blow; empty: it is not
 void name_largest(Panel& panel, const Diagram& diagram, const Carried& carried, const FrameForces& frame,
                   const LargestForce& force, const std::vector<LargestForce>& alike, const std::string& text,
-                  double one_cm, double most_far = INFINITY) {
+                  double one_cm, double most_far = INFINITY, const std::string& at_blow = "") {
   if (force.member < 0) return;
   std::optional<Panel> best;
   double nearest = most_far * one_cm;
@@ -219,8 +173,10 @@ void name_largest(Panel& panel, const Diagram& diagram, const Carried& carried, 
       if (!carried.is_moment && frame.members[one.member].of_beam && (station < 0.3 || station > 0.7)) continue;
       const auto [x, y] = diagram.at(one.member, station, one.value);
       Panel here = panel;
-      here.curves.push_back({.x = {x},
+      here.curves.push_back({.label = at_blow,
+                             .x = {x},
                              .y = {y},
+                             .tone = at_blow.empty() ? Tone::black : Tone::red,
                              .line = Line::none,
                              .mark = Mark::disc,
                              .complete = true,
@@ -312,26 +268,45 @@ void add_diagrams(Panel& panel, const Diagram& diagram, const FrameForces& frame
   }
 }
 
-/// The largest of all with its unit, then those of each storey and floor where there is room beside them.
-void name_values(Panel& panel, const Diagram& diagram, const ShownForces& shown, const Drawn& one, double factor,
-                 const std::string& unit, double one_cm) {
+/// The largest of all with its unit and that at a blow, then those of each storey and floor where there is room beside
+/// them.
+void name_values(Panel& panel, const Diagram& diagram, const RunResults& run, const FigureOptions& options,
+                 const ShownForces& shown, const Drawn& one, double one_cm) {
   const FrameForces& frame = *one.frame;
   const Carried& carried = shown.carried;
   const std::vector<const FrameForces::Forces*> drawn = shown.of(frame, true);
-  const auto value_of = [&](const LargestForce& force) { return number(factor * std::abs(force.value)); };
+  const auto value_of = [&](const LargestForce& force) {
+    return number(shown_factor(run, carried.form) * std::abs(force.value));
+  };
   const LargestForce& largest = one.largest;
-  name_largest(panel, diagram, carried, frame, largest, alike_to(largest, carried, frame, drawn, {}),
-               value_of(largest) + " " + unit, one_cm);
   if (largest.member < 0) return;
+  const std::string with_unit = value_of(largest) + " " + shown_unit(run, carried.form);
+  constexpr double least = 0.05, most_far = 0.45;  // of the largest of all, [cm]
+  const std::string at_blow = word(options, "struck column, at the blow");
+  const LargestForce struck =
+      largest_at_blow(run, carried, frame, drawn, shown.at_instant ? std::optional(frame.time) : std::nullopt);
+  const bool is_struck = struck.member >= 0 && std::abs(struck.value) > least * std::abs(largest.value);
+  if (is_struck && std::abs(struck.value) > std::abs(largest.value) * (1 - 1e-6)) {
+    name_largest(panel, diagram, carried, frame, struck, {struck}, with_unit, one_cm, INFINITY, at_blow);
+  } else {
+    name_largest(panel, diagram, carried, frame, largest, alike_to(largest, carried, frame, drawn, {}), with_unit,
+                 one_cm);
+    if (is_struck) {
+      name_largest(panel, diagram, carried, frame, struck, {struck}, value_of(struck), one_cm, INFINITY, at_blow);
+    }
+  }
   Eigen::Index storeys = 0;
   for (const FrameMember& member : frame.members) storeys = std::max(storeys, member.level);
-  constexpr double least = 0.05, most_far = 0.45;  // of the largest of all, [cm]
   for (Eigen::Index level = 1; level <= storeys; ++level) {
     for (const bool of_beams : {false, true}) {
       const Among among{level, of_beams};
       LargestForce force;
       for (const FrameForces::Forces* const forces : drawn) force.take(carried, frame, *forces, among);
       if (among.has(frame.members[largest.member]) || std::abs(force.value) < least * std::abs(largest.value)) continue;
+      if (is_struck && among.has(frame.members[struck.member]) &&
+          std::abs(force.value) < std::abs(struck.value) * (1 + 1e-6)) {
+        continue;
+      }
       name_largest(panel, diagram, carried, frame, force, alike_to(force, carried, frame, drawn, among),
                    value_of(force), one_cm, most_far);
     }
@@ -355,8 +330,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
     const Sheet other = sheet_of(drawn, options, false);
     if (other.one_cm < sheet.one_cm) sheet = other;
   }
-  Figure figure{
-      .title = title, .columns = static_cast<int>(sheet.beside), .width = sheet.width, .shared_legend = are_three};
+  Figure figure{.title = title, .columns = static_cast<int>(sheet.beside), .width = sheet.width, .shared_legend = true};
   const double one_cm = sheet.one_cm;
   const double low = -below_frame * one_cm, bar = -0.85 * one_cm;
   figure.panels.resize(frames.size() * columns.size());
@@ -400,7 +374,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
         const double largest = factor * (one.is_of_own_scale ? one.most() : most[c]);
         add_scale(panel, one.scale / factor, largest, one_cm, unit, bar);
       }
-      name_values(panel, diagram, shown, one, factor, unit, one_cm);
+      name_values(panel, diagram, run, options, shown, one, one_cm);
       figure.panels[sheet.has_rows_of_frames ? f * columns.size() + c : c * frames.size() + f] = std::move(panel);
       const LargestForce& largest = one.largest;
       if (largest.member < 0 || (shown.at_instant && columns.size() == 2)) continue;

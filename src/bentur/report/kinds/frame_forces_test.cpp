@@ -13,6 +13,7 @@
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/kinds.h"
+#include "tests/support/column_case.h"
 #include "tests/support/drawn_run.h"
 #include "tests/support/hinged_case.h"
 
@@ -389,6 +390,38 @@ TEST(FrameForces, NumbersLieOnNoLineAndAtTheirDots) {
     }
   }
   EXPECT_EQ(looked_at, 24);
+}
+
+/// The largest moment at the blow has its number and a red dot, which the legend names.
+TEST(FrameForces, WhatAStruckColumnCarriesIsMarked) {
+  const RunResults run = test::drawn_run(test::struck_columns);
+  const Figure figure = make_figure(run, "frame-envelope");
+  ASSERT_EQ(figure.panels.size(), 3 * run.figures.frames.size());
+  for (const FrameForces& frame : run.figures.frames) {
+    double most = 0;
+    for (Index i = 0; i < std::ssize(run.problem.points); ++i) {
+      const auto struck = struck_column(run.problem, run.problem.points[i]);
+      if (!struck || struck->building != frame.building || run.response.points[i].impacts == 0) continue;
+      for (Index n = 0; n < std::ssize(frame.members); ++n) {
+        const FrameMember& member = frame.members[n];
+        if (member.of_beam || std::abs(member.to - run.problem.points[i].elevation) > 1e-9) continue;
+        const Index end = frame.most.moments.rows() - 1;
+        most = std::max({most, frame.most.moments(end, n), -frame.least.moments(end, n)});
+      }
+    }
+    ASSERT_GT(most, 0);
+    const auto is_of = [&](const Panel& panel) {
+      return panel.title == run.problem.buildings[frame.building].name + ", M [kN·m]";
+    };
+    const Panel& panel = *std::find_if(figure.panels.begin(), figure.panels.end(), is_of);
+    const auto dot = std::find_if(panel.curves.begin(), panel.curves.end(), [](const Curve& one) {
+      return one.label == "struck column, at the blow" && one.mark == Mark::disc && one.tone == Tone::red;
+    });
+    ASSERT_NE(dot, panel.curves.end()) << panel.title;
+    EXPECT_TRUE(std::any_of(panel.texts.begin(), panel.texts.end(), [&](const PlaceText& one) {
+      return one.text.starts_with(number(most));
+    })) << number(most);
+  }
 }
 
 /// Frames that are wider than a third of a page have a row for moments, for shears and for axial forces, where both are
