@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "bentur/model/suite/suite_story.h"
 #include "bentur/report/html/internal/page.h"
@@ -53,12 +54,23 @@ Html picture_of(const Case& c, const AnyProblem& problem, const std::string& cap
                               caption, language);
 }
 
-/// Under the record that governs, as the bars above it name it.
+/// Its ground motion times −1.
+Case reversed(Case c) {
+  for (ExcitationSpec* const excitation : {&c.excitation, &c.excitation_y}) {
+    auto* const motion = std::get_if<SampledMotion>(&excitation->motion);
+    if (motion == nullptr) continue;
+    for (double& value : motion->acceleration) value = -value;
+  }
+  return c;
+}
+
+/// Under the record that governs, as the bars above it name it, and in the direction that needs more.
 Html worst_picture(const SuiteRun& run, const html::Report& report, const std::string& language) {
   const std::size_t record = governing_record(run);
-  const Case c = case_of_record(run.c, record);
-  const std::string caption =
-      report.say("figure.overview_of_record", {{"record", run.c.excitation.suite->records[record].name()}});
+  const bool is_reversed = governs_reversed(run, record);
+  const Case as_given = case_of_record(run.c, record), c = is_reversed ? reversed(as_given) : as_given;
+  const std::string caption = report.say(is_reversed ? "figure.overview_of_reversed" : "figure.overview_of_record",
+                                         {{"record", run.c.excitation.suite->records[record].name()}});
   return run.plan ? picture_of(c, make_plan_problem(c, run.plan->buildings), caption, language)
                   : picture_of(c, make_problem(c, run.problem.buildings), caption, language);
 }

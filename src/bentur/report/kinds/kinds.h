@@ -95,6 +95,8 @@ struct SpectrumCurves {
 
 /// The record that needs most of a gap, of none asked for that of the gap which lacks most: its number, from 0.
 [[nodiscard]] std::size_t governing_record(const SuiteRun& run, std::optional<std::size_t> gap = {});
+/// Whether that record needs most of it under its motion times −1.
+[[nodiscard]] bool governs_reversed(const SuiteRun& run, std::size_t record, std::optional<std::size_t> gap = {});
 
 /// The kinds of figure that the runs of a suite give: "suite", its spectra, and "gap-needed", what each record needs of
 /// a gap beside what is given and, where a code scales them, what that takes of them. @throws NoFigure when there is no

@@ -45,7 +45,8 @@ const SuiteDemand* demand_of(const GapStudy& gaps, std::size_t gap) {
   return demand && demand->is_known() ? &*demand : nullptr;
 }
 
-/// What each record needs of a gap, by the tone of what is judged of it, the first record uppermost.
+/// What each record needs of a gap, by the tone of what is judged of it, an outline where that is of its motion
+/// reversed, the first record uppermost.
 Panel needs_panel(const SuiteRun& run, const GapStudy& gaps, std::size_t gap, const FigureOptions& options) {
   const std::string& length = run.c.units.length;
   const std::vector<SuiteRecord>& records = run.c.excitation.suite->records;
@@ -61,7 +62,7 @@ Panel needs_panel(const SuiteRun& run, const GapStudy& gaps, std::size_t gap, co
   panel.y.names.resize(count);
   const std::vector<std::string> numbers = column(values);  // with digits alike
   bool some_unmodelled = false;
-  std::set<Sufficiency> named;
+  std::set<std::pair<Sufficiency, bool>> named;
   const std::vector<const char*> judged_words = record_words(run, gap);
   double given = NAN, most = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -76,8 +77,13 @@ Panel needs_panel(const SuiteRun& run, const GapStudy& gaps, std::size_t gap, co
     given = one.judged[gap].width;
     most = std::max({most, given, values[i]});
     const Sufficiency judged = without_rules(one.judged[gap].judgement);
-    panel.curves.push_back(bar(0, values[i], place, 0.6, area_tone_of(judged)));
-    if (named.insert(judged).second) panel.curves.back().label = Words(options.language)(judged_words[i]);
+    const bool is_reversed = governs_reversed(run, i, gap);
+    panel.curves.push_back(is_reversed ? hollow_bar(0, values[i], place, 0.6, tone_of(judged))
+                                       : bar(0, values[i], place, 0.6, area_tone_of(judged)));
+    if (named.insert({judged, is_reversed}).second) {
+      const std::string how = Words(options.language)(judged_words[i]);
+      panel.curves.back().label = is_reversed ? word(options, "reversed: {}", how) : how;
+    }
     const bool is_unmodelled = one.is_not_modelled();
     panel.texts.push_back(
         {.x = values[i], .y = place, .text = numbers[i] + " " + length + (is_unmodelled ? " ×" : "")});
@@ -155,6 +161,12 @@ std::size_t governing_record(const SuiteRun& run, std::optional<std::size_t> gap
   std::size_t worst = 0;
   for (std::size_t i = 1; i < run.records.size(); ++i) worst = needed(i) > needed(worst) ? i : worst;
   return worst;
+}
+
+bool governs_reversed(const SuiteRun& run, std::size_t record, std::optional<std::size_t> gap) {
+  const std::vector<bool>& all = run.records.at(record).is_of_reversed;
+  const std::size_t of_gap = gap ? *gap : worst_gap(run);
+  return of_gap < all.size() && all[of_gap];
 }
 
 std::vector<FigureKind> figure_kinds(const SuiteRun& /*run*/) {

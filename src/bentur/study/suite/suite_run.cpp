@@ -86,6 +86,14 @@ double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation
   return std::max(largest.gap_needed, largest.gap_needed_reversed.value_or(0));
 }
 
+/// Whether the larger of both is that under the motion times −1.
+bool needs_more_reversed(const RunResults& row, const std::vector<LevelSeparation>& levels) {
+  const bool falls = falls_without_contact(row.problem, row.response);
+  if (falls || falls_without_contact_reversed(row.problem, row.response)) return !falls;
+  const LevelSeparation largest = largest_of(levels);
+  return largest.gap_needed_reversed.value_or(0) > largest.gap_needed;
+}
+
 /// What stands in the table, of buildings the largest of all.
 constexpr std::string_view told_in_tables[] = {"impacts",          "peak_force", "gap_needed",
                                                "peak_drift_ratio", "ductility",  "column_demand_capacity"};
@@ -195,6 +203,7 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
   const std::vector<LevelSeparation> levels = separations(as_one_row.problem, as_one_row.response);
   for (Eigen::Index gap = 0; gap < gap_count(as_one_row.problem); ++gap) {
     result.needed.push_back(needed_both_ways(as_one_row, of_gap(levels, gap)));
+    result.is_of_reversed.push_back(needs_more_reversed(as_one_row, of_gap(levels, gap)));
   }
   for (const RowPart& part : parts) {
     result.values.push_back(part.name == "gap_needed" ? needed_both_ways(as_one_row, levels) : reduced(part, row));

@@ -29,6 +29,7 @@ struct SuiteRecordRun {
   /// Per gap what it needs somewhere, the larger of both ways of the motion [length]; infinite where a building falls
   /// without contact.
   std::vector<double> needed = {};
+  std::vector<bool> is_of_reversed = {};  ///< per gap whether that is what the motion times −1 needs
 
   /// Whether floors meet where no contact is modelled, so that impacts and forces are not known.
   [[nodiscard]] bool is_not_modelled() const;
