@@ -31,6 +31,7 @@ except ImportError:
     plt = None
 
 SVG = "{http://www.w3.org/2000/svg}"
+DASHES = {"long-dash": "--", "dash-dot-dot": "--"}  # as matplotlib calls what has lengths of its own
 RUNS = ["hinged-frame", "m12-el-centro", "plan/corner", "row-of-three"]
 STUDIES = {"m12-gap-period": ("sweep", [["displacement"], ["peak-force"], ["acceleration-ratio"]]),
            "twisting-pair-ida": ("ida", [["ida", "--at", "corner=12.02"], ["fragility"]])}
@@ -79,7 +80,7 @@ class Scripts(unittest.TestCase):
     def drawn(script):
         """The figure as the script draws it."""
         before = sys.argv, sys.path[:]
-        sys.argv = [str(script), str(script.with_suffix(".png"))]
+        sys.argv = [str(script), str(script.with_name(script.stem + "-drawn.svg"))]
         plt.close("all")
         try:
             runpy.run_path(str(script), run_name="__main__")
@@ -98,8 +99,25 @@ class Scripts(unittest.TestCase):
                     for name, axis in ("x", ax.xaxis), ("y", ax.yaxis):
                         self.assertEqual(axis.get_label_text(), panel[name]["label"])
                         self.assertEqual(list(axis.get_view_interval()), panel[name]["range"])
+                        self.assertEqual(list(axis.get_majorticklocs()), panel[name]["ticks"])
+                        self.assertEqual(list(axis.get_minorticklocs()), panel[name]["minor"])
+                self.size(script, sheet)
                 self.legend(sheet, figure)
                 self.texts(script, sheet)
+
+    def size(self, script, sheet):
+        """Of the file that is the picture's, with all texts on it."""
+        of = lambda file, unit: [float(xml.parse(file).getroot().get(side).removesuffix(unit)) for side in ("width", "height")]
+        drawn, shown = of(script.with_name(script.stem + "-drawn.svg"), "pt"), of(script.with_suffix(".svg"), "")
+        for points, pixels in zip(drawn, shown):
+            self.assertAlmostEqual(points / 72, pixels / 96, delta=0.002)  # [inch]
+        renderer = sheet.canvas.get_renderer()
+        for text in sheet.findobj(matplotlib.text.Text):
+            if not text.get_visible() or not text.get_text().strip():
+                continue
+            box = text.get_window_extent(renderer)
+            self.assertTrue(box.x0 > -2 and box.y0 > -2 and box.x1 < sheet.bbox.width + 2 and box.y1 < sheet.bbox.height + 2,
+                            f"{text.get_text()} is cut off")
 
     def curves(self, ax, panel, table):
         given = [curve for curve in panel["curves"]]
@@ -114,7 +132,7 @@ class Scripts(unittest.TestCase):
             line = next(drawn)
             self.assertEqual(Counter(map(str, line.get_xdata())), Counter(map(str, data[0])))
             self.assertEqual(Counter(map(str, line.get_ydata())), Counter(map(str, data[1])))
-            self.assertEqual(line.get_linestyle(), curve["line"])
+            self.assertEqual(line.get_linestyle(), DASHES.get(curve["line"], curve["line"]))
             self.assertEqual(line.get_marker(), curve["mark"])
             if curve["mark"] != "None" and not curve["filled"]:
                 self.assertIn(line.get_markerfacecolor(), ("none", "white"))
@@ -126,7 +144,9 @@ class Scripts(unittest.TestCase):
         """Of each entry a text and what stands before it; no text lies on another."""
         entries = [entry for panel in figure["panels"] for entry in panel["legend"]]
         part = [figure["part"]] if figure["part"] else []  # what of many it shows, below all
-        self.assertEqual([text.get_text() for text in sheet.texts], [entry["label"] for entry in entries] + part)
+        beside = [scale["label"] for panel in figure["panels"] for scale in panel["map"]]  # scales of colours
+        self.assertEqual(sorted(text.get_text() for text in sheet.texts),
+                         sorted([entry["label"] for entry in entries] + part + beside))
         renderer = sheet.canvas.get_renderer()
         titles = [ax.title for ax in sheet.axes if ax.title.get_text()]
         boxes = [text.get_window_extent(renderer) for text in [*sheet.texts, *titles]]

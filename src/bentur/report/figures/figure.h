@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,11 +13,11 @@ namespace bentur {
 
 // A figure as plain data: what is drawn, not how. Texts are shown as they are, whatever characters they have.
 
-enum class Line { none, solid, dashed, dotted, dash_dot };
+enum class Line { none, solid, dashed, dotted, dash_dot, long_dash, dash_dot_dot };
 enum class Mark { none, disc, circle, square, triangle, diamond, cross };
-/// Blue, orange, green, purple, magenta, olive, indigo, brown, cyan and navy are buildings; black, teal and grey all
-/// that is not, red blows and what is not enough, amber what nearly is; gold and pale ones are for areas, where amber
-/// and teal would be as dark as red.
+/// Blue, orange, green, purple, magenta, olive, indigo, brown, cyan and navy are buildings, of many bark and stone by
+/// turns; black, teal and grey all that is not, red blows and what is not enough, amber what nearly is; gold and pale
+/// ones are for areas, where amber and teal would be as dark as red.
 enum class Tone {
   black,
   blue,
@@ -37,13 +38,18 @@ enum class Tone {
   cyan,
   navy,
   gold,
-  pale_teal
+  pale_teal,
+  bark,
+  stone
 };
 /// Those of buildings, in their order, dark and less dark by turns, so that neighbours are distinct in grey.
 inline constexpr Tone building_tones[] = {Tone::blue,  Tone::orange, Tone::green, Tone::purple, Tone::magenta,
                                           Tone::olive, Tone::indigo, Tone::brown, Tone::navy,   Tone::cyan};
-/// That of building number `index` in every picture, and of nothing else; of more than ten they come again.
-[[nodiscard]] Tone building_tone(std::size_t index);
+/// That of building number `index` of `count` in every picture, and of nothing else. Of more than ten buildings those
+/// of the hardest impact, the two of `struck`, have the first two, and all others bark and stone by turns, which say
+/// nothing.
+[[nodiscard]] Tone building_tone(std::size_t index, std::size_t count = std::size(building_tones),
+                                 std::optional<std::pair<std::size_t, std::size_t>> struck = {});
 /// Whether lines of two tones are distinct on paper without colours; others need dashes.
 [[nodiscard]] bool are_distinct_in_grey(Tone one, Tone other);
 
@@ -165,6 +171,9 @@ struct Figure {
 /// The same as an element of a page, whose style sheet holds page_style(). `label`: what it says, before the
 /// finding, to readers who do not see it.
 [[nodiscard]] std::string figure_element(const Figure& figure, std::string_view label);
+
+/// Whether some line goes up and down so often that its envelope is drawn in its place.
+[[nodiscard]] bool has_bands(const Figure& figure);
 
 /// The letters of a figure that DejaVu Sans, the font it names first, has not, each once; most machines have some other
 /// font for them, and where none has, boxes stand in their place.

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // In matplotlib's terms, in the order of Line and Mark; how wide marks are [pt].
-constexpr const char* lines[] = {"None", "-", "--", ":", "-."};
+constexpr const char* lines[] = {"None", "-", "--", ":", "-.", "long-dash", "dash-dot-dot"};
 constexpr const char* marks[] = {"None", "o", "o", "s", "^", "D", "x"};
 constexpr double mark_sizes[] = {0, 2.4, 2.7, 2.6, 3, 2.4, 2.7};
 
@@ -31,12 +31,15 @@ sys.path = [path for path in sys.path if pathlib.Path(path or ".").resolve() != 
 import matplotlib.patheffects as edges
 import matplotlib.pyplot as plt
 from matplotlib.collections import PatchCollection
-from matplotlib.colors import LogNorm, Normalize
+from matplotlib.colors import LogNorm, Normalize, to_rgba
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
+from matplotlib.ticker import NullFormatter
 
 with here.with_name(figure["data"]).open(newline="", encoding="utf-8") as file:
     columns = list(zip(*list(csv.reader(file))[1:]))
+
+dashes = {"long-dash": (0, (9, 2.3)), "dash-dot-dot": (0, (5, 1.9, 1.5, 1.9, 1.5, 1.9))}
 
 
 def values(column):
@@ -48,7 +51,7 @@ def style(of):
     large = of["mark_size"] >= 1.5
     inside, edge = (of["color"], "white" if large else of["color"]) if of["filled"] else (
         "white" if large else "none", of["color"])
-    return {"color": of["color"], "linestyle": of["line"], "linewidth": 0.75 * of["width"], "marker": of["mark"],
+    return {"color": of["color"], "linestyle": dashes.get(of["line"], of["line"]), "linewidth": 0.75 * of["width"], "marker": of["mark"],
             "markersize": of["mark_points"] * of["mark_size"], "markerfacecolor": inside, "markeredgecolor": edge,
             "markeredgewidth": 0.75}
 
@@ -62,16 +65,17 @@ for panel in figure["panels"]:
     for curve in panel["curves"]:
         data = [values(column) for column in curve["columns"]]
         if len(data) == 3:
-            ax.fill_between(*data, color=curve["color"], label=curve["label"], linewidth=0)
+            edge = {"edgecolor": curve["color"], "linewidth": 0.5} if curve["band"] else {"linewidth": 0}
+            ax.fill_between(*data, facecolor=to_rgba(curve["color"], curve["band"] or 1), label=curve["label"], **edge)
         else:
             ax.plot(*data, label=curve["label"], **style(curve))
     for rule in panel["rules"]:
         (ax.axvline if rule["vertical"] else ax.axhline)(
-            rule["at"], linestyle=rule["line"], color=rule["color"], label=rule["label"], linewidth=0.5, zorder=0)
+            rule["at"], linestyle=dashes.get(rule["line"], rule["line"]), color=rule["color"], label=rule["label"], linewidth=0.5, zorder=0)
     for event in panel["events"]:
         times = values(event["column"])
-        ax.plot(times, [0.97] * len(times), "v", transform=ax.get_xaxis_transform(), color="grey", markersize=2,
-                label=event["label"])
+        ax.plot(times, [0.97] * len(times), "v", transform=ax.get_xaxis_transform(), color=event["color"], markersize=2,
+                markeredgewidth=0.75, label=event["label"])
     for x, y, text, across, up, color, moved in panel["texts"]:
         joined = {"arrowstyle": "-", "color": color, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0} if moved else None
         ax.annotate(text, (x, y), (4 * across, 4 * up + moved), textcoords="offset points", color=color,
@@ -85,16 +89,23 @@ for panel in figure["panels"]:
                                 cmap="PuOr_r" if scale["ratio"] else "YlGnBu", norm=norm)
         boxes.set_array([cell[-1] for cell in cells])
         ax.add_collection(boxes)
-        bar = sheet.colorbar(boxes, cax=ax.inset_axes([1.02, 0, 0.03, 1]), label=scale["label"])
+        bar = sheet.colorbar(boxes, cax=sheet.add_axes(scale["place"], label="<colorbar>"))
         bar.set_ticks(scale["ticks"], labels=scale["numbers"])
         bar.minorticks_off()
+        bar.ax.tick_params(width=0.5, length=2.3, direction="in", pad=2.8)
+        sheet.text(*scale["label_at"], scale["label"], rotation=90, ha="center", va="center")
     for axis, name in (ax.xaxis, "x"), (ax.yaxis, "y"):
         wanted = panel[name]
         getattr(ax, f"set_{name}scale")("log" if wanted["logarithmic"] else "linear")
         getattr(ax, f"set_{name}lim")(*wanted["range"])
         axis.set_ticks(wanted["ticks"], wanted["numbers"])
-        axis.set_ticks([], minor=True)
-        axis.set_label_text(wanted["label"])
+        axis.set_ticks(wanted["minor"], minor=True)
+        axis.set_minor_formatter(NullFormatter())
+        axis.set_label_text(wanted["label"], ha="center", va="center")
+        axis.set_label_coords(*wanted["label_at"], transform=sheet.transFigure)
+    ax.tick_params(which="both", direction="in", top=True, right=True, width=0.5, length=2.7, pad=3.4)
+    ax.tick_params(which="minor", length=1.5)
+    ax.tick_params("x", pad=5.5)
     if panel["to_scale"]:
         ax.set_frame_on(False)
         ax.tick_params(length=0)
@@ -118,15 +129,18 @@ for panel in figure["panels"]:
             sheet.add_artist(Line2D([(begin + end) / 2], [y], transform=sheet.transFigure, **at))
         sheet.text(text, y, entry["label"], verticalalignment="center")
 if figure["part"]:
-    sheet.text(0.5, -0.02, figure["part"], ha="center", va="top")
-sheet.savefig(sys.argv[1] if len(sys.argv) > 1 else here.with_name(here.stem + "-drawn.svg"), dpi=300, bbox_inches="tight")
+    sheet.text(0.5, figure["part_at"], figure["part"], ha="center", va="center")
+sheet.savefig(sys.argv[1] if len(sys.argv) > 1 else here.with_name(here.stem + "-drawn.svg"), dpi=300)
 )";
 
 /// Data and description grow together.
 class Writer {
  public:
   explicit Writer(const Figure& figure)
-      : layout_(layout(figure)), part_(plain_lines(lines_of(plain_text(figure.part), layout_.width - 0.4, 4))) {}
+      : layout_(layout(figure)),
+        part_(part_lines(figure, layout_)),
+        below_(room_of_part(part_)),
+        height_(layout_.height + below_) {}
 
   FigureText write(const std::string& name) {
     // What JSON and Python write alike: numbers, texts, lists and tables, and no true, false or null.
@@ -139,11 +153,12 @@ class Writer {
       }
       panels += fmt::format(" {{\n{} }},\n", members);
     }
-    const Json size = {layout_.width / 2.54, layout_.height / 2.54};
-    const std::string figure =
-        fmt::format(R"({{"data": {}, "size": {}, "part": {}, "panels": [)"
-                    "\n{}]}}",
-                    Json(name + std::string(figure_data_ending)).dump(), size.dump(), Json(part_).dump(), panels);
+    const Json size = {layout_.width / 2.54, height_ / 2.54};
+    const double part_at = up(-line_height * static_cast<double>(part_.size()) / 2);  // the middle of its lines
+    const std::string figure = fmt::format(R"({{"data": {}, "size": {}, "part": {}, "part_at": {}, "panels": [)"
+                                           "\n{}]}}",
+                                           Json(name + std::string(figure_data_ending)).dump(), size.dump(),
+                                           Json(plain_lines(part_)).dump(), Json(part_at).dump(), panels);
     std::string script = fmt::format(
         "{}, by matplotlib: python3 THIS [FILE]\n"
         "# FILE ends in .svg, .pdf or .png. Change at will how it looks.\n"
@@ -186,17 +201,25 @@ class Writer {
     return text;
   }
 
-  static Json axis(const Axis& axis, const Ticks& ticks, bool to_scale) {
+  /// A place in the layout as a part of the sheet.
+  [[nodiscard]] double across(double cm) const { return cm / layout_.width; }
+  [[nodiscard]] double up(double cm) const { return (cm + below_) / height_; }
+
+  /// @param label its lines, around (x, y) [cm]
+  [[nodiscard]] Json axis(const Axis& axis, const Ticks& ticks, bool to_scale, const std::string& label, double x,
+                          double y) const {
     Json places = Json::array(), numbers = Json::array();
     for (const auto& [at, text] : ticks.labels) {
       const std::string above(numbers.size() % static_cast<std::size_t>(ticks.lines), '\n');
       places.push_back(at);
       numbers.push_back(axis.numbers || to_scale ? above + plain_text(text) : "");
     }
-    return {{"label", plain_text(scaled(axis.label, ticks, axis.number))},
+    return {{"label", label},
+            {"label_at", {across(x), up(y)}},
             {"range", {ticks.from, ticks.to}},
             {"logarithmic", static_cast<int>(ticks.logarithmic)},
             {"ticks", std::move(places)},
+            {"minor", ticks.minor},
             {"numbers", std::move(numbers)}};
   }
 
@@ -221,8 +244,9 @@ class Writer {
     std::vector<double> instants = panel.events.x;
     std::erase_if(instants, [&](double at) { return at < placed.x.from || at > placed.x.to; });
     if (!instants.empty()) {
-      events.push_back(
-          {{"label", plain_text(panel.events.label)}, {"column", column(title_ + panel.events.label, instants)}});
+      events.push_back({{"label", plain_text(panel.events.label)},
+                        {"color", colour(Tone::grey).paper},
+                        {"column", column(title_ + panel.events.label, instants)}});
     }
     Json texts = Json::array();
     constexpr std::pair<int, int> sides[] = {// in the order of PlaceText::Side
@@ -231,30 +255,34 @@ class Writer {
                                              {0, 1},
                                              {0, -1},
                                              {0, 0}};
-    const auto add = [&](const PlaceText& one, const std::string& text, Tone tone, double moved) {
+    const double width = placed.right - placed.left;
+    const auto add = [&](const PlaceText& one, const std::vector<std::string>& text, Tone tone, double moved) {
       const auto& [across, up] = sides[static_cast<std::size_t>(one.side)];
-      if (!text.empty()) texts.push_back({one.x, one.y, text, across, up, colour(tone).paper, moved});
+      const double at = along(placed.x, one.x), shown = text_x(one, text, placed.x, width);
+      const double x = shown == at * width ? one.x : value_at(placed.x, shown / width);
+      if (!text.empty()) texts.push_back({x, one.y, plain_lines(text), across, up, colour(tone).paper, moved});
     };
-    for (const PlaceText& one : panel.texts) add(one, plain_lines(text_lines(one, placed)), one.tone, 0);
+    for (const PlaceText& one : panel.texts) add(one, text_lines(one, placed), one.tone, 0);
     constexpr double points = 72 / 2.54;  // of a centimetre
     for (const CurveName& name : placed.names) {
       const double moved = std::abs(name.up) > 0.02 ? name.up * points : 0;
-      add({.x = name.x, .y = name.y, .side = name.side}, name.label, panel.curves[name.curve].tone, moved);
+      add({.x = name.x, .y = name.y, .side = name.side}, {name.label}, panel.curves[name.curve].tone, moved);
     }
     const double height = placed.top - placed.bottom;
     Json legend = Json::array();
     for (const LegendEntry& entry : placed.legend) legend.push_back(entry_of(entry));
-    return {{"place",
-             {placed.left / layout_.width, placed.bottom / layout_.height, (placed.right - placed.left) / layout_.width,
-              height / layout_.height}},
+    return {{"place", {across(placed.left), up(placed.bottom), across(placed.right - placed.left), height / height_}},
             {"title", std::move(title)},
             {"title_y", (middle - placed.bottom) / height},
             {"note", plain_text(panel.note)},
             {"to_scale", static_cast<int>(panel.to_scale)},
             {"legend", std::move(legend)},
             {"upright", static_cast<int>(placed.x.upright)},
-            {"x", axis(panel.x, placed.x, panel.to_scale)},
-            {"y", axis(panel.y, placed.y, panel.to_scale)},
+            {"x", axis(panel.x, placed.x, panel.to_scale, plain_lines(placed.x_label), placed.x_label_x,
+                       placed.x_label_y -
+                           line_height * (std::max(1.0, static_cast<double>(placed.x_label.size())) - 1) / 2)},
+            {"y", axis(panel.y, placed.y, panel.to_scale, plain_text(scaled(panel.y.label, placed.y, panel.y.number)),
+                       placed.y_label_x, (placed.bottom + placed.top) / 2)},
             {"curves", std::move(curves)},
             {"rules", std::move(rules)},
             {"events", std::move(events)},
@@ -274,15 +302,16 @@ class Writer {
   Json curve(const PlacedPanel& placed, const Curve& curve) {
     const std::string of = curve.label.empty() ? "" : " (" + curve.label + ")";
     const std::string x = title_ + label(placed, &Panel::x) + of, y = title_ + label(placed, &Panel::y) + of;
+    const Points points = visible(curve, placed.right - placed.left);
     Json columns;
-    if (!curve.top.empty()) {
-      columns = {column(x, curve.x), column(y + ", from", curve.y), column(y + ", to", curve.top)};
-    } else {
-      const Points points = visible(curve, placed.right - placed.left);
+    if (points.top.empty()) {
       columns = {column(x, points.x), column(y, points.y)};
+    } else {
+      columns = {column(x, points.x), column(y + ", from", points.y), column(y + ", to", points.top)};
     }
     Json described = {{"label", plain_text(curve.label)}, {"columns", std::move(columns)}};
     described.update(drawn(curve.tone, curve.line, curve.mark, curve.width, curve.mark_size));
+    described["band"] = points.top.empty() || !curve.top.empty() ? 0 : band_opacity;
     return described;
   }
 
@@ -300,12 +329,10 @@ class Writer {
   [[nodiscard]] Json entry_of(const LegendEntry& entry) const {
     const double end = entry.x + sample_width;
     Json described = {{"label", plain_text(entry.label)},
-                      {"place",
-                       {entry.x / layout_.width, end / layout_.width, (end + beside_sample) / layout_.width,
-                        entry.y / layout_.height}},
+                      {"place", {across(entry.x), across(end), across(end + beside_sample), up(entry.y)}},
                       {"area", static_cast<int>(entry.area)},
                       {"outline", static_cast<int>(entry.outline)},
-                      {"half", sample_height / 2 / layout_.height}};
+                      {"half", sample_height / 2 / height_}};
     described.update(
         drawn(entry.event ? Tone::grey : entry.tone, entry.line, entry.mark, entry.width, entry.mark_size));
     if (entry.event) described.update({{"mark", "v"}, {"filled", 1}, {"mark_points", 2.0}});
@@ -336,14 +363,22 @@ class Writer {
       scale.to = std::max(scale.to, 1 / scale.from);
       scale.from = 1 / scale.to;
     }
-    return {{"columns", std::move(columns)},       {"label", plain_text(scaled(map.label, scale))},
-            {"ticks", std::move(places)},          {"numbers", std::move(numbers)},
-            {"range", {scale.from, scale.to}},     {"logarithmic", static_cast<int>(scale.logarithmic)},
+    const double scale_left = placed.right + scale_gap;
+    return {{"place",
+             {across(scale_left), up(placed.bottom), across(scale_thickness), (placed.top - placed.bottom) / height_}},
+            {"label_at", {across(placed.scale_label_x), up((placed.bottom + placed.top) / 2)}},
+            {"columns", std::move(columns)},
+            {"label", plain_text(scaled(map.label, scale))},
+            {"ticks", std::move(places)},
+            {"numbers", std::move(numbers)},
+            {"range", {scale.from, scale.to}},
+            {"logarithmic", static_cast<int>(scale.logarithmic)},
             {"ratio", static_cast<int>(map.ratio)}};
   }
 
   Layout layout_;
-  std::string part_;  // what of many things it shows, in lines
+  std::vector<std::string> part_;  // what of many things it shows, in lines
+  double below_, height_;          // their room below all panels, and that of all [cm]
   std::string title_;
   std::vector<std::string> headings_;
   std::vector<std::vector<double>> columns_;

@@ -32,7 +32,12 @@ std::string style(const char* where, bool with_page) {
 
 }  // namespace
 
-Tone building_tone(std::size_t index) { return building_tones[index % std::size(building_tones)]; }
+Tone building_tone(std::size_t index, std::size_t count, std::optional<std::pair<std::size_t, std::size_t>> struck) {
+  if (count <= std::size(building_tones)) return building_tones[index % std::size(building_tones)];
+  if (struck && index == struck->first) return building_tones[0];
+  if (struck && index == struck->second) return building_tones[1];
+  return (index + (struck ? struck->first : 0)) % 2 == 0 ? Tone::bark : Tone::stone;  // as dark by turns as those
+}
 
 bool are_distinct_in_grey(Tone one, Tone other) {
   constexpr double least = 1.8;

@@ -27,11 +27,10 @@ constexpr double large_mark = 1.5;                              // from this siz
 constexpr double frame_line = 0.7;                              // [px]
 constexpr double major_tick = 3.6, minor_tick = 2;              // [px]
 constexpr double number_gap = 0.12, number_depth = 0.33;        // of numbers from the frame: to its left, below it [cm]
-constexpr double scale_gap = 0.2, scale_thickness = 0.25;       // of a map's colours [cm]
 constexpr int shades = 64;                                      // that a map's colours have
 
-constexpr const char* dashes[] = {"", "", "4.6 2.3", "1.5 1.7",
-                                  "5 1.9 1.5 1.9"};  // in the order of Line, of a width of 1
+// In the order of Line, of a width of 1.
+constexpr const char* dashes[] = {"", "", "4.6 2.3", "1.5 1.7", "5 1.9 1.5 1.9", "9 2.3", "5 1.9 1.5 1.9 1.5 1.9"};
 
 std::string escaped(std::string_view text) { return markup_text(plain_text(text)); }
 
@@ -88,10 +87,9 @@ class Drawing {
 
   /// With what of many things it shows below it, which a page says in its caption.
   std::string file() {
-    constexpr std::size_t most = 4;
-    const std::vector<std::string> part = lines_of(plain_text(figure_.part), layout_.width - 0.4, most);
+    const std::vector<std::string> part = part_lines(figure_, layout_);
     lines(part, layout_.width / 2, -line_height / 2);
-    if (!part.empty()) below_ = 0.1 + line_height * static_cast<double>(part.size());
+    below_ = room_of_part(part);
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
            svg("xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" ",
                tagged("title", figure_.title) + tagged("desc", figure_.finding),
@@ -269,18 +267,19 @@ class Drawing {
     legend(placed);
   }
 
-  /// A line through points, begun anew behind places where there is none; or an area between two of them.
+  /// A line through points, begun anew behind places where there is none; or an area between two of them, that of the
+  /// envelope of a line with its edges.
   void line(const Curve& curve, const Points& points, const Frame& frame) {
     std::string data, back;
     const auto close = [&] {
-      if (!curve.top.empty() && !back.empty()) data += back + "Z";
+      if (!back.empty()) data += back + "Z";
       back.clear();
     };
-    const bool is_area = !curve.top.empty();
+    const bool is_area = !points.top.empty(), is_band = is_area && curve.top.empty();
     bool is_begun = false;
     for (std::size_t i = 0; i < points.x.size(); ++i) {
       const double px = frame.x(points.x[i]), py = frame.y(points.y[i]);
-      const double upper = is_area ? frame.y(curve.top[i]) : 0;
+      const double upper = is_area ? frame.y(points.top[i]) : 0;
       if (!std::isfinite(px) || !std::isfinite(py) || !std::isfinite(upper)) {
         close();
         is_begun = false;
@@ -294,7 +293,11 @@ class Drawing {
       is_begun = true;
     }
     close();
-    if (is_area) {
+    if (is_band) {
+      const std::string look = edged(colour(curve.tone), colour(curve.tone));
+      out_ += fmt::format("<path d=\"{}\" {} fill-opacity=\"{}\" stroke-width=\"{}\"/>\n", data, look, band_opacity,
+                          frame_line);
+    } else if (is_area) {
       if (!data.empty()) out_ += fmt::format("<path d=\"{}\" {}/>\n", data, drawn_in("fill", colour(curve.tone)));
     } else if (curve.line != Line::none) {
       path(data, line_style(curve.tone, curve.line, curve.width) + " stroke-linejoin=\"round\"");
@@ -326,15 +329,10 @@ class Drawing {
 
   /// Clear of a mark there.
   void beside(const PlaceText& one, const std::vector<std::string>& lines, const Frame& frame, Tone tone) {
-    double px = frame.x(one.x);
     const double py = frame.y(one.y);
-    if (!frame.holds(px, py)) return;
+    if (!frame.holds(frame.x(one.x), py)) return;
     using Side = PlaceText::Side;
-    if (one.side == Side::above || one.side == Side::below) {  // within the frame, beside which numbers stand
-      double half = 0;
-      for (const std::string& text : lines) half = std::max(half, x(text_width(text) / 2) + 1);
-      px = std::clamp(px, half, std::max(half, frame.width - half));
-    }
+    const double px = x(text_x(one, lines, *frame.across, frame.width * pixel));
     const double right = one.side == Side::right ? clear : one.side == Side::left ? -clear : 0;
     const double down = one.side == Side::below ? clear + baseline : one.side == Side::above ? -clear - baseline : 0;
     const char* const anchor = one.side == Side::right ? "start" : one.side == Side::left ? "end" : "middle";

@@ -186,9 +186,9 @@ class Reader {
   }
 
   void read(const Node& node, const std::string& where, Tone& to) {
-    word(node, where, to,
-         {"black", "blue",    "orange", "grey",  "pale",   "pale-blue", "pale-orange", "green", "purple", "red",
-          "teal",  "magenta", "olive",  "amber", "indigo", "brown",     "cyan",        "navy",  "gold",   "pale-teal"});
+    word(node, where, to, {"black",  "blue", "orange", "grey",      "pale",  "pale-blue", "pale-orange", "green",
+                           "purple", "red",  "teal",   "magenta",   "olive", "amber",     "indigo",      "brown",
+                           "cyan",   "navy", "gold",   "pale-teal", "bark",  "stone"});
   }
 
   void read(const Node& node, const std::string& where, PlaceText::Side& to) {
@@ -196,7 +196,7 @@ class Reader {
   }
 
   void read(const Node& node, const std::string& where, Line& to) {
-    word(node, where, to, {"none", "solid", "dashed", "dotted", "dash-dot"});
+    word(node, where, to, {"none", "solid", "dashed", "dotted", "dash-dot", "long-dash", "dash-dot-dot"});
   }
 
   void read(const Node& node, const std::string& where, Mark& to) {

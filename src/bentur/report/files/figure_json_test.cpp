@@ -24,8 +24,8 @@ TEST(FigureJson, ReadsEveryMember) {
       {"title": "p", "height": 3, "rows": 2, "across": 2, "note": "n", "to_scale": true,
        "x": {"label": "x [m]", "from": 0, "to": 2.5, "places": [0, 1], "numbers": false, "least": [0, 1]},
        "y": {"label": "y [m]", "logarithmic": true, "names": ["a", "b"], "number": "record"},
-       "curves": [{"label": "c", "x": [0, 1, 2], "y": [1, null, 3], "top": [2, 3, 4], "tone": "pale-blue",
-                   "line": "dash-dot", "mark": "cross", "legend_mark": "disc", "width": 1.5, "complete": true,
+       "curves": [{"label": "c", "x": [0, 1, 2], "y": [1, null, 3], "top": [2, 3, 4], "tone": "bark",
+                   "line": "dash-dot-dot", "mark": "cross", "legend_mark": "disc", "width": 1.5, "complete": true,
                    "mark_size": 2.5}],
        "rules": [{"at": 1, "vertical": true, "label": "r", "tone": "red", "line": "dotted"}],
        "texts": [{"x": 1, "y": 2, "text": "w", "side": "above", "tone": "grey"}],
@@ -45,8 +45,8 @@ TEST(FigureJson, ReadsEveryMember) {
   EXPECT_EQ(panel.y.names, (std::vector<std::string>{"a", "b"}));
   const Curve& curve = panel.curves.at(0);
   EXPECT_TRUE(std::isnan(curve.y[1]));
-  EXPECT_EQ(curve.tone, Tone::pale_blue);
-  EXPECT_EQ(curve.line, Line::dash_dot);
+  EXPECT_EQ(curve.tone, Tone::bark);
+  EXPECT_EQ(curve.line, Line::dash_dot_dot);
   EXPECT_EQ(curve.mark, Mark::cross);
   EXPECT_EQ(curve.legend_mark, Mark::disc);
   EXPECT_EQ(curve.mark_size, 2.5);

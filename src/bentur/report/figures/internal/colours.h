@@ -21,7 +21,8 @@ inline constexpr Colour colours[] = {
     {"red", "#b3191e", "#ff8a85"},         {"teal", "#0c6b70", "#5cc4c0"},      {"magenta", "#75154d", "#ef8fc4"},
     {"olive", "#746a00", "#cdc36a"},       {"amber", "#946200", "#f2c14e"},     {"indigo", "#332aa3", "#a39bff"},
     {"brown", "#935a37", "#c79a7f"},       {"cyan", "#007ba8", "#5fd0f5"},      {"navy", "#12284f", "#c9d6f5"},
-    {"gold", "#d79a2b", "#b48326"},        {"pale-teal", "#b5dad7", "#2b5557"},
+    {"gold", "#d79a2b", "#b48326"},        {"pale-teal", "#b5dad7", "#2b5557"}, {"bark", "#3a2e26", "#e3d6c8"},
+    {"stone", "#7b6e60", "#a8998a"},
 };
 inline constexpr Colour paper = {"paper", "#ffffff", "#15191d"};
 /// Of pages, around the figures: lines of tables, grounds, edges of what can be pressed, links, and that all is well.

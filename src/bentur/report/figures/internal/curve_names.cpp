@@ -96,7 +96,7 @@ class Frame {
     for (const auto& [unused, i] : places) {
       if (auto found = name_at(c, {curve.x[i], curve.y[i]})) return found;
     }
-    return std::nullopt;
+    return name_at(c, arrival_at(*end, curve));
   }
 
  private:
@@ -111,6 +111,14 @@ class Frame {
       }
     }
     return std::isfinite(x) && std::isfinite(y) ? nearest : 0;
+  }
+
+  /// From where on a curve is as high as its end.
+  [[nodiscard]] std::pair<double, double> arrival_at(const std::pair<double, double>& end, const Curve& curve) const {
+    constexpr double near = 0.02;  // of the frame
+    std::size_t first = curve.x.size();
+    while (first > 0 && std::abs(upwards(curve.y[first - 1]) - upwards(end.second)) < near * height_) --first;
+    return first < curve.x.size() ? std::pair{curve.x[first], end.second} : end;
   }
 
   std::optional<CurveName> name_at(std::size_t c, const std::pair<double, double>& point) {

@@ -22,7 +22,8 @@ struct CurveName {
 
 /// The names of the curves of a panel that asks for them (Panel::names_at_ends) and that have room: those of curves
 /// that end at the right edge of the frame beside it, others within it, where they lie on no curve, mark or other name,
-/// and if they can on no rule. Where several end as one theirs stand where each is furthest from the others. @param x,
+/// and if they can on no rule. Where several end as one theirs stand where each is furthest from the others, or
+/// where it comes to that height. @param x,
 /// y its axes @param width, height of its frame [cm]
 [[nodiscard]] std::vector<CurveName> names_at_ends(const Panel& panel, const Ticks& x, const Ticks& y, double width,
                                                    double height);

@@ -465,6 +465,23 @@ std::vector<std::string> text_lines(const PlaceText& one, const PlacedPanel& pla
   return lines;
 }
 
+std::vector<std::string> part_lines(const Figure& figure, const Layout& layout) {
+  return lines_of(plain_text(figure.part), layout.width - 0.4, 4);
+}
+
+double room_of_part(const std::vector<std::string>& lines) {
+  return lines.empty() ? 0 : 0.1 + line_height * static_cast<double>(lines.size());
+}
+
+double text_x(const PlaceText& one, const std::vector<std::string>& lines, const Ticks& x, double width) {
+  const double at = along(x, one.x) * width;
+  if (one.side != PlaceText::Side::above && one.side != PlaceText::Side::below) return at;
+  constexpr double clear = 0.08;  // of the frame
+  double half = 0;
+  for (const std::string& text : lines) half = std::max(half, text_width(text) / 2 + clear);
+  return std::clamp(at, half, std::max(half, width - half));
+}
+
 double colour_at(const HeatMap& map, const Ticks& scale, double along) {
   if (!map.ratio) return along;
   const double reach = std::log(std::max(scale.to, 1 / scale.from));

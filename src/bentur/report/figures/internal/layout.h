@@ -30,6 +30,16 @@ struct Layout {
   std::vector<PlacedPanel> panels;
 };
 
+/// Where the lines of a text stand along x in a frame of this width: above or below a place within the frame, beside
+/// which numbers stand [cm from its left edge].
+[[nodiscard]] double text_x(const PlaceText& one, const std::vector<std::string>& lines, const Ticks& x, double width);
+
+constexpr double scale_gap = 0.2, scale_thickness = 0.25;  ///< of a map's colours: from the frame, and across [cm]
+
+/// Of what a figure shows of many things the lines below all panels, and their room [cm].
+[[nodiscard]] std::vector<std::string> part_lines(const Figure& figure, const Layout& layout);
+[[nodiscard]] double room_of_part(const std::vector<std::string>& lines);
+
 /// Of the colours of a map that at a part of its scale, both from 0 to 1: 1 is in the middle of those of ratios.
 [[nodiscard]] double colour_at(const HeatMap& map, const Ticks& scale, double along);
 

@@ -49,4 +49,54 @@ Points thinned(const std::vector<double>& x, const std::vector<double>& y, int c
   return kept;
 }
 
+namespace {
+
+/// How often a line goes up or down by a part of its range that can be seen.
+std::size_t swings(const std::vector<double>& y) {
+  constexpr double seen = 0.05;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double one : y) {
+    if (std::isfinite(one)) least = std::min(least, one), most = std::max(most, one);
+  }
+  const double step = seen * (most - least);
+  std::size_t count = 0;
+  double turn = y.front();  // the furthest since it turned
+  bool rises = true;
+  for (const double one : y) {
+    if (!std::isfinite(one)) continue;
+    const double back = rises ? turn - one : one - turn;
+    if (back > step) {
+      rises = !rises;
+      ++count;
+    }
+    if (back < 0 || back > step) turn = one;
+  }
+  return count;
+}
+
+}  // namespace
+
+Points envelope(const std::vector<double>& x, const std::vector<double>& y, int columns) {
+  constexpr std::size_t filling = 4;  // ups and downs a column
+  const std::size_t fewest = filling * static_cast<std::size_t>(std::max(columns, 1));
+  if (x.size() < fewest || !(x.back() > x.front()) || !std::is_sorted(x.begin(), x.end()) || swings(y) < fewest) {
+    return {};
+  }
+  Points band;
+  const double width = (x.back() - x.front()) / columns;
+  for (std::size_t i = 0; i < x.size();) {
+    const auto column = std::min(columns - 1, static_cast<int>((x[i] - x.front()) / width));
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    const double end = column + 1 < columns ? x.front() + (column + 1) * width : x.back();
+    for (const std::size_t first = i; i < x.size() && (i == first || x[i] < end || column + 1 == columns); ++i) {
+      if (std::isfinite(y[i])) least = std::min(least, y[i]), most = std::max(most, y[i]);
+    }
+    const bool is_there = least <= most;
+    band.x.push_back(column == 0 ? x.front() : column + 1 == columns ? x.back() : x.front() + (column + 0.5) * width);
+    band.y.push_back(is_there ? least : NAN);
+    band.top.push_back(is_there ? most : NAN);
+  }
+  return band;
+}
+
 }  // namespace bentur

@@ -55,6 +55,35 @@ TEST(Thin, PeaksOfEveryColumnStayWhereTheyAre) {
   }
 }
 
+TEST(Envelope, HoldsTheLowestAndTheHighestOfEachColumn) {
+  constexpr int columns = 50;
+  Points points = spiky(100000);
+  for (std::size_t i = 0; i < points.y.size(); ++i) points.y[i] *= i == 34567 || i == 34570 ? 0.1 : 1;
+  const Points band = envelope(points.x, points.y, columns);
+  ASSERT_EQ(band.x.size(), static_cast<std::size_t>(columns));
+  EXPECT_EQ(band.x.front(), points.x.front());
+  EXPECT_EQ(band.x.back(), points.x.back());
+  for (std::size_t column = 0; column < columns; ++column) {
+    const auto first = points.y.begin() + 2000 * static_cast<std::ptrdiff_t>(column);
+    const auto [low, high] = std::minmax_element(first, first + 2000);
+    EXPECT_NEAR(band.y[column], *low, 1e-4) << column;
+    EXPECT_NEAR(band.top[column], *high, 1e-4) << column;
+  }
+}
+
+/// What goes up and down seldom is a line, however many points it has and whatever trembles on it.
+TEST(Envelope, IsNotOfALineThatCanBeFollowed) {
+  Points slow;
+  for (std::size_t i = 0; i < 100000; ++i) {
+    slow.x.push_back(1e-4 * static_cast<double>(i));
+    slow.y.push_back(std::sin(5 * slow.x.back()) + 0.01 * std::sin(static_cast<double>(i)));
+  }
+  EXPECT_TRUE(envelope(slow.x, slow.y, 50).x.empty());
+  Points back = spiky(100000);
+  std::reverse(back.x.begin(), back.x.end());
+  EXPECT_TRUE(envelope(back.x, back.y, 50).x.empty()) << "not over time";
+}
+
 TEST(Thin, GapsStay) {
   Points points = spiky(100000);
   std::fill(points.y.begin() + 40000, points.y.begin() + 60000, std::numeric_limits<double>::quiet_NaN());

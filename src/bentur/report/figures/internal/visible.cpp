@@ -1,9 +1,11 @@
 #include "bentur/report/figures/internal/visible.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "bentur/core/errors.h"
+#include "bentur/report/figures/internal/layout.h"
 
 namespace bentur {
 namespace {
@@ -55,8 +57,23 @@ void check(const Figure& figure) {
 }
 
 Points visible(const Curve& curve, double width) {
-  if (!curve.top.empty() || (curve.complete && curve.x.size() <= most_points)) return {curve.x, curve.y};
+  if (!curve.top.empty() || (curve.complete && curve.x.size() <= most_points)) return {curve.x, curve.y, curve.top};
+  if (curve.line != Line::none && curve.mark == Mark::none) {
+    constexpr double columns_of_band = 12;  // a centimetre
+    Points band = envelope(curve.x, curve.y, static_cast<int>(width * columns_of_band));
+    if (!band.x.empty()) return band;
+  }
   return thinned(curve.x, curve.y, static_cast<int>(width * columns_per_cm));
+}
+
+bool has_bands(const Figure& figure) {
+  const Layout placing = layout(figure);
+  return std::any_of(placing.panels.begin(), placing.panels.end(), [](const PlacedPanel& placed) {
+    const std::vector<Curve>& curves = placed.panel->curves;
+    return std::any_of(curves.begin(), curves.end(), [&](const Curve& curve) {
+      return curve.top.empty() && !visible(curve, placed.right - placed.left).top.empty();
+    });
+  });
 }
 
 HeatMap merged(const HeatMap& map) {

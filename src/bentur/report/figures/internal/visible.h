@@ -10,8 +10,11 @@ namespace bentur {
 /// @throws InvalidParameter when a panel has nothing to draw, or sizes disagree.
 void check(const Figure& figure);
 
-/// The points of a curve that can be seen in a frame of this width [cm].
+/// The points of a curve that can be seen in a frame of this width [cm]; of a line that would fill its envelope that.
 [[nodiscard]] Points visible(const Curve& curve, double width);
+
+/// Of the envelope of a line.
+constexpr double band_opacity = 0.3;
 
 /// A map whose neighbouring cells are merged, keeping the largest, until there are few enough for a file.
 [[nodiscard]] HeatMap merged(const HeatMap& map);
