@@ -367,7 +367,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
       const bool is_first = f == 0 && c == 0 && are_three && !shown.at_instant && has_impacts;
       add_diagrams(panel, diagram, frame, shown, has_impacts,
                    {is_first ? word(options, "with contact") : "", is_first ? word(options, "without contact") : ""});
-      panel.curves.push_back(diagram.members(tone_of(options, frame.building)));
+      panel.curves.push_back(diagram.members(tone_of(run, options, frame.building)));
       const auto first = std::find_if(drawn[c].begin(), drawn[c].end(),
                                       [](const Drawn& each) { return !each.is_of_own_scale && each.most() > 0; });
       if (one.is_of_own_scale || &one == &*first) {  // that of all others is said once

@@ -7,6 +7,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/tones.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -153,8 +154,9 @@ constexpr std::size_t most_dashes = 4;  // of so many curves none has those of a
 
 /// Of several buildings shown: in the tone of this one, with a mark that no other one of them has, and with dashes that
 /// none has whose tone is as dark.
-void tell_apart(Curve& curve, const std::vector<Eigen::Index>& shown, Eigen::Index building) {
-  const auto tone = [&](std::size_t place) { return building_tone(static_cast<std::size_t>(shown[place])); };
+void tell_apart(Curve& curve, const std::vector<Tone>& tones, const std::vector<Eigen::Index>& shown,
+                Eigen::Index building) {
+  const auto tone = [&](std::size_t place) { return tones[shown[place]]; };
   const auto place = static_cast<std::size_t>(std::find(shown.begin(), shown.end(), building) - shown.begin());
   std::size_t alike = 0;  // before it
   for (std::size_t other = 0; other < place; ++other) alike += are_distinct_in_grey(tone(other), tone(place)) ? 0 : 1;
@@ -292,7 +294,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
     const std::vector<double> values = of_floors(run, amplification, b);
     most.take(run, b, values);
     Curve curve = at_floors(building, values);
-    tell_apart(curve, shown, b);
+    tell_apart(curve, tones_of(run.problem, run.response.impacts), shown, b);
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
@@ -327,7 +329,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
       const std::vector<double> values = of_floors(run, quantity, b);
       most.take(run, b, values);
       Curve curve = of_storeys ? over_storeys(building, values) : at_floors(building, values);
-      tell_apart(curve, shown, b);
+      tell_apart(curve, tones_of(run.problem, run.response.impacts), shown, b);
       if (of_storeys && shown.size() <= most_dashes) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
@@ -372,7 +374,7 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
             word(options, "storey {}", std::to_string(building.model.storey_number(static_cast<Eigen::Index>(storey))));
       }
       Curve curve = over_storeys(building, values);
-      tell_apart(curve, shown, b);
+      tell_apart(curve, tones_of(run.problem, run.response.impacts), shown, b);
       if (shown.size() <= most_dashes) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
@@ -420,7 +422,7 @@ Figure modes_figure(const RunResults& run, const FigureOptions& options) {
       if (has_shares) {
         style.label += ", " + fmt::format("{:.0f} %", 100 * shares(mode));
       }
-      tell_apart(style, static_cast<std::size_t>(mode), building_tone(shown[b]));
+      tell_apart(style, static_cast<std::size_t>(mode), tone_of(run, options, shown[b]));
       panel.curves.push_back(over_height(building, shapes.col(mode), style));
     }
   }

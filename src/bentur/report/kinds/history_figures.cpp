@@ -123,7 +123,7 @@ Figure inside_displacement(const RunResults& run, const NearestFloor& inside, co
     Curve curve{.label = run.problem.buildings[b].name,
                 .x = inside.time,
                 .y = own,
-                .tone = building_tone(static_cast<std::size_t>(b)),
+                .tone = tone_of(run, options, b),
                 .line = line_of(b)};
     for (std::size_t i = 0; b != inside.floor_of && i < own.size(); ++i) {
       curve.y[i] -= (of_left ? 1 : -1) * (inside.width - inside.opening[i]);
@@ -149,7 +149,7 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
     Curve one{.label = run.problem.buildings[b].name,
               .x = course_of(run).time,
               .y = row_of(course_of(run).displacement[b], floor),
-              .tone = building_tone(b),
+              .tone = tone_of(run, options, b),
               .line = line_of(b)};
     if (run.response.course.time.empty()) add_peak(one, run.response.buildings[b].displacement(floor));
     return one;

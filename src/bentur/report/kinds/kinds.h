@@ -29,8 +29,8 @@ struct FigureOptions {
   bool narrow = false;  ///< for a telephone: no wider than that where panels can stand one below another
   FigureWords say = {};
   std::string language = "en";  ///< of sentences, as report_languages() has them
-  /// Of frames in plan, which stand as buildings do: the number of the building that each is of, whose colour it has.
-  std::vector<std::size_t> of_building = {};
+  /// Of what stands as a row of buildings and is none, as frames in plan: the colour of the building that each is of.
+  std::vector<Tone> tones = {};
   /// Where more varies than a figure can show, shows a part of it, which the figure names, in place of an error.
   bool choose = false;
 };
@@ -68,6 +68,7 @@ struct SpectrumMark {
   std::string name;
   double period = 0;       ///< [s]
   std::size_t number = 0;  ///< of the building
+  Tone tone = Tone::blue;  ///< of the building
   /// Ordinates of its modes, where they are not those of the curves at its first period.
   std::vector<double> periods = {}, acceleration = {}, displacement = {};
 };

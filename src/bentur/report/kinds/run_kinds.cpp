@@ -146,6 +146,19 @@ bool is_of_buildings(const std::string& kind) {
   return std::find(std::begin(all), std::end(all), kind) != std::end(all);
 }
 
+/// Of many buildings, whose colours say nothing but for two, which these are: in the figures that do not say it.
+void tell_colours(const RunResults& run, const std::string& kind, const FigureOptions& options, Figure& figure) {
+  const Impact* const hardest = hardest_impact(run.response.impacts);
+  if (run.problem.buildings.size() <= std::size(building_tones) || hardest == nullptr || is_of_a_place(kind)) return;
+  const bool has_colour = std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel& panel) {
+    return std::any_of(panel.curves.begin(), panel.curves.end(),
+                       [](const Curve& curve) { return curve.tone == building_tones[0]; });
+  });
+  if (!has_colour) return;
+  const std::string between = gap_name(run.problem, run.problem.points[hardest->point].gap);
+  add_part(figure, word(options, "In colour {}, with the hardest impact", between));
+}
+
 /// Whether each building has a place of its own there, over its height.
 bool is_over_the_height(const std::string& kind) {
   constexpr std::string_view all[] = {"forces", "envelope", "amplification", "drift", "modes"};
@@ -195,7 +208,7 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
     }
     if (kind == "scene" || kind == "overview") {
       if (const std::string inside = inside_besides(run, options); !inside.empty()) {
-        figure.part += (figure.part.empty() ? "" : ". ") + inside;
+        add_part(figure, inside);
         if (kind == "scene") figure.finding += "; " + inside;
       }
     }
@@ -210,6 +223,8 @@ Figure make_figure(const RunResults& run, const std::string& kind, const FigureO
         figure.finding = figure.part + (figure.finding.empty() ? "" : "; " + figure.finding);
       }
     }
+    tell_colours(run, kind, options, figure);
+    tell_bands(figure, options);
     return figure;
   }
   refuse_figure(kind, "this run", figure_kinds(run));

@@ -215,7 +215,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
       curve.in_legend = false;
       curve.width = 1.5;
       if (shape.role == SceneRole::column && shape.item > 0) {
-        curve.line = line_beside(shape.tone, building_tone(static_cast<std::size_t>(shape.item) - 1));
+        curve.line = line_beside(shape.tone, tone_of(run, options, shape.item - 1));
       }
     }
     if (shape.role == SceneRole::slab) curve.width = std::min(2.6, 0.35 * storey);

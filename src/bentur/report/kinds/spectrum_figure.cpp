@@ -8,6 +8,7 @@
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/tones.h"
 
 namespace bentur {
 
@@ -52,7 +53,7 @@ Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& option
       Curve place{.label = word(options, "T₁ of {}", mark.name),
                   .x = is_on_curve ? std::vector{mark.period} : mark.periods,
                   .y = is_on_curve ? std::vector{value_at(curves, values, mark.period)} : mark.*ordinates};
-      tell_apart(place, mark.number, building_tone(mark.number));
+      tell_apart(place, mark.number, mark.tone);
       one.rules.push_back({.at = mark.period, .vertical = true, .tone = place.tone, .line = place.line});
       if (!is_on_curve) place.line = Line::none;
       one.curves.push_back(std::move(place));
@@ -97,7 +98,7 @@ Figure run_spectrum_figure(const RunResults& run, const FigureOptions& options) 
     const Building& building = run.problem.buildings[b];
     const auto period = first_period(building);
     if (period && *period >= curves.periods.front() && *period <= curves.periods.back())
-      curves.marks.push_back({building.name, *period, static_cast<std::size_t>(b)});
+      curves.marks.push_back({building.name, *period, static_cast<std::size_t>(b), tone_of(run, options, b)});
   }
   show_around_marks(curves);
   return spectrum_figure(curves, options);
@@ -142,10 +143,8 @@ Figure floor_spectrum_figure(const RunResults& run, const FigureOptions& options
                 {.label = word(options, "without contact"), .tone = Tone::grey, .line = Line::dashed, .width = 1.2}));
     }
     if (const auto period = first_period(building); period && *period > *panel.x.from && *period < *panel.x.to) {
-      panel.rules.push_back({.at = *period,
-                             .vertical = true,
-                             .tone = building_tone(static_cast<std::size_t>(floor.building)),
-                             .line = Line::dotted});
+      panel.rules.push_back(
+          {.at = *period, .vertical = true, .tone = tone_of(run, options, floor.building), .line = Line::dotted});
     }
     for (std::size_t i = 0; i < spectra.periods.size(); ++i) {
       const double with = floor.with_contact[i], without = floor.without_contact[i];
@@ -210,7 +209,7 @@ Figure design_spectrum_figure(const Case& c, const Problem& problem, const Spect
     const auto period = first_period(problem.buildings[b]);
     if (!period) continue;
     last = std::max(last, span_of_marks * *period);
-    SpectrumMark mark{problem.buildings[b].name, *period, b};
+    SpectrumMark mark{problem.buildings[b].name, *period, b, tones_of(problem, {}).at(b)};
     const SpectralModes& modes = spectral.modes[b];
     constexpr Eigen::Index most_modes = 3;
     for (Eigen::Index n = 0; n < std::min(most_modes, modes.omega.size()); ++n) {

@@ -9,6 +9,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/scene/internal/hinges.h"
 #include "bentur/report/scene/internal/symbols.h"
+#include "bentur/report/scene/tones.h"
 
 namespace bentur {
 namespace {
@@ -27,7 +28,10 @@ double base_level(const Building& building) {
 class SceneBuilder {
  public:
   SceneBuilder(const Problem& problem, const Response& response)
-      : problem_(problem), response_(response), buildings_(problem.buildings) {
+      : problem_(problem),
+        response_(response),
+        buildings_(problem.buildings),
+        tones_(tones_of(problem, response.impacts)) {
     measure(response);
   }
 
@@ -126,8 +130,6 @@ class SceneBuilder {
     const auto point = std::find_if(problem_.points.begin(), problem_.points.end(), faces);
     return point == problem_.points.end() ? 0 : std::min(point->width, widest_gap * height_) - scene_.gaps[b - 1];
   }
-
-  [[nodiscard]] Tone tone_of_building(Index b) const { return building_tone(static_cast<std::size_t>(b)); }
 
   /// Level of the ground beside the row: the edge of a moat is as high as its wall.
   [[nodiscard]] double outside(Index b, Index neighbour) const {
@@ -255,13 +257,13 @@ class SceneBuilder {
       const double top = building.model.elevations.back();
       scene_.shapes.push_back({.role = SceneRole::wall,
                                .item = b,
-                               .tone = tone_of_building(b),
+                               .tone = tones_[b],
                                .lines = {{at(b, {}, 0, ground_[b]), at(b, {}, 0, top), at(b, {}, breadth, top),
                                           at(b, {}, breadth, ground_[b]), at(b, {}, 0, ground_[b])}}});
       return;
     }
     add_columns(b);
-    SceneShape slabs{.role = SceneRole::slab, .item = b, .tone = tone_of_building(b)};
+    SceneShape slabs{.role = SceneRole::slab, .item = b, .tone = tones_[b]};
     for (Index floor = 0; floor < building.model.floors(); ++floor) slabs.lines.push_back(slab_line(b, floor));
     scene_.shapes.push_back(std::move(slabs));
   }
@@ -293,7 +295,7 @@ class SceneBuilder {
   }
 
   void add_columns(Index b) {
-    SceneShape columns{.role = SceneRole::column, .item = b, .tone = tone_of_building(b)};
+    SceneShape columns{.role = SceneRole::column, .item = b, .tone = tones_[b]};
     for (std::size_t line = 0; line <= bays_[b].size(); ++line) columns.lines.push_back(column_line(b, line));
     scene_.shapes.push_back(std::move(columns));
   }
@@ -354,6 +356,7 @@ class SceneBuilder {
   const Problem& problem_;
   const Response& response_;
   const std::vector<Building>& buildings_;
+  const std::vector<Tone> tones_;
   double height_ = 1;                      // above the lowest base
   std::vector<std::vector<double>> bays_;  // per building
   std::vector<double> ground_;             // level below each building

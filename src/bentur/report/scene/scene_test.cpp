@@ -12,6 +12,7 @@
 #include "bentur/model/run_results.h"
 #include "bentur/report/scene/names.h"
 #include "bentur/report/scene/plan_scene.h"
+#include "bentur/report/scene/tones.h"
 #include "tests/support/kinds_case.h"
 #include "tests/support/plan_run.h"
 
@@ -95,7 +96,7 @@ TEST(Scene, HasEverythingOfEveryExample) {
       soils += count(SceneRole::soil);
       for (const SceneShape* slabs : shapes_of(scene, SceneRole::slab, b)) {
         EXPECT_EQ(std::ssize(slabs->lines), building.model.floors());
-        EXPECT_EQ(slabs->tone, building_tone(static_cast<std::size_t>(b)));
+        EXPECT_EQ(slabs->tone, tones_of(run.problem, run.response.impacts).at(b));
       }
     }
     for (Eigen::Index k = 0; k < std::ssize(run.problem.links); ++k) {

@@ -11,6 +11,7 @@
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
 #include "bentur/report/scene/scene.h"
+#include "bentur/report/scene/tones.h"
 
 namespace bentur::html {
 namespace {
@@ -126,6 +127,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
   const double instant = telling_instant(report.response, {}, nearest ? &*nearest : nullptr).time;
   const std::vector<double>& course = report.response.course.time;
   const std::vector<Eigen::Index> keys = key_columns(course, report.response.impacts, listed, instant);
+  const std::vector<Tone> tones = tones_of(report.problem, report.response.impacts);
   Json buildings = Json::array();
   std::vector<std::string> names;
   for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {
@@ -133,8 +135,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
     names.push_back(building.name);
     Eigen::MatrixXd exact;
     if (!keys.empty()) exact = scene_rows(report.response.course, b)(Eigen::all, keys);
-    Json one = {
-        {"name", building.name}, {"tone", colour(building_tone(b)).name}, {"roof", building.model.floors() - 1}};
+    Json one = {{"name", building.name}, {"tone", colour(tones[b]).name}, {"roof", building.model.floors() - 1}};
     one.update(samples_json(scene_rows(histories, b), sampling, exact));
     buildings.push_back(one);
   }

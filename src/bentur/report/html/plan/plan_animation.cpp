@@ -10,6 +10,7 @@
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/scene/names.h"
 #include "bentur/report/scene/plan_scene.h"
+#include "bentur/report/scene/tones.h"
 
 namespace bentur::html {
 namespace {
@@ -228,15 +229,15 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
   const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
   const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
   const double arm = arm_of(run.problem);
+  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
   Json buildings = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
     const Eigen::MatrixXd rows = rows_of(run, b, arm);
     Eigen::MatrixXd exact;
     if (rows.size() > 0) exact = rows(Eigen::all, keys);
-    Json one = {{"name", building.name},
-                {"tone", colour(building_tone(b)).name},
-                {"roof", 3 * (building.model.floors() - 1) + across}};
+    Json one = {
+        {"name", building.name}, {"tone", colour(tones[b]).name}, {"roof", 3 * (building.model.floors() - 1) + across}};
     one.update(samples_json(rows, sampling, exact));
     buildings.push_back(one);
   }

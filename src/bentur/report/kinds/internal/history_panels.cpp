@@ -96,6 +96,19 @@ Curve within(const Curve& whole, const TimeWindow& window) {
   return part;
 }
 
+Curve sparse(Curve path, double distance) {
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i < path.x.size(); ++i) {
+    if (std::hypot(path.x[i] - path.x[kept], path.y[i] - path.y[kept]) < distance) continue;
+    ++kept;
+    path.x[kept] = path.x[i];
+    path.y[kept] = path.y[i];
+  }
+  path.x.resize(kept + 1);
+  path.y.resize(kept + 1);
+  return path;
+}
+
 Events contacts_within(const HistoryPlace& place, const TimeWindow& window, const FigureOptions& options) {
   constexpr std::size_t most = 100;
   std::vector<double> all, apart;

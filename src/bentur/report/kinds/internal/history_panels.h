@@ -40,6 +40,8 @@ struct HistoryPlace {
 [[nodiscard]] bool has_two_windows(const HistoryPlace& place, const FigureOptions& options);
 /// The part of a curve within a window, with one point more at either side.
 [[nodiscard]] Curve within(const Curve& whole, const TimeWindow& window);
+/// A path without the points that lie within a distance from the one before.
+[[nodiscard]] Curve sparse(Curve path, double distance);
 /// Of the line of many vibrations side by side: no journal prints one that is much thinner.
 constexpr double width_over_time = 0.7;
 /// The starts of the contacts there; of very many those that can be distinguished.

@@ -65,7 +65,7 @@ void tell_place(const KindOf<Run>& kind, const Run& run, const std::vector<Judge
     with_worst = add_worst(figure, options_of_worst(judged[*worst], *worst, options),
                            [&](const FigureOptions& there) { return kind.make(run, there); });
   }
-  figure.part = place_text(gap_names(run.problem), gap, *worst, is_hit, options, with_worst);
+  add_part(figure, place_text(gap_names(run.problem), gap, *worst, is_hit, options, with_worst));
 }
 
 }  // namespace bentur

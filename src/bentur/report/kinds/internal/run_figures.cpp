@@ -14,6 +14,7 @@
 #include "bentur/model/story/judgement_story.h"
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/scene/tones.h"
 
 namespace bentur {
 
@@ -125,9 +126,8 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   return {shown.begin(), shown.end()};
 }
 
-Tone tone_of(const FigureOptions& options, Eigen::Index building) {
-  const auto number = static_cast<std::size_t>(building);
-  return building_tone(number < options.of_building.size() ? options.of_building[number] : number);
+Tone tone_of(const RunResults& run, const FigureOptions& options, Eigen::Index building) {
+  return options.tones.empty() ? tones_of(run.problem, run.response.impacts).at(building) : options.tones.at(building);
 }
 
 std::string filled_word(const FigureWords& say, std::string_view english, const std::vector<std::string>& values) {
@@ -228,6 +228,12 @@ std::string place_text(const std::vector<std::string>& gaps, std::size_t gap, st
                 : word(options, "Shown is {}, which come closest; the worst gap is {}", shown, other);
 }
 
+void add_part(Figure& figure, const std::string& text) { figure.part += (figure.part.empty() ? "" : ". ") + text; }
+
+void tell_bands(Figure& figure, const FigureOptions& options) {
+  if (has_bands(figure)) add_part(figure, word(options, "Bands reach from the lowest to the highest value"));
+}
+
 namespace {
 
 /// Whether a legend of both would have two names for one look.
@@ -286,9 +292,10 @@ Line line_beside(Tone tone, Tone other) { return are_distinct_in_grey(tone, othe
 
 void tell_apart(Curve& curve, std::size_t index, std::optional<Tone> tone) {
   constexpr Tone tones[] = {Tone::black, Tone::teal, Tone::grey};
-  constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot, Line::dotted};
+  constexpr Line lines[] = {Line::solid,  Line::dashed,    Line::dash_dot,
+                            Line::dotted, Line::long_dash, Line::dash_dot_dot};
   curve.tone = tone.value_or(tones[index % 3]);
-  curve.line = lines[(index + index / 4) % 4];
+  curve.line = lines[(index + index / 6) % 6];
   if (curve.line == Line::dotted) curve.width = 1.4;
   constexpr std::size_t most_marks = 25;
   curve.mark = curve.x.size() <= most_marks ? mark_of(index) : Mark::none;

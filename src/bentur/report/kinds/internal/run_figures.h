@@ -64,7 +64,7 @@ template <class AnyRun>
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
 /// The colour of a building, or of the one that a frame in plan is of.
-[[nodiscard]] Tone tone_of(const FigureOptions& options, Eigen::Index building);
+[[nodiscard]] Tone tone_of(const RunResults& run, const FigureOptions& options, Eigen::Index building);
 /// T of the first mode [s]; nothing without modes.
 [[nodiscard]] std::optional<double> first_period(const Building& building);
 
@@ -122,6 +122,10 @@ constexpr double broad(double width) { return width >= page_width ? width : widt
 /// @param with_worst the figure has it too, below
 [[nodiscard]] std::string place_text(const std::vector<std::string>& gaps, std::size_t gap, std::size_t worst,
                                      bool is_hit, const FigureOptions& options, bool with_worst);
+/// Adds to what a figure says below it: Figure::part.
+void add_part(Figure& figure, const std::string& text);
+/// Says what bands are, where it has some.
+void tell_bands(Figure& figure, const FigureOptions& options);
 /// What an overview has where one gap is the worst and is hit hardest: picture, opening, bars.
 constexpr std::size_t overview_panels = 3;
 /// The gap that the verdict puts first where that is not this one.

@@ -8,6 +8,7 @@
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/tones.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -54,10 +55,11 @@ Figure of_frames(const PlanRun& run, FigureOptions options, Figure (*draw)(const
   std::vector<PlanFramePlace> places;
   options.gap.reset();
   options.elevation.reset();
-  options.of_building.clear();
+  options.tones.clear();
+  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
   for (const Index n : shown) {
     places.push_back(all[n]);
-    options.of_building.push_back(static_cast<std::size_t>(all[n].building));
+    options.tones.push_back(tones.at(all[n].building));
   }
   RunResults frames = frames_of(run, places);
   frames.response.impacts = run.response.impacts;
@@ -80,6 +82,8 @@ Figure of_frames(const PlanRun& run, FigureOptions options, Figure (*draw)(const
 }  // namespace
 
 Figure floor_spectrum_figure(const PlanRun& run, const FigureOptions& options) {
+  FigureOptions with_tones = options;
+  with_tones.tones = tones_of(run.problem, run.response.impacts);
   RunResults row = *row_of(run);
   row.response.impacts = run.response.impacts;
   row.figures.floor_spectra = run.closer.floors;
@@ -92,7 +96,7 @@ Figure floor_spectrum_figure(const PlanRun& run, const FigureOptions& options) {
     modal_properties(building.modes, load).effective_mass_fraction.maxCoeff(&most);
     row.problem.buildings[floor.building].modes.omega = building.modes.omega.segment<1>(most);
   }
-  return floor_spectrum_figure(row, options);
+  return floor_spectrum_figure(row, with_tones);
 }
 
 Figure frame_forces_figure(const PlanRun& run, const FigureOptions& options) {

@@ -129,6 +129,7 @@ Figure make_figure(const PlanRun& run, const std::string& kind, const FigureOpti
       figure.part = floors_text(run.closer.floors, hit, gap_names(run.problem), judged_gaps(run),
                                 run.problem.buildings.size(), options);
     }
+    tell_bands(figure, options);
     return figure;
   }
   const std::vector<std::string> of_rows = row_figure_names();

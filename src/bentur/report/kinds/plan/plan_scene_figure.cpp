@@ -15,6 +15,7 @@
 #include "bentur/report/kinds/internal/burst.h"
 #include "bentur/report/kinds/internal/convex_area.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/scene/tones.h"
 
 namespace bentur {
 namespace {
@@ -41,7 +42,12 @@ bool meet(const PlanBox& a, const PlanBox& b) {
 class PlanPicture {
  public:
   PlanPicture(const PlanRun& run, const PlanInstant& instant, const FigureOptions& options)
-      : run_(run), scene_(run), options_(options), time_(instant.time), shown_(*instant.point) {
+      : run_(run),
+        scene_(run),
+        options_(options),
+        tones_(tones_of(run.problem, run.response.impacts)),
+        time_(instant.time),
+        shown_(*instant.point) {
     const double level = contact_at(run.problem, *instant.point).contact->elevation;
     for (const PlanBuilding& building : run.problem.buildings) {
       const auto b = std::ssize(floors_);
@@ -127,11 +133,11 @@ class PlanPicture {
     const std::vector<PlanRings> above = rings_above(b);
     for (const std::vector<PlanPoint>& ring : rings_[b]) {
       Curve curve{.label = run_.problem.buildings[b].name,
-                  .tone = building_tone(b),
+                  .tone = tones_[b],
                   .width = 1.5,
                   .complete = true,
                   .in_legend = false};
-      if (has_centres() && b > 0) curve.line = line_beside(curve.tone, building_tone(b - 1));
+      if (has_centres() && b > 0) curve.line = line_beside(curve.tone, tones_[b - 1]);
       for (const std::vector<PlanPoint>& line : seen_parts(ring, above)) {
         if (!curve.x.empty()) add(curve, PlanPoint::Constant(not_known));
         for (const PlanPoint& at : line) add(curve, at);
@@ -435,6 +441,7 @@ class PlanPicture {
   const PlanRun& run_;
   PlanScene scene_;
   const FigureOptions& options_;
+  std::vector<Tone> tones_;
   double time_, size_ = 0;
   Index shown_;  // contact
   std::vector<Index> floors_;

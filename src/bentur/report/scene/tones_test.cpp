@@ -1,0 +1,48 @@
+#include "bentur/report/scene/tones.h"
+
+#include <gtest/gtest.h>
+
+namespace bentur {
+namespace {
+
+Problem row_of(std::size_t buildings) {
+  Problem problem;
+  problem.buildings.resize(buildings);
+  for (std::size_t gap = 0; gap + 1 < buildings; ++gap) {
+    ContactPoint point;
+    point.left = static_cast<Eigen::Index>(gap);
+    problem.points.push_back(point);
+  }
+  return problem;
+}
+
+Impact blow(Eigen::Index point, double force) {
+  Impact impact;
+  impact.point = point;
+  impact.peak_force = force;
+  return impact;
+}
+
+TEST(Tones, UpToTenBuildingsHaveOneEach) {
+  const std::vector<Tone> tones = tones_of(row_of(10), {blow(3, 1)});
+  for (std::size_t b = 0; b < tones.size(); ++b) EXPECT_EQ(tones[b], building_tones[b]);
+}
+
+/// No colour says of two of many buildings that they are one.
+TEST(Tones, OfManyBuildingsTheTwoHitHardestAloneHaveColours) {
+  for (const Eigen::Index hardest : {0, 3, 6, 10}) {
+    const std::vector<Tone> tones = tones_of(row_of(12), {blow(1, 2), blow(hardest, 3), blow(5, 1)});
+    for (std::size_t b = 0; b < tones.size(); ++b) {
+      const bool is_left = static_cast<Eigen::Index>(b) == hardest,
+                 is_right = static_cast<Eigen::Index>(b) == hardest + 1;
+      EXPECT_EQ(tones[b] == building_tones[0], is_left) << b;
+      EXPECT_EQ(tones[b] == building_tones[1], is_right) << b;
+      if (!is_left && !is_right) EXPECT_TRUE(tones[b] == Tone::bark || tones[b] == Tone::stone) << b;
+      if (b > 0) EXPECT_TRUE(are_distinct_in_grey(tones[b - 1], tones[b])) << b << " beside its neighbour";
+    }
+  }
+  for (const Tone tone : tones_of(row_of(12), {})) EXPECT_TRUE(tone == Tone::bark || tone == Tone::stone);
+}
+
+}  // namespace
+}  // namespace bentur
