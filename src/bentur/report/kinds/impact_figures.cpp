@@ -97,8 +97,34 @@ double loss_in(const Course& course) {
   return taken > 0 ? std::max(lost / taken, 0.0) : 0;
 }
 
+/// Whether the force is some stiffness times the penetration throughout, so that each tells the other.
+bool is_proportional(const Course& course) {
+  constexpr double seen = 0.01;  // of the peak
+  const auto end = static_cast<std::ptrdiff_t>(course.end);
+  const double deepest = *std::max_element(course.shortening.begin(), course.shortening.begin() + end);
+  const double peak = *std::max_element(course.force.begin(), course.force.begin() + end);
+  if (!(deepest > 0) || !(peak > 0)) return false;
+  for (std::size_t i = 0; i < course.end; ++i) {
+    if (std::abs(course.force[i] / peak - course.shortening[i] / deepest) > seen) return false;
+  }
+  return true;
+}
+
 std::string title(const RunResults& run, const Course& course, const FigureOptions& options) {
   return fmt::format("One impact, {}, from t = {:.4f} s", point_text(run, course.point, options), course.start);
+}
+
+/// Writes the peak above its place, with room for it.
+void name_peak(Panel& panel, const RunResults& run, const Impact& impact) {
+  const Curve& curve = panel.curves.front();
+  const auto most = std::max_element(curve.y.begin(), curve.y.end());
+  constexpr double above = 1.15;
+  panel.y.least = {0, above * *most};
+  panel.texts.push_back({.x = curve.x[static_cast<std::size_t>(most - curve.y.begin())],
+                         .y = *most,
+                         .text = fmt::format("{}, δ = {}", shown_value(run, impact.peak_force, "F"),
+                                             shown_value(run, impact.peak_penetration, "L")),
+                         .side = PlaceText::Side::above});
 }
 
 }  // namespace
@@ -124,11 +150,19 @@ Figure impact_figure(const RunResults& run, const FigureOptions& options) {
   Panel force = panel(with_unit(word(options, "Contact force F"), shown_unit(run, "F")), course.force);
   force.x.label = word(options, "Time since the contact began at {} s [ms]", fmt::format("{:.4f}", course.start));
   const Impact& impact = run.response.impacts.at(near.impact);
-  return {.title = title(run, course, options),
-          .finding = word(options, "lasts {}, force up to {}, penetration up to {}", number(course.length) + " ms",
-                          shown_value(run, impact.peak_force, "F"), shown_value(run, impact.peak_penetration, "L")),
-          .panels = {depth, force},
-          .width = options.width};
+  Figure figure{
+      .title = title(run, course, options),
+      .finding = word(options, "lasts {}, force up to {}, penetration up to {}", number(course.length) + " ms",
+                      shown_value(run, impact.peak_force, "F"), shown_value(run, impact.peak_penetration, "L")),
+      .panels = {depth, force},
+      .width = options.width};
+  if (!is_proportional(course)) return figure;
+  force.title = depth.title;  // the course of the penetration would be the same once more
+  force.height = 4.2;
+  force.curves.front().label = word(options, "the penetration has this course too");
+  name_peak(force, run, impact);
+  figure.panels = {force};
+  return figure;
 }
 
 Figure loop_figure(const RunResults& run, const FigureOptions& options) {
@@ -158,19 +192,22 @@ Figure loop_figure(const RunResults& run, const FigureOptions& options) {
   Curve parting =
       part(deepest, course.end,
            {.label = word(options, "parting") + ": " + lost, .tone = Tone::grey, .line = Line::dashed, .width = 1.3});
-  if (loss_in(course) < seen_loss) {  // one lies on the other
-    closing.label = word(options, "closing and parting alike") + ": " + lost;
-    parting.in_legend = false;
-  }
+  const bool is_elastic = loss_in(course) < seen_loss;  // one lies on the other
+  if (is_elastic) closing.label = word(options, "elastic: closing and parting on one line");
   if (!impact.open_ended) {  // what is left comes back without force
     parting.x.push_back(0);
     parting.y.push_back(0);
   }
-  const Panel panel{.title = point_text(run, course.point, options),
-                    .x = {.label = with_unit(word(options, "Penetration δ"), run.c.units.length), .from = 0},
-                    .y = {.label = with_unit(word(options, "Contact force F"), shown_unit(run, "F"))},
-                    .height = 5,
-                    .curves = {std::move(closing), std::move(parting)}};
+  Panel panel{.title = point_text(run, course.point, options),
+              .x = {.label = with_unit(word(options, "Penetration δ"), run.c.units.length), .from = 0},
+              .y = {.label = with_unit(word(options, "Contact force F"), shown_unit(run, "F"))},
+              .height = 5,
+              .curves = {std::move(closing)}};
+  if (is_elastic) {
+    name_peak(panel, run, impact);
+  } else {
+    panel.curves.push_back(std::move(parting));
+  }
   return {.title = title(run, course, options),
           .finding = word(options, "peak {} at a penetration of {}", shown_value(run, impact.peak_force, "F"),
                           shown_value(run, impact.peak_penetration, "L")) +

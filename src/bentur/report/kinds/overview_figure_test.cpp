@@ -9,7 +9,7 @@
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
-#include "bentur/report/kinds/kinds.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/story_text.h"
 
 namespace bentur {
@@ -220,6 +220,30 @@ TEST(Overview, StandsBesideOnAPageAndBelowOneAnotherInAColumn) {
                 (placed.y.to - placed.y.from) / (placed.top - placed.bottom), 1e-12);
     EXPECT_LE(one->height, 2 * one->width);
   }
+}
+
+/// Of a linear contact without a dashpot force and penetration have one course, and both ways are one line: nothing is
+/// drawn twice.
+TEST(Impact, OfAnElasticContactDrawsNothingTwice) {
+  RunResults run = example_run("row-of-three");
+  run.figures = figure_data(run);
+  ASSERT_TRUE(is_lossless(run));
+  const Impact& hardest = run.response.impacts.at(run.figures.close_up->impact);
+  for (const std::string kind : {"impact", "loop"}) {
+    const Figure figure = make_figure(run, kind);
+    ASSERT_EQ(figure.panels.size(), 1U) << kind;
+    ASSERT_EQ(figure.panels.front().curves.size(), 1U) << kind;
+    EXPECT_NE(figure.panels.front().curves.front().label.find(kind == "loop" ? "on one line" : "has this course too"),
+              std::string::npos);
+    ASSERT_EQ(figure.panels.front().texts.size(), 1U) << kind;
+    EXPECT_EQ(figure.panels.front().texts.front().text,
+              shown_value(run, hardest.peak_force, "F") + ", δ = " + shown_value(run, hardest.peak_penetration, "L"));
+  }
+  RunResults lossy = example_run("linked-pair");
+  lossy.figures = figure_data(lossy);
+  ASSERT_FALSE(is_lossless(lossy));
+  EXPECT_EQ(make_figure(lossy, "impact").panels.size(), 2U);
+  EXPECT_EQ(make_figure(lossy, "loop").panels.front().curves.size(), 2U);
 }
 
 /// The close-up of an impact is of the gap that is asked for, also where another one is hit harder.
