@@ -9,6 +9,7 @@
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
+#include "bentur/report/scene/tones.h"
 
 namespace bentur {
 namespace {
@@ -153,6 +154,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
       {with_unit(word(options, "Displacement x"), length), histories.x, &PlanPeaks::x, 1, length},
       {with_unit(word(options, "Displacement y"), length), histories.y, &PlanPeaks::y, 1, length},
       {word(options, "Rotation θ [mrad]"), histories.rotation, &PlanPeaks::rotation, to_mrad, "mrad"}};
+  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
   const auto moves = [&](const Quantity& quantity) {
     const auto is_moved = [&](int side) {
       const auto [b, floor] = side_at(run, point, side);
@@ -174,7 +176,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
       curves.push_back({.label = run.problem.buildings[b].name,
                         .x = histories.time,
                         .y = times(row_of(quantity.list[b], floor), quantity.factor),
-                        .tone = building_tone(b),
+                        .tone = tones[b],
                         .line = curves.empty() ? Line::solid : Line::dashed});
       if (run.response.course.time.empty()) {
         add_peak(curves.back(), quantity.factor * (run.response.buildings[b].*quantity.peaks)(floor));
@@ -337,8 +339,10 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
   const Index point = chosen_point(run, options);
   const PlanGap& gap = gap_at(run, point);
   HistoryPlace place = place_of(run, point, options);
-  const TimeWindow shown = has_two_windows(place, options) ? around_the_hardest(place) : asked_window(place, options);
+  const bool two = has_two_windows(place, options);
+  const TimeWindow shown = two ? around_the_hardest(place) : asked_window(place, options);
   const std::vector<double>& time = course_of(run).time;
+  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
   const std::vector<Index> beside = points_beside(run, point);
   const Index other = point == beside.front() ? beside.back() : beside.front();
   const std::string& length = run.c.units.length;
@@ -347,6 +351,7 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
                 .width = options.narrow ? options.width : broad(options.width)};
   PlanPoint reach = PlanPoint::Zero();
   reach[gap.stretch.across] = 1.05 * gap.stretch.width;
+  constexpr double seen = 1.0 / 400;  // of what is drawn
   for (const int side : {0, 1}) {
     const auto [b, floor] = side_at(run, point, side);
     const PlanBuilding& building = run.problem.buildings[b];
@@ -359,7 +364,7 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
       const StretchCorner there = gap.at(*contact_at(run.problem, end).contact);
       const PlanPoint& at = side == 0 ? there.left : there.right;
       Curve curve{.label = along_text(run, end),
-                  .tone = end == point ? building_tone(b) : Tone::grey,
+                  .tone = end == point ? tones[b] : Tone::grey,
                   .line = end == point ? Line::solid : Line::dashed,
                   .width = end == point ? 1.0 : 0.8,
                   .complete = true};
@@ -368,10 +373,15 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
         curve.x.push_back(moved.x());
         curve.y.push_back(moved.y());
       }
-      curve = cut(curve, time, shown);
-      for (const double value : curve.x) reach.x() = std::max(reach.x(), 1.05 * std::abs(value));
-      for (const double value : curve.y) reach.y() = std::max(reach.y(), 1.05 * std::abs(value));
-      panel.curves.push_back(std::move(curve));
+      const Curve near = cut(curve, time, shown);
+      const Curve& widest = two && end == point ? curve : near;
+      for (const double value : widest.x) reach.x() = std::max(reach.x(), 1.05 * std::abs(value));
+      for (const double value : widest.y) reach.y() = std::max(reach.y(), 1.05 * std::abs(value));
+      panel.curves.push_back(near);
+      if (!two || end != point) continue;
+      curve.label = word(options, "rest of the run");
+      curve.tone = Tone::pale;
+      panel.curves.insert(panel.curves.begin(), sparse(std::move(curve), seen * reach.norm()));
     }
     if (const Impact* const hardest = hardest_impact(place)) {
       const double when = hardest->peak_force > 0 ? hardest->peak_force_time : hardest->start;
@@ -417,6 +427,14 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
   for (Panel& panel : figure.panels) panel.height *= frame.width / frame.height * reach.y() / reach.x();
   figure.finding =
       fmt::format("{}, {} s – {} s", point_text(run, point, options), number(shown.from), number(shown.to));
+  const std::string from = seconds_text(shown.from), to = seconds_text(shown.to);
+  if (two) {
+    add_part(figure, hardest_impact(place) != nullptr
+                         ? word(options, "Dark from {} to {}, around the hardest impact; pale the rest", from, to)
+                         : word(options, "Dark from {} to {}, where they come closest; pale the rest", from, to));
+  } else if (options.from || options.to) {
+    add_part(figure, word(options, "From {} to {}", from, to));
+  }
   return figure;
 }
 

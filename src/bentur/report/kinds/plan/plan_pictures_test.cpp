@@ -461,21 +461,6 @@ TEST(PlanPictures, WithoutACourseForcesAreTheirPeaks) {
   }
 }
 
-/// A corner is nowhere beyond its neighbour at rest by more than that has moved and been pressed in, and both panels
-/// have one scale both ways.
-TEST(PlanPictures, OrbitsAreToScale) {
-  const Figure figure = make_figure(twisting(), "orbit");
-  ASSERT_EQ(figure.panels.size(), 2U);
-  const PlacedFigure placed = placed_figure(figure, "");
-  for (const PanelPlace& frame : placed.panels) {
-    const double across = (frame.x.second - frame.x.first) / frame.width;
-    EXPECT_NEAR((frame.y.second - frame.y.first) / frame.height, across, 0.01 * across);
-  }
-  EXPECT_EQ(labelled(figure.panels[0], "hardest impact").x.size(), 1U);
-  EXPECT_NEAR(figure.panels[0].rules.front().at, 0.04, 1e-12);
-  EXPECT_NEAR(figure.panels[1].rules.front().at, -0.04, 1e-12);
-}
-
 TEST(PlanPictures, FrictionStaysWithinItsCone) {
   const Figure figure = make_figure(twisting(), "friction-cone");
   const Curve& path = labelled(figure.panels.front(), "samples in contact");
