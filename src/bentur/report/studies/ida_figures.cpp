@@ -7,6 +7,7 @@
 #include "bentur/model/quantities.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/names.h"
 #include "bentur/report/studies/sweep_data.h"
 #include "bentur/study/fragility/fragility_report.h"
 #include "bentur/study/quantiles.h"
@@ -379,9 +380,14 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
                              : collapse ? word(options, "Probability of collapse P [–]")
                                         : "P(" + event + ") [–]",
                     .from = 0,
-                    .to = 1},
+                    .to = 1.12,  // names stand above those that have reached 1
+                    .places = {0, 0.2, 0.4, 0.6, 0.8, 1}},
               .height = 5.5,
               .names_at_ends = true};
+  std::vector<std::string> names;
+  for (const std::vector<std::size_t>& one : cases) names.push_back(case_name(sweep, ida, one));
+  std::vector<std::string> in_short = short_names(names);  // of all but the first
+  if (!are_parts_of(in_short, names)) in_short = names;
   std::vector<Curve> areas, edges, lines;
   std::string finding;
   std::vector<std::string> unfitted;  // reasons, one a case
@@ -400,7 +406,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
     any_event = any_event || fragility.events > 0;
     const std::string observed_words = observed_label(fragility.counts, options);
     const Fragility& fit = fragility.fit;
-    const std::string name = case_name(sweep, ida, cases[c]);
+    const std::string& name = names[c];
     if (fit.kind != Fragility::Kind::fitted) {
       unfitted.push_back(why_unfitted(levels, fit, options));
       finding += (finding.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") + unfitted.back();
@@ -415,7 +421,7 @@ Figure fragility_figure(const SweepData& sweep, const FigureOptions& options) {
       if (is_extrapolated(fragility.counts, fit)) finding += ", " + word(options, "extrapolated");
     }
     if (fit.kind == Fragility::Kind::fitted) {
-      Curve line{.label = name.empty() ? word(options, "lognormal fit") : name, .width = 1.3};
+      Curve line{.label = name.empty() ? word(options, "lognormal fit") : c == 0 ? name : in_short[c], .width = 1.3};
       tell_apart(line, c);
       line.mark = Mark::none;
       Curve area{.label = areas.empty() ? word(options, "95 % bounds") : "", .tone = pale_of(line.tone)};

@@ -5,6 +5,8 @@
 
 #include "bentur/files/netcdf.h"
 #include "bentur/io/temporary_folder.h"
+#include "bentur/report/figures/internal/layout.h"
+#include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/studies/file_kinds.h"
 
 namespace bentur {
@@ -168,7 +170,7 @@ TEST(IdaFigure, FragilityOfEachWidth) {
   const Curve& fit = labelled(figure, "gap 0.1 m");
   EXPECT_TRUE(std::is_sorted(fit.y.begin(), fit.y.end()));
   EXPECT_GT(fit.y.back(), 0.9);
-  labelled(figure, "gap 0.2 m");
+  labelled(figure, "0.2 m");
   const Curve& band = labelled(figure, "95 % bounds");
   ASSERT_EQ(band.x.size(), band.top.size());
   for (std::size_t i = 0; i < band.x.size(); ++i) EXPECT_LE(band.y[i], band.top[i]);
@@ -184,6 +186,28 @@ TEST(IdaFigure, FragilityOfEachWidth) {
   for (std::size_t i = 0; i < area.x.size(); ++i) EXPECT_LE(area.y[i], area.top[i]);
 }
 
+/// Each curve is named where it ends, or where it comes to 1, and none has the dashes of another.
+TEST(IdaFigure, CurvesOfAFragilityAreNamedAtTheirEnds) {
+  const TemporaryFolder folder;
+  const NetcdfReader results(write_results(folder.path()));
+  const Figure figure = make_figure(results, "fragility");
+  EXPECT_NE(labelled(figure, "gap 0.1 m").line, labelled(figure, "0.2 m").line);
+  const Layout placing = layout(figure);
+  std::vector<std::string> named;
+  for (const CurveName& name : placing.panels.front().names) named.push_back(name.label);
+  EXPECT_EQ(named, (std::vector<std::string>{"gap 0.1 m", "0.2 m"}));
+  for (const auto& [at, text] : placing.panels.front().y.labels) EXPECT_LE(at, 1) << "no probability";
+  for (std::size_t one = 0; one < 6; ++one) {
+    for (std::size_t other = 0; other < one; ++other) {
+      Curve a, b;
+      tell_apart(a, one);
+      tell_apart(b, other);
+      EXPECT_NE(a.line, b.line) << one << " and " << other;
+      EXPECT_NE(a.mark, b.mark) << one << " and " << other;
+    }
+  }
+}
+
 TEST(IdaFigure, FragilityNamesBoundsAndMarksWhereTheFirstWidthHasNoFit) {
   const TemporaryFolder folder;
   const NetcdfReader results(write_results(folder.path(), true));
@@ -194,7 +218,7 @@ TEST(IdaFigure, FragilityNamesBoundsAndMarksWhereTheFirstWidthHasNoFit) {
   EXPECT_TRUE(figure.panels[0].title.starts_with("no fit: ")) << figure.panels[0].title;
   EXPECT_NE(figure.finding.find("gap 0.1 m: " + figure.panels[0].title), std::string::npos) << figure.finding;
   EXPECT_FALSE(labelled(figure, "95 % bounds").x.empty());
-  EXPECT_EQ(labelled(figure, "observed, n = 3").mark, labelled(figure, "gap 0.2 m").legend_mark);
+  EXPECT_EQ(labelled(figure, "observed, n = 3").mark, labelled(figure, "0.2 m").legend_mark);
 }
 
 TEST(IdaFigure, APanelForEachWidthWhereNoneIsChosen) {
