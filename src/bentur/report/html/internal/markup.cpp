@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -189,11 +190,14 @@ bool HtmlTable::is_long(const Column& column) {
 
 std::size_t HtmlTable::telling() const {
   std::vector<std::string> titles(rows());
-  for (std::size_t count = 1; count < columns_.size(); ++count) {
+  std::size_t best = 1, most = 0;
+  for (std::size_t count = 1; count < columns_.size() && most < rows(); ++count) {
     for (std::size_t row = 0; row < rows(); ++row) titles[row] += columns_[count - 1].cells[row] + '\n';
-    if (std::set(titles.begin(), titles.end()).size() == rows()) return count;
+    const std::size_t apart = std::set(titles.begin(), titles.end()).size();
+    if (apart > most) best = count;
+    most = std::max(most, apart);
   }
-  return 1;
+  return best;
 }
 
 const char* HtmlTable::cards() const {
@@ -252,6 +256,7 @@ Html HtmlTable::written(std::string_view attributes, Heads heads, std::size_t mo
                     std::string(is_heading ? "scope=\"col\"" : "") + (column.numeric ? "" : " class=\"t\""));
   }
   Html body;
+  std::map<std::string, int> called;  // cards so far
   for (std::size_t row = 0; row < std::min(rows(), most); ++row) {
     Html line;
     for (const Column& column : columns_) {
@@ -261,13 +266,15 @@ Html HtmlTable::written(std::string_view attributes, Heads heads, std::size_t mo
       };
       if (&column == &columns_.front() && row < titles_.size()) put("title", titles_[row]);
       if (heads == Heads::in_cells) put("data-head", head_of(column));
-      if (&column == &columns_.front() && titled > 1) {
+      if (&column == &columns_.front() && heads == Heads::in_cells) {
         std::string rest;
         for (std::size_t i = 1; i < titled; ++i) {
           const Column& one = columns_[i];
           rest += ", " + (one.numeric ? head_of(one) + " " + signed_text(one.cells.at(row)) : one.cells.at(row));
         }
-        put("data-rest", rest);
+        const int times = ++called[column.cells.at(row) + rest];
+        if (times > 1) rest += fmt::format(" ({})", times);
+        if (!rest.empty()) put("data-rest", rest);
       }
       line += element("td", column.numeric ? signed_text(column.cells.at(row)) : column.cells.at(row), about);
     }

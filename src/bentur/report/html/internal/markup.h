@@ -95,7 +95,7 @@ class HtmlTable {
   enum class Heads { above, in_cells };
   /// Has a line of its own in a card.
   [[nodiscard]] static bool is_long(const Column& column);
-  /// How many of the first columns it takes to tell all rows apart: these are the title of a card; 1 where none do.
+  /// How many of the first columns it takes to tell rows apart as far as can be: these are the title of a card.
   [[nodiscard]] std::size_t telling() const;
   /// The class of cards whose cells stand three to a line, or four where that leaves less of the last one empty.
   [[nodiscard]] const char* cards() const;

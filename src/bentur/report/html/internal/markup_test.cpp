@@ -95,6 +95,11 @@ TEST(Markup, CardsHaveTitlesOfTheirOwn) {
   EXPECT_NE(cards.find("<td class=\"t told\" data-head=\"End\">bottom</td>"), std::string::npos) << cards;
   EXPECT_NE(cards.find("class=\"cards four\""), std::string::npos) << "four cells are left: " << cards;
   EXPECT_EQ(table.printed(4).str().find("data-rest"), std::string::npos) << "a row is no card";
+  HtmlTable alike;  // two contacts at one corner that nothing struck
+  for (const char* const name : {"Level-of-the-roof", "Needed-of-the-gap", "Force-at-a-corner"}) {
+    alike.add(name, "m", std::vector<double>{6, 6, 3});
+  }
+  EXPECT_NE(alike.markup().str().find("[m]\" data-rest=\" (2)\">6<"), std::string::npos) << alike.markup().str();
 }
 
 /// Others have a form that is theirs by what they are, however broad they are.
