@@ -160,7 +160,7 @@ TEST(ManyBuildings, BarsHaveTheColourOfWhatIsJudged) {
     ++filled;
   }
   EXPECT_GE(filled, 3);
-  const auto is_red = [](const Curve& one) { return one.tone == Tone::red && one.label == "needed: too small"; };
+  const auto is_red = [](const Curve& one) { return one.tone == Tone::red && one.label == "needed, gap too small"; };
   EXPECT_TRUE(std::any_of(bars.curves.begin(), bars.curves.end(), is_red));
 }
 

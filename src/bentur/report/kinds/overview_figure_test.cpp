@@ -149,7 +149,7 @@ TEST(Overview, BarsAreGivenAndNeeded) {
     key.push_back(entry.label);
     EXPECT_EQ(entry.outline, entry.label == "reversed");
   }
-  EXPECT_EQ(key, (std::vector<std::string>{"given", "needed: too small", "reversed"}));
+  EXPECT_EQ(key, (std::vector<std::string>{"given", "needed, gap too small", "reversed"}));
 }
 
 /// Of the gap that is worst but not hit hardest, where its bars are of a level at which it is hit.

@@ -117,7 +117,7 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
     panel.y.names.push_back(std::isnan(bars[1].value)              ? between + ": " + word(options, "not known")
                             : text_width(with_word) > longest_name ? between + ", " + level
                                                                    : with_word);
-    const std::string labels[] = {word(options, "given"), word(options, "needed: {}", judged_text(gap, options)),
+    const std::string labels[] = {word(options, "given"), word(options, "needed, gap {}", judged_text(gap, options)),
                                   word(options, "reversed")};
     for (std::size_t k = 0; k < bars.size(); ++k) {
       add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
