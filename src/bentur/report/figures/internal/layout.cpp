@@ -476,7 +476,7 @@ double room_of_part(const std::vector<std::string>& lines) {
 double text_x(const PlaceText& one, const std::vector<std::string>& lines, const Ticks& x, double width) {
   const double at = along(x, one.x) * width;
   if (one.side != PlaceText::Side::above && one.side != PlaceText::Side::below) return at;
-  constexpr double clear = 0.08;  // of the frame
+  constexpr double clear = 0.14;  // of the frame and its ticks
   double half = 0;
   for (const std::string& text : lines) half = std::max(half, text_width(text) / 2 + clear);
   return std::clamp(at, half, std::max(half, width - half));
