@@ -162,6 +162,7 @@ Figure impact_figure(const RunResults& run, const FigureOptions& options) {
   force.curves.front().label = word(options, "the penetration has this course too");
   name_peak(force, run, impact);
   figure.panels = {force};
+  figure.lacks = "penetration";
   return figure;
 }
 

@@ -232,6 +232,7 @@ TEST(Impact, OfAnElasticContactDrawsNothingTwice) {
   for (const std::string kind : {"impact", "loop"}) {
     const Figure figure = make_figure(run, kind);
     ASSERT_EQ(figure.panels.size(), 1U) << kind;
+    EXPECT_EQ(figure.lacks, kind == "impact" ? "penetration" : "") << "its caption names what is there";
     ASSERT_EQ(figure.panels.front().curves.size(), 1U) << kind;
     EXPECT_NE(figure.panels.front().curves.front().label.find(kind == "loop" ? "on one line" : "has this course too"),
               std::string::npos);
