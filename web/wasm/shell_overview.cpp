@@ -180,6 +180,29 @@ Json kinds_of(const Run& run, const Words& say) {
 
 }  // namespace
 
+namespace {
+
+/// The tables of a first screen: of the gaps, and what else is known.
+Json facts_of(const std::vector<std::string>& gaps, const Story& story, const Words& say) {
+  std::vector<SaidTable> tables;
+  for (const StoryTable& one : story.tables) {
+    if (one.kind.starts_with("row")) tables.push_back(said(one, say));
+  }
+  if (auto known = known_table(gaps, said(story.statements, say), say)) tables.push_back(std::move(*known));
+  Json all = Json::array();
+  for (const SaidTable& table : tables) {
+    Json columns = Json::array();
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const auto& [head, unit, cells, values] = table.columns[i];
+      columns.push_back({{"head", head}, {"unit", unit}, {"cells", cells}, {"numbers", bool{table.are_numbers[i]}}});
+    }
+    all.push_back({{"heading", table.heading}, {"columns", columns}, {"marked", table.marked}, {"note", table.note}});
+  }
+  return all;
+}
+
+}  // namespace
+
 Json overview_of(const std::string& title, const Units& units, double duration, const Json& told,
                  const std::vector<std::string>& gaps, const Story& story, const Words& say) {
   return {{"ok", true},
@@ -189,7 +212,8 @@ Json overview_of(const std::string& title, const Units& units, double duration, 
           {"units", {{"length", units.length}, {"force", units.force}}},
           {"gaps", told},
           {"tone", verdict_tone(said(story.statements, say))},
-          {"statements", statements_of(gaps, story, say)}};
+          {"statements", statements_of(gaps, story, say)},
+          {"facts", facts_of(gaps, story, say)}};
 }
 
 namespace {

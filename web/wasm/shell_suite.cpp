@@ -6,11 +6,13 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
 #include "bentur/model/limits.h"
+#include "bentur/model/story/story.h"
 #include "bentur/model/suite/suite.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
@@ -34,6 +36,27 @@ std::optional<Json> too_large_record(const Case& c, const WithMotion& with_motio
     if (std::optional<Json> answer = beyond_page(effort(problem, one.analysis.solver, options))) return answer;
   }
   return std::nullopt;
+}
+
+/// The record to look at first, from 1: the one of the hardest impact that is told, else the one that comes closest.
+/// @param gaps with their widths
+std::size_t hardest_record(const SuiteRun& run, const Story& story, const Json& gaps) {
+  const std::vector<SuiteRecord>& records = run.c.excitation.suite->records;
+  if (const Statement* const hardest = hardest_impact_of(story.statements); hardest != nullptr && hardest->many) {
+    const auto named = [&](const SuiteRecord& one) { return one.name() == hardest->many->worst; };
+    const auto found = std::find_if(records.begin(), records.end(), named);
+    if (found != records.end()) return static_cast<std::size_t>(found - records.begin()) + 1;
+  }
+  std::size_t closest = 1;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < run.records.size(); ++i) {
+    const std::vector<double>& needed = run.records[i].needed;
+    for (std::size_t g = 0; g < needed.size(); ++g) {
+      const double beyond = needed[g] - gaps.at(g).at("width").get<double>();
+      if (beyond > most) std::tie(most, closest) = std::pair(beyond, i + 1);
+    }
+  }
+  return closest;
 }
 
 }  // namespace
@@ -112,9 +135,11 @@ Json Studio::suite_overview(const Words& say) const {
   for (const SuiteRecord& one : suite_->records) {
     longest = std::max(longest, suite_->duration.value_or(one.echo.duration));
   }
-  Json all = overview_of(case_->title, case_->units, longest, gaps, names, suite_story(*suite_run_, *suite_gaps_), say);
+  const Story story = suite_story(*suite_run_, *suite_gaps_);
+  Json all = overview_of(case_->title, case_->units, longest, gaps, names, story, say);
   all["spectral"] = false;
   all["suite"] = suite_choice(*suite_, 0);
+  all["suite"]["hardest"] = hardest_record(*suite_run_, story, gaps);
   Json& figures = all["figures"] = Json::array();
   for (const FigureKind& one : figure_kinds(*suite_run_)) {
     figures.push_back(
