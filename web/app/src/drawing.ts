@@ -13,8 +13,8 @@ export const point = signal<number | null>(null);
 /** The time that is pointed at in one of the histories [s], for a line through all of them. */
 export const pointed = signal<number | null>(null);
 
-/** Width on the page of each kind that is in sight [px]. */
-const inSight = new Map<string, number>();
+/** Width on the page of each kind [px], and which are in sight. */
+const placed = new Map<string, number>(), inSight = new Set<string>();
 /** Which are of the run that is shown, and of what is chosen; others are of what was before until they are drawn. */
 export const fresh = signal<ReadonlySet<string>>(new Set());
 const isFresh = (kind: string) => fresh.peek().has(kind);
@@ -41,15 +41,15 @@ export function wanted(kind: string, pixels: number): Wanted | null {
   return { width, narrow, from, to, gap: place?.gap ?? (isOfGap ? gap.value : undefined), elevation: place?.elevation };
 }
 
-/** Every kind in sight, for a run to be drawn by at once. */
-export function wantedNow(): [string, Wanted][] {
-  const all: [string, Wanted][] = [];
-  for (const [kind, pixels] of inSight) {
-    const one = wanted(kind, pixels);
-    if (one) all.push([kind, one]);
-  }
-  return all;
+function wantedOf(kinds: Iterable<string>): [string, Wanted][] {
+  return [...kinds].flatMap((kind): [string, Wanted][] => {
+    const one = wanted(kind, placed.get(kind)!);
+    return one ? [[kind, one]] : [];
+  });
 }
+
+/** Every kind in sight, for a run to be drawn by at once. */
+export const wantedNow = () => wantedOf(inSight);
 
 let speaks = "";
 /** Takes the figures of a run that has just been solved; those out of sight are of the run before, if in the same language.
@@ -57,6 +57,7 @@ let speaks = "";
 export function take(made: Record<string, Drawn>, later = false) {
   fresh.value = new Set(Object.keys(made));
   if (later) drawInSight();
+  drawOthers(QUIET);
   drawn.value = { ...(speaks === language.value ? drawn.value : {}), ...made };
   speaks = language.value;
 }
@@ -69,19 +70,24 @@ function draw(kinds: [string, Wanted][]) {
       fresh.value = new Set([...fresh.value, ...Object.keys(answer.drawn)]);
       drawn.value = { ...drawn.value, ...answer.drawn };
     });
+    if (answer.more === 0 && Object.keys(answer.drawn).length > 0) drawOthers(0);
   });
 }
 
-/** A figure has come into sight, so wide, or has gone out of it. */
-export function see(kind: string, pixels: number | null) {
-  const before = inSight.get(kind);
+/** A figure stands on the page, so wide, in sight or not; or, without a width, no longer does. */
+export function see(kind: string, pixels: number | null, isInSight = false) {
+  const before = placed.get(kind);
+  if (pixels === null || !isInSight) inSight.delete(kind);
   if (pixels === null) {
-    inSight.delete(kind);
+    placed.delete(kind);
     return;
   }
-  inSight.set(kind, pixels);
+  placed.set(kind, pixels);
   if (before !== undefined && Math.abs(before - pixels) > 1) outdate(kind);
-  if (!isFresh(kind)) drawInSight();
+  if (isInSight) inSight.add(kind);
+  if (isFresh(kind)) return;
+  if (isInSight) drawInSight();
+  else drawOthers(QUIET);
 }
 
 function outdate(kind: string) {
@@ -92,8 +98,23 @@ let due = 0;
 /** Draws what is in sight and of before, once for all that is asked for in a moment. */
 function drawInSight() {
   clearTimeout(due);
-  due = window.setTimeout(() => draw(wantedNow().filter(([kind]) => !isFresh(kind))), 0);
+  due = window.setTimeout(() => draw(wantedNow().filter(isOld)), 0);
 }
+
+const isOld = ([kind]: [string, Wanted]) => !isFresh(kind);
+
+const QUIET = 400; // [ms] without a run or a choice, after which figures out of sight are drawn too
+let later = 0;
+/** Draws the figures out of sight one after the other, as long as nothing else is asked for, so that no part of the page
+ *  is blank where it is printed. */
+function drawOthers(quiet: number) {
+  clearTimeout(later);
+  later = window.setTimeout(() => {
+    const seen = wantedNow().filter(isOld);
+    draw(seen.length > 0 ? seen : wantedOf(placed.keys()).filter(isOld).slice(0, 1));
+  }, quiet);
+}
+addEventListener("beforeprint", () => draw(wantedOf(placed.keys()).filter(isOld)));
 
 /** From now on what is chosen is drawn. */
 export function beginDrawing() {
@@ -102,12 +123,12 @@ export function beginDrawing() {
     void point.value;
     void gap.value;
     fresh.value = new Set(); // all was drawn by what was chosen before
-    untracked(drawInSight);
+    untracked(() => { drawInSight(); drawOthers(QUIET); });
   });
   effect(() => {
     void curve.value;
     outdate("gap-curve");
-    untracked(drawInSight);
+    untracked(() => { drawInSight(); drawOthers(QUIET); });
   });
   let shown = ""; // another case has other times and points
   effect(() => {

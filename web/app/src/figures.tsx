@@ -103,7 +103,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
   useEffect(() => {
     let visible = false;
     const figure = root.current!.parentElement!;
-    const look = () => see(kind, visible ? figure.clientWidth : null);
+    const look = () => see(kind, figure.clientWidth, visible);
     const sight = new IntersectionObserver(([{ isIntersecting }]) => { visible = isIntersecting; look(); }, { rootMargin: "50%" });
     const size = new ResizeObserver(look);
     sight.observe(figure);
