@@ -67,9 +67,13 @@ export const spaced = (text) => text.replaceAll("\u00a0", " ");
 export const lineOf = ({ gap, badge, text, severity, kind }, row) =>
   `${row && gap !== null && severity !== "remark" && !gap.split(" | ").every((name) => text.includes(name)) ? `${gap}: ` : ""}${badge ? `${badge.toUpperCase()}: ` : ""}${kind.startsWith("remark.") && !badge ? "remark: " : ""}${spaced(text)}`;
 
-/** What `bentur run` says in a language: the lines of its verdict and of its remarks, wrapped ones joined. */
+/** What `bentur run` says in a language: the lines of its verdict and of its remarks, wrapped ones joined, and what names
+ *  the rows of what else is known. */
 export function terminal(file, language) {
-  const parts = execFileSync(process.env.BENTUR, ["run", file, "--lang", language], { encoding: "utf8" }).split("\n\n").map((part) => part.trimEnd().replaceAll("\n  ", " ").split("\n"));
+  const all = execFileSync(process.env.BENTUR, ["run", file, "--lang", language], { encoding: "utf8" }).split("\n\n");
+  const parts = all.map((part) => part.trimEnd().replaceAll("\n  ", " ").split("\n"));
   const after = parts.findIndex((lines) => lines.length === 1 && /^(Drift and storey shear|Simpangan dan gaya geser)/.test(lines[0]));
-  return { verdict: parts[1], remarks: parts[after + 1].map((line) => line.replace(/^catatan: /, "remark: ")) };
+  const table = all[all.findIndex((part) => /^(What else is known|Yang juga diketahui)$/.test(part)) + 1];
+  const known = table.split("\n").slice(2).filter((line) => /^ {2}\S/.test(line)).map((line) => line.trim().split(/ {2,}/)[0]);
+  return { verdict: parts[1], known, remarks: parts[after + 1].map((line) => line.replace(/^catatan: /, "remark: ")) };
 }

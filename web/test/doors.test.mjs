@@ -52,7 +52,8 @@ const shown = (page) => page.evaluate(() => {
     const text = one.querySelector("p:not(.badge)");
     statements.push({ kind: one.dataset.kind, isSentence: one.dataset.shown === "sentence", gap: folder?.dataset.gap ?? null, badge: text.className === "lead" ? badges.get(list) ?? "" : "", text: text.textContent, inSight: text.checkVisibility() });
   }
-  return { statements, remarks: document.querySelector("[data-remarks]").textContent };
+  const table = [...document.querySelectorAll(".facts")].at(-1), rows = [...table?.querySelectorAll("tbody tr") ?? []];
+  return { statements, remarks: document.querySelector("[data-remarks]").textContent, known: rows.map((row) => row.cells[0].textContent) };
 });
 
 test("every example is told of as in a terminal, in both languages", async () => {
@@ -61,7 +62,7 @@ test("every example is told of as in a terminal, in both languages", async () =>
     await page.selectOption("#language", language);
     for (const name of examples(source, 2, ["row-of-three.toml"])) {
       const { statements: theirs, gaps } = await summary(page, readFileSync(`${source}/examples/${name}`, "utf8"));
-      const { statements, remarks } = await shown(page);
+      const { statements, remarks, known } = await shown(page);
       const said = terminal(`${source}/examples/${name}`, language);
       // Of a row what each gap has is under its name, in the terminal's order there too.
       const lines = statements.filter((one) => one.isSentence).map((one) => lineOf({ ...one, severity: "" }, gaps.length > 1));
@@ -69,7 +70,8 @@ test("every example is told of as in a terminal, in both languages", async () =>
       for (const begins of [...gapNames.map((gap) => (line) => line.startsWith(gap)), (line) => !gapNames.some((gap) => line.startsWith(gap))]) {
         assert.deepEqual(lines.filter(begins), said.verdict.filter(begins), `${name} ${language}`);
       }
-      assert.deepEqual(statements.map(({ kind }) => kind).sort(), theirs.filter(({ severity }) => severity !== "remark").map(({ kind }) => kind).sort());
+      // Then tables: what else is known, row by row.
+      assert.equal(spaced(known.join(" ")), said.known.join(" "), `${name} ${language}`);
       assert.equal(spaced(remarks), said.remarks.map((line) => line.replace(/^remark: /, "")).join(" "));
       // What fails is in sight, and of every gap whether it collides.
       const grades = new Map(theirs.map(({ kind, severity }) => [kind, severity]));

@@ -475,11 +475,11 @@ test("other units are the same buildings, and back again the same text", async (
     const column = (n) => page.$$eval(`#impacts tbody td:nth-child(${n})`, (all) => all.map((one) => Number(one.textContent)));
     const isSorted = (all, way) => all.length > 10 && all.every((one, i) => i === 0 || way * (one - all[i - 1]) >= 0);
     assert.ok(isSorted(await column(2), -1));
-    await page.click("#impacts th:nth-child(4) button");
+    await page.click("#impacts th:nth-child(5) button");
     assert.match(await page.textContent("#impacts thead"), /Start\u00a0▲ s/);
-    assert.ok(isSorted(await column(4), 1) && isSorted(await column(1), 1));
-    await page.click("#impacts th:nth-child(4) button");
-    assert.ok(isSorted(await column(4), -1));
+    assert.ok(isSorted(await column(5), 1) && isSorted(await column(1), 1));
+    await page.click("#impacts th:nth-child(5) button");
+    assert.ok(isSorted(await column(5), -1));
     await page.click("#impacts th:nth-child(2) button");
     const largest = Math.max(...after.gaps[0].points.map((point) => point.peak_force)) / 1e3; // in kN, as the verdict has it
     const shown = await page.$$eval("#impacts tbody td:nth-child(2)", (all) => all.map((one) => Number(one.textContent)));
@@ -522,7 +522,7 @@ test("what the page says itself is Indonesian there", async () => {
       }
     }
     // Titles and names are the case's own.
-    const own = /^(bentur studio|ABS|SRSS|DDC|FEMA P-154|ASCE 41-17|English|Bahasa Indonesia|SVG|PNG|kgf|lbf|kip|El Centro 1940|Eight and five storeys, floors that strike columns|.*(Light|Heavy|West wall|Clinic|East wall|(Eight|Five) storeys|after Jankowski|in its moat)\b.*)$/;
+    const own = /^(bentur studio|((ABS|SRSS|DDC)(, )?)+( [\d.]+\u00a0m)?|FEMA P-154|ASCE 41-17|English|Bahasa Indonesia|SVG|PNG|kgf|lbf|kip|El Centro 1940|Eight and five storeys, floors that strike columns|.*(Light|Heavy|West wall|Clinic|East wall|(Eight|Five) storeys|after Jankowski|in its moat)\b.*)$/;
     assert.deepEqual([...words.id].filter((word) => words.en.has(word) && !own.test(word)), []);
   });
 });
@@ -988,13 +988,13 @@ test("the slider has the larger need of both directions, marks the other one and
     await page.setInputFiles(".cases input[type=file]", `${source}/examples/hinged-frame.toml`);
     await page.waitForFunction((at) => document.querySelector(at).value.includes("moment_capacity"), editor);
     await solved(page);
-    const shown = await page.textContent(".marks");
+    const shown = (await page.$$eval("[data-tick]", (all) => all.map((one) => one.textContent))).join(", ");
     for (const one of ["as given", "SRSS", "ABS"]) assert.ok(shown.includes(one), `${one}: ${shown}`);
     const [gap] = JSON.parse(await download(page, "summary")).gaps, ends = [gap.gap_needed, gap.gap_needed_reversed];
     assert.ok(ends[1] > ends[0], "the motion reversed needs more here");
     const written = async (at) => Number(/[\d.]+/.exec(await page.textContent(at))[0]);
-    assert.ok(Math.abs(await written(".needed") / ends[1] - 1) < 1e-3);
-    assert.ok(Math.abs(await written(".marks") / ends[0] - 1) < 1e-3);
+    assert.ok(Math.abs(await written("[data-tick]") / ends[1] - 1) < 1e-3);
+    assert.ok(Math.abs(await written('[data-tick^="as given"]') / ends[0] - 1) < 1e-3);
     const largest = Math.max(...[...shown.matchAll(/[\d.]+/g)].map(Number));
     assert.ok(Number(await page.locator("#gap").getAttribute("max")) > largest);
     assert.match(await page.locator("#gap").getAttribute("aria-valuetext"), / m$/);
@@ -1007,9 +1007,9 @@ test("the tick of the gap needed stands where the slider's thumb has it", async 
       await page.click(`[data-case="${id}"]`);
       await solved(page);
       await atSizes(page, [[1280, 900], [390, 900]], async () => {
-        const needed = Number(/([\d.]+)/.exec(await page.textContent(".needed"))[1]);
+        const needed = Number(/([\d.]+)/.exec(await page.textContent("[data-tick]"))[1]);
         const { tick, slider, most, step } = await page.evaluate(() => {
-          const at = document.querySelector(".needed i").getBoundingClientRect(), range = document.querySelector("#gap");
+          const at = document.querySelector(".ticks i").getBoundingClientRect(), range = document.querySelector("#gap");
           return { tick: at.left + at.width / 2, slider: { ...range.getBoundingClientRect().toJSON() }, most: Number(range.max), step: Number(range.step) };
         });
         const middle = slider.top + slider.height / 2;
@@ -1018,10 +1018,58 @@ test("the tick of the gap needed stands where the slider's thumb has it", async 
         const given = Number(await page.inputValue("#gap"));
         // A pixel, and a step of the slider.
         assert.ok(Math.abs(given - needed) <= 1.5 * most / slider.width + step, `${id}: ${given} at the tick of ${needed}`);
-        const label = await page.locator(".needed span").boundingBox();
+        const label = await page.locator("[data-tick]").first().boundingBox();
         assert.ok(label.x >= slider.left - 1 && label.x + label.width <= slider.right + 1, "the label stays beside the slider");
       });
     }
+  });
+});
+
+test("every tick of the slider has its name and width, below it where there is room, none over another", async () => {
+  await on(async (page) => {
+    for (const id of ["frames", "monograph", "row"]) {
+      await page.click(`[data-case="${id}"]`);
+      await solved(page);
+      await atSizes(page, [[1280, 900], [390, 900]], async (width) => {
+        const where = `${id} ${width}`;
+        await page.waitForFunction((most) => document.querySelector(".slide").clientWidth < most && Number(document.querySelector(".ticks svg").getAttribute("width")) === document.querySelector(".slide").clientWidth, width);
+        const found = await page.evaluate(() => {
+          const { left, right } = document.querySelector(".slide").getBoundingClientRect();
+          const thumb = document.querySelector(".ticks u").getBoundingClientRect().left, given = document.querySelector(".given").getBoundingClientRect().toJSON();
+          return { left, right, thumb, given, said: document.querySelector(".given").textContent, ticks: [...document.querySelectorAll(".ticks i")].map((one) => one.getBoundingClientRect().left),
+            paths: document.querySelectorAll(".ticks path").length,
+            labels: [...document.querySelectorAll("[data-tick]")].map((one) => ({ text: one.textContent, row: Number(one.dataset.row), ...one.getBoundingClientRect().toJSON() })) };
+        });
+        const isBelow = ({ left, width }, at) => Math.abs(left + width / 2 - at) < 2 || Math.abs(left - found.left) < 2 || Math.abs(left + width - found.right) < 2;
+        assert.equal(found.labels.length, found.ticks.length, where);
+        assert.ok(found.labels.length >= 4, where);
+        assert.match(found.said, /^given [\d.]+ (m|cm)$/);
+        assert.ok(isBelow(found.given, found.thumb), `${where}: given`);
+        for (const [i, one] of found.labels.entries()) {
+          assert.match(one.text, /^\D+[\d.]+\u00a0(m|cm)$/);
+          assert.ok(one.left >= found.left - 1 && one.right <= found.right + 1, `${where}: ${one.text} is cut`);
+          if (one.row === 0) assert.ok(isBelow(one, found.ticks[i]), `${where}: ${one.text} is not below its tick`);
+          for (const other of found.labels.slice(i + 1)) {
+            assert.ok(one.right <= other.left || other.right <= one.left || one.bottom <= other.top || other.bottom <= one.top, `${where}: ${one.text} and ${other.text}`);
+          }
+        }
+        assert.equal(found.paths, found.labels.filter(({ row }) => row > 0).length, where);
+        assert.equal(found.labels[0].row, 0);
+      });
+    }
+  });
+});
+
+test("figures out of sight are drawn too, a little later", async () => {
+  await onFresh(async (page) => {
+    await solved(page);
+    await curveDone(page);
+    await page.waitForFunction(() => [...document.querySelectorAll("[data-figure]")].every((one) => one.querySelector("svg") && !one.matches(".old")));
+    assert.equal(await page.evaluate(() => scrollY), 0);
+    await page.click('[data-case="row"]'); // and those of the next case
+    await solved(page);
+    await curveDone(page);
+    await page.waitForFunction(() => [...document.querySelectorAll("[data-figure]")].every((one) => one.querySelector("svg") && !one.matches(".old")));
   });
 });
 

@@ -64,11 +64,11 @@ test("a case in plan that is opened gives the command line's words and numbers",
 test("on a telephone what stays in sight leaves the screen to what it is of", async () => {
   await inPlan(async (page) => {
     await page.setViewportSize({ width: 390, height: 844 });
-    await page.waitForFunction(() => document.querySelector(".below .marks")); // which goes with the page
+    await page.waitForSelector(".bar [data-tick]");
     const high = await page.locator(".bar").evaluate((one) => one.offsetHeight);
     assert.ok(high < 844 / 7, `${high}`);
     await page.setViewportSize({ width: 1280, height: 900 });
-    await page.waitForSelector(".bar .marks");
+    await page.waitForSelector(".bar [data-tick]");
   });
 });
 
@@ -258,8 +258,8 @@ test("the slider of a gap moves the building beyond it, as far as anything is ne
     };
     const shown = () => page.textContent(".gap-slider output");
     assert.match(await shown(), /^0\.04 m$/);
-    const marks = await page.textContent(".gap-slider .marks");
-    assert.match(marks, /reversed|as given/i);
+    const marks = () => page.$$eval("[data-tick]", (all) => all.map((one) => one.textContent).join(", "));
+    assert.match(await marks(), /reversed|as given/i);
     await slide(0.07); // or the step of the slider beside it
     const moved = await page.inputValue(editor), corner = Number(moved.match(/corner = \[(12\.\d+), 0\.0\]/)[1]);
     assert.ok(Math.abs(corner - 12.07) < 1e-3, moved);
@@ -268,7 +268,7 @@ test("the slider of a gap moves the building beyond it, as far as anything is ne
     const clearance = /clearance = ([\d.]+)/, least = Number(text.match(clearance)[1]);
     await page.locator("#gap").press("End");
     await solved(page);
-    const wide = Number((await shown()).split(" ")[0]), asked = [...(await page.$$eval(".marks:not([data-moves]), .needed", (all) => all.map((one) => one.textContent).join(" "))).matchAll(/[\d.]+(?=\sm)/g)].map((one) => Number(one[0]));
+    const wide = Number((await shown()).split(" ")[0]), asked = [...(await marks()).matchAll(/[\d.]+(?=\sm)/g)].map((one) => Number(one[0]));
     assert.ok(wide > least && asked.every((one) => wide >= one), `${wide} ${asked}`);
     assert.match(await page.textContent("[data-moves]"), new RegExp(`Beyond ${least} m the clearance`));
     const grown = Number((await page.inputValue(editor)).match(clearance)[1]);

@@ -105,7 +105,13 @@ test("its words are those of run and gap, with the spectra, and a table of each"
     for (const [id, words] of [["records", /σ|misfit|NOWHERE/], ["runs", /largest/], ["gaps", /84 %/]]) {
       assert.match(await page.textContent(`[data-table="${id}"]`), words);
     }
-    assert.equal(await page.locator("#impacts, #compare, #motion svg, [data-take=impacts], [data-take=svg]").count(), 0);
+    assert.equal(await page.locator("#impacts, #compare, [data-take=impacts], [data-take=svg]").count(), 0);
+    // The buildings stand still at the hardest impact of all, which the verdict tells, under its record.
+    await page.waitForSelector("#motion .stage .column");
+    const [, record, time] = /worst under (\w+): West and East collide.*? at level [\d.]+ m at ([\d.]+) s/.exec(spaced(await page.textContent(".verdict")));
+    assert.match(await page.textContent("[data-hardest]"), new RegExp(`^Under record ${record}\\b`));
+    assert.ok(Math.abs(await page.getAttribute("#motion .stage", "data-time") - time) < 1e-3 * time);
+    assert.equal(await page.getAttribute(".play", "aria-pressed"), "false");
     assert.match(await taken(page, '[data-take="report"]'), /Pounding under a suite of records/);
     // A drag of the gap runs them all again.
     await page.locator("#gap").evaluate((one) => { one.value = one.max; one.dispatchEvent(new Event("input", { bubbles: true })); });
@@ -117,7 +123,7 @@ test("its words are those of run and gap, with the spectra, and a table of each"
 test("one record is a run like any other, in motion", async () => {
   await withSuite(suite.records, async (page) => {
     await page.selectOption("#record", "3");
-    await page.waitForSelector("#motion .stage .column");
+    await page.waitForSelector("#impacts tbody tr");
     await solved(page);
     const mine = JSON.parse(await taken(page, '[data-take="summary"]'));
     const values = difference(mine, JSON.parse(bentur("run", "--json", "--record", "3", suite.file)), "", unlike);

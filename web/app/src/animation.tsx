@@ -1,6 +1,7 @@
 import { type Motion, benturMotion } from "@repo/src/bentur/report/html/motion/motion.js";
+import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
-import { gap } from "./case";
+import { chosen, gap } from "./case";
 import type { Overview } from "./solver";
 import { loads, time } from "./state";
 import { language, say } from "./texts";
@@ -13,17 +14,20 @@ export let main: Motion | null = null;
 /** What is shown beside the main one, of the same instants. */
 const followers = new Set<Motion>();
 
-/** The buildings in motion, by the report's own script; those that are not the primary ones follow its time. */
-export function MotionView({ data, overview, play, primary }: { data: string; overview: Overview; play: boolean; primary: boolean }) {
+const caseOf = () => `${loads.value} ${chosen.value}`;
+
+/** The buildings in motion, by the report's own script; those that are not the primary ones follow its time. Children stand
+ *  below the picture. */
+export function MotionView({ data, overview, play, primary, children }: { data: string; overview: Overview; play: boolean; primary: boolean; children?: ComponentChildren }) {
   const root = useRef<HTMLDivElement>(null);
-  const motion = useRef<Motion | null>(null), loaded = useRef(loads.value);
+  const motion = useRef<Motion | null>(null), loaded = useRef(caseOf());
   const read = useMemo(() => JSON.parse(data), [data]);
   const opening = `${say("history.opening")} [${overview.units.length}]`;
   useEffect(() => {
     if (motion.current) {
       motion.current.update(read);
-      if (loads.value !== loaded.current) { // another case: what happens in it
-        loaded.current = loads.value;
+      if (caseOf() !== loaded.current) { // another case or record: what happens in it
+        loaded.current = caseOf();
         motion.current.pause();
         motion.current.show(read.shown);
       }
@@ -58,6 +62,7 @@ export function MotionView({ data, overview, play, primary }: { data: string; ov
     <div class="motion" ref={root}>
       <div class="player">
         <svg data-part="stage" class="stage" role="img" aria-label={say("motion.picture")} />
+        {children}
         <div class="readout">
           <p><output data-part="clock" class="clock" aria-live="off" /><br /><span data-part="event" class="event" /></p>
           <div class="wide" tabIndex={0} role="group" aria-label={opening}>

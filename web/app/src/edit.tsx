@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { batch, signal } from "@preact/signals";
+import { batch } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { found, gap, inPlan, result, text } from "./case";
 import { recordName } from "./cases";
@@ -13,7 +13,9 @@ import { canRedo, canUndo } from "./steps";
 import { count, type Part } from "./storeys";
 import { isSuite, placeOf, withFile } from "./suite";
 import { number, say } from "./texts";
+import { onTelephone } from "./theme";
 import { decimal, type Leaf, leaf, type Path, put, same, under, withKey, withTable } from "./toml";
+import { Track } from "./track";
 
 /** What went wrong; what is said in English only is marked so. */
 export const Message = ({ one: { text: said, english } }: { one: Told }) => (english ? <span lang="en">{said}</span> : <>{said}</>);
@@ -306,12 +308,8 @@ function Moves({ place, span, unit }: { place: Slot; span: number; unit: string 
     span > place.clearance && say("gap.clearance", { width: `${number(place.clearance)} ${unit}` }),
     span >= place.most && say("gap.met", { width: `${number(place.most)} ${unit}`, name: place.met }),
   ].filter(Boolean);
-  return said.length > 0 ? <p class="marks" data-moves>{said.join(" ")}</p> : null;
+  return said.length > 0 ? <p class="note" data-moves>{said.join(" ")}</p> : null;
 }
-
-const telephone = matchMedia("(max-width: 40rem)");
-const onTelephone = signal(telephone.matches);
-telephone.addEventListener("change", () => { onTelephone.value = telephone.matches; });
 
 let longest = { key: "", value: 0 };
 /** What the slider ends at, which does not shrink while one is at the same gap. */
@@ -322,18 +320,13 @@ function trackOf(overview: Overview, one: GapOverview): number {
   return longest.value;
 }
 
-/** What the slider's marks are, and what moves with it. */
+/** What moves with the slider; on a telephone below what stays in sight. */
 function GapNotes() {
   const overview = result.value?.overview, one = overview?.gaps[gap.value], place = slot.value;
   if (!overview || !one || !place || one.needed === null) return null;
-  const { marks = [] } = one, unit = overview.units.length;
-  return <>
-    {marks.length > 0 && <p class="marks">{marks.map(({ at, name }, i) => <span key={name} data-mark={i + 1}>{name} {number(at)} {unit}</span>)}</p>}
-    <Moves place={place} span={trackOf(overview, one)} unit={unit} />
-  </>;
+  return <Moves place={place} span={trackOf(overview, one)} unit={overview.units.length} />;
 }
 
-/** On a telephone they stand below what stays in sight. */
 export const GapNotesBelow = () => (onTelephone.value ? <div class="below"><GapNotes /></div> : null);
 
 /** The slider that everything starts with; beside what it is of stand the children. */
@@ -346,22 +339,24 @@ export function GapSlider({ children }: { children: ComponentChildren }) {
     return <div class="head"><p>{several && <>{nameOf("gap", "width")} <GapChoice gaps={overview.gaps} />{ofOne}</>}</p>{children}<p><Travel /></p></div>;
   }
   const { marks = [] } = one, span = Math.min(trackOf(overview, one), place.most), step = 10 ** Math.floor(Math.log10(span / 60)), share = (at: number) => Math.min(1, at / span);
-  const isNear = (one: number, other: number) => one - other < 0.06 * span; // as wide as a number on a telephone
-  // Numbers of marks that stand together stand above the first of them.
-  const numbers = marks.map(({ at }, i) => i > 0 && isNear(at, marks[i - 1].at) ? "" : marks.map((_, k) => k + 1)
-    .filter((k) => k > i && marks.slice(i + 1, k).every((one, n) => isNear(one.at, marks[i + n].at))).join(" "));
+  const inUnit = (value: number) => `${number(value)}\u00a0${overview.units.length}`;
+  const others = new Map<string, { at: number; names: string[] }>(); // those that say the same width are one
+  for (const { at, name } of marks.filter((mark) => mark.at <= span)) others.set(number(at), { at, names: [...others.get(number(at))?.names ?? [], name] });
+  const all = [{ at: one.needed, names: [one.needed_name] }, ...others.values()]
+    .map(({ at, names }) => ({ at: share(at), text: `${names.join(", ")} ${inUnit(at)}` }));
   return (
-    <div class="gap-slider" style={{ "--at": share(one.needed), "--now": share(width.value) }}>
+    <div class="gap-slider">
       <div class="head">
-        <p><label for="gap">{several ? nameOf("gap", "width") : say("gap.of", { name: one.name })}: <output>{number(width.value)} {overview.units.length}</output></label>
+        <p><label for="gap">{several ? nameOf("gap", "width") : say("gap.of", { name: one.name })}</label>
           {several && <GapChoice gaps={overview.gaps} />}{ofOne}</p>
         {children}
+        {onTelephone.value && <p><Travel /></p>}
       </div>
-      <div class="track"><Travel /><div>
-        <input id="gap" type="range" min="0" max={span} step={step} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(place.put(text.value, event.currentTarget.valueAsNumber), "gap")} />
-        <div class="needed">{marks.map(({ at, name }, i) => at <= span && <b key={name} data-mark={numbers[i]} style={{ "--at": share(at) }} />)}<i /><span>{one.needed_name} {number(one.needed)} {overview.units.length}</span></div>
-        {!onTelephone.value && <GapNotes />}
-      </div></div>
+      <div class="track">{!onTelephone.value && <Travel />}
+        <Track at={share(width.value)} given={`${number(width.value)} ${overview.units.length}`} marks={all}>
+          <input id="gap" type="range" min="0" max={span} step={step} value={width.value} aria-valuetext={`${number(width.value)} ${overview.units.length}`} onInput={(event) => change(place.put(text.value, event.currentTarget.valueAsNumber), "gap")} />
+        </Track></div>
+      {!onTelephone.value && <GapNotes />}
     </div>
   );
 }

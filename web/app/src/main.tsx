@@ -9,15 +9,15 @@ import { Figures } from "./figures";
 import { fromFragment, linked } from "./link";
 import { MotionView } from "./animation";
 import type { Overview, Said } from "./solver";
-import { Brief, caseOf, Comparison, Impacts, Stale, Verdict } from "./results";
+import { Brief, caseOf, Comparison, Facts, Impacts, Stale, Verdict } from "./results";
 import { nameOf } from "./schema";
 import { isStill } from "./still";
-import { begin, complain, curveDone, isOwn, load, pinned, rough, stale, standing, startAnew } from "./state";
+import { begin, complain, curveDone, hardest, isOwn, load, pinned, rough, stale, standing, startAnew } from "./state";
 import "./style.css";
 import { Tables } from "./tables";
 import { Take } from "./take";
 import { language, languages, say, type Word } from "./texts";
-import { choice } from "./theme";
+import { choice, onTelephone } from "./theme";
 
 function Head() {
   return (
@@ -48,25 +48,24 @@ function Bar() {
   return <><div class="bar" ref={bar}><GapSlider><Brief /></GapSlider><Stale /></div><GapNotesBelow /></>;
 }
 
+const fileOf = (record: string) => record.split("/").pop()!;
+
 /** All records of a suite in short, or one of them in full. */
 function RecordChoice({ suite }: Pick<Overview, "suite">) {
   if (!suite) return null;
   return (
     <p class="controls"><label class="choice"><span>{nameOf("excitation", "file")} </span><select id="record" value={chosen.value} onChange={(event) => { chosen.value = Number(event.currentTarget.value); }}>
-      {[say("suite.all", { n: suite.records.length }), ...suite.records.map((one, i) => `${i + 1}: ${one.split("/").pop()}`)].map((one, i) => <option key={i} value={i} selected={i === chosen.value}>{one}</option>)}
+      {[say("suite.all", { n: suite.records.length }), ...suite.records.map((one, i) => `${i + 1}: ${fileOf(one)}`)].map((one, i) => <option key={i} value={i} selected={i === chosen.value}>{one}</option>)}
     </select></label></p>
   );
 }
 
-/** The first two; of more the others when they are asked for, so that what is edited stands beside the buildings. */
+/** As everywhere they are the last of what is said; how many there are is in sight. */
 function Remarks({ all }: { all: Said[] }) {
-  const whole = useSignal(false);
-  const most = 2, isShort = !whole.value && all.length > most;
   if (all.length === 0) return null;
   return (
-    <details open><summary>{say("verdict.remark")}</summary>
-      <ul data-remarks class={isShort ? "short" : ""}>{all.map((one, i) => <li key={one.text}>{i > 0 ? " " : ""}{one.text}</li>)}</ul>
-      {isShort && <button type="button" onClick={() => { whole.value = true; }}>{say("remarks.whole", { n: all.length })}</button>}
+    <details><summary>{say("verdict.remark")}: {all.length}</summary>
+      <ul data-remarks>{all.map((one, i) => <li key={one.text}>{i > 0 ? " " : ""}{one.text}</li>)}</ul>
     </details>
   );
 }
@@ -76,7 +75,18 @@ function App() {
   const dropping = useSignal(false);
   const formOpen = useSignal(false); // a closed form costs nothing
   const now = result.value, still = now && isStill(now.overview);
+  const moving = !still ? now : now.overview.suite ? hardest.value?.run : null; // of a suite one of its records
   const remarks = (now?.overview.statements ?? []).filter((one) => one.severity === "remark");
+  const verdict = <><Errors goTo={(line, column) => goTo(area.current, line, column)} /><Verdict /></>; // on a telephone right below the picture
+  const isBelow = moving && onTelephone.value;
+  const said = (
+    <div class="said">
+      {!isBelow && verdict}
+      {now && <Facts all={now.overview.facts} />}
+      <Remarks all={remarks} />
+      {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{curveDone.value < 1 && ` ${say("curve.runs", { percent: Math.round(100 * curveDone.value) })}`}</p>}
+    </div>
+  );
   return (
     <div class={`page${dropping.value ? " dropping" : ""}`}
       onDragOver={(event) => { event.preventDefault(); dropping.value = true; }}
@@ -91,21 +101,18 @@ function App() {
       <main id="results" class={stale.value ? "stale" : rough.value ? "rough" : ""} tabIndex={-1} data-solved={standing.value} data-ms={now?.milliseconds.toFixed(1)}>
         <Bar />
         <div class="lives">
-          {still && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2><RecordChoice suite={now.overview.suite} /><p class="still">{say(now.overview.spectral ? "motion.none" : "suite.still")}</p></section>}
-          {now && !still && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
+          {now && <section id="motion"><h2>{say("motion")}: {now.overview.title || "–"}</h2>
             <RecordChoice suite={now.overview.suite} />
-            <div class={pinned.value ? "motions" : ""}>
-              <div>{pinned.value && <h3>{say("now")}: {caseOf(now.overview)}</h3>}
-                <MotionView data={now.motion} overview={now.overview} play={true} primary={true} /></div>
-              {pinned.value && <div><h3>{say("pinned")}: {caseOf(pinned.value.overview)}</h3>
-                <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
-            </div></section>}
-          <div class="said">
-            <Errors goTo={(line, column) => goTo(area.current, line, column)} />
-            <Verdict />
-            <Remarks all={remarks} />
-            {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{curveDone.value < 1 && ` ${say("curve.runs", { percent: Math.round(100 * curveDone.value) })}`}</p>}
-          </div>
+            {moving ? <>
+              {still && <p class="note" data-hardest>{say(moving.overview.impactCount > 0 ? "suite.hardest" : "suite.closest", { name: fileOf(hardest.value!.file) })}</p>}
+              <div class={`${pinned.value ? "motions" : ""}${still && hardest.value!.of !== now ? " old" : ""}`}>
+                <div>{pinned.value && <h3>{say("now")}: {caseOf(moving.overview)}</h3>}
+                  <MotionView data={moving.motion} overview={moving.overview} play={!still} primary={true}>{isBelow && <div class="said">{verdict}</div>}</MotionView></div>
+                {pinned.value && <div><h3>{say("pinned")}: {caseOf(pinned.value.overview)}</h3>
+                  <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
+              </div></> : <p class="still">{say(now.overview.spectral ? "motion.none" : "suite.still")}</p>}
+          </section>}
+          {said}
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>
             <details open><summary>{say("edit.text")}</summary><Editor area={area} /></details>

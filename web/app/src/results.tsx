@@ -4,9 +4,10 @@ import { main } from "./animation";
 import { gap, progress, result, slow } from "./case";
 import { Badges, badgesOf, toneOf } from "./heads";
 import { nameOf } from "./schema";
-import { type GapOverview, type ImpactColumn, type Overview, type Result, type Said, schema } from "./solver";
-import { cancel, pinned, rough, stale } from "./state";
+import { type Column, type Fact, type GapOverview, type Overview, type Result, type Said, schema } from "./solver";
+import { cancel, errors, pinned, rough, stale } from "./state";
 import { number, say, valueOf } from "./texts";
+import { onTelephone } from "./theme";
 
 const unitOf = (overview: Overview) => overview.units.length;
 const with_ = (value: number | null | undefined, unit: string) => `${number(value)}\u00a0${unit}`;
@@ -20,7 +21,9 @@ export const caseOf = (overview: Overview) => `${overview.title || "–"}, ${wid
 /** Where results are shown that are not of the case that stands there, or that are sampled coarsely. */
 export function Stale({ word = "stale" }: { word?: "stale" | "take.stale" }) {
   if (!result.value || !(stale.value || rough.value)) return null;
-  return <p class="stale-note">{stale.value ? say(word, { name: caseOf(result.value.overview) }) : say("rough")}</p>;
+  const count = errors.value.length;
+  return <p class="stale-note">{stale.value ? say(word, { name: caseOf(result.value.overview) }) : say("rough")}
+    {word === "stale" && count > 0 && <> <button type="button" class="small" onClick={() => document.querySelector(".errors")?.scrollIntoView({ block: "center" })}>{say("errors.see", { n: count })}</button></>}</p>;
 }
 
 const namesBoth = (gap: string, text: string) => gap.split(" | ").every((building) => text.includes(building));
@@ -40,18 +43,14 @@ function Sentences({ all, gaps = [], under = [] }: { all: Said[]; gaps?: GapOver
 
 const mostInSight = 3; // gaps: of many that pound more would be a wall of the same badge
 
-/** What is to be said of the run, as every other door says it: the gravest first. What fails or collides is in sight; of a
- *  row, what is of one gap under its name and badge, those below the worst three folded; what else was found is folded away,
- *  unless nothing else is to be told. */
+/** What is to be said of the run, as every other door says it: its sentences, the gravest first; of a row, what else is of
+ *  one gap under its name and badge, those below the worst three folded. Tables have the rest. */
 function Statements({ overview }: { overview: Overview }) {
   const row = overview.gaps.length > 1;
+  const isTop = (one: Said) => one.shown === "sentence" || one.severity === "danger";
   const told = overview.statements.filter((one) => one.severity !== "remark");
-  const ofGap = (one: Said) => row && one.gap !== null && one.severity !== "danger";
-  const pounds = overview.tone !== "clear";
-  const isKnown = !overview.statements.find((one) => one.badge)?.open; // else what it needs is part of the answer
-  const isFolded = (one: Said) => !one.badge && (one.shown !== "sentence" || (one.severity === "finding" && isKnown && pounds));
+  const ofGap = (one: Said) => row && one.gap !== null && one.shown === "table" && !isTop(one);
   const rank = (i: number) => told.find((one) => one.gap === i)?.rank ?? i;
-  const folded = told.filter((one) => !ofGap(one) && isFolded(one));
   const ranked = overview.gaps.map((_, i) => i).filter((i) => told.some((one) => ofGap(one) && one.gap === i)).sort((a, b) => rank(a) - rank(b));
   const isInSight = (i: number) => ranked.indexOf(i) < mostInSight || i === gap.value;
   const inSight = ranked.filter(isInSight), others = ranked.filter((i) => !isInSight(i));
@@ -65,15 +64,32 @@ function Statements({ overview }: { overview: Overview }) {
   };
   return (
     <div class={`verdict ${overview.tone}`}>
-      <Sentences all={told.filter((one) => !ofGap(one) && !isFolded(one))} gaps={overview.gaps} />
+      <Sentences all={told.filter(isTop)} gaps={overview.gaps} />
       {inSight.map(one)}
       {others.length > 0 && <details data-others={others.length}>
         <summary>{others.length === 1 ? say("verdict.gap") : say("verdict.gaps", { n: others.length })}</summary>
         {others.map(one)}
       </details>}
-      {folded.length > 0 && <details open={!pounds}><summary>{say("verdict.more")}</summary><Sentences all={folded} gaps={overview.gaps} /></details>}
     </div>
   );
+}
+
+/** In lines that end between the names of two buildings. */
+const parted = (name: string) => (name.includes(" | ") ? name.split(" | ").map((one) => one.replaceAll(" ", "\u00a0")).join("\u00a0| ") : name);
+
+const heading = ({ head, unit }: Column) => (unit ? `${head} [${unit}]` : head);
+
+/** The tables of the first screen. */
+export function Facts({ all }: { all: Fact[] }) {
+  return <>{all.map(({ heading: title, columns, marked, note }) => <div key={title} class="facts">
+    <h3>{title}</h3>
+    <div class="wide" tabIndex={0} role="region" aria-label={title}><table class="cards">
+      <thead><tr>{columns.map(({ head, unit, numbers }) => <th key={head} scope="col" class={numbers ? "" : "t"}>{head}{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
+      <tbody>{columns[0].cells.map((name, row) => <tr key={row} class={marked.includes(row) ? "marked" : ""}>
+        <th scope="row" class="t long">{parted(name)}</th>{columns.slice(1).map((column) => <td key={column.head} class={column.numbers ? "" : "t"} data-head={heading(column)}>{column.cells[row]}</td>)}</tr>)}</tbody>
+    </table></div>
+    {note && <p class="note">{note}</p>}
+  </div>)}</>;
 }
 
 /** The badges of the whole run in one line, the gravest first; of several gaps it says so, as each has its own. */
@@ -95,11 +111,10 @@ export function Verdict() {
 }
 
 const LISTED = 200;
-const telephone = matchMedia("(max-width: 40rem)");
 
 /** What stands in a column, the hardest impact first where that is equal, but of times the first; what is no number is the
  *  least. */
-function order({ cells, numbers, unit }: ImpactColumn, descends: boolean): number[] {
+function order({ cells, numbers, unit }: Column, descends: boolean): number[] {
   const values = cells.map((cell) => (numbers ? valueOf(cell) : NaN)).map((value) => (Number.isNaN(value) ? -Infinity : value));
   const compare = (a: number, b: number) => (numbers ? Number(values[a] > values[b]) - Number(values[a] < values[b]) : cells[a].localeCompare(cells[b], undefined, { numeric: true }));
   return cells.map((_, i) => i).sort((a, b) => (descends ? -1 : 1) * compare(a, b) || (unit === "s" ? 0 : a - b));
@@ -120,8 +135,7 @@ export function Impacts({ now }: { now: Result }) {
     main?.showImpact(main.impacts.find((one) => one.number === number));
     document.getElementById("motion")?.scrollIntoView();
   };
-  const heading = ({ head, unit }: ImpactColumn) => (unit ? `${head} [${unit}]` : head);
-  const most = telephone.matches ? 8 : 15, isShort = !whole && Math.min(listed, LISTED) > most;
+  const most = onTelephone.value ? 8 : 15, isShort = !whole && Math.min(listed, LISTED) > most;
   return (
     <section id="impacts">
       <h2>{say("impacts")}</h2>

@@ -42,18 +42,21 @@ export interface FigureOverview { kind: string; caption: string; tells: boolean;
 /** [gap, elevation, start, end, peak force, closing speed, restitution, which of all it is from 1, in plan where along the
  *  stretch] */
 export type ImpactRow = [number, number, number, number, number, number, number | null, number, string?];
-/** A column of the list of impacts as a report has it, the hardest impact first. */
-export interface ImpactColumn { head: string; unit: string; cells: string[]; numbers: boolean }
+/** A column of a table as a report has it. */
+export interface Column { head: string; unit: string; cells: string[]; numbers: boolean }
+/** A table of a first screen, as other doors have it: of the gaps, and what else is known. */
+export interface Fact { heading: string; columns: Column[]; marked: number[]; note: string }
 /** Forces are in `forceUnit`, in which all people are told of the run; `units` are those of the case and of its files. */
 export interface Overview {
   title: string; version: string; duration: number; spectral: boolean; plan: boolean; units: { length: string; force: string }; forceUnit: string; gaps: GapOverview[];
   /** Of the verdict's frame, as in a report. */
   tone: "pounds" | "open" | "clear";
   buildings: BuildingOverview[]; points: { gap: number; elevation: number; along?: string }[]; impacts: ImpactRow[];
-  impactColumns: ImpactColumn[]; impactCount: number; force: number; amplification: number; statements: Said[];
+  impactColumns: Column[]; impactCount: number; force: number; amplification: number; statements: Said[]; facts: Fact[];
   figures: FigureOverview[];
-  /** Of a case with a suite its records by their files, and which one this is of, from 1; 0: all. */
-  suite: { records: string[]; record: number } | null;
+  /** Of a case with a suite its records by their files, and which one this is of, from 1; 0: all, with the one that hits
+   *  hardest, else comes closest. */
+  suite: { records: string[]; record: number; hardest?: number } | null;
 }
 /** A section of the report. */
 export interface PagePart { id: string; heading: string; markup: string }

@@ -16,6 +16,8 @@ import { leaf, outline } from "./toml";
 export const errors = signal<CaseError[]>([]);
 export const curveDone = signal(1);
 export const pinned = signal<Result | null>(null);
+/** Of all records of a suite the one that hits hardest, in full: its file, and of which run of all it is. */
+export const hardest = signal<{ file: string; of: Result; run: Result } | null>(null);
 export const time = signal(0);
 /** What is wrong with what was dropped, opened, pasted or linked, in the language that there is then. */
 export const problem = signal<(() => Told) | null>(null);
@@ -132,9 +134,21 @@ function run(fine: boolean) {
       });
       if (text.value === wanted && files.value === used && chosen.value === record) {
         if (!answer.fine) settle = window.setTimeout(() => run(true), 250);
-        else drawCurve(wanted);
+        else {
+          drawCurve(wanted);
+          runHardest(answer, wanted);
+        }
       }
     }
+  });
+}
+
+/** Of a suite the record to look at, once all of them are there. */
+function runHardest(of: Result, wanted: string) {
+  const { records = [], hardest: record = 0 } = of.overview.suite ?? {};
+  if (record === 0) return;
+  behind.ask({ kind: "run", text: wanted, record, language: language.value, step: null, draw: [] }, (answer) => {
+    if (answer.kind === "result" && result.value === of) hardest.value = { file: records[record - 1], of, run: answer };
   });
 }
 
@@ -225,6 +239,7 @@ export function load(given: string) {
     text.value = next;
     came = loads.value += 1;
     chosen.value = 0;
+    hardest.value = null;
     curve.value = [];
     problem.value = null;
   });
