@@ -672,9 +672,11 @@ async function held(page) {
   await curveDone(page);
   await page.clock.pauseAt((await page.evaluate(() => Date.now())) + 10000);
   for (let asked = -1, now = 0; asked !== now;) {
+    await page.waitForFunction(() => window.unanswered === 0); // an answer may bring the next question
     asked = await page.evaluate(() => window.asked);
     await page.clock.runFor(1000);
     await page.waitForFunction(() => window.unanswered === 0);
+    await page.waitForTimeout(100); // a figure that has come may stand in another width, for which it is asked for once more
     now = await page.evaluate(() => window.asked);
   }
   await page.evaluate(() => { window.held = true; });

@@ -5,7 +5,7 @@ import { drawn, fresh, point, pointed, see, span } from "./drawing";
 import { main } from "./animation";
 import { png, save } from "./save";
 import type { AxisPlace, Drawn, FigureOverview, PanelPlace, Result } from "./solver";
-import { curveDone, stale, takeFigure, time } from "./state";
+import { curveDone, rough, stale, takeFigure, time } from "./state";
 import { isStill } from "./still";
 import { number, say } from "./texts";
 
@@ -148,7 +148,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
       <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(null); pull(null); pointed.value = null; }}
         onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
         onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>
-        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : made?.error !== undefined ? <p class="blank note" lang="en">{made.error}</p> : <p class="blank note">{say(stale.value ? "figures.wait" : "figures.drawing")}</p>}
+        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : made?.error !== undefined ? <p class="blank note" lang="en">{made.error}</p> : <p class="blank note">{say(stale.value || rough.value ? "figures.wait" : "figures.drawing")}</p>}
         {shown && isOld && <p class="redrawn note">{say("figures.drawing")}</p>}
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         {overTime && shown?.panels.map((panel, i) => <i key={`hair${i}`} class="hair" hidden ref={(node) => { hairs.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}

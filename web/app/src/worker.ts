@@ -41,7 +41,9 @@ async function answer(request: Request): Promise<void> {
     const result = JSON.parse(studio.inUnits(request.text, request.length, request.force));
     return result.ok ? post({ id, kind: "text", text: result.text }) : refused(result);
   }
-  const drawn = (draw: Draw): Record<string, Drawn> => Object.fromEntries(draw.map(([kind, wanted]) => [kind, studio.draw(kind, request.language, wanted)]));
+  // Nothing is made of a run that was refused after a coarse one.
+  const drawn = (draw: Draw): Record<string, Drawn> => Object.fromEntries(draw.map(([kind, wanted]): [string, Drawn] => [kind, studio.draw(kind, request.language, wanted)])
+    .filter(([, { svg, error }]) => svg !== undefined || error !== undefined));
   if (request.kind === "draw") {
     const asked = opened === keyOf(request.record, request.text) ? request.draw : [];
     if (asked.length === 0) return post({ id, kind: "drawn", drawn: {}, more: 0 });
