@@ -19,6 +19,8 @@ endforeach()
 bentur_optimise_lightly(bentur_precompiled_lightly)
 if(BENTUR_BUILD_TESTS)
   target_compile_options(bentur_precompiled_tests PRIVATE ${BENTUR_OF_TESTS})
+  target_link_libraries(bentur_precompiled_tests PRIVATE GTest::gtest_main)
+  target_precompile_headers(bentur_precompiled_tests PRIVATE <gtest/gtest.h>)
 endif()
 
 # bentur_compile(TARGET [LIGHTLY|TEXTS|TESTS]): the project's options and precompiled headers; LIGHTLY, TEXTS: see
