@@ -19,11 +19,11 @@ export async function studio(source) {
   return one;
 }
 
-/** Every eighth of the examples, from number `first` on, with those in `also`; all of them where BENTUR_EVERY_EXAMPLE is set,
+/** Every eighth of the examples, from number `first` on, with those in `also`; all of them where BENTUR_PART is `all`,
  *  as in ./dev soak. */
 export function examples(source, first, also = []) {
   const all = readdirSync(`${source}/examples`).filter((name) => name.endsWith(".toml"));
-  return all.filter((name, k) => process.env.BENTUR_EVERY_EXAMPLE || k % 8 === first || also.includes(name));
+  return all.filter((name, k) => process.env.BENTUR_PART === "all" || k % 8 === first || also.includes(name));
 }
 
 /** The largest relative difference of two JSON values, numbers within; Infinity where anything else differs. */
