@@ -37,8 +37,12 @@ TEST(Tones, OfManyBuildingsTheTwoHitHardestAloneHaveColours) {
                  is_right = static_cast<Eigen::Index>(b) == hardest + 1;
       EXPECT_EQ(tones[b] == building_tones[0], is_left) << b;
       EXPECT_EQ(tones[b] == building_tones[1], is_right) << b;
-      if (!is_left && !is_right) EXPECT_TRUE(tones[b] == Tone::bark || tones[b] == Tone::stone) << b;
-      if (b > 0) EXPECT_TRUE(are_distinct_in_grey(tones[b - 1], tones[b])) << b << " beside its neighbour";
+      if (!is_left && !is_right) {
+        EXPECT_TRUE(tones[b] == Tone::bark || tones[b] == Tone::stone) << b;
+      }
+      if (b > 0) {
+        EXPECT_TRUE(are_distinct_in_grey(tones[b - 1], tones[b])) << b << " beside its neighbour";
+      }
     }
   }
   for (const Tone tone : tones_of(row_of(12), {})) EXPECT_TRUE(tone == Tone::bark || tone == Tone::stone);

@@ -35,7 +35,9 @@ TEST(PlanMarks, PlacesThatTouchAtAnotherLevelAreMarked) {
     EXPECT_EQ(marks(scene(), "touched at another level"), strikes_above ? 0U : 2U) << along;
     EXPECT_EQ(marks(scene(), "contact point"), strikes_above ? 2U : 0U) << along;
     for (const Curve& curve : scene().curves) {
-      if (curve.label == "touched at another level") EXPECT_EQ(curve.mark, Mark::circle);
+      if (curve.label == "touched at another level") {
+        EXPECT_EQ(curve.mark, Mark::circle);
+      }
     }
     point.impacts = 0;
   }
