@@ -133,7 +133,7 @@ def test_shell(page, tmp_path, bin_folder):
     text = (ROOT / page).read_text()
     work = tmp_path / "work"
     work.mkdir()
-    for name in re.findall(r"Save it as `([\w./-]+)`", text):
+    for name in re.findall(r"Save it as\s+`([\w./-]+)`", text):
         (work / name).parent.mkdir(exist_ok=True)
         (work / name).write_text(re.search(r"^```toml\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)[1])
     script = "set -e\n" + "\n".join(b[1] for b in _blocks("sh") if b[0] == page)
