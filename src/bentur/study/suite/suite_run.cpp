@@ -75,23 +75,20 @@ double reduced(const RowPart& part, const std::vector<double>& row) {
   return result;
 }
 
-/// The gap that a run needs at these levels, in both ways of the motion; infinite where a building falls without
-/// contact.
-/// @param row the run, of buildings in plan row_of() it
-double needed_both_ways(const RunResults& row, const std::vector<LevelSeparation>& levels) {
-  if (falls_without_contact(row.problem, row.response) || falls_without_contact_reversed(row.problem, row.response)) {
-    return std::numeric_limits<double>::infinity();
-  }
-  const LevelSeparation largest = largest_of(levels);
-  return std::max(largest.gap_needed, largest.gap_needed_reversed.value_or(0));
-}
+/// The gap that a run needs at these levels, the larger of both ways of the motion.
+struct NeedOfRun {
+  double gap = 0;            ///< [length]; infinite where a building falls without contact
+  bool is_reversed = false;  ///< under the motion times −1
+};
 
-/// Whether the larger of both is that under the motion times −1.
-bool needs_more_reversed(const RunResults& row, const std::vector<LevelSeparation>& levels) {
-  const bool falls = falls_without_contact(row.problem, row.response);
-  if (falls || falls_without_contact_reversed(row.problem, row.response)) return !falls;
+/// @param row the run, of buildings in plan row_of() it
+NeedOfRun need_of(const RunResults& row, const std::vector<LevelSeparation>& levels) {
+  constexpr double falls = std::numeric_limits<double>::infinity();
+  if (falls_without_contact(row.problem, row.response)) return {falls, false};
+  if (falls_without_contact_reversed(row.problem, row.response)) return {falls, true};
   const LevelSeparation largest = largest_of(levels);
-  return largest.gap_needed_reversed.value_or(0) > largest.gap_needed;
+  const double reversed = largest.gap_needed_reversed.value_or(0);
+  return reversed > largest.gap_needed ? NeedOfRun{reversed, true} : NeedOfRun{largest.gap_needed, false};
 }
 
 /// What stands in the table, of buildings the largest of all.
@@ -202,11 +199,12 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
   const RunResults& as_one_row = as_row(run);
   const std::vector<LevelSeparation> levels = separations(as_one_row.problem, as_one_row.response);
   for (Eigen::Index gap = 0; gap < gap_count(as_one_row.problem); ++gap) {
-    result.needed.push_back(needed_both_ways(as_one_row, of_gap(levels, gap)));
-    result.is_of_reversed.push_back(needs_more_reversed(as_one_row, of_gap(levels, gap)));
+    const NeedOfRun need = need_of(as_one_row, of_gap(levels, gap));
+    result.needed.push_back(need.gap);
+    result.is_of_reversed.push_back(need.is_reversed);
   }
   for (const RowPart& part : parts) {
-    result.values.push_back(part.name == "gap_needed" ? needed_both_ways(as_one_row, levels) : reduced(part, row));
+    result.values.push_back(part.name == "gap_needed" ? need_of(as_one_row, levels).gap : reduced(part, row));
   }
   result.statements = run_story(run).statements;
   result.judged = told_judgements(run);
