@@ -73,6 +73,7 @@ struct Curve {
   bool complete = false;          ///< every point is drawn; others are thinned to what can be seen
   double mark_size = 1;           ///< of its marks [-]; large discs have an edge that parts them from lines below
   bool of_several = false;        ///< its label is of several that are alike, so that it stands in the legend
+  bool is_bar = false;            ///< a line around a bar, as which the legend shows it
   bool in_legend = true;          ///< else its label stands in data alone, as what it is of is named where it is
 };
 

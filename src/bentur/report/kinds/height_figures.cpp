@@ -7,7 +7,6 @@
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
 #include "bentur/report/kinds/internal/run_figures.h"
-#include "bentur/report/scene/tones.h"
 #include "bentur/structure/modes.h"
 
 namespace bentur {
@@ -285,6 +284,7 @@ Figure envelope_figure(const RunResults& run, const FigureOptions& options) {
 Figure amplification_figure(const RunResults& run, const FigureOptions& options) {
   const Quantity& amplification = quantity_named("amplification", Owner::floor);
   const std::vector<Eigen::Index> shown = shown_buildings(run, options, most_apart);
+  const std::vector<Tone> tones = tones_of(run, options);
   Panel panel =
       height_panel(run, options, shown,
                    {.label = word(options, "Amplification of max |x| by contact [–]"), .least = {{0.95, 1.05}}}, 1);
@@ -294,7 +294,7 @@ Figure amplification_figure(const RunResults& run, const FigureOptions& options)
     const std::vector<double> values = of_floors(run, amplification, b);
     most.take(run, b, values);
     Curve curve = at_floors(building, values);
-    tell_apart(curve, tones_of(run.problem, run.response.impacts), shown, b);
+    tell_apart(curve, tones, shown, b);
     if (!curve.x.empty()) panel.curves.push_back(curve);
   }
   if (panel.curves.empty()) throw NoFigure("nothing moves without contact, so that there is no amplification");
@@ -319,6 +319,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
       {"acceleration_ratio", "Acceleration, contact / without [–]", "floor acceleration up to {} times: {}"},
       {"storey_shear_ratio", "Storey shear, contact / without [–]", "storey shear up to {} times: {}", true}};
   const std::vector<Eigen::Index> shown = moving(run, options);
+  const std::vector<Tone> tones = tones_of(run, options);
   for (const auto& [key, label, finding, of_storeys] : ratios) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
     Panel panel =
@@ -329,7 +330,7 @@ Figure forces_figure(const RunResults& run, const FigureOptions& options) {
       const std::vector<double> values = of_floors(run, quantity, b);
       most.take(run, b, values);
       Curve curve = of_storeys ? over_storeys(building, values) : at_floors(building, values);
-      tell_apart(curve, tones_of(run.problem, run.response.impacts), shown, b);
+      tell_apart(curve, tones, shown, b);
       if (of_storeys && shown.size() <= most_dashes) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }
@@ -356,6 +357,7 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
                           {"residual_drift_ratio", "Residual drift [%]", "left at the end up to {} %: {}"}};
   constexpr double percent = 100;
   const std::vector<Eigen::Index> shown = moving(run, options);
+  const std::vector<Tone> tones = tones_of(run, options);
   for (const auto& [key, label, finding] : drifts) {
     const Quantity& quantity = quantity_named(key, Owner::floor);
     const bool is_signed = !figure.panels.empty();
@@ -374,7 +376,7 @@ Figure drift_figure(const RunResults& run, const FigureOptions& options) {
             word(options, "storey {}", std::to_string(building.model.storey_number(static_cast<Eigen::Index>(storey))));
       }
       Curve curve = over_storeys(building, values);
-      tell_apart(curve, tones_of(run.problem, run.response.impacts), shown, b);
+      tell_apart(curve, tones, shown, b);
       if (shown.size() <= most_dashes) curve.mark = Mark::none;
       if (!curve.x.empty()) panel.curves.push_back(curve);
     }

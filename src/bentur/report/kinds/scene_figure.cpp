@@ -229,8 +229,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
   for (const Inside& one : inside_at(run, instant)) panel.curves.push_back(hatches(scene, places, one));
   std::set<Eigen::Index> strike;
   for (const Impact& impact : run.response.impacts) {
-    if (!instant.impact || impact.start > instant.time || impact.end < instant.time) continue;
-    strike.insert(impact.point);
+    if (instant.impact && lasts_at(impact, instant.time)) strike.insert(impact.point);
   }
   Curve struck{.label = word(options, "struck point"),
                .tone = Tone::red,

@@ -204,12 +204,13 @@ Figure design_spectrum_figure(const Case& c, const Problem& problem, const Spect
   curves.acceleration_unit = "g";
   curves.length = c.units.length;
   curves.damping = spectrum.damping_ratio;
+  const std::vector<Tone> tones = tones_of(problem, {});
   double last = 4;  // that may be of interest [s]
   for (std::size_t b = 0; b < problem.buildings.size(); ++b) {
     const auto period = first_period(problem.buildings[b]);
     if (!period) continue;
     last = std::max(last, span_of_marks * *period);
-    SpectrumMark mark{problem.buildings[b].name, *period, b, tones_of(problem, {}).at(b)};
+    SpectrumMark mark{problem.buildings[b].name, *period, b, tones.at(b)};
     const SpectralModes& modes = spectral.modes[b];
     constexpr Eigen::Index most_modes = 3;
     for (Eigen::Index n = 0; n < std::min(most_modes, modes.omega.size()); ++n) {

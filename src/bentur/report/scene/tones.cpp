@@ -27,8 +27,8 @@ std::vector<Tone> tones(const AnyProblem& problem, const std::vector<Impact>& im
 
 std::vector<Tone> tones_of(const Problem& problem, const std::vector<Impact>& impacts) {
   return tones(problem, impacts, [&](Eigen::Index point) {
-    const auto left = static_cast<std::size_t>(problem.points.at(point).left);
-    return Pair{left, left + 1};
+    const ContactPoint& at = problem.points.at(point);
+    return Pair{at.left, at.right};
   });
 }
 

@@ -11,6 +11,7 @@ Problem row_of(std::size_t buildings) {
   for (std::size_t gap = 0; gap + 1 < buildings; ++gap) {
     ContactPoint point;
     point.left = static_cast<Eigen::Index>(gap);
+    point.right = point.left + 1;
     problem.points.push_back(point);
   }
   return problem;

@@ -32,13 +32,6 @@ std::size_t phrase_end(const std::string& rest, std::size_t end, double width, s
   return end;
 }
 
-/// Of a bar that is drawn as the line around it.
-bool is_bar_outline(const Curve& curve) {
-  const std::vector<double>&x = curve.x, &y = curve.y;
-  return x.size() == 5 && curve.top.empty() && x[0] == x[4] && y[0] == y[4] && x[0] == x[3] && x[1] == x[2] &&
-         y[0] == y[1] && y[2] == y[3];
-}
-
 /// Places entries one behind the other, as many in a line as have room. @return how many lines they take
 std::size_t arrange_in_turn(std::vector<LegendEntry>& list, double width) {
   std::size_t lines = 0;
@@ -89,7 +82,7 @@ void add_entries(const PlacedPanel& placed, std::vector<LegendEntry>& list) {
     const auto is_of = [&](const CurveName& name) { return name.curve == c; };
     if (!curve.in_legend || std::any_of(placed.names.begin(), placed.names.end(), is_of)) continue;
     add({curve.label, curve.tone, curve.line, curve.mark == Mark::none ? curve.legend_mark : curve.mark,
-         std::max(1.0, curve.width), !curve.top.empty(), false, is_bar_outline(curve), curve.mark_size});
+         std::max(1.0, curve.width), !curve.top.empty(), false, curve.is_bar, curve.mark_size});
   }
   for (const RuleLine& rule : panel.rules) add({.label = rule.label, .tone = rule.tone, .line = rule.line});
   if (!panel.events.x.empty()) add({.label = panel.events.label, .tone = Tone::grey, .event = true});

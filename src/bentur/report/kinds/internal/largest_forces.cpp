@@ -41,9 +41,8 @@ namespace {
 /// Whether a contact point is struck at an instant, or at any.
 bool is_struck(const RunResults& run, Eigen::Index point, std::optional<double> time) {
   const std::vector<Impact>& impacts = run.response.impacts;
-  return time ? std::any_of(
-                    impacts.begin(), impacts.end(),
-                    [&](const Impact& one) { return one.point == point && one.start <= *time && one.end >= *time; })
+  return time ? std::any_of(impacts.begin(), impacts.end(),
+                            [&](const Impact& one) { return one.point == point && lasts_at(one, *time); })
               : run.response.points[point].impacts > 0;
 }
 

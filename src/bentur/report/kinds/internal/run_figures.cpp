@@ -126,8 +126,12 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
   return {shown.begin(), shown.end()};
 }
 
+std::vector<Tone> tones_of(const RunResults& run, const FigureOptions& options) {
+  return options.tones.empty() ? tones_of(run.problem, run.response.impacts) : options.tones;
+}
+
 Tone tone_of(const RunResults& run, const FigureOptions& options, Eigen::Index building) {
-  return options.tones.empty() ? tones_of(run.problem, run.response.impacts).at(building) : options.tones.at(building);
+  return tones_of(run, options).at(building);
 }
 
 std::string filled_word(const FigureWords& say, std::string_view english, const std::vector<std::string>& values) {
@@ -189,7 +193,11 @@ Curve bar(double from, double to, double place, double thick, Tone tone) {
 
 Curve hollow_bar(double from, double to, double place, double thick, Tone tone) {
   const double low = place - thick / 2, high = place + thick / 2;
-  return {.x = {from, to, to, from, from}, .y = {low, low, high, high, low}, .tone = tone, .complete = true};
+  return {.x = {from, to, to, from, from},
+          .y = {low, low, high, high, low},
+          .tone = tone,
+          .complete = true,
+          .is_bar = true};
 }
 
 Tone tone_of(Sufficiency value) {

@@ -63,8 +63,13 @@ template <class AnyRun>
 [[nodiscard]] std::string seconds_text(double time);
 /// Elevation of a building's base [length].
 [[nodiscard]] double base_of(const Building& building);
-/// The colour of a building, or of the one that a frame in plan is of.
+/// The colour of each building, or of the one that each frame in plan is of; of one of them.
+[[nodiscard]] std::vector<Tone> tones_of(const RunResults& run, const FigureOptions& options);
 [[nodiscard]] Tone tone_of(const RunResults& run, const FigureOptions& options, Eigen::Index building);
+/// Whether contact lasts then [s].
+[[nodiscard]] inline bool lasts_at(const Impact& impact, double time) {
+  return impact.start <= time && impact.end >= time;
+}
 /// T of the first mode [s]; nothing without modes.
 [[nodiscard]] std::optional<double> first_period(const Building& building);
 

@@ -60,7 +60,7 @@ class PlanPicture {
       boxes_.push_back(box_of(rings_.back()));
     }
     for (const Impact& impact : run.response.impacts) {
-      const bool is_on = instant.impact && impact.start <= time_ && impact.end >= time_;
+      const bool is_on = instant.impact && lasts_at(impact, time_);
       if (is_on && contact_at(run.problem, impact.point).contact->elevation == level) touching_.insert(impact.point);
     }
     size_ = 0.045 * (scene_.upper() - scene_.lower()).maxCoeff();
