@@ -178,10 +178,6 @@ Json kinds_of(const Run& run, const Words& say) {
   return all;
 }
 
-}  // namespace
-
-namespace {
-
 /// The tables of a first screen: of the gaps, and what else is known.
 Json facts_of(const std::vector<std::string>& gaps, const Story& story, const Words& say) {
   std::vector<SaidTable> tables;

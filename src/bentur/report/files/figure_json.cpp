@@ -14,6 +14,7 @@
 
 #include "bentur/core/not_known.h"
 #include "bentur/io/json_position.h"
+#include "bentur/report/figures/internal/colours.h"
 
 namespace bentur {
 namespace {
@@ -186,9 +187,10 @@ class Reader {
   }
 
   void read(const Node& node, const std::string& where, Tone& to) {
-    word(node, where, to, {"black",  "blue", "orange", "grey",      "pale",  "pale-blue", "pale-orange", "green",
-                           "purple", "red",  "teal",   "magenta",   "olive", "amber",     "indigo",      "brown",
-                           "cyan",   "navy", "gold",   "pale-teal", "bark",  "stone"});
+    std::vector<std::string> names;
+    for (const Colour& one : colours) names.emplace_back(one.name);
+    names.front() = "black";  // on paper
+    word(node, where, to, names);
   }
 
   void read(const Node& node, const std::string& where, PlaceText::Side& to) {
