@@ -1,8 +1,9 @@
 """report.py FOLDER ROOT [--docs]: tables and figure of one run of `./dev bench`, from the files it left in FOLDER.
 
-Prints results.md, writes it and the figure's description, data and script into FOLDER; with --docs also puts both into
-ROOT/docs. Times are processor times of one core; those at an accuracy are interpolated on logarithms between the two
-settings on either side of it, the last time a solver's error comes below. See bench/README.md.
+Prints results.md, writes it and the figure's description, data and script into FOLDER; with --docs also puts the figure
+and what compares into ROOT/docs, without the times at each accuracy, growth and parts. Times are processor times of one
+core; those at an accuracy are interpolated on logarithms between the two settings on either side of it, the last time a
+solver's error comes below. See bench/README.md.
 """
 
 import csv
@@ -317,17 +318,17 @@ def main():
     sweep = folder / "sweep.txt"
     if sweep.exists():
         text += "Gap sweep on two threads: " + sweep.read_text().split(": ")[0].strip() + ".\n\n"
-    text += "### Accuracy and time\n\n" + accuracies(cases, heyoka)
-    text += "### Growth and the floor\n\n" + cost_model(read(folder / "growth.csv"), read(folder / "rates.csv"))
+    details = "### Accuracy and time\n\n" + accuracies(cases, heyoka)
+    details += "### Growth and the floor\n\n" + cost_model(read(folder / "growth.csv"), read(folder / "rates.csv"))
+    details += "### Parts\n\n" + parts(folder / "parts.json")
     text += "### Hinges\n\n" + hinges(read(folder / "hinges.csv"))
     text += beside_opensees(folder, "hinged-frame", "A frame of two bays and two storeys with hinges against a wall,")
     text += "### Buildings in plan\n\n" + plans(read(folder / "plan_pair.csv"), read(folder / "blocks.csv"))
     text += beside_opensees(folder, "plan-pair", "Two buildings of three storeys in plan that strike,")
     text += beside_opensees(folder, "plan-pair-rubbing", "The same with friction of 0.3,")
-    text += "### Parts\n\n" + parts(folder / "parts.json")
-    text = wrapped(text)
-    (folder / "results.md").write_text(text)
-    print(text)
+    text, results = wrapped(text), wrapped(text + details)
+    (folder / "results.md").write_text(results)
+    print(results)
     svg = figure(root / "build/release/apps/bentur/bentur", folder, cases)
     print(f"bench: {svg}", file=sys.stderr)
     if "--docs" in sys.argv:

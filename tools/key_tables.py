@@ -116,7 +116,7 @@ def ways_in(schema, way):
 
 def index(texts, schemas):
     """docs/keys.md: each key of the schemas with the tables that explain it, or a key that says the same; where none has
-    it, with where the table is that it is, or the key above it is explained."""
+    it, with where the table is that it is, or the key above it is explained. Of a heading what stands before its colon."""
     places = {}  # of a way
     tables = {}  # of a way that is a table
     for document, text in texts.items():
@@ -145,8 +145,8 @@ def index(texts, schemas):
     lines = ["# Keys from A to Z", "", "All keys of case and study files, with the tables that explain them.", "",
              "| key | explained under |", "|---|---|"]
     for key, where in sorted(keys.items()):
-        links = ", ".join("[" + heading.replace("`", "").replace("[", "\\[").replace("]", "\\]") + f"]({at})"
-                          for at, heading in where.items())
+        links = ", ".join("[" + heading.partition(":")[0].replace("`", "").replace("[", "\\[").replace("]", "\\]") +
+                          f"]({at})" for at, heading in where.items())
         lines.append(f"| `{key}` | {links} |")
     return "\n".join(lines) + "\n"
 
