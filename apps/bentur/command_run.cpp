@@ -298,9 +298,9 @@ void execute_suite(const RunArguments& arguments, const Loaded& loaded) {
 
 /// Writes what is asked for and prints the summary.
 template <class Run>
-void tell(const RunArguments& arguments, const Run& run, const std::string& summary, const std::string& impacts,
-          std::optional<RunOutput>& output) {
-  if (output) output->write(run, summary, impacts);
+void tell(const RunArguments& arguments, const Run& run, std::optional<RunOutput>& output) {
+  const std::string summary = output || arguments.json ? summary_json(run, version()) : "";
+  if (output) output->write(run, summary, impacts_csv(run.view()));
   if (arguments.json) {
     print(summary);
   } else if (!arguments.quiet) {
@@ -337,11 +337,11 @@ void execute(const RunArguments& arguments) {
   if (loaded.c.is_in_plan()) {
     PlanRun run = simulate_plan(loaded, step, !arguments.quiet, arguments.language);
     if (!arguments.figures.empty()) run.closer = dense_findings(run);
-    return tell(arguments, run, summary_json(run, version()), impacts_csv(run), output);
+    return tell(arguments, run, output);
   }
   RunResults run = simulate(loaded, step, !arguments.quiet, arguments.language);
   if (!arguments.figures.empty()) run.figures = figure_data(run);
-  tell(arguments, run, summary_json(run, version()), impacts_csv(run.view()), output);
+  tell(arguments, run, output);
 }
 
 }  // namespace
