@@ -5,7 +5,7 @@
 
 Makes blocks of so many houses (100, 200, 500 and 1,000 by default) of two storeys, some 12 m by 10 m, in rows of 32,
 1 cm from one another, runs 5 s of El Centro by PROGRAM, without results in files and with them, and prints a table:
-processor time and largest memory of the whole program.
+processor time, that on the clock, and largest memory of the whole program.
 """
 
 import os
@@ -14,6 +14,7 @@ import random
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COLUMNS = 32
@@ -40,13 +41,14 @@ def case(houses):
 
 
 def spent(command):
-    """Seconds of a processor and largest memory [MB] of a command."""
+    """Seconds of processors, largest memory [MB] and seconds on the clock of a command."""
+    began = time.monotonic()
     with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
         _, status, used = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
         sys.exit(f"{' '.join(command)}: exit status {process.returncode}")
-    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1000
+    return used.ru_utime + used.ru_stime, used.ru_maxrss / 1000, time.monotonic() - began
 
 
 def main():
@@ -54,16 +56,16 @@ def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     program, counts = sys.argv[1], [int(n) for n in sys.argv[2:]] or [100, 200, 500, 1000]
-    print("| houses | check [s] | run [s] | a house [ms] | memory [MB] | run -o [s] | memory [MB] |")
-    print("| -----: | --------: | ------: | -----------: | ----------: | ---------: | ----------: |")
+    print("| houses | check [s] | run [s] | a house [ms] | waited [s] | memory [MB] | run -o [s] | memory [MB] |")
+    print("| -----: | --------: | ------: | -----------: | ---------: | ----------: | ---------: | ----------: |")
     for houses in counts:
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "block.toml"
             file.write_text(case(houses), encoding="utf-8")
-            read, _ = spent([program, "check", str(file)])
-            run, memory = spent([program, "run", str(file)])
-            written, more = spent([program, "run", str(file), "-o", str(pathlib.Path(folder) / "results")])
-        print(f"| {houses:,} | {read:.1f} | {run:.1f} | {1000 * run / houses:.0f} | {memory:.0f} | {written:.1f} "
+            read, _, _ = spent([program, "check", str(file)])
+            run, memory, waited = spent([program, "run", str(file)])
+            written, more, _ = spent([program, "run", str(file), "-o", str(pathlib.Path(folder) / "results")])
+        print(f"| {houses:,} | {read:.1f} | {run:.1f} | {1000 * run / houses:.0f} | {waited:.1f} | {memory:.0f} | {written:.1f} "
               f"| {more:.0f} |", flush=True)
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What people wait for: seconds of a processor of whole commands, start of the program and all.
+"""What people wait for: seconds of processors and on the clock of whole commands, start of the program and all.
 
     python3 bench/waits.py PROGRAM [--against OLDER] [--repeats N] [--records FILE ...] [--only WORD]
 
@@ -72,16 +72,15 @@ def main():
     parser.add_argument("--only", default="")
     given = parser.parse_args()
     programs = [given.program] + ([given.against] if given.against else [])
-    print("| | [s] |" + (" older [s] | of it |" if given.against else ""))
-    print("|---|---:|" + ("---:|---:|" if given.against else ""))
+    print("| | processors [s] | clock [s] |" + (" older: processors [s] | clock [s] |" if given.against else ""))
+    print("|---|---:|---:|" + ("---:|---:|" if given.against else ""))
     with tempfile.TemporaryDirectory() as folder:
         for name, arguments in tasks(pathlib.Path(folder), given.records):
             if given.only not in name:
                 continue
-            times = [min(one) for one in zip(*([spent([program, *arguments])[0] for program in programs]
-                                               for _ in range(given.repeats)))]
-            more = f" {times[1]:.3f} | {times[0] / times[1]:.2f} |" if given.against else ""
-            print(f"| {name} | {times[0]:.3f} |{more}", flush=True)
+            turns = [[spent([program, *arguments]) for program in programs] for _ in range(given.repeats)]
+            least = [min(turn[p][i] for turn in turns) for p in range(len(programs)) for i in (0, 2)]
+            print(f"| {name} |", " | ".join(f"{time:.3f}" for time in least), "|", flush=True)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bentur/core/diagnostics.h"
+#include "bentur/core/in_a_thread.h"
 #include "bentur/model/gap/spectral_gap.h"
 #include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
@@ -116,6 +117,7 @@ auto solve_shown(Options options, bool progress, const std::string& language, co
   const StopOnSignal stop;
   auto response = [&] {
     Progress display("of the duration simulated");
+    options.beside = in_a_thread;
     options.progress = [&](double fraction) {
       done = fraction;
       if (progress) display.show(fraction);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "bentur/pounding/response.h"
 
@@ -44,6 +45,36 @@ inline void expect_same(const Response& one, const Response& other) {
   }
   EXPECT_EQ(one.steps, other.steps);
   EXPECT_EQ(one.events, other.events);
+}
+
+/// What points need and what happens there is the same to the bit.
+inline void expect_same_points(const std::vector<PointSummary>& one, const std::vector<PointSummary>& other) {
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].gap_needed, other[i].gap_needed) << i;
+    EXPECT_EQ(one[i].gap_needed_reversed, other[i].gap_needed_reversed) << i;
+    EXPECT_EQ(one[i].to_come_reversed, other[i].to_come_reversed) << i;
+    EXPECT_EQ(one[i].to_come_struck, other[i].to_come_struck) << i;
+    EXPECT_EQ(one[i].impacts, other[i].impacts) << i;
+    EXPECT_EQ(one[i].peak_force, other[i].peak_force) << i;
+    EXPECT_EQ(one[i].impulse, other[i].impulse) << i;
+  }
+}
+
+/// The same of the reversed motion too, rows and plans alike.
+inline void expect_same_outcome(const RunOutcome& one, const RunOutcome& other) {
+  EXPECT_EQ(one.status, other.status) << one.message << other.message;
+  EXPECT_EQ(one.steps, other.steps);
+  EXPECT_EQ(one.events, other.events);
+  expect_same_points(one.points, other.points);
+  ASSERT_EQ(one.reversed.has_value(), other.reversed.has_value());
+  if (!one.reversed) return;
+  EXPECT_EQ(one.reversed->has_contact, other.reversed->has_contact);
+  ASSERT_EQ(one.reversed->drifts.size(), other.reversed->drifts.size());
+  for (std::size_t b = 0; b < one.reversed->drifts.size(); ++b) {
+    EXPECT_EQ(one.reversed->drifts[b].ratio, other.reversed->drifts[b].ratio) << b;
+  }
+  expect_same_points(one.reversed->points, other.reversed->points);
 }
 
 }  // namespace bentur::test

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "bentur/core/in_a_thread.h"
 #include "bentur/core/version.h"
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
@@ -80,8 +81,9 @@ void refuse(const std::string& refusal, const PyCase& given) {
 
 /// What solve() gives, without the lock and told of. @throws what the watcher, or a law written in Python, has raised
 template <class Solve>
-auto watched(SolveOptions& options, const py::object& progress, const Solve& solve) {
+auto watched(const PyCase& given, SolveOptions& options, const py::object& progress, const Solve& solve) {
   Watcher watcher(progress);
+  if (!has_own_law(*given.root)) options.beside = in_a_thread;  // what such a law raises belongs to this thread
   options.progress = [&](double fraction) { return watcher(fraction); };
   decltype(solve()) response;
   {
@@ -113,7 +115,7 @@ std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double>
   if (!output_step) options.energy_step = analysis.output_step;
   options.course = options.output_step > 0;
   refuse(beyond_limits(given.c, effort(problem, analysis.solver, options)), given);
-  PlanResponse response = watched(options, progress, [&] { return solve(problem, analysis.solver, options); });
+  PlanResponse response = watched(given, options, progress, [&] { return solve(problem, analysis.solver, options); });
   PlanRun run = run_results(given.c, std::move(problem), std::move(response));
   return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
 }
@@ -128,7 +130,8 @@ std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_
   if (!output_step) options.energy_step = given.c.analysis.output_step;
   options.course = options.output_step > 0;
   refuse(beyond_limits(given.c, problem, effort(problem, given.c.analysis.solver, options)), given);
-  Response response = watched(options, progress, [&] { return solve(problem, given.c.analysis.solver, options); });
+  Response response =
+      watched(given, options, progress, [&] { return solve(problem, given.c.analysis.solver, options); });
   const py::gil_scoped_release unlocked;
   return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
 }

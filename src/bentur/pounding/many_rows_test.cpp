@@ -6,10 +6,13 @@
 #include <memory>
 #include <numbers>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include "bentur/contact/laws/kelvin_voigt.h"
+#include "bentur/core/in_a_thread.h"
 #include "bentur/pounding/pounding.h"
+#include "tests/support/same_response.h"
 #include "tests/support/small_buildings.h"
 
 namespace bentur::many_rows {
@@ -90,6 +93,45 @@ TEST(ManyRows, IslandsAreWhatAllBuildingsAreTogether) {
     }
   }
   EXPECT_GT(impacts, 500U);
+}
+
+// The reversed motion by a thread of its own; from rest, so that it is a mirror image, it is not solved without
+// contact.
+TEST(ManyRows, TwoThreadsFindWhatOneDoes) {
+  long reversed_closes = 0;
+  for (unsigned seed = 21; seed <= 32; ++seed) {
+    SCOPED_TRACE(seed);
+    Problem problem = row(seed);
+    if (seed % 3 != 0) problem.initial_velocity[0](0) = 0.1;
+    if (seed % 4 == 0) {  // nothing closes
+      for (ContactPoint& point : problem.points) point.width += 5;
+    }
+    SolveOptions options{.output_step = 0.01, .both_ways = true};
+    const Response alone = solve(problem, ExactSolver{}, options);
+    options.beside = in_a_thread;
+    const Response beside = solve(problem, ExactSolver{}, options);
+    test::expect_same_outcome(alone, beside);
+    test::expect_same(alone, beside);
+    reversed_closes += alone.reversed->has_contact ? 1 : 0;
+  }
+  EXPECT_GT(reversed_closes, 4);
+  EXPECT_LT(reversed_closes, 12);
+}
+
+TEST(ManyRows, TwoThreadsStopWhereOneDoes) {
+  const Problem problem = row(5);
+  for (const int threads : {1, 2}) {
+    for (const double at : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+      if (at == 1 && threads == 2) continue;  // the reversed motion may be over by then
+      SolveOptions options{.both_ways = true};
+      if (threads == 2) options.beside = in_a_thread;
+      options.progress = [&, caller = std::this_thread::get_id()](double fraction) {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        return fraction < at;
+      };
+      EXPECT_EQ(solve(problem, ExactSolver{}, options).status, Status::stopped) << threads << " threads, " << at;
+    }
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -25,7 +26,11 @@ struct SolveOptions {
   /// Accounts for all energy (Response::energy); it never changes the solution.
   bool energy_audit = false;
   double energy_step = 0;  ///< [s] of the samples of energies, which are kept with histories; 0: as of those
-  /// Called now and then with the fraction done [0, 1]; returning false stops the run (Status::stopped).
+  /// Starts work in a thread of its own, as in_a_thread() of core/in_a_thread.h does: with it the reversed motion is
+  /// solved beside the run with contact, where both are asked for. Every number is the same.
+  std::function<std::future<void>(std::function<void()>)> beside = {};
+  /// Called now and then with the fraction done [0, 1], by the thread that calls; returning false stops the run
+  /// (Status::stopped).
   std::function<bool(double)> progress = {};
 };
 

@@ -26,4 +26,7 @@ void take_reversed(const std::vector<Summary>& from, std::vector<Summary>& to) {
 /// Whether bodies touch at some point, or would in the reversed motion. @param widths of the points [length]
 [[nodiscard]] bool some_point_closes(const std::vector<PointSummary>& points, const std::vector<double>& widths);
 
+/// Whether some point needs more than its width, as the motion is given or reversed. @param widths as above
+[[nodiscard]] bool some_need_exceeds(const std::vector<PointSummary>& points, const std::vector<double>& widths);
+
 }  // namespace bentur

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bentur/pounding/internal/after_motion.h"
-#include "bentur/pounding/internal/asked.h"
 #include "bentur/pounding/internal/progress_of_parts.h"
 #include "bentur/pounding/internal/same_but_gaps.h"
 #include "bentur/pounding/pounding.h"
@@ -64,41 +63,6 @@ template <class Parts, class AnyResponse, class AnyProblem>
   AnyResponse response = told<AnyResponse>(problem, free, levels);
   return {std::move(problem), solver, std::move(free), limits, levels, std::move(response)};
 }
-
-/// A problem under the motion reversed, made where it is first asked for, as its response without contact is.
-template <class Parts, class AnyProblem>
-class ReversedFree {
- public:
-  /// @param problem lives as long as this
-  ReversedFree(const AnyProblem& problem, const Solver& solver, const RunLimits& limits,
-               std::function<bool(double)> progress = {})
-      : given_(problem), solver_(solver), limits_(limits), progress_(std::move(progress)) {}
-
-  [[nodiscard]] const AnyProblem& problem() {
-    if (!problem_) {
-      problem_ = given_;
-      for (GroundMotion& motion : motions_in(*problem_)) motion = reversed(std::move(motion));
-    }
-    return *problem_;
-  }
-  [[nodiscard]] const Parts& parts() {
-    using AnyResponse = decltype(Parts::response);
-    if (!parts_) parts_.emplace(parts_of<Parts, AnyResponse>(problem(), solver_, progress_, limits_, false));
-    return *parts_;
-  }
-  /// For take_meetings().
-  [[nodiscard]] std::function<FreeSolution()> free() {
-    return [this] { return parts().free; };
-  }
-
- private:
-  const AnyProblem& given_;
-  const Solver& solver_;
-  RunLimits limits_;
-  std::function<bool(double)> progress_;
-  std::optional<AnyProblem> problem_;
-  std::optional<Parts> parts_;
-};
 
 }  // namespace any_problem
 

@@ -1,90 +1,18 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <future>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "bentur/pounding/internal/free_parts.h"
+#include "bentur/pounding/internal/reversed_motion.h"
 
 // Problems of rows and of plans are solved alike: what free_parts.h has without contact, and with it.
 namespace bentur {
 
 namespace any_problem {
-
-/// With the contacts of `other`, which its system has, and which is the parts' problem but for gaps and laws.
-template <class Parts, class AnyProblem>
-[[nodiscard]] auto solved(const Parts& parts, const AnyProblem& other, const System& system,
-                          const SolveOptions& options) {
-  const auto began = std::chrono::steady_clock::now();
-  auto with = parts.response;
-  if (!is_over(with.status)) return with;
-  RunOptions asked = run_options(options);
-  asked.course = asked.course && keeps_course(other);
-  Solution solution = parts.free.solve(system.contacts, system.rubbing, asked);
-  const SelfMeasures measures = solution.checks;
-  take_to_come_struck(solution, places_of(other), with.points, with.watched);
-  take_solution(other, std::move(solution), with);
-  check_itself(other, parts.solver, measures, with);
-  with.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  return with;
-}
-
-/// What the reversed motion needs, where that is asked for and the free response does not have it; nothing where that
-/// is not known.
-template <class AnyProblem, class AnyResponse, class Parts>
-[[nodiscard]] std::optional<ReversedRun> reversed_free(const SolveOptions& options, const System& system,
-                                                       ReversedFree<Parts, AnyProblem>& other, AnyResponse& response) {
-  if (!options.both_ways) {
-    take_reversed({}, response.points);
-    take_reversed({}, response.watched);
-  }
-  if (!options.both_ways || !is_over(response.status) || !is_shaken(system)) return std::nullopt;
-  ReversedRun reversed;
-  const auto take_free = [&](const AnyResponse& found) {
-    reversed.collapse_no_contact = found.collapse_no_contact;
-    reversed.drifts = drifts_no_contact(found);
-  };
-  if (is_mirrored(system)) {
-    take_free(response);
-    return reversed;
-  }
-  const AnyResponse& found = other.parts().response;
-  if (!is_over(found.status)) return std::nullopt;
-  take_free(found);
-  if (found.status == Status::done) {
-    take_reversed(found.points, response.points);
-    take_reversed(found.watched, response.watched);
-  }
-  return reversed;
-}
-
-/// The same, and what the reversed motion does where some gap of several closes, so that others are struck that move
-/// otherwise than freely.
-template <class AnyProblem, class AnyResponse, class Parts>
-void add_reversed(const AnyProblem& problem, const SolveOptions& options, const System& system,
-                  ReversedFree<Parts, AnyProblem>& other, AnyResponse& response) {
-  std::optional<ReversedRun> reversed = reversed_free(options, system, other, response);
-  if (!reversed) return;
-  const bool others_close = gap_count(problem) > 1 && some_point_closes(response.points, gap_widths(problem));
-  // Of what ends in collapse nothing is known without contact, but contact may come before.
-  if (others_close || reversed->collapse_no_contact) {
-    if (!is_over(other.parts().response.status)) return;
-    SolveOptions rest;
-    rest.limits = options.limits;
-    if (options.progress) rest.progress = [&](double) { return options.progress(1.0); };
-    const FreeSolution& free = other.parts().free;
-    AnyResponse with = solved(other.parts(), other.problem(), free.system(), rest);
-    if (!is_over(with.status)) return;
-    // Nothing is asked of the motion reversed once more.
-    take_meetings(other.problem(), free.system(), free, other.free(), rest.limits, with.points);
-    reversed->has_contact = true;
-    reversed->collapse = with.collapse;
-    reversed->points = std::move(with.points);
-    reversed->watched = std::move(with.watched);
-  }
-  response.reversed = std::move(reversed);
-}
 
 /// Raises what the response needs without contact to the most of all places where masses may stand; of a row they stand
 /// where they are. @param options of what is asked: `levels`, and `both_ways` where the response has what the reversed
@@ -106,10 +34,11 @@ void take_masses_elsewhere(const AnyProblem& problem, const Solver& solver, cons
         response.message = free.message;
         return;
       }
-      ReversedFree<Parts, AnyProblem> other(moved, solver, options.limits, goes_on);
+      ReversedMotion<Parts, AnyProblem> other(moved, solver, options.limits, goes_on);
       const System& system = parts.free.system();
       free.reversed = reversed_free(options, system, other, free);
-      take_meetings(moved, system, parts.free, other.free(), options.limits, free.points);
+      FreeTouches touches(system, parts.free, options.limits);
+      bring_down_needs(moved, touches, other, free);
       raise_needs(free, choice, response);
     }
   }
@@ -132,8 +61,9 @@ template <class Parts>
   auto needs = parts.response;
   const System& system = parts.free.system();
   if (has_meetings(parts.problem)) {
-    ReversedFree<Parts, decltype(Parts::problem)> other(parts.problem, parts.solver, parts.limits);
-    take_meetings(parts.problem, system, parts.free, other.free(), parts.limits, needs.points);
+    ReversedMotion<Parts, decltype(Parts::problem)> other(parts.problem, parts.solver, parts.limits);
+    FreeTouches touches(system, parts.free, parts.limits);
+    bring_down_needs(parts.problem, touches, other, needs);
   }
   take_masses_elsewhere<Parts>(parts.problem, parts.solver, free_options(parts), needs);
   parts.with_widths = std::move(needs);
@@ -151,11 +81,35 @@ template <class AnyResponse, class AnyProblem>
   const bool levels = options.levels || options.both_ways;
   const Parts parts = parts_of<Parts, AnyResponse>(problem, solver, progress.free, options.limits, levels);
   const System& system = parts.free.system();
-  ReversedFree<Parts, AnyProblem> other(problem, solver, options.limits,
-                                        [&](double) { return !options.progress || options.progress(1.0); });
+  std::atomic<bool> stops = false, is_beside = false;
+  const auto ask = [&stops, &options] {
+    if (options.progress && !options.progress(1.0)) stops = true;
+  };
+  ReversedMotion<Parts, AnyProblem> other(problem, solver, options.limits, [&](double) {
+    if (!is_beside) ask();
+    return !stops;
+  });
+  std::future<void> beside;
+  if (options.beside && options.both_ways && is_over(parts.response.status) && is_shaken(system)) {
+    is_beside = true;
+    beside = options.beside([&parts, &other] { find_reversed(parts, other); });
+  }
   AnyResponse response = solved(parts, problem, system, rest);
+  if (!is_over(response.status)) stops = true;
+  FreeTouches touches(system, parts.free, options.limits);
+  if (beside.valid()) {
+    if (has_meetings(problem) && !stops) static_cast<void>(touches.found());
+    constexpr std::chrono::milliseconds between_looks(50);
+    while (beside.wait_for(between_looks) == std::future_status::timeout) ask();
+    beside.get();
+  }
+  is_beside = false;
   add_reversed(problem, options, system, other, response);
-  take_meetings(problem, system, parts.free, other.free(), options.limits, response.points);
+  bring_down_needs(problem, touches, other, response);
+  if (stops && is_over(response.status)) {
+    response.status = Status::stopped;
+    response.message = "stopped on request";
+  }
   rest = options;
   rest.levels = levels;
   take_masses_elsewhere<Parts>(problem, solver, rest, response);
@@ -206,8 +160,9 @@ AnyResponse FreeResponseOf<AnyProblem, AnyResponse>::solve(const AnyProblem& pro
   const System system = system_of(problem);
   require_none(difference_but_gaps(parts_->problem, parts_->free.system(), problem, system));
   AnyResponse response = any_problem::solved(*parts_, problem, system, options);
-  any_problem::ReversedFree<Parts, AnyProblem> other(problem, parts_->solver, options.limits);
-  take_meetings(problem, system, parts_->free, other.free(), options.limits, response.points);
+  any_problem::ReversedMotion<Parts, AnyProblem> other(problem, parts_->solver, options.limits);
+  FreeTouches touches(system, parts_->free, options.limits);
+  any_problem::bring_down_needs(problem, touches, other, response);
   any_problem::take_masses_elsewhere<Parts>(problem, parts_->solver, any_problem::free_options(*parts_), response);
   return response;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/elements/coupled_law.h"
+#include "bentur/pounding/plan/free_touches.h"
 #include "bentur/pounding/problem.h"
 #include "bentur/pounding/response.h"
 #include "bentur/solve/solver.h"
@@ -18,8 +19,8 @@ namespace bentur {
 [[nodiscard]] inline bool keeps_course(const Problem& /*problem*/) { return true; }
 /// Floors in a row touch whatever they do elsewhere.
 [[nodiscard]] inline bool has_meetings(const Problem& /*problem*/) { return false; }
-inline void take_meetings(const Problem&, const System&, const FreeSolution&, const std::function<FreeSolution()>&,
-                          const RunLimits&, std::vector<PointSummary>&) {}
+inline void take_meetings(const Problem&, FreeTouches&, const std::function<FreeTouches&()>&,
+                          std::vector<PointSummary>&) {}
 
 /// What the response without contact says of buildings, points and watched floors.
 [[nodiscard]] Response free_response(const Problem& problem, const Solution& free);

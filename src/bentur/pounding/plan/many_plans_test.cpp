@@ -14,8 +14,12 @@
 #include "bentur/contact/laws/hertz.h"
 #include "bentur/contact/laws/kelvin_voigt.h"
 #include "bentur/contact/laws/linear.h"
+#include "bentur/core/in_a_thread.h"
+#include "bentur/pounding/plan/free_touches.h"
+#include "bentur/pounding/plan/no_force.h"
 #include "bentur/pounding/plan/outline/near.h"
 #include "bentur/pounding/plan/plan_pounding.h"
+#include "tests/support/same_response.h"
 
 namespace bentur::many_plans {
 namespace {
@@ -228,6 +232,43 @@ TEST(ManyPlans, CostIsLinearInHouses) {
     EXPECT_LE(some.*member, 1.25 * few.*member);
     EXPECT_LE(many.*member, 1.25 * few.*member);
   }
+}
+
+// The reversed motion by a thread of its own.
+TEST(ManyPlans, TwoThreadsFindWhatOneDoes) {
+  for (unsigned seed = 41; seed <= 43; ++seed) {
+    SCOPED_TRACE(seed);
+    const PlanProblem problem = Blocks(seed).make(LawOf::kelvin_voigt);
+    SolveOptions options{.both_ways = true};
+    const PlanResponse alone = solve(problem, ExactSolver{}, options);
+    options.beside = in_a_thread;
+    const PlanResponse beside = solve(problem, ExactSolver{}, options);
+    EXPECT_TRUE(alone.reversed->has_contact);
+    test::expect_same_outcome(alone, beside);
+  }
+}
+
+// Contacts of meetings that cannot touch get room; the long way leaves them where they are.
+TEST(ManyPlans, RoomForOthersDoesNotChangeWhatTouches) {
+  std::size_t touching = 0, apart = 0;
+  for (unsigned seed = 51; seed <= 130; ++seed) {
+    SCOPED_TRACE(seed);
+    const PlanProblem problem = Blocks(seed).make(LawOf::linear);
+    const System system = system_of(problem);
+    const FreeSolution free(system, ExactSolver{});
+    FreeTouches touches(system, free, {});
+    std::vector<Contact> contacts = system.contacts;
+    for (Contact& contact : contacts) contact.law = no_force();
+    std::vector<char> wanted(contacts.size(), 0);
+    for (const Impact& impact : free.solve(contacts).impacts) wanted[static_cast<std::size_t>(impact.point)] = 1;
+    for (std::size_t n = 0; n < contacts.size(); ++n) {
+      if (contacts[n].place.meeting < 0) continue;
+      EXPECT_EQ(touches.found()[n], wanted[n]) << n;
+      (wanted[n] != 0 ? touching : apart) += 1;
+    }
+  }
+  EXPECT_GT(touching, 40U);
+  EXPECT_GT(apart, 40U);
 }
 
 }  // namespace

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
-
-#include "bentur/contact/laws/rubbing.h"
-#include "bentur/pounding/plan/no_force.h"
 
 namespace bentur {
 namespace {
@@ -51,20 +47,6 @@ bool all_close(const MeetingOfLevel& meeting, const Need& need) {
   return std::all_of(closes.begin(), closes.end(), [](const auto& one) { return one.second; });
 }
 
-/// Which points of a system would touch if nothing pushed there.
-std::vector<char> would_touch(const System& system, const FreeSolution& free, const RunLimits& limits) {
-  const auto law = no_force();
-  std::vector<Contact> contacts = system.contacts;
-  for (Contact& contact : contacts) contact.law = law;
-  std::vector<RubbingContact> rubbing = system.rubbing;
-  for (RubbingContact& contact : rubbing) contact.law = std::make_shared<const Rubbing>(law, 0.0, 1.0);
-  std::vector<char> touch(contacts.size() + rubbing.size(), 0);
-  const Solution solution = free.solve(contacts, rubbing, {.limits = limits});
-  if (free.solution().status != Status::done || solution.status != Status::done) touch.assign(touch.size(), 1);
-  for (const Impact& impact : solution.impacts) touch[static_cast<std::size_t>(impact.point)] = 1;
-  return touch;
-}
-
 /// Of each contact of all gaps its number in the system.
 std::vector<std::size_t> numbers_in_system(const PlanProblem& problem) {
   const std::vector<Index> places = places_of(problem);
@@ -84,18 +66,14 @@ bool has_meetings(const PlanProblem& problem) {
   });
 }
 
-void take_meetings(const PlanProblem& problem, const System& system, const FreeSolution& free,
-                   const std::function<FreeSolution()>& reversed, const RunLimits& limits,
+void take_meetings(const PlanProblem& problem, FreeTouches& given, const std::function<FreeTouches&()>& reversed,
                    std::vector<PointSummary>& points) {
   if (!has_meetings(problem)) return;
   constexpr double unknown = std::numeric_limits<double>::infinity();
   const std::vector<std::size_t> numbers = numbers_in_system(problem);
-  std::optional<std::vector<char>> touch, touch_reversed;
-  const auto touches = [&](const MeetingOfLevel& meeting, std::optional<std::vector<char>>& found,
-                           const std::function<std::vector<char>()>& find) {
-    if (!found) found = find();
+  const auto touches = [&](const MeetingOfLevel& meeting, FreeTouches& free) {
     return std::any_of(meeting.points.begin(), meeting.points.end(), [&](const MeetingOfLevel::Point& point) {
-      return (*found)[numbers[static_cast<std::size_t>(point.at)]] != 0;
+      return free.found()[numbers[static_cast<std::size_t>(point.at)]] != 0;
     });
   };
   for (const MeetingOfLevel& meeting : meetings_of(problem)) {
@@ -111,15 +89,14 @@ void take_meetings(const PlanProblem& problem, const System& system, const FreeS
       }
     };
     const bool some_need = all_close(meeting, [&](Index at) { return point_at(at).gap_needed; });
-    if (!some_need || !touches(meeting, touch, [&] { return would_touch(system, free, limits); })) {
+    if (!some_need || !touches(meeting, given)) {
       for (const MeetingOfLevel::Point& point : meeting.points) {
         double& need = point_at(point.at).gap_needed;
         need = std::min(need, given_at(point));
       }
     }
     const bool is_asked = point_at(meeting.points.front().at).gap_needed_reversed.has_value();
-    if (!closes(&PointSummary::gap_needed_reversed) ||
-        (is_asked && !touches(meeting, touch_reversed, [&] { return would_touch(system, reversed(), limits); }))) {
+    if (!closes(&PointSummary::gap_needed_reversed) || (is_asked && !touches(meeting, reversed()))) {
       lower(&PointSummary::gap_needed_reversed);
     }
     for (const auto member : {&PointSummary::to_come, &PointSummary::to_come_reversed, &PointSummary::to_come_struck}) {
