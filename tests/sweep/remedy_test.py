@@ -73,7 +73,7 @@ class Remedy(unittest.TestCase):
         runs = [self.gap_needed([100.0, 200.0], way) for way in ("as-recorded", "reversed")]
         self.assertEqual(found["gap_needed"], max(runs))
         self.assertTrue(max(runs) <= found["least_gap"] <= 1.01 * max(runs))
-        said = f"Tall and Low apart in this one motion, as given and reversed, is {found['least_gap']} m"
+        said = f"Tall and Low apart in this one motion, as recorded and reversed, is {found['least_gap']} m"
         self.assertIn(said, " ".join(self.bentur("remedy", case).stdout.split()))
         self.assertIn("Celah terkecil", self.bentur("remedy", case, "--lang", "id").stdout)
         # The gap that it says is told as enough.
@@ -85,7 +85,7 @@ class Remedy(unittest.TestCase):
     def test_of_records_it_says_what_the_code_takes_of_them(self):
         case = SOURCE / "examples" / "two-real-buildings" / "record.toml"
         text = " ".join(self.bentur("remedy", case).stdout.split())
-        self.assertIn("apart under 1 record, as given and reversed, is 0.211 m", text)
+        self.assertIn("apart under 1 record, as recorded and reversed, is 0.211 m", text)
         self.assertIn("EN 1998-1 asks for 3 records or more", text)
         gap, = json.loads(self.bentur("gap", case, "--json").stdout)["studied"][0]["gaps"]
         found, = json.loads(self.bentur("remedy", case, "--json").stdout)["gaps"]

@@ -59,7 +59,7 @@ Json gap_overview(const std::string& name, double width, const GapFacts& facts, 
   const bool is_reversed = reversed > given || std::isnan(given);
   std::vector<std::pair<double, std::string>> marks;
   if (!std::isnan(given) && !std::isnan(reversed)) {
-    marks.emplace_back(std::min(given, reversed), say(is_reversed ? "records.as_given" : "records.reversed"));
+    marks.emplace_back(std::min(given, reversed), say(is_reversed ? "records.as_recorded" : "records.reversed"));
   }
   for (const RuleFinding& one : facts.rules) {
     if (one.at && std::isfinite(one.most)) marks.emplace_back(one.most, one.title);

@@ -61,6 +61,14 @@ double peak_at_samples(const SampledMotion& one, double weight, const SampledMot
 
 }  // namespace
 
+GroundMotion reversed(GroundMotion motion) {
+  if (auto* sampled = std::get_if<SampledMotion>(&motion)) {
+    for (double& value : sampled->acceleration) value = -value;
+  }
+  if (auto* harmonic = std::get_if<HarmonicMotion>(&motion)) harmonic->displacement_amplitude *= -1;
+  return motion;
+}
+
 double acceleration_at(const GroundMotion& motion, double t) {
   return std::visit([t](const auto& m) { return at(m, t); }, motion);
 }

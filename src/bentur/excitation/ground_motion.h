@@ -31,6 +31,9 @@ struct HarmonicMotion {
 
 using GroundMotion = std::variant<NoMotion, SampledMotion, HarmonicMotion>;
 
+/// The motion times −1.
+[[nodiscard]] GroundMotion reversed(GroundMotion motion);
+
 /// a_g(t) [length/s²], t in [s] since the motion's own start.
 [[nodiscard]] double acceleration_at(const GroundMotion& motion, double t);
 

@@ -75,7 +75,7 @@ double whole_gap_reversed(const Problem& problem, const Response& response, Eige
   return gap_needed_reversed(problem, response, gap).value_or(not_known);
 }
 double floors_met(const Problem& problem, const Response& response, Eigen::Index gap) {
-  return static_cast<double>(unmodelled_contacts(problem, response, gap).size());
+  return static_cast<double>(unmodelled_contacts(problem, response.watched, gap).size());
 }
 double ground_acceleration(const RunView& r, const QuantityPlace&) { return peak_acceleration(r.problem.motion); }
 

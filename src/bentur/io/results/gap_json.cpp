@@ -116,7 +116,7 @@ Json watched_list(const Problem& problem, const Response& response, const Gap& g
 Json unmodelled_list(const Problem& problem, const Response& response, Eigen::Index gap, const std::string& length,
                      const PlanProblem* plan) {
   Json list = Json::array();
-  for (const Eigen::Index i : unmodelled_contacts(problem, response, gap)) {
+  for (const Eigen::Index i : unmodelled_contacts(problem, response.watched, gap)) {
     const WatchedFloor& floor = problem.watched[i];
     Json json = {{"floor_of", problem.buildings[floor.floor_of].name}, {"elevation", floor.elevation}};
     put_place(plan, problem, false, i, json);

@@ -123,12 +123,12 @@ std::optional<double> gap_needed_reversed(const Problem& problem, const Response
   return largest_of(needs_of(problem, response, number)).gap_needed_reversed;
 }
 
-std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Response& response, Eigen::Index gap) {
+std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const std::vector<WatchedSummary>& watched,
+                                              Eigen::Index gap) {
   std::vector<Eigen::Index> floors = gap_at(problem, gap).watched;
-  std::erase_if(floors, [&](Eigen::Index i) { return !response.watched.at(i).closes; });
-  std::stable_sort(floors.begin(), floors.end(), [&](Eigen::Index a, Eigen::Index b) {
-    return response.watched[a].least_opening < response.watched[b].least_opening;
-  });
+  std::erase_if(floors, [&](Eigen::Index i) { return !watched.at(i).closes; });
+  std::stable_sort(floors.begin(), floors.end(),
+                   [&](Eigen::Index a, Eigen::Index b) { return watched[a].least_opening < watched[b].least_opening; });
   return floors;
 }
 
@@ -164,7 +164,7 @@ Hit hit_of(const std::vector<PointSummary>& points, const std::vector<Impact>& i
 GapOutcome gap_outcome(const Problem& problem, const Response& response, Eigen::Index gap) {
   GapOutcome outcome{.gap = gap_at(problem, gap),
                      .governing = governing_level(problem, response, gap),
-                     .unmodelled = unmodelled_contacts(problem, response, gap)};
+                     .unmodelled = unmodelled_contacts(problem, response.watched, gap)};
   if (outcome.gap.points.empty()) return outcome;
   const Hit hit = hit_of(response.points, response.impacts, {outcome.gap.points.rbegin(), outcome.gap.points.rend()});
   outcome.impacts = static_cast<int>(hit.impacts);

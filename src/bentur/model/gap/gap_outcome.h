@@ -60,7 +60,9 @@ struct GoverningLevel {
                                                         Eigen::Index gap);
 
 /// Indices into Problem::watched of those floors that met what they face in the run, the deepest first.
-[[nodiscard]] std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem, const Response& response,
+/// @param watched of a response, or of its reversed run
+[[nodiscard]] std::vector<Eigen::Index> unmodelled_contacts(const Problem& problem,
+                                                            const std::vector<WatchedSummary>& watched,
                                                             Eigen::Index gap);
 
 /// By peak force, then, as where no force is known, by closing speed.

@@ -72,7 +72,7 @@ struct Judgement {
 /// The one judgement of a gap, from all facts: "enough", "to spare", "met", "stay apart" are said by it alone.
 [[nodiscard]] Judgement judge(const GapFacts& facts);
 
-/// Of a gap the level that falls short the most, as given or reversed.
+/// Of a gap the level that falls short the most, as recorded or reversed.
 struct GoverningNeed {
   /// Of one way of the motion.
   struct OneWay {

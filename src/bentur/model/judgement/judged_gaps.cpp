@@ -89,6 +89,14 @@ std::vector<JudgedGap> judged(const RunResults& row, const RunFacts& run, bool i
 
 }  // namespace
 
+bool acts_reversed(const Case& c) {
+  const auto is_reversed = [](const ExcitationSpec& one) {
+    const auto* const harmonic = std::get_if<HarmonicMotion>(&one.motion);
+    return one.record ? one.record->reversed : harmonic != nullptr && harmonic->is_reversed();
+  };
+  return is_reversed(c.excitation) || is_reversed(c.excitation_y);
+}
+
 RunFacts run_facts(const RunResults& run) {
   RunFacts facts = with_gaps(common_facts(run, moves(run.problem.motion, run.c.excitation)), run);
   facts.lacks_rules = !run.c.code.is_known;

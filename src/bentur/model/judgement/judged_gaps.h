@@ -10,6 +10,10 @@
 
 namespace bentur {
 
+/// Whether the motion is that of its file or of its case times −1 ("polarity"), so that what a run calls reversed is as
+/// recorded.
+[[nodiscard]] bool acts_reversed(const Case& c);
+
 /// What the gaps of a run of a row have in common.
 [[nodiscard]] RunFacts run_facts(const RunResults& run);
 /// The same of buildings in plan.

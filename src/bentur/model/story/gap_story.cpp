@@ -39,7 +39,7 @@ struct PlaceColumns {
 StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector<LevelSeparation>& levels) {
   const std::string& length = facts.c.units.length;
   const double scale = facts.scale(gap);
-  std::vector<LevelSeparation> either = levels;  // as given and reversed, whichever needs more
+  std::vector<LevelSeparation> either = levels;  // as recorded and reversed, whichever needs more
   for (LevelSeparation& one : either) one.gap_needed = std::max(one.gap_needed, one.gap_needed_reversed.value_or(0));
   const auto governing = governing_level(either, scale);
   const Judgement& judged = judged_of(facts, gap);
@@ -90,6 +90,11 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   table.columns = {elevation};
   place_columns.put(facts, table);
   table.columns.push_back(given);
+  if (known(reversed)) {
+    const bool is_reversed = acts_reversed(facts.c);
+    needed.label = is_reversed ? "column.reversed" : "column.recorded";
+    reversed.label = is_reversed ? "column.recorded" : "column.reversed";
+  }
   if (known(needed) || !is_known_by_peaks(facts.problem, gap)) table.columns.push_back(needed);
   if (known(reversed)) table.columns.push_back(reversed);
   table.columns.insert(table.columns.end(), {abs, srss});
@@ -247,12 +252,23 @@ void add_level(const GapView& facts, bool is_point, Eigen::Index index, double e
 }
 
 void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Statement>& statements) {
-  const std::vector<Eigen::Index> met = unmodelled_contacts(facts.problem, *facts.response, gap);
+  const std::vector<WatchedSummary>* watched = &facts.response->watched;
+  std::vector<Eigen::Index> met = unmodelled_contacts(facts.problem, *watched, gap);
   if (met.empty()) return;
+  const std::optional<ReversedRun>& other = facts.response->reversed;
+  bool is_reversed = acts_reversed(facts.c);
+  if (other && other->has_contact) {  // of both ways the deeper one
+    std::vector<Eigen::Index> there = unmodelled_contacts(facts.problem, other->watched, gap);
+    if (!there.empty() && other->watched[there.front()].least_opening < (*watched)[met.front()].least_opening) {
+      watched = &other->watched;
+      met = std::move(there);
+      is_reversed = !is_reversed;
+    }
+  }
   const bool in_plan = facts.plan != nullptr;
   const std::string& length = facts.c.units.length;
   const WatchedFloor& floor = facts.problem.watched[met.front()];
-  const WatchedSummary& summary = facts.response->watched[met.front()];
+  const WatchedSummary& summary = (*watched)[met.front()];
   const Remedy remedy = remedy_for(facts.problem, floor, in_plan);
   std::set<std::pair<Eigen::Index, Eigen::Index>> floors;  // in plan one may be at both ends
   for (const Eigen::Index i : met) floors.emplace(facts.problem.watched[i].floor_of, facts.problem.watched[i].floor);
@@ -265,6 +281,9 @@ void tell_unmodelled(const GapView& facts, Eigen::Index gap, std::vector<Stateme
   add_level(facts, false, met.front(), floor.elevation, statement.values);
   statement.values.push_back(value_in("depth", -summary.least_opening, length));
   statement.values.push_back(value_in("time", summary.least_time, "s"));
+  statement.values.push_back(!other        ? text_of("way", "")
+                             : is_reversed ? word_of("way", "story.way.reversed")
+                                           : word_of("way", "story.way.recorded"));
   statement.values.push_back(text_of("to_name", written(remedy.level) + "\u00A0" + length));
   add_faces(facts.problem, floor, in_plan, statement.values);
   if (more > 0) statement.values.push_back(count_of("more_floors", more));

@@ -190,7 +190,7 @@ void tell_judgement(const GapView& view, Index gap, const std::function<void(Sta
 namespace bentur {
 namespace {
 
-/// By how much a gap falls short of what it needs, as given or reversed [length]; below zero where it does not.
+/// By how much a gap falls short of what it needs, as recorded or reversed [length]; below zero where it does not.
 double lacking(const GoverningNeed& need) {
   return std::max(need.given.needed.value_or(0), need.reversed.needed.value_or(0)) - need.at.width;
 }
@@ -231,31 +231,34 @@ StoryTable begun_table(std::vector<std::size_t>& order, const std::function<Suff
 namespace story {
 namespace {
 
-/// Of a gap that is too small, though not short of what it needs, why, as a word of the catalogue.
-std::string why_not_short(const Judgement& judged) {
-  if (judged.reasons.empty()) return "–";
-  switch (judged.reasons.front().kind) {
-    case Reason::Kind::contact:
-      return "row.collides";
-    case Reason::Kind::unmodelled:
-      return "story.not_modelled";
-    case Reason::Kind::rule:
-      return "row.rule";
-    default:
-      return "–";
+/// What is judged of a gap, and, of one that is too small, though not short of what it needs, why.
+const char* verdict_of(const Judgement& judged, bool is_short, bool is_cut) {
+  if (judged.value == Sufficiency::too_small && !is_short && !judged.reasons.empty()) {
+    switch (judged.reasons.front().kind) {
+      case Reason::Kind::contact:
+        return "gap.pushed";
+      case Reason::Kind::unmodelled:
+        return "gap.unmodelled";
+      case Reason::Kind::rule:
+        return "gap.by_rule";
+      default:
+        break;
+    }
   }
+  return judged_word(judged.value, judged, is_cut);
 }
 
 /// Writes a length with as many more digits as it takes where it would read as the one that is given, or as nothing,
-/// and is not.
-void show_difference(const StoryColumn& given, std::size_t row, StoryColumn& column) {
+/// and is not. @param given beside it, else nullptr
+void show_difference(const StoryColumn* given, std::size_t row, StoryColumn& column) {
   constexpr int most_digits = 4;  // more are round-off
   const double value = column.numbers[row];
   std::string& text = column.texts[row];
   const auto reads_alike = [&] {
     const std::optional<double> read = parse_number(text);
-    return read &&
-           ((read == parse_number(given.texts[row]) && value != given.numbers[row]) || (*read == 0 && value > 0));
+    const bool is_as_given =
+        given != nullptr && read == parse_number(given->texts[row]) && value != given->numbers[row];
+    return read && (is_as_given || (*read == 0 && value > 0));
   };
   const std::size_t point = text.find('.');
   const auto decimals = point == std::string::npos ? 0 : static_cast<int>(text.size() - point) - 1;
@@ -265,7 +268,8 @@ void show_difference(const StoryColumn& given, std::size_t row, StoryColumn& col
 }
 
 /// Lengths of several columns with equally many decimals, of three digits; those that are given keep all of theirs.
-void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed) {
+/// @param lacks of `computed` the differences
+void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed, const StoryColumn& lacks) {
   std::vector<double> all;
   for (const StoryColumn* const one : computed) all.insert(all.end(), one->numbers.begin(), one->numbers.end());
   all.insert(all.end(), given.numbers.begin(), given.numbers.end());
@@ -282,7 +286,7 @@ void set_alike(StoryColumn& given, std::initializer_list<StoryColumn*> computed)
     given.texts.push_back(text->size() < own[i].size() ? own[i] : *text);
   }
   for (StoryColumn* const one : computed) {
-    for (std::size_t i = 0; i < own.size(); ++i) show_difference(given, i, *one);
+    for (std::size_t i = 0; i < own.size(); ++i) show_difference(one == &lacks ? nullptr : &given, i, *one);
   }
 }
 
@@ -291,15 +295,14 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
   const std::string& length = view.c.units.length;
   StoryTable table = begun_table(order, [&](std::size_t g) { return view.gaps[g].judgement.value; });
   StoryColumn name{.label = "column.gap"}, verdict{.label = "gap.given_is", .are_words = true};
-  StoryColumn given{"column.given", length}, needed{"column.simulated", length}, reversed{"column.reversed", length};
-  StoryColumn lacks{.label = "column.short_by", .unit = length, .are_words = true, .are_counts = true};
+  StoryColumn given{"column.given", length}, needed{"column.recorded", length}, reversed{"column.reversed", length};
+  StoryColumn lacks{"column.short_by", length};
   StoryColumn impacts{.label = "column.impacts", .are_counts = true}, hardest{"column.hardest", shown.units.force};
   for (const std::size_t g : order) {
     const auto& [facts, judgement] = view.gaps[g];
     const GoverningNeed need = governing_need(facts).value_or(GoverningNeed{});
     if (judgement.value == Sufficiency::too_small) table.marked.push_back(name.texts.size());
     name.texts.push_back(gap_name(view.problem, static_cast<Index>(g)));
-    verdict.texts.emplace_back(judged_word(judgement.value, judgement, view.is_cut));
     given.numbers.push_back(need.at.width);
     needed.numbers.push_back(need.given.needed.value_or(not_known));
     reversed.numbers.push_back(need.reversed.needed.value_or(not_known));
@@ -307,15 +310,14 @@ StoryTable table_of_gaps(const GapView& view, std::vector<std::size_t> order, co
     if (is_bound(view, need.at, need.reversed.needed)) reversed.at_most.push_back(reversed.numbers.size() - 1);
     const bool is_short = need.given.is_short || need.reversed.is_short;
     lacks.numbers.push_back(is_short ? lacking(need) : not_known);
+    verdict.texts.emplace_back(verdict_of(judgement, is_short, view.is_cut));
     long count = 0;
     for (const LevelFacts& level : facts.levels) count += level.given.impacts;
     impacts.texts.push_back(std::to_string(count));
     hardest.numbers.push_back(facts.peak_force() > 0 ? shown.force * facts.peak_force() : not_known);
   }
-  set_alike(given, {&needed, &reversed, &lacks});
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (std::isnan(lacks.numbers[i])) lacks.texts[i] = why_not_short(view.gaps[order[i]].judgement);
-  }
+  set_alike(given, {&needed, &reversed, &lacks}, lacks);
+  if (acts_reversed(view.c)) std::swap(needed.label, reversed.label);
   table.columns = {name, verdict, given, needed, reversed, lacks, impacts, hardest};
   return table;
 }

@@ -13,14 +13,6 @@ RunOptions run_options(const SolveOptions& options) {
           .progress = options.progress};
 }
 
-GroundMotion reversed(GroundMotion motion) {
-  if (auto* sampled = std::get_if<SampledMotion>(&motion)) {
-    for (double& value : sampled->acceleration) value = -value;
-  }
-  if (auto* harmonic = std::get_if<HarmonicMotion>(&motion)) harmonic->displacement_amplitude *= -1;
-  return motion;
-}
-
 bool some_point_closes(const std::vector<PointSummary>& points, const std::vector<double>& widths) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].impacts > 0 || points[i].gap_needed_reversed.value_or(0) > widths[i]) return true;

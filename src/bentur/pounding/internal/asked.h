@@ -10,9 +10,6 @@ namespace bentur {
 
 [[nodiscard]] RunOptions run_options(const SolveOptions& options);
 
-/// The same motion reversed.
-[[nodiscard]] GroundMotion reversed(GroundMotion motion);
-
 /// What the reversed motion needs and can still come to need, of points and watched floors alike; nothing where `from`
 /// is empty.
 template <typename Summary>

@@ -122,7 +122,7 @@ PageSection records_section(const std::vector<AppliedRecord>& records, const Uni
     const double peak = record->pga_read * acceleration_factor(record->unit, units);
     const auto known = [](double value) { return value > 0 ? value : not_known; };
     files.push_back(record->file);
-    ways.push_back(say(record->reversed ? "records.reversed" : "records.as_given"));
+    ways.push_back(say(record->reversed ? "records.reversed" : "records.as_recorded"));
     read.push_back(peak / units.gravity);
     factors.push_back(peak > 0 ? one.pga / peak : not_known);
     applied.push_back(one.pga / units.gravity);

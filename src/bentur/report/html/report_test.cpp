@@ -108,7 +108,7 @@ TEST(Report, VerdictComesFirstWithNumbersOfTheResponse) {
   EXPECT_TRUE(
       has(page, "Model 1 and Model 2 collide " + std::to_string(m12.response.impacts.size()) + " times in 10 s"));
   EXPECT_TRUE(has(page, "they need 0.7262 cm at level 300 cm; the 0.2 cm given there are 0.5262 cm too small."));
-  EXPECT_TRUE(has(page, "more than is given; 0.04538 cm less than this motion needs, as given or reversed"));
+  EXPECT_TRUE(has(page, "more than is given; 0.04538 cm less than this motion needs, as recorded or reversed"));
   EXPECT_LT(page.find("collide"), page.find("<table"));
   EXPECT_TRUE(has(page, "<td>kgf") || has(page, "kgf/cm²"));
   EXPECT_TRUE(has(page, "341.7 cm/s² = 0.3487 g"));  // 341.7/980

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "bentur/model/suite/suite_story.h"
 #include "bentur/report/html/internal/page.h"
@@ -54,12 +53,11 @@ Html picture_of(const Case& c, const AnyProblem& problem, const std::string& cap
                               caption, language);
 }
 
-/// Its ground motion times −1.
-Case reversed(Case c) {
+/// The same with its records reversed.
+Case with_motion_reversed(Case c) {
   for (ExcitationSpec* const excitation : {&c.excitation, &c.excitation_y}) {
-    auto* const motion = std::get_if<SampledMotion>(&excitation->motion);
-    if (motion == nullptr) continue;
-    for (double& value : motion->acceleration) value = -value;
+    excitation->motion = reversed(std::move(excitation->motion));
+    if (excitation->record) excitation->record->reversed = !excitation->record->reversed;
   }
   return c;
 }
@@ -68,7 +66,8 @@ Case reversed(Case c) {
 Html worst_picture(const SuiteRun& run, const html::Report& report, const std::string& language) {
   const std::size_t record = governing_record(run);
   const bool is_reversed = governs_reversed(run, record);
-  const Case as_given = case_of_record(run.c, record), c = is_reversed ? reversed(as_given) : as_given;
+  const Case as_recorded = case_of_record(run.c, record),
+             c = is_reversed ? with_motion_reversed(as_recorded) : as_recorded;
   const std::string caption = report.say(is_reversed ? "figure.overview_of_reversed" : "figure.overview_of_record",
                                          {{"record", run.c.excitation.suite->records[record].name()}});
   return run.plan ? picture_of(c, make_plan_problem(c, run.plan->buildings), caption, language)

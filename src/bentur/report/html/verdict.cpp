@@ -18,8 +18,8 @@ struct GapBar {
   const char* style = "";
 };
 
-/// The given gap, the gap needed as given and reversed where a gap falls short the most, and what rules ask.
-std::vector<GapBar> bars_of(const VerdictGap& gap, const std::string& simulated, const Words& say) {
+/// The given gap, the gap needed as recorded and reversed where a gap falls short the most, and what rules ask.
+std::vector<GapBar> bars_of(const VerdictGap& gap, const Verdict& verdict, const Words& say) {
   const auto found = gap.judged != nullptr ? governing_need(gap.judged->facts) : std::nullopt;
   if (!found) return {};
   const Sufficiency value = gap.judged->judgement.value;
@@ -27,11 +27,16 @@ std::vector<GapBar> bars_of(const VerdictGap& gap, const std::string& simulated,
                             : value == Sufficiency::unknown ? "open"
                                                             : "needed";
   std::vector<GapBar> bars = {{say("column.given"), found->at.width, "given"}};
-  const auto put = [&](const std::string& name, const GoverningNeed::OneWay& one) {
-    if (one.needed) bars.push_back({name, *one.needed, level});
+  const auto put = [&](const char* name, const GoverningNeed::OneWay& one) {
+    if (one.needed) bars.push_back({say(name), *one.needed, level});
   };
-  put(simulated, found->given);
-  put(say("column.reversed"), found->reversed);
+  const bool is_reversed = acts_reversed(verdict.c);
+  put(verdict.by_spectrum       ? "spectral.difference"
+      : !found->reversed.needed ? "column.simulated"
+      : is_reversed             ? "column.reversed"
+                                : "column.recorded",
+      found->given);
+  put(is_reversed ? "column.recorded" : "column.reversed", found->reversed);
   for (const RuleFinding& rule : gap.judged->facts.rules) {
     if (rule.at) bars.push_back({rule.title, rule.gap, rule.is_short ? "short" : "rule"});
   }
@@ -120,12 +125,12 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   std::vector<std::vector<GapBar>> bars;
   double largest = 0;  // all bars at one scale
   for (const VerdictGap& gap : gaps) {
-    bars.push_back(bars_of(gap, verdict.simulated, say));
+    bars.push_back(bars_of(gap, verdict, say));
     for (const GapBar& bar : bars.back()) largest = std::max(largest, bar.value);
   }
   EachOf each;
   for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
-    const Html drawn = drawn_bars(bars[gap], largest, verdict.length);
+    const Html drawn = drawn_bars(bars[gap], largest, verdict.c.units.length);
     if (are_many) {
       each.add(gaps[gap].name, of_gaps[gap] + drawn);
     } else {
@@ -143,10 +148,7 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
 }
 
 PageSection verdict_section(const Report& report) {
-  const bool by_spectrum = report.response.buildings.empty();
-  Verdict verdict{.story = report.story,
-                  .length = report.c.units.length,
-                  .simulated = report.say(by_spectrum ? "spectral.difference" : "column.simulated")};
+  Verdict verdict{.story = report.story, .c = report.c, .by_spectrum = report.response.buildings.empty()};
   for (std::size_t gap = 0; gap + 1 < report.problem.buildings.size(); ++gap) {
     const auto number = static_cast<Eigen::Index>(gap);
     verdict.gaps.push_back({.name = gap_name(report.problem, number),

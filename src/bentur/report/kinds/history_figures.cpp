@@ -88,26 +88,6 @@ Figure inside_history(const RunResults& run, const NearestFloor& inside, const F
   return figure;
 }
 
-/// The opening at the level of a floor that goes inside what it faces.
-Figure inside_opening(const RunResults& run, const NearestFloor& inside, const FigureOptions& options) {
-  const Curve opening{.label = word(options, "opening"), .x = inside.time, .y = inside.opening};
-  const RuleLine closed{.at = 0, .tone = Tone::grey};
-  const RuleLine rest{.at = inside.width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dashed};
-  Figure figure =
-      inside_history(run, inside, options, {opening},
-                     {.label = with_unit(word(options, "Opening g"), run.c.units.length), .rules = {closed, rest}});
-  for (Panel& panel : figure.panels) {
-    if (inside.least_time < *panel.x.from || inside.least_time > *panel.x.to) continue;
-    panel.curves.push_back({.label = word(options, "deepest inside"),
-                            .x = {inside.least_time},
-                            .y = {inside.least_opening},
-                            .tone = Tone::red,
-                            .line = Line::none,
-                            .mark = Mark::circle});
-  }
-  return figure;
-}
-
 /// Of three neighbours in a row each has its own, in all frames the same.
 Line line_of(Eigen::Index building) {
   constexpr Line lines[] = {Line::solid, Line::dashed, Line::dash_dot};
@@ -139,6 +119,25 @@ Figure inside_displacement(const RunResults& run, const NearestFloor& inside, co
 }
 
 }  // namespace
+
+Figure inside_opening(const RunResults& run, const NearestFloor& inside, const FigureOptions& options) {
+  const Curve opening{.label = word(options, "opening"), .x = inside.time, .y = inside.opening};
+  const RuleLine closed{.at = 0, .tone = Tone::grey};
+  const RuleLine rest{.at = inside.width, .label = word(options, "at rest"), .tone = Tone::grey, .line = Line::dashed};
+  Figure figure =
+      inside_history(run, inside, options, {opening},
+                     {.label = with_unit(word(options, "Opening g"), run.c.units.length), .rules = {closed, rest}});
+  for (Panel& panel : figure.panels) {
+    if (inside.least_time < *panel.x.from || inside.least_time > *panel.x.to) continue;
+    panel.curves.push_back({.label = word(options, "deepest inside"),
+                            .x = {inside.least_time},
+                            .y = {inside.least_opening},
+                            .tone = Tone::red,
+                            .line = Line::none,
+                            .mark = Mark::circle});
+  }
+  return figure;
+}
 
 Figure displacement_figure(const RunResults& run, const FigureOptions& options) {
   if (const NearestFloor* inside = asked_inside(run, options)) return inside_displacement(run, *inside, options);

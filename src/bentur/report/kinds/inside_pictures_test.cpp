@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bentur/model/story/story.h"
 #include "bentur/report/kinds/kinds.h"
 #include "tests/support/drawn_run.h"
 
@@ -104,8 +105,34 @@ TEST(InsidePictures, AnImpactElsewhereHidesNoFloorInside) {
     EXPECT_EQ(figure.part.starts_with(counted), hatched > 0) << figure.part;
     EXPECT_EQ(hatched, inside_now(run)) << kind;
   }
+  // Its opening is of the level of its bars, with the instant that is drawn.
+  const std::vector<Panel> panels = make_figure(run, "overview").panels;
+  EXPECT_EQ(panels.back().title, "needed at level 17.5 m");
+  EXPECT_NE(panels.at(1).title.find("level 17.5 m"), std::string::npos) << panels.at(1).title;
+  EXPECT_LT(panels.at(1).curves.back().y.front(), 0);
   const std::string part = make_figure(unmodelled(), "scene").part;
   EXPECT_TRUE(part.starts_with("Floors inside at this instant, hatched: ") && part.ends_with(roof_inside)) << part;
+}
+
+/// Of both ways of the motion the verdict tells the one in which a floor goes deeper, where both were run.
+TEST(InsidePictures, TheVerdictTellsTheDeeperWay) {
+  RunResults run = five_beside_eight("0.03");
+  const auto told = [&](const std::string& name) {
+    const std::vector<Statement> all = run_story(run).statements;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [](const Statement& one) { return one.kind == "unmodelled"; });
+    return std::find_if(found->values.begin(), found->values.end(),
+                        [&](const StoryValue& one) { return one.name == name; })
+        ->value;
+  };
+  EXPECT_EQ(std::get<std::string>(told("way")), "");  // the other one was not asked for
+  ReversedRun& other = run.response.reversed.emplace();
+  other.watched = run.response.watched;
+  for (WatchedSummary& floor : other.watched) floor.least_opening *= 2;
+  EXPECT_EQ(std::get<std::string>(told("way")), "story.way.recorded");  // with contact it was not run
+  other.has_contact = true;
+  EXPECT_EQ(std::get<std::string>(told("way")), "story.way.reversed");
+  EXPECT_NEAR(std::get<double>(told("depth")), -2 * deepest().least_opening, 1e-12);
 }
 
 /// The least opening is that of the continuous response, which the solver finds without any history.

@@ -17,19 +17,48 @@ std::string first_finding(const RunResults& run, const FigureOptions& options) {
   return (is_row && first.gap ? gap_name(run.problem, *first.gap) + ": " : "") + first.text;
 }
 
-/// The opening of a contact point over the run, with the instant that the scene shows.
-Panel opening_panel(const RunResults& run, const SceneInstant& instant, const FigureOptions& options) {
+/// Whose opening is drawn: a contact point's, or that of a floor inside what it faces.
+struct OpeningPlace {
+  std::optional<Eigen::Index> point = {};
+  const NearestFloor* inside = nullptr;
+};
+
+/// Where the instant is of, but the level of the bars where the opening is known there, so that both are of one level.
+OpeningPlace opening_place(const RunResults& run, const SceneInstant& instant, const std::vector<JudgedGap>& judged,
+                           const FigureOptions& options) {
+  const NearestFloor* const nearest = run.figures.nearest ? &*run.figures.nearest : nullptr;
+  const bool is_inside = nearest != nullptr && nearest->closes && !nearest->time.empty();
+  if (instant.point && !options.elevation) {
+    const Eigen::Index gap = run.problem.points[*instant.point].gap;
+    const FacingLevel at = governing_need(judged[gap].facts).value_or(GoverningNeed{}).at;
+    if (at.is_point) return {.point = at.index};
+    if (is_inside && nearest->watched == at.index) return {.inside = nearest};
+  }
+  return {instant.point, instant.nearest != nullptr && is_inside ? nearest : nullptr};
+}
+
+double opening_at(const SceneInstant& instant, const OpeningPlace& place) {
+  if (place.point) return instant.histories->opening(*place.point, instant.column);
+  const NearestFloor& inside = *place.inside;
+  if (instant.nearest != nullptr) return inside.least_opening;
+  const auto behind = std::lower_bound(inside.time.begin(), inside.time.end(), instant.time);
+  return inside.opening[std::min<std::size_t>(behind - inside.time.begin(), inside.time.size() - 1)];
+}
+
+/// The opening of that place over the run, with the instant that the scene shows.
+Panel opening_panel(const RunResults& run, const SceneInstant& instant, const OpeningPlace& place,
+                    const FigureOptions& options) {
   FigureOptions there = options;
-  if (instant.point) {
-    const ContactPoint& point = run.problem.points[*instant.point];
+  if (place.point) {
+    const ContactPoint& point = run.problem.points[*place.point];
     there.gap = static_cast<std::size_t>(point.gap);
     there.elevation = point.elevation;
   }
-  Panel panel = opening_figure(run, there).panels.front();
+  Panel panel = (place.point ? opening_figure(run, there) : inside_opening(run, *place.inside, there)).panels.front();
   panel.events = {};
   panel.curves.resize(1);
   panel.curves.front().in_legend = false;  // the axis says it
-  if (instant.point) {
+  if (place.point) {
     panel.rules.front().label = word(options, "closed at 0");
     panel.rules.front().line = Line::dash_dot;  // the curve is solid
   }
@@ -43,8 +72,7 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
   panel.x.label = word(options, "Time t [s]");
   panel.height = 3.2;
   panel.curves.push_back({.x = {instant.time},
-                          .y = {instant.point ? instant.histories->opening(*instant.point, instant.column)
-                                              : instant.nearest->least_opening},
+                          .y = {opening_at(instant, place)},
                           .tone = Tone::red,
                           .line = Line::none,
                           .mark = Mark::disc});
@@ -54,7 +82,8 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Fi
 /// The opening of the worst gap, where that has one over time, below that of the gap which is hit hardest.
 void add_opening_of_worst(const RunResults& run, Figure& figure, const FigureOptions& of_worst) {
   try {
-    figure.panels.push_back(opening_panel(run, chosen_instant(run, of_worst), of_worst));
+    const SceneInstant instant = chosen_instant(run, of_worst);
+    figure.panels.push_back(opening_panel(run, instant, {.point = instant.point}, of_worst));
   } catch (const NoFigure&) {
     return;
   }
@@ -87,15 +116,15 @@ Figure overview_figure(const RunResults& run, const FigureOptions& options) {
   constexpr double longish = 2;  // width over height
   const double aspect = aspect_of(figure.panels.front());
   const std::vector<JudgedGap> judged = judged_gaps(run);
-  if (instant.point || asked_inside(run, options) != nullptr)
-    figure.panels.push_back(opening_panel(run, instant, options));
+  if (const OpeningPlace place = opening_place(run, instant, judged, options); place.point || place.inside != nullptr)
+    figure.panels.push_back(opening_panel(run, instant, place, options));
   if (instant.point && !options.gap && !options.elevation) {
     const auto gap = static_cast<std::size_t>(run.problem.points[*instant.point].gap);
     if (const std::optional<std::size_t> worst = worst_besides(judged, gap))
       add_opening_of_worst(run, figure, options_of_worst(judged[*worst], *worst, options));
   }
   const bool has_both = figure.panels.size() + 1 > overview_panels;
-  figure.panels.push_back(gap_panel(judged, run.c.units.length, options));
+  figure.panels.push_back(gap_panel(judged, run.c, options));
   if (is_wide && aspect > longish && figure.panels.size() > 2) {  // as broad as the page, the others below it
     figure.panels.front().across = 2;
     figure.panels.front().height = 3.2;

@@ -130,7 +130,8 @@ TEST(Overview, BarsAreGivenAndNeeded) {
   const Panel bars = overview(pair).panels.back();
   EXPECT_EQ(ends_of_bars(bars),
             (std::vector<double>{level.width, level.gap_needed, level.gap_needed_reversed.value()}));
-  EXPECT_EQ(bars.y.names, (std::vector<std::string>{"reversed: 0.06682 m", "needed: 0.04946 m", "given: 0.03000 m"}));
+  EXPECT_EQ(bars.y.names,
+            (std::vector<std::string>{"reversed: 0.06682 m", "as recorded: 0.04946 m", "given: 0.03000 m"}));
   EXPECT_EQ(bars.title, "needed at level " + number(level.elevation) + " m");
   const RunResults row = example_run("row-of-three");
   std::vector<double> expected;
@@ -149,7 +150,27 @@ TEST(Overview, BarsAreGivenAndNeeded) {
     key.push_back(entry.label);
     EXPECT_EQ(entry.outline, entry.label == "reversed");
   }
-  EXPECT_EQ(key, (std::vector<std::string>{"given", "needed, gap too small", "reversed"}));
+  EXPECT_EQ(key, (std::vector<std::string>{"given", "needed as recorded, gap too small", "reversed"}));
+}
+
+/// Each value has the name of its direction, whichever the run is of; a motion that is none has one.
+TEST(Overview, BarsNameTheDirectionOfTheRecord) {
+  RunResults pair = example_run("linked-pair");
+  const std::vector<std::string> as_recorded = overview(pair).panels.back().y.names;
+  for (PointSummary& point : pair.response.points) std::swap(point.gap_needed, *point.gap_needed_reversed);
+  for (WatchedSummary& floor : pair.response.watched) std::swap(floor.gap_needed, *floor.gap_needed_reversed);
+  pair.c.excitation.record.value().reversed = true;
+  EXPECT_EQ(overview(pair).panels.back().y.names, as_recorded);
+  std::vector<std::string> labels;  // of the table of levels, that of the run first
+  for (const StoryColumn& column : gap_story(pair).tables.front().columns) {
+    if (column.label == "column.recorded" || column.label == "column.reversed") labels.push_back(column.label);
+  }
+  EXPECT_EQ(labels, (std::vector<std::string>{"column.reversed", "column.recorded"}));
+  for (PointSummary& point : pair.response.points) point.gap_needed_reversed.reset();
+  for (WatchedSummary& floor : pair.response.watched) floor.gap_needed_reversed.reset();
+  pair.problem.motion = NoMotion{};
+  pair.c.excitation = {};
+  EXPECT_EQ(overview(pair).panels.back().y.names.size(), 2U);
 }
 
 /// Of the gap that is worst but not hit hardest, where its bars are of a level at which it is hit.
@@ -187,7 +208,7 @@ TEST(Overview, HasNoBarFromAPartOfTheFacts) {
   pair.response.collapse_no_contact = pair.response.reversed.value().collapse_no_contact = Collapse{};
   const Panel bars = overview(pair).panels.back();
   EXPECT_EQ(ends_of_bars(bars), std::vector<double>{0.03});
-  EXPECT_EQ(bars.y.names[1], "needed: not known");
+  EXPECT_EQ(bars.y.names[1], "as recorded: not known");
   EXPECT_EQ(bars.title, "");
 }
 

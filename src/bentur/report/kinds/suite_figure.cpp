@@ -82,7 +82,7 @@ Panel needs_panel(const SuiteRun& run, const GapStudy& gaps, std::size_t gap, co
                                        : bar(0, values[i], place, 0.6, area_tone_of(judged)));
     if (named.insert({judged, is_reversed}).second) {
       const std::string how = Words(options.language)(judged_words[i]);
-      panel.curves.back().label = is_reversed ? word(options, "reversed: {}", how) : how;
+      panel.curves.back().label = word(options, is_reversed ? "reversed: {}" : "as recorded: {}", how);
     }
     const bool is_unmodelled = one.is_not_modelled();
     panel.texts.push_back(

@@ -46,7 +46,7 @@ struct RemedySearch {
   std::vector<RemedyTrial> trials;  ///< in the order of their making; the first is what the case says
   std::size_t with_slopes = 0;      ///< at how many choices derivatives were taken
   bool stopped = false;
-  bool both_ways = false;  ///< each record is applied as given and reversed
+  bool both_ways = false;  ///< each record is applied as recorded and reversed
 
   [[nodiscard]] const RemedySpec& spec() const { return *study.remedy; }
   /// The trial with the least objective, of several the smallest; nothing where none has a number.

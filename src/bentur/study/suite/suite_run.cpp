@@ -101,19 +101,15 @@ bool any_is_not_modelled(const SuiteRun& run) {
   return std::any_of(run.records.begin(), run.records.end(), std::mem_fn(&SuiteRecordRun::is_not_modelled));
 }
 
-/// Counts as such; of records whose contact is not modelled that word, no mean, and no less than the largest of others.
+/// Counts as such; where some contact is not modelled no mean, and no less than the largest of other records.
 void tell_in_words(const SuiteRun& run, bool are_counts, StoryColumn& column) {
   const std::size_t count = run.records.size();
   const bool lacks = any_is_not_modelled(run);
   if (!are_counts && !lacks) return;
+  if (lacks) column.label += "_modelled";
   for (std::size_t i = 0; i < column.numbers.size(); ++i) {
     const double value = column.numbers[i];
-    if (std::isnan(value) && i < count && run.records[i].is_not_modelled()) {
-      const std::vector<Statement>& said = run.records[i].statements;
-      const bool some =
-          std::any_of(said.begin(), said.end(), [](const Statement& one) { return one.kind.starts_with("pounding"); });
-      column.texts.emplace_back(some ? "story.partly_modelled" : "story.not_modelled");
-    } else if (std::isnan(value) || (i == count && lacks) || (i > count && lacks && value == 0)) {
+    if (std::isnan(value) || (i == count && lacks) || (i > count && lacks && value == 0)) {
       column.texts.emplace_back("–");
     } else {
       const bool is_whole = are_counts && i != count;
@@ -136,7 +132,10 @@ StoryColumn column_of(const SuiteRun& run, std::string_view key) {
     if (column.numbers.empty()) column.numbers.assign(run.records.size() + 2, NAN);
     const std::string unit = unit_text(run.quantities[q].units);
     column.unit = unit == "–" ? "" : unit;
-    for (std::size_t i = 0; i < run.records.size(); ++i) raise(column.numbers[i], run.records[i].values[q]);
+    for (std::size_t i = 0; i < run.records.size(); ++i) {
+      const SuiteRecordRun& one = run.records[i];
+      raise(column.numbers[i], one.modelled.empty() ? one.values[q] : one.modelled[q]);
+    }
     raise(column.numbers[run.records.size()], run.mean(q));
     raise(column.numbers.back(), run.largest(q));
   }
@@ -209,6 +208,7 @@ void take_run(const AnyRun& run, const std::vector<RowPart>& parts, const std::v
   result.statements = run_story(run).statements;
   result.judged = told_judgements(run);
   if (!result.is_not_modelled()) return;
+  result.modelled = result.values;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string_view key = parts[i].quantity->key;
     if (key == "impacts" || key == "peak_force") result.values[i] = NAN;

@@ -24,6 +24,7 @@ struct SuiteRecordRun {
   Status status = Status::done;
   std::string message = {};                ///< why it failed
   std::vector<double> values;              ///< one per quantity; NaN: not known. A gap needed is that of both ways
+  std::vector<double> modelled = {};       ///< likewise, with counts and forces of what is modelled, where not all is
   std::vector<Statement> statements = {};  ///< run_story() of it
   std::vector<ToldJudgement> judged = {};  ///< per gap
   /// Per gap what it needs somewhere, the larger of both ways of the motion [length]; infinite where a building falls

@@ -114,10 +114,10 @@ struct VerdictGap {
 };
 struct Verdict {
   const Story& story;
+  const Case& c;
   std::vector<VerdictGap> gaps = {};  ///< by their numbers in statements
   Html key = {};                      ///< of short names, below the table of gaps
-  std::string length = {};            ///< unit
-  std::string simulated = {};         ///< what the bar of the gap needed is called
+  bool by_spectrum = false;
 };
 /// The outcome, gravest first, and bars at one scale; of several gaps a table, what is of each folded away.
 [[nodiscard]] PageSection verdict_section(const Verdict& verdict, const Words& say);

@@ -60,7 +60,7 @@ class PlanPage {
         judged_(judged_gaps(run)) {}
 
   [[nodiscard]] html::PageSection verdict() const {
-    html::Verdict verdict{.story = story_, .length = length_, .simulated = say_("column.simulated")};
+    html::Verdict verdict{.story = story_, .c = run_.c};
     for (std::size_t g = 0; g < gaps_.size(); ++g) verdict.gaps.push_back({gaps_[g], gaps_[g], &judged_.at(g)});
     return html::verdict_section(verdict, say_);
   }

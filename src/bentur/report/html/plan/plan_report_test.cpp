@@ -81,7 +81,7 @@ TEST(PlanReport, HistoriesOfManyFitIntoAPage) {
   EXPECT_GT(effort(problem, ExactSolver{}, options).memory, 300e6) << "as fine as of a pair";
 }
 
-/// Between what is needed as given and reversed nothing collides, and it is said why the gap is too small.
+/// Between what is needed as recorded and reversed nothing collides, and it is said why the gap is too small.
 TEST(PlanReport, SaysWhyAGapIsTooSmallInWhichNothingCollides) {
   const PlanRun run = test::plan_run(test::twisting_pair("corner = [12.04, 0.0]", "corner = [12.088, 0.0]"));
   for (const PointSummary& point : run.response.points) ASSERT_EQ(point.impacts, 0);

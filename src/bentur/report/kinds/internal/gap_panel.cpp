@@ -28,16 +28,22 @@ struct GapBar {
   bool is_hollow = false;
 };
 
-/// Where it falls short the most: given, needed, and, where that is known of some gap, needed the other way round.
-/// What is needed has the colour of what is judged of the gap, which may be too small though it is wider.
-std::vector<GapBar> bars_of(const JudgedGap& gap) {
-  const GoverningNeed found = governing_need(gap.facts).value_or(GoverningNeed{});
+/// Where it falls short the most: given, needed as recorded, and, where the ground moves, reversed, whichever of them
+/// the run is of. What is needed has the colour of what is judged of the gap, which may be too small though it is
+/// wider.
+std::vector<GapBar> bars_of(const JudgedGap& gap, const Case& c) {
+  GoverningNeed found = governing_need(gap.facts).value_or(GoverningNeed{});
+  if (acts_reversed(c)) std::swap(found.given, found.reversed);
   const auto needed = [&](const char* name, const GoverningNeed::OneWay& one, bool is_hollow) {
     return GapBar{name, one.needed.value_or(NAN),
                   is_hollow ? tone_of(gap.judgement.value) : area_tone_of(gap.judgement.value), is_hollow};
   };
-  return {{"given", found.at.width}, needed("needed", found.given, false), needed("reversed", found.reversed, true)};
+  if (!gap.facts.has_other_way) return {{"given", found.at.width}, needed("needed", found.given, false)};
+  return {
+      {"given", found.at.width}, needed("as recorded", found.given, false), needed("reversed", found.reversed, true)};
 }
+
+bool is_known(const GapBar& bar) { return !std::isnan(bar.value); }
 
 /// From 0 on, `thick` in places of the axis of names; nothing of what is not known.
 void add_bar(Panel& panel, const GapBar& of, double place, double thick) {
@@ -55,8 +61,9 @@ std::string judged_text(const JudgedGap& gap, const FigureOptions& options) {
 }
 
 /// Each bar by its name and value, the given gap uppermost.
-void add_one_gap(Panel& panel, const JudgedGap& gap, const std::string& length, const FigureOptions& options) {
-  const std::vector<GapBar> bars = bars_of(gap);
+void add_one_gap(Panel& panel, const JudgedGap& gap, const Case& c, const FigureOptions& options) {
+  const std::string& length = c.units.length;
+  const std::vector<GapBar> bars = bars_of(gap, c);
   std::vector<double> values;
   for (const GapBar& one : bars) values.push_back(one.value);
   const std::vector<std::string> numbers = column(values);  // with digits alike
@@ -99,8 +106,8 @@ std::vector<std::pair<std::string, std::string>> names_of(const std::vector<Judg
 
 /// Gaps by the names of their buildings and the level, bars in the legend, the first uppermost; of many those that the
 /// verdict names first.
-void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::string& length,
-              const FigureOptions& options) {
+void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const Case& c, const FigureOptions& options) {
+  const std::string& length = c.units.length;
   constexpr std::size_t most = 5;
   std::vector<std::size_t> gaps = worst_first(judged);
   gaps.resize(std::min(judged.size(), most));
@@ -109,16 +116,19 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
   const auto names = names_of(judged);
   for (std::size_t place = 0; place < gaps.size(); ++place) {
     const JudgedGap& gap = judged[gaps[place]];
-    const std::vector<GapBar> bars = bars_of(gap);
+    const std::vector<GapBar> bars = bars_of(gap, c);
     const std::optional<GoverningNeed> found = governing_need(gap.facts);
     const std::string between = names[gaps[place]].first + " | " + names[gaps[place]].second;
     const std::string level = found ? level_text(*found, length) : "";
     const std::string with_word = found ? between + ", " + word(options, "level {}", level) : between;
-    panel.y.names.push_back(std::isnan(bars[1].value)              ? between + ": " + word(options, "not known")
+    panel.y.names.push_back(std::none_of(bars.begin() + 1, bars.end(), is_known)
+                                ? between + ": " + word(options, "not known")
                             : text_width(with_word) > longest_name ? between + ", " + level
                                                                    : with_word);
-    const std::string labels[] = {word(options, "given"), word(options, "needed, gap {}", judged_text(gap, options)),
-                                  word(options, "reversed")};
+    const std::string labels[] = {
+        word(options, "given"),
+        word(options, bars.size() > 2 ? "needed as recorded, gap {}" : "needed, gap {}", judged_text(gap, options)),
+        word(options, "reversed")};
     for (std::size_t k = 0; k < bars.size(); ++k) {
       add_bar(panel, bars[k], static_cast<double>(place) + 0.27 * (1 - static_cast<double>(k)), 0.22);
       if (!std::isnan(bars[k].value)) panel.curves.back().label = labels[k];
@@ -130,9 +140,9 @@ void add_gaps(Panel& panel, const std::vector<JudgedGap>& judged, const std::str
 
 }  // namespace
 
-Panel gap_panel(const std::vector<JudgedGap>& judged, const std::string& length, const FigureOptions& options) {
-  Panel panel{.x = {.label = with_unit(word(options, "Gap w"), length), .from = 0}};
-  judged.size() == 1 ? add_one_gap(panel, judged.front(), length, options) : add_gaps(panel, judged, length, options);
+Panel gap_panel(const std::vector<JudgedGap>& judged, const Case& c, const FigureOptions& options) {
+  Panel panel{.x = {.label = with_unit(word(options, "Gap w"), c.units.length), .from = 0}};
+  judged.size() == 1 ? add_one_gap(panel, judged.front(), c, options) : add_gaps(panel, judged, c, options);
   return panel;
 }
 

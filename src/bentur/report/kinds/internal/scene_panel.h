@@ -17,6 +17,8 @@ namespace bentur {
 [[nodiscard]] std::string inside_words(const Problem& problem, const WatchedFloor& floor, const std::string& depth,
                                        const std::string& length, const FigureWords& say);
 [[nodiscard]] std::string inside_text(const RunResults& run, const NearestFloor& nearest, const FigureOptions& options);
+/// The opening at the level of a floor that goes inside what it faces.
+[[nodiscard]] Figure inside_opening(const RunResults& run, const NearestFloor& inside, const FigureOptions& options);
 /// What a still's title does not say of floors inside what they face: how many are at this instant, and the deepest of
 /// the run, so that a picture of what is modelled does not pass over what is not; empty where there is none.
 [[nodiscard]] std::string inside_besides(const RunResults& run, const FigureOptions& options);

@@ -47,7 +47,7 @@ Figure overview_figure(const PlanRun& run, const FigureOptions& options) {
   figure.title = "The buildings from above where they meet, the opening of the gap, and the gap that is needed";
   figure.finding = finding_of(run, contact_at(run.problem, chosen_point(run, options)).gap, options);
   const std::vector<JudgedGap> judged = judged_gaps(run);
-  Panel gaps = gap_panel(judged, run.c.units.length, options);
+  Panel gaps = gap_panel(judged, run.c, options);
   std::vector<Panel> openings = {opening_over_run(run, options)};
   const std::optional<std::size_t> worst =
       options.gap || options.elevation ? std::nullopt

@@ -253,7 +253,8 @@ TEST(PlanPictures, TheOverviewTellsOfTheGapThatItShows) {
   // What is given and needed, of one gap with numbers and the level, of several by their names with the level.
   const Panel of_one = make_figure(twisting(), "overview").panels.back(), of_two = whole.panels.back();
   EXPECT_EQ(of_one.title, "needed at level 6.7 m");
-  EXPECT_EQ(of_one.y.names, (std::vector<std::string>{"reversed: 0.08825 m", "needed: 0.08747 m", "given: 0.04000 m"}));
+  EXPECT_EQ(of_one.y.names,
+            (std::vector<std::string>{"reversed: 0.08825 m", "as recorded: 0.08747 m", "given: 0.04000 m"}));
   ASSERT_EQ(of_two.y.names.size(), 2U);
   for (const std::string& name : of_two.y.names) EXPECT_TRUE(name.ends_with(" m")) << name;
 }
