@@ -112,8 +112,8 @@ class TwinsOfRows {
         const Eigen::Index left = std::min(gap.left, gap.right);
         const double needed = gap_needed(row_problem, *wanted, left);
         EXPECT_NEAR(gap_needed(seen->problem, seen->response, gap.number), needed, 10 * tolerance * (1e-9 + needed));
-        EXPECT_EQ(unmodelled_contacts(seen->problem, seen->response, gap.number).size(),
-                  2 * unmodelled_contacts(row_problem, *wanted, left).size());
+        EXPECT_EQ(unmodelled_contacts(seen->problem, seen->response.watched, gap.number).size(),
+                  2 * unmodelled_contacts(row_problem, wanted->watched, left).size());
       }
       expect_spectral_twins(problem, row_problem);
       twins += 1;

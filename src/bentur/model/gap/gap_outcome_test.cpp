@@ -199,7 +199,7 @@ TEST(WatchedFloor, NeedsTheGapOfAFrameWithANodeThere) {
     EXPECT_GT(gap_needed(problem, response, 0), 1.05 * response.points[0].gap_needed);
     EXPECT_EQ(governing_level(problem, response, 0).watched, roof);
     EXPECT_TRUE(response.watched[roof].closes);
-    EXPECT_EQ(unmodelled_contacts(problem, response, 0).front(), roof);
+    EXPECT_EQ(unmodelled_contacts(problem, response.watched, 0).front(), roof);
   }
 }
 

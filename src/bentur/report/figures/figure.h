@@ -45,11 +45,13 @@ enum class Tone {
 /// Those of buildings, in their order, dark and less dark by turns, so that neighbours are distinct in grey.
 inline constexpr Tone building_tones[] = {Tone::blue,  Tone::orange, Tone::green, Tone::purple, Tone::magenta,
                                           Tone::olive, Tone::indigo, Tone::brown, Tone::navy,   Tone::cyan};
+/// Two of many buildings, left and right.
+using BuildingPair = std::optional<std::pair<std::size_t, std::size_t>>;
 /// That of building number `index` of `count` in every picture, and of nothing else. Of more than ten buildings those
-/// of the hardest impact, the two of `struck`, have the first two, and all others bark and stone by turns, which say
-/// nothing.
+/// of the hardest impact have the first two, those of the gap that lacks most the next two, and all others bark and
+/// stone by turns, which say nothing.
 [[nodiscard]] Tone building_tone(std::size_t index, std::size_t count = std::size(building_tones),
-                                 std::optional<std::pair<std::size_t, std::size_t>> struck = {});
+                                 const BuildingPair& struck = {}, const BuildingPair& worst = {});
 /// Whether lines of two tones are distinct on paper without colours; others need dashes.
 [[nodiscard]] bool are_distinct_in_grey(Tone one, Tone other);
 

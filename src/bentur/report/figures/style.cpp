@@ -32,11 +32,16 @@ std::string style(const char* where, bool with_page) {
 
 }  // namespace
 
-Tone building_tone(std::size_t index, std::size_t count, std::optional<std::pair<std::size_t, std::size_t>> struck) {
+Tone building_tone(std::size_t index, std::size_t count, const BuildingPair& struck, const BuildingPair& worst) {
   if (count <= std::size(building_tones)) return building_tones[index % std::size(building_tones)];
   if (struck && index == struck->first) return building_tones[0];
   if (struck && index == struck->second) return building_tones[1];
-  return (index + (struck ? struck->first : 0)) % 2 == 0 ? Tone::bark : Tone::stone;  // as dark by turns as those
+  const auto is_dark = [&](std::size_t b) { return (b + (struck ? struck->first : 0)) % 2 == 0; };  // as those by turns
+  if (worst && (index == worst->first || index == worst->second)) {
+    const bool is_first_dark = is_dark(worst->first) || !is_dark(worst->second);
+    return building_tones[(index == worst->first) == is_first_dark ? 2 : 3];
+  }
+  return is_dark(index) ? Tone::bark : Tone::stone;
 }
 
 bool are_distinct_in_grey(Tone one, Tone other) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -34,13 +35,19 @@ Html logo_of(const ProjectSpec& project, const Words& say) {
                       "\" alt=\"" + Html::text(label).str() + "\">");
 }
 
-Html facts_of(const ProjectSpec& project, const Words& say) {
+Rows rows_of(const ProjectSpec& project, const Words& say) {
   Rows rows;
   for (const char* const key : {"name", "number", "engineer", "date", "revision", "code_basis"}) {
     const std::string value = said_of(project, key);
     if (!value.empty()) rows.emplace_back(label_text(project_keys().at(key).label, say), value);
   }
-  return rows.empty() ? Html() : facts(rows);
+  return rows;
+}
+
+/// As the case names it, but for folders of the machine.
+std::string shown_file(const std::string& file) {
+  const std::filesystem::path path(file);
+  return path.is_absolute() ? path.filename().string() : file;
 }
 
 Html list_of(const std::vector<std::string>& texts) {
@@ -77,31 +84,31 @@ PageSection unchecked_section(const Words& say, const HandIn& told) {
 
 }  // namespace
 
-Html identity(const std::optional<CaseSource>& source, const std::vector<const RecordEcho*>& records,
-              const Words& say) {
-  Html lines;
-  const auto add = [&](const char* key, const std::string& file, const std::string& hash) {
-    if (hash.empty()) return;
-    lines += element("p", say(key, {{"file", file}, {"hash", hash.substr(0, 16) + "…"}}), "class=\"note\"");
-  };
-  if (source) add("report.identity", source->file, source->sha256);
-  for (const RecordEcho* const record : records) add("report.record_identity", record->file, record->sha256);
-  return lines;
-}
-
 Html title_block(const std::optional<ProjectSpec>& given, const std::string& title, const std::string& made_by,
-                 const Words& say) {
+                 const Words& say, const Rows& identity) {
   const ProjectSpec project = given.value_or(ProjectSpec{});
   const Html heading = element("h1", title), logo = logo_of(project, say);
   const Html top = logo.str().empty() ? heading : element("div", heading + logo, "class=\"top\"");
-  return top + facts_of(project, say) + element("p", made_by, "class=\"note\"");
+  Rows rows = rows_of(project, say);
+  rows.emplace_back(say("report.report"), made_by);
+  rows.insert(rows.end(), identity.begin(), identity.end());
+  return top + facts(rows);
 }
 
-Html title_block(const Report& report, const std::string& title, const std::string& made_by) {
-  std::vector<const RecordEcho*> records;
-  if (const auto& record = report.c.excitation.record) records.push_back(&*record);
-  return title_block(report.c.project, title, made_by, report.say) + identity(report.c.source, records, report.say);
+Html title_block(const Case& c, const std::string& title, const std::string& made_by, const Words& say) {
+  Rows identity;
+  const auto add = [&](const char* key, const std::string& file, const std::string& hash) {
+    if (hash.empty()) return;
+    identity.emplace_back(say(key), shown_file(file) + ", SHA-256 " + hash.substr(0, 16) + "…");
+  };
+  if (c.source) add("report.case", c.source->file, c.source->sha256);
+  for (const ExcitationSpec* const one : c.excitations()) {
+    if (one->record) add("report.record", one->record->file, one->record->sha256);
+  }
+  return title_block(c.project, title, made_by, say, identity);
 }
+
+std::string short_version(const std::string& version) { return version.substr(0, version.find('+')); }
 
 std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title) {
   if (!project) return title;
@@ -121,7 +128,7 @@ PageSection records_section(const std::vector<AppliedRecord>& records, const Uni
     const MotionMeasures measures = motion_measures(one.excitation.motion);
     const double peak = record->pga_read * acceleration_factor(record->unit, units);
     const auto known = [](double value) { return value > 0 ? value : not_known; };
-    files.push_back(record->file);
+    files.push_back(shown_file(record->file));
     ways.push_back(say(record->reversed ? "records.reversed" : "records.as_recorded"));
     read.push_back(peak / units.gravity);
     factors.push_back(peak > 0 ? one.pga / peak : not_known);

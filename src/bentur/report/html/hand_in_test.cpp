@@ -328,7 +328,7 @@ TEST(HandIn, OfASuiteTheDirectionThatNeedsMoreIsDrawn) {
     const std::string needed = number(run.records[governing].needed.front());
     EXPECT_EQ(holds(page, "reversed: " + needed), is_reversed);
     EXPECT_EQ(holds(page, "as recorded: " + needed), !is_reversed);
-    EXPECT_EQ(holds(page, ", reversed, as it needs more than as given:"), is_reversed);
+    EXPECT_EQ(holds(page, ", reversed, as it needs more than as recorded:"), is_reversed);
     const Panel bars = make_figure(run, gaps.value(), "gap-needed").panels.front();
     const auto is_outline = [](const Curve& one) { return one.label.starts_with("reversed: ") && one.top.empty(); };
     EXPECT_EQ(std::any_of(bars.curves.begin(), bars.curves.end(), is_outline), is_reversed);

@@ -109,7 +109,7 @@ TEST(Report, VerdictComesFirstWithNumbersOfTheResponse) {
       has(page, "Model 1 and Model 2 collide " + std::to_string(m12.response.impacts.size()) + " times in 10 s"));
   EXPECT_TRUE(has(page, "they need 0.7262 cm at level 300 cm; the 0.2 cm given there are 0.5262 cm too small."));
   EXPECT_TRUE(has(page, "more than is given; 0.04538 cm less than this motion needs, as recorded or reversed"));
-  EXPECT_LT(page.find("collide"), page.find("<table"));
+  EXPECT_LT(page.find("collide"), page.find("<table", page.find("id=\"verdict\"")));
   EXPECT_TRUE(has(page, "<td>kgf") || has(page, "kgf/cm²"));
   EXPECT_TRUE(has(page, "341.7 cm/s² = 0.3487 g"));  // 341.7/980
   EXPECT_LT(page.size(), 2'000'000U);
@@ -443,6 +443,37 @@ TEST(Report, NeedsHistories) {
   Simulated m12 = run(example("free-impact"));
   m12.response.histories = {};
   EXPECT_THROW(static_cast<void>(m12.page()), InvalidParameter);
+}
+
+/// The head names files without folders of the machine, and a version without the state that it was built from.
+TEST(Report, ItsHeadIsATitleBlock) {
+  const std::string data = std::string(BENTUR_SOURCE_DIR) + "/data/el-centro-1940-ns.csv";
+  const Simulated m12 = run(replaced(example("m12-el-centro"), "../data/el-centro-1940-ns.csv", data));
+  RunResults hashed = m12;
+  hashed.c.excitation.record.value().sha256 = std::string(64, 'a');
+  const std::string page = report_html(hashed, {.version = "0.2.0.dev5+gabc.dirty"});
+  const std::string head = page.substr(page.find("<header>"), page.find("</header>") - page.find("<header>"));
+  EXPECT_NE(head.find("bentur 0.2.0.dev5<"), std::string::npos) << head;
+  EXPECT_NE(head.find(">el-centro-1940-ns.csv, SHA-256 aaaaaaaaaaaaaaaa…<"), std::string::npos) << head;
+  for (const char* const label : {">Report<", ">Record<"}) EXPECT_NE(head.find(label), std::string::npos) << label;
+}
+
+/// Where the next figure has no room below those before it one that has comes first; one that is alone takes the width.
+TEST(Report, FiguresFillTheirPages) {
+  const auto make = [](const std::string& kind, const FigureOptions& options) {
+    Figure figure{.width = options.narrow || kind == "loop" ? column_width : page_width};
+    for (int row = 0; row < (kind == "spectrum" || kind == "loop" ? 1 : 3); ++row) {
+      figure.panels.push_back({.height = 5, .curves = {{.x = {0, 1}, .y = {0, 1}}}});
+    }
+    return figure;
+  };
+  const auto order_of = [&](const std::vector<FigureKind>& kinds) {
+    return html::page_figures(kinds, make, "figure.", "en");
+  };
+  const std::vector<html::PageFigure> all = order_of({{"envelope", ""}, {"drift", ""}, {"spectrum", ""}});
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_TRUE(all[1].caption.starts_with("Response spectrum")) << all[1].caption;
+  EXPECT_TRUE(order_of({{"loop", ""}}).front().wide);
 }
 
 }  // namespace

@@ -176,10 +176,11 @@ void set_apart(Figure& figure, bool narrow) {
                                      [&](const Panel& one) { return one.curves.size() == count; });
   if (count <= in_one_frame || !are_alike) return;
   constexpr double highest = 5, beside = 1.5;  // of a frame [cm], of its title and numbers [cm]
-  constexpr std::size_t most_narrow = 4, most_beside = 8;
+  constexpr std::size_t most_narrow = 4;
+  const std::size_t most_beside = figure.panels.size() > 1 ? 6 : 5;  // so that each has room for four numbers
   const auto rows_of = [&](std::size_t columns) { return figure.panels.size() * ((count + columns - 1) / columns); };
-  const bool has_two_rows = count > 6 && (count % 2 == 0 || count > most_beside);
-  std::size_t columns = narrow ? 2 : has_two_rows ? (count + 1) / 2 : count;
+  const std::size_t rows_beside = (count + most_beside - 1) / most_beside;
+  std::size_t columns = narrow ? 2 : (count + rows_beside - 1) / rows_beside;
   const auto are_high = [&] { return static_cast<double>(rows_of(columns)) * (highest + beside) > page_height; };
   while (narrow && columns < most_narrow && are_high()) ++columns;
   const std::size_t rows = rows_of(columns);

@@ -127,6 +127,8 @@ TEST(InsidePictures, TheVerdictTellsTheDeeperWay) {
   };
   EXPECT_EQ(std::get<std::string>(told("way")), "");  // the other one was not asked for
   ReversedRun& other = run.response.reversed.emplace();
+  other.points = run.response.points;
+  other.drifts = drifts_no_contact(run.response);
   other.watched = run.response.watched;
   for (WatchedSummary& floor : other.watched) floor.least_opening *= 2;
   EXPECT_EQ(std::get<std::string>(told("way")), "story.way.recorded");  // with contact it was not run

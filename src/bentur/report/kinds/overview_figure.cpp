@@ -58,10 +58,8 @@ Panel opening_panel(const RunResults& run, const SceneInstant& instant, const Op
   panel.events = {};
   panel.curves.resize(1);
   panel.curves.front().in_legend = false;  // the axis says it
-  if (place.point) {
-    panel.rules.front().label = word(options, "closed at 0");
-    panel.rules.front().line = Line::dash_dot;  // the curve is solid
-  }
+  panel.rules.front().label = word(options, "closed at 0");
+  panel.rules.front().line = Line::dash_dot;  // the curve is solid
   panel.rules.push_back({.at = instant.histories->time[instant.column],
                          .vertical = true,
                          .label = word(options, !instant.point   ? "deepest inside"

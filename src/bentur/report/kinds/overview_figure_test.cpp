@@ -1,6 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -10,7 +13,9 @@
 #include "bentur/report/figures/internal/layout.h"
 #include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/scene.h"
 #include "bentur/report/story_text.h"
+#include "tests/support/drawn_run.h"
 
 namespace bentur {
 namespace {
@@ -57,12 +62,12 @@ TEST(Overview, TellsWhatTheVerdictTellsFirst) {
 }
 
 TEST(Overview, SaysItsGapsWithTheirUnits) {
-  for (const char* const name : {"free-impact", "linked-pair"}) {  // "not known", and the longest numbers
+  for (const char* const name : {"free-impact", "linked-pair"}) {  // of no motion, and the longest numbers
     const RunResults run = example_run(name);
     for (const std::string language : {"en", "id"}) {
       const Figure figure = overview(run, language, column_width);
       const Layout placing = layout(figure);
-      ASSERT_EQ(placing.panels.back().y.labels.size(), 3U);
+      ASSERT_EQ(placing.panels.back().y.labels.size(), name == std::string("free-impact") ? 2U : 3U);
       for (const auto& [at, text] : placing.panels.back().y.labels) {
         EXPECT_EQ(text.find("…"), std::string::npos) << name << ": " << text;
       }
@@ -292,6 +297,81 @@ TEST(Impact, IsOfTheGapThatIsAskedFor) {
   FigureOptions other;
   other.gap = run.problem.points[run.response.impacts.at(run.figures.close_up->impact).point].gap == 0 ? 1 : 0;
   EXPECT_THROW((void)make_figure(read, "impact", other), NoFigure);
+}
+
+/// What strikes now has a mark that the legend names, and rays that reach no other level.
+TEST(Scene, WhatStrikesNowIsNamedAndByItself) {
+  const RunResults row = example_run("row-of-three");
+  const Panel panel = make_figure(row, "scene").panels.front();
+  const auto now = std::find_if(panel.curves.begin(), panel.curves.end(),
+                                [](const Curve& one) { return one.label == "strikes now"; });
+  ASSERT_NE(now, panel.curves.end());
+  const auto rays = std::count_if(panel.curves.begin(), panel.curves.end(), [](const Curve& one) {
+    return one.tone == Tone::red && one.mark == Mark::none && one.width == 1.6;
+  });
+  EXPECT_EQ(std::ssize(now->x), rays);
+  const double storey = scene_of(row.problem, row.response).storey;
+  for (const Curve& one : panel.curves) {
+    if (one.tone != Tone::red || one.mark != Mark::none || one.width != 1.6) continue;
+    const auto [low, high] = std::minmax_element(one.y.begin(), one.y.end(), [](double a, double b) { return a < b; });
+    EXPECT_LT(*high - *low, 1.15 * storey);
+  }
+}
+
+/// Of many buildings each frame has room for numbers, by which its curve can be read.
+TEST(Heights, OfTwelveBuildingsHaveFourNumbersEach) {
+  std::string text = R"(
+units = { length = "m", force = "kN" }
+excitation = { kind = "harmonic", period = 0.5, displacement_amplitude = 0.04 }
+analysis = { duration = 2.0 }
+)";
+  for (int b = 1; b <= 12; ++b) {
+    text += fmt::format(
+        "[[building]]\nname = \"House {}\"\ndamping = 0.05\ngeneric = {{ storeys = 2, storey_height = 3.0, floor_mass "
+        "= 100.0, period = {}, stiffness_ratio = 30.0 }}\n",
+        b, 0.2 + 0.1 * (b * 5 % 7));
+    if (b == 1) continue;
+    text += fmt::format(
+        "[[gap]]\nbetween = [\"House {}\", \"House {}\"]\nwidth = 0.02\ncontact = {{ law = \"linear\", stiffness = "
+        "1e5 }}\n",
+        b - 1, b);
+  }
+  const RunResults row = test::drawn_run(text);
+  for (const char* const kind : {"amplification", "drift"}) {
+    const Figure figure = make_figure(row, kind);
+    const Layout placing = layout(figure);
+    EXPECT_EQ(placing.panels.size(), 12U) << kind;
+    for (const PlacedPanel& one : placing.panels) EXPECT_GE(one.x.labels.size(), 4U) << kind;
+  }
+}
+
+/// Each line has the name of its building, of which none lies on another.
+TEST(Spectrum, LinesOfFirstPeriodsHaveTheirNames) {
+  SpectrumCurves curves;
+  for (double period = 0.02; period < 6; period *= 1.05) {
+    curves.periods.push_back(period);
+    curves.acceleration.push_back(1 / (1 + period));
+    curves.displacement.push_back(period);
+  }
+  for (std::size_t b = 0; b < 6; ++b) {
+    curves.marks.push_back({"House " + std::to_string(b + 1), 0.5 + 0.1 * static_cast<double>(b), b});
+  }
+  const Figure figure = spectrum_figure(curves);
+  for (const Panel& panel : figure.panels) {
+    ASSERT_EQ(panel.texts.size(), 6U);
+    for (std::size_t i = 0; i < panel.texts.size(); ++i) {
+      const PlaceText& one = panel.texts[i];
+      EXPECT_EQ(one.text, std::to_string(i + 1));
+      EXPECT_EQ(one.x, curves.marks[i].period);
+      EXPECT_LT(one.y, *panel.y.to);
+      EXPECT_GT(one.y, *std::max_element(panel.curves.front().y.begin(), panel.curves.front().y.end()));
+      for (std::size_t k = 0; k < i; ++k) {
+        const double apart = std::log(one.x / panel.texts[k].x) / std::log(*panel.x.to / *panel.x.from);
+        EXPECT_TRUE(one.y != panel.texts[k].y || apart * (column_width - 1.8) > text_width(one.text)) << one.text;
+      }
+    }
+    for (const Curve& curve : panel.curves) EXPECT_TRUE(curve.label.find("T₁") != 0 || !curve.in_legend);
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "bentur/report/kinds/internal/kind_table.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
+#include "bentur/report/scene/tones.h"
 #include "bentur/report/words.h"
 
 namespace bentur {
@@ -155,8 +156,12 @@ void tell_colours(const RunResults& run, const std::string& kind, const FigureOp
                        [](const Curve& curve) { return curve.tone == building_tones[0]; });
   });
   if (!has_colour) return;
-  const std::string between = gap_name(run.problem, run.problem.points[hardest->point].gap);
-  add_part(figure, word(options, "In colour {}, with the hardest impact", between));
+  const auto [struck, worst] = pairs_told_of(run.problem, run.response);
+  const auto name_of = [&](const BuildingPair& pair) { return gap_name(run.problem, static_cast<int>(pair->first)); };
+  add_part(figure, worst && worst != struck
+                       ? word(options, "In colour {}, with the hardest impact, and {}, the worst gap", name_of(struck),
+                              name_of(worst))
+                       : word(options, "In colour {}, with the hardest impact", name_of(struck)));
 }
 
 /// Whether each building has a place of its own there, over its height.

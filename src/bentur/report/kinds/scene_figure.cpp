@@ -178,7 +178,7 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
   const SceneMotion rest = at_rest(*instant.histories), now = motion_at(*instant.histories, instant.column);
   const ScenePlaces still(scene, scene.magnification, rest), places(scene, scene.magnification, now);
   const double tall = scene.top - scene.bottom, wide = places(scene.shapes.front().lines.front().back())[0];
-  const double size = 0.05 * std::max(tall, 0.7 * wide);  // of a burst
+  const double size = std::min(0.05 * std::max(tall, 0.7 * wide), 0.55 * scene.storey);  // of a burst
   const std::string factor = word(options, "magnified {} times", number(scene.magnification));
   Panel panel{.title = instant_text(run, instant, options, ", " + factor + "; "),
               .x = {.numbers = false},
@@ -237,16 +237,23 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
                .mark = Mark::disc,
                .complete = true,
                .mark_size = 1.5};  // with an edge, on lines of all tones
+  Curve striking = struck;
+  striking.label = word(options, "strikes now");
+  striking.mark_size = 2.2;
   for (Eigen::Index i = 0; i < std::ssize(run.problem.points); ++i) {
     const auto [x, y] = places(scene.contacts[i]);
     if (strike.count(i) > 0) {
       panel.curves.push_back(burst(x, y, size));
+      striking.x.push_back(x);
+      striking.y.push_back(y);
     } else if (run.response.points[i].impacts > 0) {
       struck.x.push_back(x);
       struck.y.push_back(y);
     }
   }
-  if (!struck.x.empty()) panel.curves.push_back(std::move(struck));
+  for (Curve* const marks : {&struck, &striking}) {
+    if (!marks->x.empty()) panel.curves.push_back(std::move(*marks));
+  }
   return panel;
 }
 

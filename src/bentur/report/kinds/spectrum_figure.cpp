@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 #include "bentur/core/number_text.h"
 #include "bentur/report/figures/internal/text.h"
+#include "bentur/report/figures/internal/text_width.h"
 #include "bentur/report/kinds/internal/run_figures.h"
+#include "bentur/report/scene/names.h"
 #include "bentur/report/scene/tones.h"
 
 namespace bentur {
@@ -37,9 +40,53 @@ void show_around_marks(SpectrumCurves& curves) {
   if (from < to) std::tie(curves.from, curves.to) = std::pair(from, to);
 }
 
+/// Names of buildings at the lines of their first periods, in rows so that none lies on another. @param width about
+/// that of the frame [cm]
+void name_periods(Panel& panel, const std::vector<SpectrumMark>& marks, double width) {
+  const Curve& all = panel.curves.front();
+  double highest = 0;
+  for (std::size_t i = 0; i < all.x.size(); ++i) {
+    if (all.x[i] >= *panel.x.from && all.x[i] <= *panel.x.to) highest = std::max(highest, all.y[i]);
+  }
+  std::vector<std::string> names;
+  for (const SpectrumMark& mark : marks) names.push_back(mark.name);
+  const std::vector<std::string> in_short = short_names(names);
+  if (are_parts_of(in_short, names)) names = in_short;
+  std::vector<std::size_t> order(marks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return marks[a].period < marks[b].period; });
+  const double decades = std::log(*panel.x.to / *panel.x.from);
+  std::vector<double> ends;  // of the rows [cm]
+  std::vector<std::size_t> rows(marks.size());
+  std::vector<bool> is_left(marks.size());  // the first one, so that its name lies on no other line
+  for (const std::size_t i : order) {
+    const double at = width * std::log(marks[i].period / *panel.x.from) / decades;
+    const double wide = text_width(names[i]) + 0.12;
+    is_left[i] = i == order.front() && wide < at;
+    std::size_t row = 0;
+    while (row < ends.size() && ends[row] > at) ++row;
+    if (row == ends.size()) ends.push_back(0);
+    ends[row] = at + (is_left[i] ? 0 : wide);
+    rows[i] = row;
+  }
+  constexpr double of_row = 0.38;  // [cm]
+  const double count = static_cast<double>(ends.size());
+  const double top = highest * panel.height / (panel.height - of_row * count - 0.1), one_cm = top / panel.height;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    panel.texts.push_back(
+        {.x = marks[i].period, .y = top - of_row * (static_cast<double>(rows[i]) + 0.5) * one_cm, .text = names[i]});
+  }
+  panel.y.to = top;
+}
+
 }  // namespace
 
 Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& options) {
+  constexpr double of_axis = 1.8;  // [cm]
+  const bool are_named =
+      !curves.marks.empty() && std::all_of(curves.marks.begin(), curves.marks.end(),
+                                           [](const SpectrumMark& one) { return one.periods.empty(); });
   const auto panel = [&](const std::string& label, const std::vector<double>& values,
                          std::vector<double> SpectrumMark::*ordinates) {
     Panel one{.x = {.from = curves.from.value_or(curves.periods.front()),
@@ -56,8 +103,10 @@ Figure spectrum_figure(const SpectrumCurves& curves, const FigureOptions& option
       tell_apart(place, mark.number, mark.tone);
       one.rules.push_back({.at = mark.period, .vertical = true, .tone = place.tone, .line = place.line});
       if (!is_on_curve) place.line = Line::none;
+      place.in_legend = !is_on_curve;
       one.curves.push_back(std::move(place));
     }
+    if (are_named) name_periods(one, curves.marks, std::min(options.width, column_width) - of_axis);
     return one;
   };
   Figure figure{.title = fmt::format("{}, damping ratio {}", curves.title, number(curves.damping)),

@@ -28,10 +28,7 @@ double base_level(const Building& building) {
 class SceneBuilder {
  public:
   SceneBuilder(const Problem& problem, const Response& response)
-      : problem_(problem),
-        response_(response),
-        buildings_(problem.buildings),
-        tones_(tones_of(problem, response.impacts)) {
+      : problem_(problem), response_(response), buildings_(problem.buildings), tones_(tones_of(problem, response)) {
     measure(response);
   }
 

@@ -96,7 +96,7 @@ TEST(Scene, HasEverythingOfEveryExample) {
       soils += count(SceneRole::soil);
       for (const SceneShape* slabs : shapes_of(scene, SceneRole::slab, b)) {
         EXPECT_EQ(std::ssize(slabs->lines), building.model.floors());
-        EXPECT_EQ(slabs->tone, tones_of(run.problem, run.response.impacts).at(b));
+        EXPECT_EQ(slabs->tone, tones_of(run.problem, run.response).at(b));
       }
     }
     for (Eigen::Index k = 0; k < std::ssize(run.problem.links); ++k) {

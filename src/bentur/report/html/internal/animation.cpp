@@ -127,7 +127,7 @@ std::string animation_json(const Report& report, const std::vector<Eigen::Index>
   const double instant = telling_instant(report.response, {}, nearest ? &*nearest : nullptr).time;
   const std::vector<double>& course = report.response.course.time;
   const std::vector<Eigen::Index> keys = key_columns(course, report.response.impacts, listed, instant);
-  const std::vector<Tone> tones = tones_of(report.problem, report.response.impacts);
+  const std::vector<Tone> tones = tones_of(report.problem, report.response);
   Json buildings = Json::array();
   std::vector<std::string> names;
   for (std::size_t b = 0; b < report.problem.buildings.size(); ++b) {

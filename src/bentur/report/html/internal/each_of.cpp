@@ -31,7 +31,7 @@ Html EachOf::folded(const Words& say, std::string_view what) const {
   Html printed;
   for (HtmlTable table : printed_) {
     constexpr std::size_t most = 160;         // rows, of some two pages
-    constexpr std::size_t most_columns = 14;  // with letters that can be read
+    constexpr std::size_t most_columns = 12;  // with letters that can be read
     const std::size_t rows = table.rows();
     if (rows == 0) continue;
     // What all are comes first; what is to be said of a table stands below it, so that its title is right above it.

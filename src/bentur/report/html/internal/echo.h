@@ -11,8 +11,6 @@
 
 namespace bentur::html {
 
-using Rows = std::vector<std::pair<std::string, std::string>>;
-
 /// A record as it was read.
 [[nodiscard]] Rows rows_of_record(const RecordEcho& record, const Words& say);
 

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace bentur::html {
+
+/// Names with their values.
+using Rows = std::vector<std::pair<std::string, std::string>>;
 
 /// Markup that may stand in a page as it is. What comes from a case becomes markup by text() alone, so that no title or
 /// name can bring in a tag, an attribute or a script; markup() is for what stands in the program's sources.

@@ -85,28 +85,57 @@ struct Drawn {
   Figure narrowest;        ///< as it was made
   Figure figure;           ///< as a page has it
   bool is_parted = false;  ///< is higher than a line
+  double height = 0;       ///< of a wide one with its caption [cm]
   [[nodiscard]] bool is_wide() const { return figure.width > column_width; }
   [[nodiscard]] double below() const { return caption_height(caption, is_wide()); }
 };
 
-/// Those of a column's width, of which two stand to a line, then wide ones, those that take more than a line last: so
-/// the least of pages stays empty.
+/// Wide figures by pages: where the next one has no room below those before it the first of the others that has. What
+/// is parted begins where its first half has room, and what follows it stands below its second. @param room of the
+/// first page [cm]
+void fill_pages(std::vector<Drawn>::iterator first, std::vector<Drawn>::iterator last, double room) {
+  constexpr double page = 26, between = 0.3;  // [cm]
+  for (; first != last; ++first) {
+    const auto next = std::find_if(
+        first, last, [&](const Drawn& one) { return one.height / (one.is_parted ? 2 : 1) + between <= room; });
+    if (next == last) {
+      room = page;
+    } else {
+      std::rotate(first, next, next + 1);
+    }
+    room -= first->height + between;
+    if (room < 0 && first->is_parted) room += page;
+  }
+}
+
+/// Those of a column's width, of which two stand to a line, then wide ones, those that take more than a line last but
+/// for where they fill a page: so the least of pages stays empty.
 void order(std::vector<Drawn>& figures) {
   const auto is_narrow = [](const Drawn& one) { return !one.is_wide(); };
-  bool is_odd = figures.size() > 1 && std::count_if(figures.begin(), figures.end(), is_narrow) % 2 != 0;
+  bool is_odd = std::count_if(figures.begin(), figures.end(), is_narrow) % 2 != 0;
   for (auto one = figures.rbegin(); is_odd && one != figures.rend(); ++one) {
     if (!is_narrow(*one)) continue;
     spread(one->figure, 1);
     is_odd = is_narrow(*one);
   }
+  for (auto one = figures.rbegin(); is_odd && one != figures.rend(); ++one) {  // one frame over the whole width
+    if (!is_narrow(*one) || one->figure.panels.size() > 1 || one->figure.panels.front().to_scale) continue;
+    one->figure.width = page_width;
+    is_odd = false;
+  }
   for (Drawn& one : figures) {
     Figure low = one.figure;
     const double room = room_of(low);
     bound_height(low, room - one.below());
-    one.is_parted = one.is_wide() && layout(low).height + one.below() > room + 0.5;
+    one.height = layout(low).height + one.below();
+    one.is_parted = one.is_wide() && one.height > room + 0.5;
+    if (one.is_parted) one.height = layout(one.figure).height + one.below();
   }
   std::stable_partition(figures.begin(), figures.end(), [](const Drawn& one) { return !one.is_parted; });
-  std::stable_partition(figures.begin(), figures.end(), is_narrow);
+  const auto wide = std::stable_partition(figures.begin(), figures.end(), is_narrow);
+  constexpr double below_heading = 24.5;  // [cm]
+  const auto lines = static_cast<double>((wide - figures.begin() + 1) / 2);
+  fill_pages(wide, figures.end(), below_heading - std::fmod(lines, 3) * third_of_page);
 }
 
 }  // namespace
@@ -132,7 +161,7 @@ std::vector<PageFigure> page_figures(const std::vector<FigureKind>& kinds, const
   }
   order(all);
   std::vector<PageFigure> figures;
-  for (const auto& [kind, caption, narrowest, figure, is_parted] : all) {
+  for (const auto& [kind, caption, narrowest, figure, is_parted, height] : all) {
     PageFigure& shown = figures.emplace_back();
     shown.caption = caption;
     shown.wide = figure.width > column_width;

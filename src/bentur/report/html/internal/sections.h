@@ -77,14 +77,14 @@ constexpr std::size_t rows_in_print = 100, impacts_in_print = 60;
 
 // hand_in.cpp: of reports to hand in.
 
-/// The title block: title, logo, what [project] says, and the hashes of case and record.
-[[nodiscard]] Html title_block(const Report& report, const std::string& title, const std::string& made_by);
-/// The same without the hashes.
+/// The title block: title, logo, and a line each of what [project] says, what made the report, the case and its records
+/// by their hashes, so that it can be distinguished from that of another file of the same name.
+[[nodiscard]] Html title_block(const Case& c, const std::string& title, const std::string& made_by, const Words& say);
+/// The same of a study.
 [[nodiscard]] Html title_block(const std::optional<ProjectSpec>& project, const std::string& title,
-                               const std::string& made_by, const Words& say);
-/// Case and records by their hashes, so that a report can be distinguished from that of another file of the same name.
-[[nodiscard]] Html identity(const std::optional<CaseSource>& source, const std::vector<const RecordEcho*>& records,
-                            const Words& say);
+                               const std::string& made_by, const Words& say, const Rows& identity = {});
+/// Of a version what names a release or how far it has come since: without the state that it was built from.
+[[nodiscard]] std::string short_version(const std::string& version);
 /// What runs along the top of every printed page.
 [[nodiscard]] std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title);
 /// Records that a case applies, with what is made of each; those that are none are left out.

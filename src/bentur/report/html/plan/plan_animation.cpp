@@ -229,7 +229,7 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
   const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
   const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
   const double arm = arm_of(run.problem);
-  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
+  const std::vector<Tone> tones = tones_of(run.problem, run.response);
   Json buildings = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];

@@ -338,26 +338,21 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
         html::opening_figure([&](const FigureOptions& drawn) { return make_figure(run, kind.name, drawn); },
                              say(caption_key(kind.name, true)), options.language);
   }
-  std::vector<const RecordEcho*> records;
-  for (const ExcitationSpec* const one : run.c.excitations()) {
-    if (one->record) records.push_back(&*one->record);
-  }
   html::PageSection motion;
   Html data;
   if (!run.response.points.empty()) {
     motion = html::motion_section(say, run.c.units.length, html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
-  html::PageBody body{
-      .header = html::title_block(run.c.project, title, say("report.by", {{"version", options.version}}), say) +
-                html::identity(run.c.source, records, say),
-      .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(), sections.columns(),
-                   sections.impacts(listed),
-                   html::sensitivity_section(options.sensitivity, run.c, say, options.language),
-                   html::figures_section(say, figures),
-                   html::plan_input_section(run.c, run.problem, run.response.events, say)},
-      .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
-                html::csv_script(csv_of(run, listed))};
+  html::PageBody body{.header = html::title_block(
+                          run.c, title, say("report.by", {{"version", html::short_version(options.version)}}), say),
+                      .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
+                                   sections.columns(), sections.impacts(listed),
+                                   html::sensitivity_section(options.sensitivity, run.c, say, options.language),
+                                   html::figures_section(say, figures),
+                                   html::plan_input_section(run.c, run.problem, run.response.events, say)},
+                      .footer = element("footer", element("p", say("report.footer"), "class=\"note\"")) + data +
+                                html::csv_script(csv_of(run, listed))};
   if (run.c.project) {
     std::vector<html::AppliedRecord> applied;
     for (const std::size_t i : {0U, 1U}) applied.push_back({*run.c.excitations()[i], applied_pga(run, i)});

@@ -57,7 +57,7 @@ TEST(PlanReport, HasThePartsOfARowsReport) {
   }
   EXPECT_TRUE(shows(page, "default-src 'none'"));
   EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)="(?!#))")));
-  EXPECT_TRUE(shows(page, "Case file twisting-pair.toml") || shows(page, "Case file case.toml"));
+  EXPECT_TRUE(shows(page, "twisting-pair.toml, SHA-256") || shows(page, "case.toml, SHA-256"));
 }
 
 /// A millisecond of a pair; of so many that their histories would fill a page's memory coarser, and within it.

@@ -127,7 +127,7 @@ std::vector<Eigen::Index> shown_buildings(const RunResults& run, const FigureOpt
 }
 
 std::vector<Tone> tones_of(const RunResults& run, const FigureOptions& options) {
-  return options.tones.empty() ? tones_of(run.problem, run.response.impacts) : options.tones;
+  return options.tones.empty() ? tones_of(run.problem, run.response) : options.tones;
 }
 
 Tone tone_of(const RunResults& run, const FigureOptions& options, Eigen::Index building) {

@@ -56,7 +56,7 @@ Figure of_frames(const PlanRun& run, FigureOptions options, Figure (*draw)(const
   options.gap.reset();
   options.elevation.reset();
   options.tones.clear();
-  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
+  const std::vector<Tone> tones = tones_of(run.problem, run.response);
   for (const Index n : shown) {
     places.push_back(all[n]);
     options.tones.push_back(tones.at(all[n].building));
@@ -83,7 +83,7 @@ Figure of_frames(const PlanRun& run, FigureOptions options, Figure (*draw)(const
 
 Figure floor_spectrum_figure(const PlanRun& run, const FigureOptions& options) {
   FigureOptions with_tones = options;
-  with_tones.tones = tones_of(run.problem, run.response.impacts);
+  with_tones.tones = tones_of(run.problem, run.response);
   RunResults row = *row_of(run);
   row.response.impacts = run.response.impacts;
   row.figures.floor_spectra = run.closer.floors;

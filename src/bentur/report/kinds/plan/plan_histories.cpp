@@ -154,7 +154,7 @@ Figure displacement_figure(const PlanRun& run, const FigureOptions& options) {
       {with_unit(word(options, "Displacement x"), length), histories.x, &PlanPeaks::x, 1, length},
       {with_unit(word(options, "Displacement y"), length), histories.y, &PlanPeaks::y, 1, length},
       {word(options, "Rotation θ [mrad]"), histories.rotation, &PlanPeaks::rotation, to_mrad, "mrad"}};
-  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
+  const std::vector<Tone> tones = tones_of(run.problem, run.response);
   const auto moves = [&](const Quantity& quantity) {
     const auto is_moved = [&](int side) {
       const auto [b, floor] = side_at(run, point, side);
@@ -342,7 +342,7 @@ Figure orbit_figure(const PlanRun& run, const FigureOptions& options) {
   const bool two = has_two_windows(place, options);
   const TimeWindow shown = two ? around_the_hardest(place) : asked_window(place, options);
   const std::vector<double>& time = course_of(run).time;
-  const std::vector<Tone> tones = tones_of(run.problem, run.response.impacts);
+  const std::vector<Tone> tones = tones_of(run.problem, run.response);
   const std::vector<Index> beside = points_beside(run, point);
   const Index other = point == beside.front() ? beside.back() : beside.front();
   const std::string& length = run.c.units.length;

@@ -112,6 +112,10 @@ TEST(PlanMap, IsToldApartInGreyAsItsOverviewAndScene) {
   }
 }
 
+TEST(PlanMap, TheSceneSaysWhichNamesAreBlack) {
+  EXPECT_TRUE(make_figure(run(), "scene").part.starts_with("Names in black: "));
+}
+
 TEST(PlanMap, HasTheNumbersOfTheTable) {
   const Story story = run_story(run());
   const auto table = std::find_if(story.tables.begin(), story.tables.end(),
@@ -127,11 +131,11 @@ TEST(PlanMap, HasTheNumbersOfTheTable) {
         std::find_if(panel.curves.begin(), panel.curves.end(), [&](const Curve& one) { return one.label == names[i]; });
     ASSERT_TRUE(text != panel.texts.end() && curve != panel.curves.end()) << names[i];
     const double beside = curve->mark == Mark::disc ? 2.5 : 1e-9;  // [m] of houses of 10 m
-    const auto near_the_end = [](const std::vector<double>& of) {
-      return of.front() + 0.85 * (of.back() - of.front());
+    const auto off_the_crossings = [](const std::vector<double>& of) {
+      return of.front() + 0.65 * (of.back() - of.front());
     };
-    EXPECT_NEAR(text->x, near_the_end(curve->x), beside) << names[i];
-    EXPECT_NEAR(text->y, near_the_end(curve->y), beside) << names[i];
+    EXPECT_NEAR(text->x, off_the_crossings(curve->x), beside) << names[i];
+    EXPECT_NEAR(text->y, off_the_crossings(curve->y), beside) << names[i];
   }
 }
 

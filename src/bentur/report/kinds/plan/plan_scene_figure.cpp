@@ -45,7 +45,7 @@ class PlanPicture {
       : run_(run),
         scene_(run),
         options_(options),
-        tones_(tones_of(run.problem, run.response.impacts)),
+        tones_(tones_of(run.problem, run.response)),
         time_(instant.time),
         shown_(*instant.point) {
     const double level = contact_at(run.problem, *instant.point).contact->elevation;
@@ -80,6 +80,13 @@ class PlanPicture {
   }
 
   [[nodiscard]] double magnification() const { return scene_.magnification(); }
+
+  /// What the tones of names say where they have two.
+  [[nodiscard]] std::string key_of_names() const {
+    if (has_centres()) return {};
+    return word(options_, touching_.empty() ? "Names in black: the buildings of the place shown"
+                                            : "Names in black: buildings that strike now");
+  }
 
  private:
   [[nodiscard]] PlanPoint moved(Index b, const PlanPoint& at) const {
@@ -476,6 +483,7 @@ Figure scene_figure(const PlanRun& run, const FigureOptions& options) {
   const std::string factor = word(options, "magnified {} times", number(picture.magnification()));
   return {.title = "The buildings from above at one instant: " + instant_text(run, instant, options, ", "),
           .finding = instant_text(run, instant, options, ", "),
+          .part = picture.key_of_names(),
           .panels = {picture.panel(instant_text(run, instant, options, ", " + factor + "; "), 0.8 * options.width)},
           .width = options.width};
 }
