@@ -108,6 +108,12 @@ std::vector<StoryValue> reason_item(const GapView& view, Index gap, const Reason
     item.push_back(text_of("building", reason.subject));
     item.push_back(count_of("storey", static_cast<long>(reason.storey)));
   }
+  const std::vector<Reason>& all = view.gaps.at(static_cast<std::size_t>(gap)).judgement.reasons;
+  const bool is_both = reason.way == Way::given && !acts_reversed(view.c) &&
+                       std::any_of(all.begin(), all.end(), [&](const Reason& other) {
+                         return other.kind == reason.kind && other.way == Way::reversed;
+                       });
+  item.push_back(is_both ? word_of("way", "reason.way.recorded") : text_of("way", ""));
   item.push_back(word_of("why", reason_key(reason, view.is_cut)));  // after the words that fill it
   return item;
 }

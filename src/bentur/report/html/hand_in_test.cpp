@@ -328,6 +328,15 @@ TEST(HandIn, OfASuiteTheDirectionThatNeedsMoreIsDrawn) {
     const std::string needed = number(run.records[governing].needed.front());
     EXPECT_EQ(holds(page, "reversed: " + needed), is_reversed);
     EXPECT_EQ(holds(page, "as recorded: " + needed), !is_reversed);
+    for (const ToldJudgement& one : run.records[governing].judged) {  // which has both names too
+      const auto way = [](const std::vector<StoryValue>& item) {
+        return std::any_of(item.begin(), item.end(), [](const StoryValue& value) {
+          const auto* const word = std::get_if<std::string>(&value.value);
+          return word != nullptr && *word == "reason.way.recorded";
+        });
+      };
+      EXPECT_TRUE(std::any_of(one.reasons.begin(), one.reasons.end(), way));
+    }
     EXPECT_EQ(holds(page, ", reversed, as it needs more than as recorded:"), is_reversed);
     const Panel bars = make_figure(run, gaps.value(), "gap-needed").panels.front();
     const auto is_outline = [](const Curve& one) { return one.label.starts_with("reversed: ") && one.top.empty(); };

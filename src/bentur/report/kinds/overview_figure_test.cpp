@@ -313,8 +313,12 @@ TEST(Scene, WhatStrikesNowIsNamedAndByItself) {
   const double storey = scene_of(row.problem, row.response).storey;
   for (const Curve& one : panel.curves) {
     if (one.tone != Tone::red || one.mark != Mark::none || one.width != 1.6) continue;
-    const auto [low, high] = std::minmax_element(one.y.begin(), one.y.end(), [](double a, double b) { return a < b; });
-    EXPECT_LT(*high - *low, 1.15 * storey);
+    double low = INFINITY, high = -low;
+    for (const double y : one.y) {
+      low = std::fmin(low, y);
+      high = std::fmax(high, y);
+    }
+    EXPECT_LT(high - low, 1.15 * storey);
   }
 }
 

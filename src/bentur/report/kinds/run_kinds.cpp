@@ -156,7 +156,7 @@ void tell_colours(const RunResults& run, const std::string& kind, const FigureOp
                        [](const Curve& curve) { return curve.tone == building_tones[0]; });
   });
   if (!has_colour) return;
-  const auto [struck, worst] = pairs_told_of(run.problem, run.response);
+  const auto [struck, worst] = pairs_of_note(run.problem, run.response);
   const auto name_of = [&](const BuildingPair& pair) { return gap_name(run.problem, static_cast<int>(pair->first)); };
   add_part(figure, worst && worst != struck
                        ? word(options, "In colour {}, with the hardest impact, and {}, the worst gap", name_of(struck),

@@ -19,8 +19,8 @@ struct PointSides {
 
 /// @param points how many there are @param sides of one of them
 template <class Sides>
-PairsToldOf pairs(const RunOutcome& outcome, Eigen::Index points, const Sides& sides) {
-  PairsToldOf told;
+PairsOfNote pairs(const RunOutcome& outcome, Eigen::Index points, const Sides& sides) {
+  PairsOfNote told;
   if (const Impact* const hardest = hardest_impact(outcome.impacts)) told.struck = sides(hardest->point).buildings;
   double most = 0;
   for (Eigen::Index point = 0; point < std::min<Eigen::Index>(points, std::ssize(outcome.points)); ++point) {
@@ -37,7 +37,7 @@ PairsToldOf pairs(const RunOutcome& outcome, Eigen::Index points, const Sides& s
 template <class AnyProblem>
 std::vector<Tone> tones(const AnyProblem& problem, const RunOutcome& outcome) {
   const std::size_t count = problem.buildings.size();
-  const PairsToldOf told = count > std::size(building_tones) ? pairs_told_of(problem, outcome) : PairsToldOf{};
+  const PairsOfNote told = count > std::size(building_tones) ? pairs_of_note(problem, outcome) : PairsOfNote{};
   std::vector<Tone> all;
   for (std::size_t b = 0; b < count; ++b) all.push_back(building_tone(b, count, told.struck, told.worst));
   return all;
@@ -45,14 +45,14 @@ std::vector<Tone> tones(const AnyProblem& problem, const RunOutcome& outcome) {
 
 }  // namespace
 
-PairsToldOf pairs_told_of(const Problem& problem, const RunOutcome& outcome) {
+PairsOfNote pairs_of_note(const Problem& problem, const RunOutcome& outcome) {
   return pairs(outcome, std::ssize(problem.points), [&](Eigen::Index point) {
     const ContactPoint& at = problem.points.at(point);
     return PointSides{{at.left, at.right}, at.width};
   });
 }
 
-PairsToldOf pairs_told_of(const PlanProblem& problem, const RunOutcome& outcome) {
+PairsOfNote pairs_of_note(const PlanProblem& problem, const RunOutcome& outcome) {
   return pairs(outcome, contact_count(problem), [&](Eigen::Index point) {
     const auto at = contact_at(problem, point);
     const PlanGap& gap = problem.gaps[at.gap];

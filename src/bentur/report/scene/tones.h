@@ -9,12 +9,13 @@
 
 namespace bentur {
 
-/// Of which buildings is told first: those of the hardest impact, and those of the contact point that lacks most.
-struct PairsToldOf {
+/// The buildings that stand out among many: those of the hardest impact, and those of the contact point that lacks
+/// most.
+struct PairsOfNote {
   BuildingPair struck = {}, worst = {};
 };
-[[nodiscard]] PairsToldOf pairs_told_of(const Problem& problem, const RunOutcome& outcome);
-[[nodiscard]] PairsToldOf pairs_told_of(const PlanProblem& problem, const RunOutcome& outcome);
+[[nodiscard]] PairsOfNote pairs_of_note(const Problem& problem, const RunOutcome& outcome);
+[[nodiscard]] PairsOfNote pairs_of_note(const PlanProblem& problem, const RunOutcome& outcome);
 
 /// The colour of each building in every picture of a run: building_tone().
 [[nodiscard]] std::vector<Tone> tones_of(const Problem& problem, const RunOutcome& outcome);

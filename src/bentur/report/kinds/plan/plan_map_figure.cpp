@@ -180,7 +180,7 @@ class BlockMap {
     const Stretch& stretch = run_.problem.gaps[order_[place]].stretch;
     const std::vector<double> corners = stretch.corners_along();
     const double off = stretch.is_corner() ? 0.02 * (upper_ - lower_).maxCoeff() : 0;
-    const PlanPoint at = stretch.middle(corners.front() + 0.65 * (corners.back() - corners.front()));
+    const PlanPoint at = stretch.middle(corners.front() + 0.72 * (corners.back() - corners.front()));
     add(grounds, at + PlanPoint::Constant(off));
     panel_.texts.push_back({.x = grounds.x.back(),
                             .y = grounds.y.back(),

@@ -132,7 +132,7 @@ TEST(PlanMap, HasTheNumbersOfTheTable) {
     ASSERT_TRUE(text != panel.texts.end() && curve != panel.curves.end()) << names[i];
     const double beside = curve->mark == Mark::disc ? 2.5 : 1e-9;  // [m] of houses of 10 m
     const auto off_the_crossings = [](const std::vector<double>& of) {
-      return of.front() + 0.65 * (of.back() - of.front());
+      return of.front() + 0.72 * (of.back() - of.front());
     };
     EXPECT_NEAR(text->x, off_the_crossings(curve->x), beside) << names[i];
     EXPECT_NEAR(text->y, off_the_crossings(curve->y), beside) << names[i];
