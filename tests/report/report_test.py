@@ -294,13 +294,15 @@ levels = [0.1, 0.3, 0.6]
             self.accessible()
         self.browser.call("Emulation.setEmulatedMedia", features=[])
 
-    def test_a_figure_that_stands_alone_is_no_wider_than_one_of_many(self):
+    def test_a_figure_that_stands_alone_takes_the_page_with_letters_no_larger(self):
         page = self.report(SOURCE / "examples" / "gaps" / "design-spectrum.toml")
         self.browser.resize(1000, 900)
         self.browser.open(page)
         self.assertEqual(self.js("document.querySelectorAll('.figures figure').length"), 1)
         alone, page_width = self.js("['.figures figure', 'main'].map(s => document.querySelector(s).clientWidth)")
-        self.assertLess(alone, 0.5 * page_width)
+        self.assertGreater(alone, 0.8 * page_width)
+        drawn, units = self.js("(svg => [svg.clientWidth, svg.viewBox.baseVal.width])(document.querySelector('.figures svg'))")
+        self.assertLess(drawn / units, 1.45)  # that of a figure in a column
 
     def test_sizes(self):
         page = self.example("m12-el-centro")
