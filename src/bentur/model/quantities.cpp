@@ -253,7 +253,7 @@ std::deque<Quantity>& list() {
       {"energy_dissipated", link_, "F L", "E", "energy that the link dissipated", {"Energy lost", "Energi hilang"}, of_links(&LinkSummary::energy_dissipated)},
       // The run.
       {"peak_ground_acceleration", run, "L s-2", "PGA", "peak ground acceleration as applied", {}, computed(ground_acceleration), "/excitation/pga"},
-      {"events", run, "1", "n_e", "events, such as contacts closed or opened, yielding begun or ended", {}, count(of_any(events)), "/solver/events"},
+      {"events", run, "1", "n_e", "contact events: a contact closes, opens or changes its branch of the law", {}, count(of_any(events)), "/solver/events"},
       {"end_time", run, "s", "t_e", "when the run ended", {}, of_any(end_time), "/solver/end_time", {}, 1, {}, false, false, true},
       {"collapsed", run, "1", "", "whether a storey collapsed, which ends the run", {}, count(of_any(collapsed))},
       {"energy_residual", run, "1", "ε", "largest energy not accounted for over the largest input", {}, of_any(energy_residual), "/solver/energy_residual", {}, 1, {}, true},

@@ -37,7 +37,7 @@ void validate(const Solver& solver);
 /// What one run along a motion may take; more is a failure that says so. 0: no limit. See effort.h.
 struct RunLimits {
   long steps = 0;      ///< those taken again for samples and peaks included
-  long events = 0;     ///< of contacts, links and members together
+  long events = 0;     ///< of contacts
   double seconds = 0;  ///< [s] of wall time
 };
 

@@ -417,7 +417,7 @@ const KeyTable& limit_keys() {
                    "a run takes no more, samples and searches for peaks included")
            .by_default(2e7),
        Key::number("events", dimension::none, Range::step_limit, {"Events", "Peristiwa"},
-                   "a response has no more: touches, partings, yieldings; each takes up to 1 kB")
+                   "a response has no more of contacts: touches, partings; each takes up to 1 kB")
            .by_default(1e6),
        Key::number("seconds", dimension::time, Range::positive, {"Seconds", "Detik"},
                    "of wall time, of each response: without contact, with it, and reversed")

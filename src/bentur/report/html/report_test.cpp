@@ -144,6 +144,8 @@ TEST(Report, HingesThatTurnedFurthest) {
   const Simulated pair = run(example("hinged-frame"));
   const std::string page = plain(pair.page());
   EXPECT_TRUE(has(page, "Hinges of Old frame, those that turned furthest"));
+  EXPECT_TRUE(has(page, "Contact events (a contact closes, opens or changes its branch of the law)"));
+  EXPECT_EQ(pair.response.events, 2 * std::ssize(pair.response.impacts)) << "and no hinges";
   EXPECT_TRUE(has(page, "right end"));
   EXPECT_TRUE(has(page, "Old frame has a soft storey"));
   EXPECT_TRUE(has(page, "times that limit"));
