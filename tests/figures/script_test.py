@@ -5,6 +5,7 @@ The program under test is the environment variable BENTUR, the repository BENTUR
 SVG, data and styles against what the script says of its figure (tests/support/figure_script.py).
 """
 
+import csv
 import os
 import pathlib
 import runpy
@@ -105,6 +106,16 @@ class Scripts(unittest.TestCase):
                 self.legend(sheet, figure)
                 self.texts(script, sheet)
 
+    def test_no_two_columns_have_one_name(self):
+        """Each says of what it is, and its unit: of a picture to scale too."""
+        for script in self.scripts:
+            with script.with_name(figure_of(script)["data"]).open(newline="", encoding="utf-8") as file:
+                names = next(csv.reader(file))
+            self.assertEqual([name for name, count in Counter(names).items() if count > 1], [], script)
+            if script.stem.startswith("frame-"):
+                for name in names:
+                    self.assertRegex(name, r"^[^:]+, .*\b[MVN] \[.+\].*: [xy] \[c?m\] \(.+\)(, from|, to)?(, \d+)?$", script)
+
     def size(self, script, sheet):
         """Of the file that is the picture's, with all texts on it."""
         of = lambda file, unit: [float(xml.parse(file).getroot().get(side).removesuffix(unit)) for side in ("width", "height")]
@@ -125,18 +136,29 @@ class Scripts(unittest.TestCase):
         areas = [one for one in ax.collections if isinstance(one, PolyCollection)]
         rows = [[table[column] for column in curve["columns"]] for curve in given]
         self.assertEqual(len(areas), sum(len(data) == 3 for data in rows))
-        drawn = iter(lines)
+        parts = {"line": iter(line for line in lines if line.get_linestyle() != "None"),
+                 "mark": iter(line for line in lines if line.get_marker() != "None")}
+        areas, orders = iter(areas), {"line": [0.5], "mark": [2]}  # over rules, and over all lines
         for curve, data in zip(given, rows):
-            if len(data) == 3 or not data[0]:
+            if len(data) == 3:
+                orders["line"].append(next(areas).get_zorder())
                 continue
-            line = next(drawn)
-            self.assertEqual(Counter(map(str, line.get_xdata())), Counter(map(str, data[0])))
-            self.assertEqual(Counter(map(str, line.get_ydata())), Counter(map(str, data[1])))
-            self.assertEqual(line.get_linestyle(), DASHES.get(curve["line"], curve["line"]))
-            self.assertEqual(line.get_marker(), curve["mark"])
-            if curve["mark"] != "None" and not curve["filled"]:
-                self.assertIn(line.get_markerfacecolor(), ("none", "white"))
             self.assertTrue(curve["line"] != "None" or curve["mark"] != "None", "a curve that cannot be seen")
+            for part in parts:
+                if curve[part] == "None" or not data[0]:
+                    continue
+                line = next(parts[part])
+                orders[part].append(line.get_zorder())
+                self.assertEqual(Counter(map(str, line.get_xdata())), Counter(map(str, data[0])))
+                self.assertEqual(Counter(map(str, line.get_ydata())), Counter(map(str, data[1])))
+                if part == "line":
+                    self.assertEqual(line.get_linestyle(), DASHES.get(curve["line"], curve["line"]))
+                else:
+                    self.assertEqual(line.get_marker(), curve["mark"])
+                    if not curve["filled"]:
+                        self.assertIn(line.get_markerfacecolor(), ("none", "white"))
+        for order in orders.values():
+            self.assertEqual(order, sorted(order), "each curve lies over those before it, as in the picture")
         for scale, boxes in zip(panel["map"], [one for one in ax.collections if isinstance(one, PatchCollection)], strict=True):
             self.assertEqual(list(boxes.get_array()), list(table[scale["columns"][-1]]))
 

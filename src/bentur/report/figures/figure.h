@@ -141,9 +141,10 @@ struct Panel {
   int rows = 1;             ///< of the figure that it takes: of more than one as high as those beside it
   int across = 1;           ///< columns of the figure that it takes, from the first on where these are more than one
   bool begins_row = false;  ///< stands in the first column, some way below what is before it
-  /// A picture of things: lengths are alike both ways, there are no axes, and the frame is at most as high as is
-  /// needed.
+  /// A picture of things: lengths are alike both ways, there are no axes but a label below, and the frame is at most
+  /// as high as is needed.
   bool to_scale = false;
+  std::string unit = {};  ///< of lengths of a picture to scale, for its data
   std::vector<Curve> curves = {};
   std::vector<RuleLine> rules = {};
   Events events = {};

@@ -62,16 +62,20 @@ plt.rcParams.update({"font.size": 8, "axes.linewidth": 0.5, "svg.fonttype": "non
 sheet = plt.figure(figsize=figure["size"])
 for panel in figure["panels"]:
     ax = sheet.add_axes(panel["place"])
-    for curve in panel["curves"]:
+    for number, curve in enumerate(panel["curves"]):  # each over those before it, marks over all lines
         data = [values(column) for column in curve["columns"]]
+        order = 1 + number / len(panel["curves"])
         if len(data) == 3:
             edge = {"edgecolor": curve["color"], "linewidth": 0.5} if curve["band"] else {"linewidth": 0}
-            ax.fill_between(*data, facecolor=to_rgba(curve["color"], curve["band"] or 1), label=curve["label"], **edge)
-        else:
-            ax.plot(*data, label=curve["label"], **style(curve))
+            ax.fill_between(*data, facecolor=to_rgba(curve["color"], curve["band"] or 1), label=curve["label"], zorder=order, **edge)
+            continue
+        if curve["line"] != "None":
+            ax.plot(*data, label=curve["label"], zorder=order, **{**style(curve), "marker": "None"})
+        if curve["mark"] != "None":
+            ax.plot(*data, label=curve["label"], zorder=order + 1, **{**style(curve), "linestyle": "None"})
     for rule in panel["rules"]:
         (ax.axvline if rule["vertical"] else ax.axhline)(
-            rule["at"], linestyle=dashes.get(rule["line"], rule["line"]), color=rule["color"], label=rule["label"], linewidth=0.5, zorder=0)
+            rule["at"], linestyle=dashes.get(rule["line"], rule["line"]), color=rule["color"], label=rule["label"], linewidth=0.5, zorder=0.5)
     for event in panel["events"]:
         times = values(event["column"])
         ax.plot(times, [0.97] * len(times), "v", transform=ax.get_xaxis_transform(), color=event["color"], markersize=2,
@@ -86,7 +90,7 @@ for panel in figure["panels"]:
         cells = list(zip(*(values(column) for column in scale["columns"])))
         norm = (LogNorm if scale["logarithmic"] else Normalize)(*scale["range"], clip=True)
         boxes = PatchCollection([Rectangle((x0, y0), x1 - x0, y1 - y0) for _, _, x0, x1, y0, y1, _ in cells],
-                                cmap="PuOr_r" if scale["ratio"] else "YlGnBu", norm=norm)
+                                cmap="PuOr_r" if scale["ratio"] else "YlGnBu", norm=norm, zorder=0)
         boxes.set_array([cell[-1] for cell in cells])
         ax.add_collection(boxes)
         bar = sheet.colorbar(boxes, cax=sheet.add_axes(scale["place"], label="<colorbar>"))
@@ -168,8 +172,13 @@ class Writer {
   }
 
  private:
+  /// No two headings are alike: of what is there again the number is added.
   std::size_t column(const std::string& heading, std::span<const double> values) {
-    headings_.push_back(plain_text(heading));
+    const std::string first = plain_text(heading);
+    std::string name = first;
+    const auto is_there = [&] { return std::find(headings_.begin(), headings_.end(), name) != headings_.end(); };
+    for (int n = 2; is_there(); ++n) name = fmt::format("{}, {}", first, n);
+    headings_.push_back(std::move(name));
     columns_.emplace_back(values.begin(), values.end());
     return columns_.size() - 1;
   }
@@ -290,11 +299,15 @@ class Writer {
             {"map", std::move(map)}};
   }
 
-  /// Of an axis without one, that of the first other panel that has.
+  /// What an axis is of: of one without a label that of the first other panel that has, of a picture to scale lengths.
   [[nodiscard]] std::string label(const PlacedPanel& placed, Axis Panel::*axis) const {
+    if (const Panel& panel = *placed.panel; panel.to_scale) {
+      const std::string name = axis == &Panel::x ? "x" : "y";
+      return panel.unit.empty() ? name : with_unit(name, panel.unit);
+    }
     std::string label = (placed.panel->*axis).label;
     for (const PlacedPanel& other : layout_.panels) {
-      if (label.empty()) label = (other.panel->*axis).label;
+      if (label.empty() && !other.panel->to_scale) label = (other.panel->*axis).label;
     }
     return label;
   }

@@ -81,7 +81,7 @@ class Reader {
   void read(const Node& node, const std::string& where, Panel& to) {
     table(node, where,
           {field("title", to.title), field("x", to.x), field("y", to.y), field("height", to.height),
-           field("rows", to.rows), field("across", to.across), field("to_scale", to.to_scale),
+           field("rows", to.rows), field("across", to.across), field("to_scale", to.to_scale), field("unit", to.unit),
            field("curves", to.curves), field("rules", to.rules), field("events", to.events), field("texts", to.texts),
            field("map", to.map), field("note", to.note), field("names_at_ends", to.names_at_ends)});
     if (!(to.height >= 0.5 && to.height <= 100)) {

@@ -127,7 +127,8 @@ Figure hinges_figure(const RunResults& run, const FigureOptions& options) {
                 .x = {.numbers = false},
                 .y = {.from = foot - 0.04 * tall, .to = foot + 1.08 * tall, .numbers = false},
                 .height = height,
-                .to_scale = true};
+                .to_scale = true,
+                .unit = run.c.units.length};
     double narrowest = model.storey_heights.back();
     for (Eigen::Index storey = model.first_storey(); storey < model.floors(); ++storey) {
       narrowest = std::min(narrowest, model.storey_heights[storey]);

@@ -184,7 +184,8 @@ Panel scene_panel(const RunResults& run, const SceneInstant& instant, const Figu
               .x = {.numbers = false},
               .y = {.from = scene.bottom - 0.02 * tall, .to = scene.top + 1.1 * size, .numbers = false},
               .height = height,
-              .to_scale = true};
+              .to_scale = true,
+              .unit = run.c.units.length};
   std::vector<std::pair<double, double>> ends(run.problem.buildings.size(), {INFINITY, -INFINITY});
   for (const SceneShape& shape : scene.shapes) {  // as at rest
     if (!is_of_building(shape)) continue;

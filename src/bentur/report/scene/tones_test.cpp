@@ -8,7 +8,7 @@
 namespace bentur {
 namespace {
 
-Problem row_of(std::size_t buildings) {
+Problem houses(std::size_t buildings) {
   Problem problem;
   problem.buildings.resize(buildings);
   for (std::size_t gap = 0; gap + 1 < buildings; ++gap) {
@@ -34,14 +34,14 @@ RunOutcome outcome_of(std::vector<Impact> impacts) {
 }
 
 TEST(Tones, UpToTenBuildingsHaveOneEach) {
-  const std::vector<Tone> tones = tones_of(row_of(10), outcome_of({blow(3, 1)}));
+  const std::vector<Tone> tones = tones_of(houses(10), outcome_of({blow(3, 1)}));
   for (std::size_t b = 0; b < tones.size(); ++b) EXPECT_EQ(tones[b], building_tones[b]);
 }
 
 /// No colour says of two of many buildings that they are one.
 TEST(Tones, OfManyBuildingsTheTwoHitHardestAloneHaveColours) {
   for (const Eigen::Index hardest : {0, 3, 6, 10}) {
-    const std::vector<Tone> tones = tones_of(row_of(12), outcome_of({blow(1, 2), blow(hardest, 3), blow(5, 1)}));
+    const std::vector<Tone> tones = tones_of(houses(12), outcome_of({blow(1, 2), blow(hardest, 3), blow(5, 1)}));
     for (std::size_t b = 0; b < tones.size(); ++b) {
       const bool is_left = static_cast<Eigen::Index>(b) == hardest,
                  is_right = static_cast<Eigen::Index>(b) == hardest + 1;
@@ -55,7 +55,7 @@ TEST(Tones, OfManyBuildingsTheTwoHitHardestAloneHaveColours) {
       }
     }
   }
-  for (const Tone tone : tones_of(row_of(12), RunOutcome{})) EXPECT_TRUE(tone == Tone::bark || tone == Tone::stone);
+  for (const Tone tone : tones_of(houses(12), RunOutcome{})) EXPECT_TRUE(tone == Tone::bark || tone == Tone::stone);
 }
 
 /// And the two whose gap lacks most, of whom one may be among those.
@@ -65,7 +65,7 @@ TEST(Tones, OfManyBuildingsTheWorstGapHasColoursToo) {
     outcome.points.resize(11);
     outcome.points[6].gap_needed = 1;
     outcome.points[worst].gap_needed_reversed = 2;
-    const std::vector<Tone> tones = tones_of(row_of(12), outcome);
+    const std::vector<Tone> tones = tones_of(houses(12), outcome);
     for (std::size_t b = 0; b < tones.size(); ++b) {
       const auto number = static_cast<Eigen::Index>(b);
       const bool is_struck = number == 3 || number == 4, is_worst = number == worst || number == worst + 1;

@@ -29,7 +29,11 @@ class BlockMap {
       : run_(run), say_(options.language), judged_(judged_gaps(run)), order_(worst_first(judged_)) {}
 
   Panel panel(double width, double height) {
-    panel_ = {.x = {.numbers = false}, .y = {.numbers = false}, .height = height, .to_scale = true};
+    panel_ = {.x = {.numbers = false},
+              .y = {.numbers = false},
+              .height = height,
+              .to_scale = true,
+              .unit = run_.c.units.length};
     for (std::size_t b = 0; b < run_.problem.buildings.size(); ++b) add_house(b);
     const PlanPoint size = upper_ - lower_;
     constexpr double margins = 0.6;  // beside the frame [cm]

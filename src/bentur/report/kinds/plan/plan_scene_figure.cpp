@@ -67,7 +67,12 @@ class PlanPicture {
   }
 
   Panel panel(const std::string& title, double height) {
-    panel_ = {.title = title, .x = {.numbers = false}, .y = {.numbers = false}, .height = height, .to_scale = true};
+    panel_ = {.title = title,
+              .x = {.numbers = false},
+              .y = {.numbers = false},
+              .height = height,
+              .to_scale = true,
+              .unit = run_.c.units.length};
     for (std::size_t g = 0; g < run_.problem.gaps.size(); ++g) add_gap(g);
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint_at_rest(b);
     for (Index b = 0; b < std::ssize(run_.problem.buildings); ++b) add_footprint(b);
