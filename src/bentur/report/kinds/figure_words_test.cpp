@@ -33,7 +33,7 @@ std::vector<std::string> texts_of(const Figure& figure) {
 TEST(FigureWords, EveryTextOfARunIsInTheCatalogue) {
   std::set<std::string> known;
   for (const std::string& key : text_keys("figure.text.")) known.insert(catalogue_entry(key)->at("en"));
-  const std::regex symbols(R"((T[₁₂₃]|S[ad]|ζ|[xVMN])[^a-zA-Z]*( s(, [0-9]+ %)?|%| \[.*\])?)");
+  const std::regex symbols(R"((T[₁₂₃]|S[ad]|ζ|[xVMN])[^a-zA-Z]*( s(, [0-9]+ %)?|%| \[.*\])?|[0-9.]+)");
   for (const std::string& text :
        {std::string(test::struck_columns), std::string(test::every_kind), std::string(test::linked),
         std::string(test::hinged), std::string(test::hinged_alone), test::sticks_in_mm(5000, 3500)}) {

@@ -21,14 +21,18 @@ namespace {
 
 /// What a round number is drawn as, below the frame: the largest that some force drawn to this scale reaches.
 /// @param scale [length per unit shown] @param most the largest of these forces, as it is shown
-void add_scale(Panel& panel, double scale, double most, double one_cm, const std::string& unit, double level) {
+/// @param label of the bar in data
+void add_scale(Panel& panel, double scale, double most, double one_cm, const std::string& unit, double level,
+               const std::string& label) {
   if (!(scale > 0)) return;
   const double value = at_most_125(most);
   const double length = scale * value, cap = 0.1 * one_cm;
-  panel.curves.push_back({.x = {0, 0, not_known, 0, length, not_known, length, length},
+  panel.curves.push_back({.label = label,
+                          .x = {0, 0, not_known, 0, length, not_known, length, length},
                           .y = {level - cap, level + cap, not_known, level, level, not_known, level - cap, level + cap},
                           .width = 0.9,
-                          .complete = true});
+                          .complete = true,
+                          .in_legend = false});
   panel.texts.push_back({.x = length, .y = level, .text = number(value) + " " + unit});
 }
 
@@ -130,7 +134,7 @@ Drawn drawn_of(const RunResults& run, const ShownForces& shown, const FrameForce
 /// All frames have one scale, so that they can be compared; but what would be too small to be read has its own.
 /// @returns the largest force
 double choose_scales(std::vector<Drawn>& drawn) {
-  constexpr double too_small = 0.1;  // of the largest
+  constexpr double too_small = 0.2;  // of the largest: a sliver beside its column
   double most = 0, scale = INFINITY;
   for (const Drawn& one : drawn) most = std::max(most, one.most());
   for (Drawn& one : drawn) {
@@ -164,6 +168,8 @@ void name_largest(Panel& panel, const Diagram& diagram, const Carried& carried, 
                   const LargestForce& force, const std::vector<LargestForce>& alike, const std::string& text,
                   double one_cm, double most_far = INFINITY, const std::string& at_blow = "") {
   if (force.member < 0) return;
+  constexpr double much = 0.25;  // [cm] so that figures of other sizes have it at the same one
+  const Curve members = diagram.members(Tone::black, "");
   std::optional<Panel> best;
   double nearest = most_far * one_cm;
   for (const LargestForce& one : alike) {
@@ -173,19 +179,22 @@ void name_largest(Panel& panel, const Diagram& diagram, const Carried& carried, 
       if (!carried.is_moment && frame.members[one.member].of_beam && (station < 0.3 || station > 0.7)) continue;
       const auto [x, y] = diagram.at(one.member, station, one.value);
       Panel here = panel;
-      here.curves.push_back({.label = at_blow,
+      here.curves.push_back({.label = at_blow.empty() ? text : at_blow,
                              .x = {x},
                              .y = {y},
                              .tone = at_blow.empty() ? Tone::black : Tone::red,
                              .line = Line::none,
                              .mark = Mark::disc,
                              .complete = true,
-                             .mark_size = std::isinf(most_far) ? 1 : 0.7});
-      const double far = add_beside(here, x, y, text, one_cm);
-      if (far > nearest - 0.02 * one_cm) continue;
+                             .mark_size = std::isinf(most_far) ? 1 : 0.7,
+                             .in_legend = !at_blow.empty()});
+      const double far = add_beside(here, x, y, text, one_cm, members);
+      if (far > nearest - (best ? much * one_cm : 0)) continue;
       nearest = far;
       best = std::move(here);
+      if (nearest < much * one_cm) break;
     }
+    if (best && nearest < much * one_cm) break;
   }
   if (best) panel = *std::move(best);
 }
@@ -219,11 +228,13 @@ Sheet sheet_of(const std::vector<std::vector<Drawn>>& drawn, const FigureOptions
   sheet.leaves_room = has_rows_of_frames && count % sheet.beside > 0;
   // Of rows so high that frames over the width of a panel can be read; two of them leave room for others on a page.
   const double above = sheet.leaves_room ? 1.0 : 0.8;  // title of a row and what is free between two [cm]
-  const double highest = are_three ? 6.9 : 7.8, of_legend = are_three ? 0.5 : 0;  // [cm]
+  constexpr double of_legend = 0.5, of_signs = 1.4;    // [cm]
+  const double highest = are_three ? 6.9 : 7.8;        // [cm]
   const std::size_t rows = has_rows_of_frames ? frames * ((count + sheet.beside - 1) / sheet.beside) : count;
   const bool is_lower = are_three && !options.narrow && has_rows_of_frames && frames <= 2;
   const double room = is_lower ? 15.6 : page_height;  // two thirds of a page [cm]
-  const double height = std::min(highest, (room - of_legend) / static_cast<double>(rows) - above) - below_frame;
+  const double height =
+      std::min(highest, (room - of_legend - of_signs) / static_cast<double>(rows) - above) - below_frame;
   constexpr double between = 0.8;  // of the panels of a row, and beside them [cm]
   sheet.of_panel = sheet.width / static_cast<double>(sheet.beside) - between;
   for (const std::vector<Drawn>& all : drawn) {
@@ -234,28 +245,39 @@ Sheet sheet_of(const std::vector<std::vector<Drawn>>& drawn, const FigureOptions
 }
 
 /// Diagrams of the beams, over them those of the columns where they are as large along the whole member.
+/// @param in_legend what is dashed and what is not
 void add_diagrams(Panel& panel, const Diagram& diagram, const FrameForces& frame, const ShownForces& shown,
-                  bool has_impacts, const std::pair<std::string, std::string>& labels) {
+                  bool has_impacts, bool in_legend, const FigureOptions& options) {
+  const auto label_of = [&](bool of_beams, bool touches) {
+    const std::string of_all =
+        shown.at_instant || !has_impacts ? "" : word(options, touches ? "with contact" : "without contact");
+    if (in_legend && !of_beams && !of_all.empty()) return of_all;
+    return word(options, of_beams ? "beams" : "columns") + (of_all.empty() ? "" : ", " + of_all);
+  };
   const auto band_of = [&](bool touches) {
     const std::vector<const FrameForces::Forces*> forces = shown.of(frame, touches);
     return forces.size() == 1 ? Band{.high = forces.front()} : Band{.low = forces.back(), .high = forces.front()};
   };
   const Band with = band_of(true);
   const auto fill = [&](bool of_beams) {
-    Curve area = diagram.area(with, of_beams, {.tone = Tone::pale});
+    Curve area =
+        diagram.area(with, of_beams,
+                     {.label = word(options, of_beams ? "beams" : "columns"), .tone = Tone::pale, .in_legend = false});
     if (!area.x.empty()) panel.curves.push_back(std::move(area));
   };
   const auto edge = [&](bool of_beams) {
-    const auto add = [&](const Band& band, Curve style) {
+    const auto add = [&](const Band& band, Curve style, bool touches) {
+      style.label = label_of(of_beams, touches);
+      style.in_legend = in_legend && !of_beams;
       style.width = 0.9;
       style.complete = true;
       Curve outline = diagram.outline(band, of_beams, std::move(style));
       if (!outline.x.empty()) panel.curves.push_back(std::move(outline));
     };
     if (!shown.at_instant && has_impacts) {
-      add(band_of(false), {.label = of_beams ? "" : labels.second, .tone = Tone::grey, .line = Line::dashed});
+      add(band_of(false), {.tone = Tone::grey, .line = Line::dashed}, false);
     }
-    add(with, {.label = of_beams ? "" : labels.first});
+    add(with, {}, true);
   };
   if (shown.carried.is_moment) {
     for (const bool of_beams : {true, false}) fill(of_beams);
@@ -268,7 +290,7 @@ void add_diagrams(Panel& panel, const Diagram& diagram, const FrameForces& frame
   }
 }
 
-/// The largest of all with its unit and that at a blow, then those of each storey and floor where there is room beside
+/// The largest of all and that at a blow, then those of each storey and floor where there is room beside
 /// them.
 void name_values(Panel& panel, const Diagram& diagram, const RunResults& run, const FigureOptions& options,
                  const ShownForces& shown, const Drawn& one, double one_cm) {
@@ -276,21 +298,20 @@ void name_values(Panel& panel, const Diagram& diagram, const RunResults& run, co
   const Carried& carried = shown.carried;
   const std::vector<const FrameForces::Forces*> drawn = shown.of(frame, true);
   const auto value_of = [&](const LargestForce& force) {
-    return number(shown_factor(run, carried.form) * std::abs(force.value));
+    return short_number(shown_factor(run, carried.form) * std::abs(force.value));
   };
   const LargestForce& largest = one.largest;
   if (largest.member < 0) return;
-  const std::string with_unit = value_of(largest) + " " + shown_unit(run, carried.form);
   constexpr double least = 0.05, most_far = 0.45;  // of the largest of all, [cm]
   const std::string at_blow = word(options, "struck column, at the blow");
   const LargestForce struck =
       largest_at_blow(run, carried, frame, drawn, shown.at_instant ? std::optional(frame.time) : std::nullopt);
   const bool is_struck = struck.member >= 0 && std::abs(struck.value) > least * std::abs(largest.value);
   if (is_struck && std::abs(struck.value) > std::abs(largest.value) * (1 - 1e-6)) {
-    name_largest(panel, diagram, carried, frame, struck, {struck}, with_unit, one_cm, INFINITY, at_blow);
+    name_largest(panel, diagram, carried, frame, struck, {struck}, value_of(struck), one_cm, INFINITY, at_blow);
   } else {
-    name_largest(panel, diagram, carried, frame, largest, alike_to(largest, carried, frame, drawn, {}), with_unit,
-                 one_cm);
+    name_largest(panel, diagram, carried, frame, largest, alike_to(largest, carried, frame, drawn, {}),
+                 value_of(largest), one_cm);
     if (is_struck) {
       name_largest(panel, diagram, carried, frame, struck, {struck}, value_of(struck), one_cm, INFINITY, at_blow);
     }
@@ -356,23 +377,25 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
                   .y = {.from = low, .to = highest, .numbers = false},
                   .height = (highest - low) / one_cm,
                   .begins_row = c == 0 && sheet.leaves_room,
-                  .to_scale = true};
-      panel.title = building.name + ", " + with_unit(carried.symbol, unit);
-      if (shown.at_instant) {
-        panel.title += " " + word(options, "at {}", seconds_text(frame.time));
-      } else if (!are_three) {
-        panel.title = word(options, has_impacts ? "largest, with contact and (dashed) without" : "largest of the run");
+                  .to_scale = true,
+                  .unit = run.c.units.length};
+      const std::string what = with_unit(carried.symbol, unit);
+      panel.title = building.name + ", " +
+                    (shown.at_instant ? what + " " + word(options, "at {}", seconds_text(frame.time))
+                                      : word(options, "largest {}", what));
+      const bool is_below = f == (sheet.has_rows_of_frames ? frames.size() - 1 : 0);
+      if (is_below && (c == 0 || carried.signs != columns[c - 1].carried.signs)) {
+        panel.x.label = word(options, carried.signs);
       }
       if (one.is_of_own_scale) panel.title += ", " + word(options, "own scale");
-      const bool is_first = f == 0 && c == 0 && are_three && !shown.at_instant && has_impacts;
-      add_diagrams(panel, diagram, frame, shown, has_impacts,
-                   {is_first ? word(options, "with contact") : "", is_first ? word(options, "without contact") : ""});
-      panel.curves.push_back(diagram.members(tone_of(run, options, frame.building)));
+      const bool in_legend = f == 0 && c + 1 == columns.size() && !shown.at_instant && has_impacts;
+      add_diagrams(panel, diagram, frame, shown, has_impacts, in_legend, options);
+      panel.curves.push_back(diagram.members(tone_of(run, options, frame.building), word(options, "members")));
       const auto first = std::find_if(drawn[c].begin(), drawn[c].end(),
                                       [](const Drawn& each) { return !each.is_of_own_scale && each.most() > 0; });
       if (one.is_of_own_scale || &one == &*first) {  // that of all others is said once
         const double largest = factor * (one.is_of_own_scale ? one.most() : most[c]);
-        add_scale(panel, one.scale / factor, largest, one_cm, unit, bar);
+        add_scale(panel, one.scale / factor, largest, one_cm, unit, bar, word(options, "scale"));
       }
       name_values(panel, diagram, run, options, shown, one, one_cm);
       figure.panels[sheet.has_rows_of_frames ? f * columns.size() + c : c * frames.size() + f] = std::move(panel);
@@ -393,9 +416,21 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
   return figure;
 }
 
-constexpr Carried moment{.form = "F L", .symbol = "M", .is_moment = true, .largest = "largest moment {}, {}"};
-constexpr Carried shear{.form = "F", .symbol = "V", .largest = "largest shear {}, {}"};
-constexpr Carried axial{.form = "F", .symbol = "N", .is_axial = true, .largest = "largest axial force {}, {}"};
+constexpr Carried moment{.form = "F L",
+                         .symbol = "M",
+                         .signs = "M without gravity, tension side",
+                         .is_moment = true,
+                         .largest = "largest moment {}, {}"};
+constexpr Carried shear{
+    .form = "F",
+    .symbol = "V",
+    .signs = "V without gravity; right: pushes the floor above to the right; down: lifts the left end",
+    .largest = "largest shear {}, {}"};
+constexpr Carried axial{.form = "F",
+                        .symbol = "N",
+                        .signs = "N without gravity; right: compression",
+                        .is_axial = true,
+                        .largest = "largest axial force {}, {}"};
 
 }  // namespace
 

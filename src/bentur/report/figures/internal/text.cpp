@@ -1,7 +1,12 @@
 #include "bentur/report/figures/internal/text.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
+#include "bentur/core/number_text.h"
 #include "bentur/report/utf8.h"
 
 namespace bentur {
@@ -19,6 +24,13 @@ std::string plain_text(std::string_view text) {
 }
 
 std::string with_unit(const std::string& label, const std::string& unit) { return label + " [" + unit + "]"; }
+
+std::string short_number(double value) {
+  if (!(std::abs(value) >= 1e-4 && std::abs(value) < 1e7)) return number(value);
+  const auto power_of = [](double of) { return static_cast<int>(std::floor(std::log10(std::abs(of)))); };
+  const double unit = std::pow(10.0, power_of(value) - 2), rounded = std::round(value / unit) * unit;
+  return fmt::format("{:.{}f}", rounded, std::max(0, 2 - power_of(rounded * (1 + 1e-12))));
+}
 
 std::string signed_text(std::string text) {
   const bool is_negative = text.size() > 1 && text[0] == '-' && (text[1] == '.' || (text[1] >= '0' && text[1] <= '9'));

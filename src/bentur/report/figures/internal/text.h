@@ -11,6 +11,9 @@ namespace bentur {
 /// "Force F [kgf]".
 [[nodiscard]] std::string with_unit(const std::string& label, const std::string& unit);
 
+/// "1350", "27.0", "0.0886": a number in a picture, of three significant digits whichever they are.
+[[nodiscard]] std::string short_number(double value);
+
 /// "−0.4": a number with the sign for minus; another text as it is.
 [[nodiscard]] std::string signed_text(std::string text);
 

@@ -41,5 +41,15 @@ TEST(Text, UnitsAsOneReadsThem) {
   EXPECT_EQ(unit_text(""), "");
 }
 
+TEST(Text, NumbersInPicturesHaveThreeDigits) {
+  EXPECT_EQ(short_number(0.0886), "0.0886");
+  EXPECT_EQ(short_number(0.21), "0.210");
+  EXPECT_EQ(short_number(-26.996), "-27.0");
+  EXPECT_EQ(short_number(9.996), "10.0");
+  EXPECT_EQ(short_number(445), "445");
+  EXPECT_EQ(short_number(12707), "12700");
+  EXPECT_EQ(short_number(0), "0");
+}
+
 }  // namespace
 }  // namespace bentur

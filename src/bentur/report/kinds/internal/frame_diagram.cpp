@@ -38,8 +38,8 @@ std::pair<double, double> Diagram::at(Eigen::Index member, double station, doubl
   return of.of_beam ? std::pair(along, of.place - scale_ * value) : std::pair(of.place + scale_ * value, along);
 }
 
-Curve Diagram::members(Tone tone) const {
-  Curve lines{.tone = tone, .width = 1.2, .complete = true};
+Curve Diagram::members(Tone tone, const std::string& label) const {
+  Curve lines{.label = label, .tone = tone, .width = 1.2, .complete = true, .in_legend = false};
   for (Eigen::Index n = 0; n < std::ssize(frame_->members); ++n) {
     for (const double station : {0.0, 1.0}) add(lines, at(n, station, 0));
     stop(lines);

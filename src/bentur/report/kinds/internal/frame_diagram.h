@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace bentur {
 /// One of the three that members carry, along each member: at MemberForces::stations, or the same from end to end.
 struct Carried {
   const char *form = "", *symbol = "";  ///< of its unit; what it is called in short
+  const char* signs = "";               ///< which way is drawn what, and what it is not of
   bool is_moment = false, is_axial = false;
   const char* largest = "";  ///< "largest moment {}, {}"
 
@@ -32,7 +34,7 @@ class Diagram {
 
   [[nodiscard]] std::pair<double, double> at(Eigen::Index member, double station, double value) const;
   /// The lines of the members themselves.
-  [[nodiscard]] Curve members(Tone tone) const;
+  [[nodiscard]] Curve members(Tone tone, const std::string& label) const;
   /// The area of a band of all beams, or of all columns, in the style that is given.
   [[nodiscard]] Curve area(const Band& band, bool of_beams, Curve style) const;
   /// Around it; of beams between two bounds their edges alone, as columns stand at their ends.
