@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bentur/core/not_known.h"
 #include "bentur/core/number_text.h"
 #include "bentur/model/gap/gap_outcome.h"
 #include "bentur/report/figures/internal/layout.h"
@@ -200,7 +201,7 @@ Figure history_figure(const HistoryPlace& place, const FigureOptions& options, c
   };
   if (in_parts) {
     for (const Curve& curve : curves) {  // many vibrations of one would hide those of the other
-      Panel& part = add(figure.panels.empty() ? place.title : "", asked, {curve});
+      Panel& part = add((figure.panels.empty() ? place.title + ": " : "") + curve.label, asked, {curve});
       part.height = height_of_part;
       part.y.label = with.label_of_parts;
       part.curves.front().line = Line::solid;  // alone; the legend has the line that tells it from the other
@@ -239,6 +240,17 @@ Figure force_history_figure(const HistoryPlace& place, const FigureOptions& opti
     if (*least >= -round_off * *most) panel.y.from = 0;
     const double above = 1 / (1 - 0.5 / panel.height);  // room for the number at the peak
     panel.y.least = {0, above * *most};
+    constexpr std::size_t most_stems = 12;
+    if (const Curve marks = panel.curves.front(); peaks && marks.x.size() <= most_stems) {
+      Curve stems{.label = word(options, "peak of each impact"), .complete = true, .in_legend = false};
+      for (std::size_t i = 0; i < marks.x.size(); ++i) {
+        stems.x.insert(stems.x.end(), {marks.x[i], marks.x[i], not_known});
+        stems.y.insert(stems.y.end(), {0, marks.y[i], not_known});
+        if (marks.y[i] < *most)
+          panel.texts.push_back({marks.x[i], marks.y[i], number(marks.y[i]), PlaceText::Side::above});
+      }
+      panel.curves.push_back(std::move(stems));
+    }
   }
   const auto shows_one_mark = [](const Panel& panel) {
     const Curve& curve = panel.curves.front();
@@ -383,26 +395,33 @@ Figure energy_history_figure(const EnergyHistories& energy, const TimeWindow& as
       .curves = {part(energy.input, {.label = word(options, "input"), .width = 1.2}),
                  part(energy.kinetic + energy.strain, {.label = word(options, "kinetic + strain"), .tone = Tone::teal}),
                  part(energy.damping,
-                      {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4}),
-                 part(energy.contact_stored + energy.contact_lost,
-                      {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2})},
+                      {.label = word(options, "damping"), .tone = Tone::grey, .line = Line::dashed, .width = 1.4})},
       .names_at_ends = true};
+  const double most = energy.input.cwiseAbs().maxCoeff();
+  constexpr double seen_part = 0.01, round_off = 1e-9;  // of the energy that came in
+  const bool loses = energy.contact_lost.cwiseAbs().maxCoeff() > round_off * most;
+  const bool touches = loses || energy.contact_stored.cwiseAbs().maxCoeff() > seen_part * most;
+  if (touches) {
+    panel.curves.push_back(
+        part(energy.contact_stored + energy.contact_lost,
+             {.label = word(options, "contact"), .tone = Tone::red, .line = Line::dash_dot, .width = 1.2}));
+  }
   const bool yields = energy.hysteretic.size() > 0 && energy.hysteretic.maxCoeff() > 0;
   if (yields) {
     panel.curves.push_back(
         part(energy.hysteretic,
              {.label = word(options, "yielding"), .tone = Tone::teal, .line = Line::dotted, .width = 1.2}));
   }
-  constexpr double round_off = 1e-9;  // of the energy that came in
   const auto at_end = [&](const Eigen::VectorXd& sum) {
     const double last = sum.size() > 0 ? sum(sum.size() - 1) : 0;
-    const bool is_there = std::abs(last) > round_off * energy.input.cwiseAbs().maxCoeff();
+    const bool is_there = std::abs(last) > round_off * most;
     return number(is_there ? factor * last : 0) + " " + unit;
   };
   return {.title = "Where the energy is, of all buildings together",
           .finding = word(options, "at the end {} have come in, damping has taken {}, contact {}", at_end(energy.input),
                           at_end(energy.damping), at_end(energy.contact_stored + energy.contact_lost)) +
                      (yields ? ", " + word(options, "yielding {}", at_end(energy.hysteretic)) : ""),
+          .lacks = touches ? "" : "contact",
           .panels = {panel},
           .width = options.width};
 }
