@@ -349,7 +349,8 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
   Sheet sheet = sheet_of(drawn, options, true);
   if (are_three && !options.narrow && frames.size() <= 2) {
     const Sheet other = sheet_of(drawn, options, false);
-    if (other.one_cm < sheet.one_cm) sheet = other;
+    constexpr double as_large = 1.05;  // but wider panels have more room for values
+    if (other.one_cm < as_large * sheet.one_cm) sheet = other;
   }
   Figure figure{.title = title, .columns = static_cast<int>(sheet.beside), .width = sheet.width, .shared_legend = true};
   const double one_cm = sheet.one_cm;
