@@ -60,13 +60,27 @@ bool is_named_beside(const Panel& panel, const Curve& curve) {
   return has_name(curve) && ends_at_edge(panel, curve) && !meets_another(panel, curve);
 }
 
-/// Of names beside a frame: from the highest down, no two on one another and none beyond the frame.
+/// Of names beside a frame: no two on one another and none beyond the frame, those that would meet around the middle of
+/// their ends.
 void spread(std::vector<CurveName*>& names, const Ticks& y, double height) {
   std::sort(names.begin(), names.end(), [](const CurveName* a, const CurveName* b) { return a->y > b->y; });
+  struct Block {
+    double sum = 0, count = 0;  // of where the first of all would stand for each name to be at its own end
+    [[nodiscard]] double mean() const { return sum / count; }
+  };
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Block last{along(y, names[i]->y) * height + static_cast<double>(i) * high, 1};
+    for (; !blocks.empty() && blocks.back().mean() < last.mean(); blocks.pop_back()) {
+      last = {last.sum + blocks.back().sum, last.count + blocks.back().count};
+    }
+    blocks.push_back(last);
+  }
   std::vector<double> at;
-  for (const CurveName* name : names) {
-    const double own = along(y, name->y) * height;
-    at.push_back(std::min({own, at.empty() ? own : at.back() - high, height - high / 2}));
+  for (const Block& block : blocks) {
+    for (double k = 0; k < block.count; ++k) {
+      at.push_back(std::min(block.mean(), height - high / 2) - static_cast<double>(at.size()) * high);
+    }
   }
   double lowest = high / 2;
   for (std::size_t i = names.size(); i-- > 0; lowest += high) {

@@ -50,6 +50,18 @@ TEST(CurveNames, StandBesideTheFrameWhereCurvesEndThereAndNotInTheLegend) {
   EXPECT_EQ(in_legend(layout(figure)), (std::vector<std::string>{"upper", "lower"}));
 }
 
+/// Of curves that end close to one another the names are moved as little as can be, up and down alike.
+TEST(CurveNames, CloseEndsHaveTheirNamesAroundThem) {
+  const Layout placed = layout({.panels = {panel_of({{.label = "mean", .x = {0, 10}, .y = {0, 5.4}},
+                                                     {.label = "target", .x = {0, 10}, .y = {0, 5.0}},
+                                                     {.label = "0.9", .x = {0, 10}, .y = {0, 4.6}}})}});
+  const std::vector<CurveName>& names = placed.panels.front().names;
+  ASSERT_EQ(names.size(), 3U);
+  EXPECT_NEAR(names[1].up, 0, 1e-12);
+  EXPECT_GT(names[0].up, 0.05);
+  EXPECT_NEAR(names[0].up + names[2].up, 0, 1e-12);
+}
+
 /// Of curves that end side by side within the frame the names stand above the ends, moved where they would meet.
 TEST(CurveNames, AboveNeighbouringEndsGiveWayToOneAnother) {
   Figure figure{.panels = {panel_of({{.label = "first", .x = {0, 5}, .y = {0, 8}},
