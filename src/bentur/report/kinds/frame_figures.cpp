@@ -349,7 +349,11 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
   Sheet sheet = sheet_of(drawn, options, true);
   if (are_three && !options.narrow && frames.size() <= 2) {
     const Sheet other = sheet_of(drawn, options, false);
-    constexpr double as_large = 1.05;  // but wider panels have more room for values
+    const auto fills_panel = [&](const Drawn& one) { return one.wide() > 0.99 * sheet.one_cm * sheet.of_panel; };
+    const bool is_full = std::any_of(drawn.begin(), drawn.end(), [&](const std::vector<Drawn>& all) {
+      return std::any_of(all.begin(), all.end(), fills_panel);
+    });
+    const double as_large = is_full ? 1.05 : 1;  // values have room in wider panels
     if (other.one_cm < as_large * sheet.one_cm) sheet = other;
   }
   Figure figure{.title = title, .columns = static_cast<int>(sheet.beside), .width = sheet.width, .shared_legend = true};
