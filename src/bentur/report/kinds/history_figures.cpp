@@ -143,6 +143,8 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
   if (const NearestFloor* inside = asked_inside(run, options)) return inside_displacement(run, *inside, options);
   const Eigen::Index i = chosen_point(run, options);
   const ContactPoint& point = run.problem.points[i];
+  const HistoryPlace place = place_of(run, i, options);
+  const TimeWindow shown = has_two_windows(place, options) ? around_the_hardest(place) : asked_window(place, options);
   const auto curve = [&](Eigen::Index b, Eigen::Index node) {
     const Eigen::Index floor = run.problem.buildings[b].model.floor_at_or_above(node);
     Curve one{.label = run.problem.buildings[b].name,
@@ -150,7 +152,11 @@ Figure displacement_figure(const RunResults& run, const FigureOptions& options) 
               .y = row_of(course_of(run).displacement[b], floor),
               .tone = tone_of(run, options, b),
               .line = line_of(b)};
-    if (run.response.course.time.empty()) add_peak(one, run.response.buildings[b].displacement(floor));
+    if (run.response.course.time.empty()) {
+      const std::vector<Eigen::MatrixXd>& rates = run.response.histories.velocity;
+      if (!rates.empty()) one = finer(one, row_of(rates[b], floor), shown);
+      add_peak(one, run.response.buildings[b].displacement(floor));
+    }
     return one;
   };
   const std::vector<Building>& buildings = run.problem.buildings;

@@ -300,6 +300,28 @@ void add_peak(Curve& samples, double peak) {
   samples.y.insert(samples.y.begin() + behind, signed_peak);
 }
 
+Curve finer(const Curve& samples, const std::vector<double>& rates, const TimeWindow& window) {
+  if (rates.size() != samples.x.size()) return samples;
+  constexpr double points = 400;  // over the window
+  const double most = (window.to - window.from) / points;
+  Curve fine = samples;
+  fine.x.clear();
+  fine.y.clear();
+  for (std::size_t i = 0; i < samples.x.size(); ++i) {
+    fine.x.push_back(samples.x[i]);
+    fine.y.push_back(samples.y[i]);
+    if (i + 1 == samples.x.size() || samples.x[i + 1] < window.from || samples.x[i] > window.to) continue;
+    const double from = samples.y[i], to = samples.y[i + 1], step = samples.x[i + 1] - samples.x[i];
+    const double first = step * rates[i], last = step * rates[i + 1], parts = std::ceil(step / most);
+    for (double k = 1; k < parts; ++k) {
+      const double s = k / parts, left = 1 - s;
+      fine.x.push_back(samples.x[i] + s * step);
+      fine.y.push_back(left * left * ((1 + 2 * s) * from + s * first) + s * s * ((3 - 2 * s) * to - left * last));
+    }
+  }
+  return fine;
+}
+
 namespace {
 
 constexpr double wide_value = 0.26;  // of a panel

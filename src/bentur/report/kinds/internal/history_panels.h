@@ -80,6 +80,10 @@ void name_value(std::vector<Panel>& panels, double x, double y, const std::strin
 /// through three of them goes furthest; nothing where they hold it.
 void add_peak(Curve& samples, double peak);
 
+/// Samples with points between them within a window, so close that no corner is seen: on the cubic that has the values
+/// and the rates of both samples beside it.
+[[nodiscard]] Curve finer(const Curve& samples, const std::vector<double>& rates, const TimeWindow& window);
+
 /// Writes the largest value of each curve, with its sign, above or below it, in the last panel where nothing goes
 /// further there, with room for it; where there is none, beyond what goes further, led to its peak. @param text of a
 /// value

@@ -52,6 +52,36 @@ TEST(HistoryPanels, FewPeaksStandOnStems) {
   EXPECT_EQ(panel.texts[1].text, "160");
 }
 
+/// Samples of a run without its course have no corners: between them is what is known of the course to be there.
+TEST(HistoryPanels, SamplesAreJoinedAsTheyMove) {
+  const auto largest_turn = [](const Curve& curve, double from, double to) {
+    double most = 0;
+    for (std::size_t i = 1; i + 1 < curve.x.size(); ++i) {
+      if (curve.x[i - 1] < from || curve.x[i + 1] > to) continue;
+      const auto rate = [&](std::size_t k) { return (curve.y[k + 1] - curve.y[k]) / (curve.x[k + 1] - curve.x[k]); };
+      most = std::max(most, std::abs(rate(i) - rate(i - 1)));
+    }
+    return most;
+  };
+  Curve samples;
+  std::vector<double> rates;
+  for (int i = 0; i <= 100; ++i) {
+    samples.x.push_back(0.02 * i);
+    samples.y.push_back(std::sin(20 * samples.x.back()));
+    rates.push_back(20 * std::cos(20 * samples.x.back()));
+  }
+  const Curve fine = finer(samples, rates, {0.5, 1});
+  EXPECT_LT(largest_turn(fine, 0.5, 1), 0.1 * largest_turn(samples, 0.5, 1));
+  for (std::size_t i = 0; i < fine.x.size(); ++i) {
+    EXPECT_NEAR(fine.y[i], std::sin(20 * fine.x[i]), 1e-4);
+    EXPECT_TRUE(i == 0 || fine.x[i] > fine.x[i - 1]);
+  }
+  RunResults run = test::drawn_run(test::hinged, 0.02);
+  run.response.course = {};
+  const Panel panel = make_figure(run, "displacement").panels.back();
+  EXPECT_GT(panel.curves.front().x.size(), 300U);
+}
+
 Figure energy_of(std::string text, const std::string& contact) {
   const std::size_t at = text.find("contact = {");
   text.replace(at, text.find('}', at) + 1 - at, contact);
