@@ -212,18 +212,20 @@ struct Sheet {
 
 constexpr double below_frame = 1.1;  // the frame, a number and a bar [cm]
 
+/// Whether frames are higher than wide, so that two stand side by side on a telephone.
+bool are_slender(const std::vector<Drawn>& frames) {
+  return std::all_of(frames.begin(), frames.end(),
+                     [](const Drawn& one) { return extent_of(*one.frame).top > 1.2 * extent_of(*one.frame).right; });
+}
+
 /// @param drawn of each of what is shown its frames
 Sheet sheet_of(const std::vector<std::vector<Drawn>>& drawn, const FigureOptions& options, bool has_rows_of_frames) {
   const std::size_t count = drawn.size(), frames = drawn.front().size();
   const bool are_three = count > 2;
-  const bool are_slender = std::all_of(drawn.front().begin(), drawn.front().end(), [](const Drawn& one) {
-    return extent_of(*one.frame).top >
-           1.2 * extent_of(*one.frame).right;  // so that two stand side by side on a telephone
-  });
   Sheet sheet{.has_rows_of_frames = has_rows_of_frames,
               .beside = !has_rows_of_frames ? frames
                         : !options.narrow   ? count
-                                            : static_cast<std::size_t>(are_slender || are_three ? 2 : 1)};
+                                          : static_cast<std::size_t>(are_slender(drawn.front()) || are_three ? 2 : 1)};
   sheet.width = options.narrow || sheet.beside == 1 ? options.width : broad(options.width);
   sheet.leaves_room = has_rows_of_frames && count % sheet.beside > 0;
   // Of rows so high that frames over the width of a panel can be read; two of them leave room for others on a page.
@@ -302,7 +304,7 @@ void name_values(Panel& panel, const Diagram& diagram, const RunResults& run, co
   };
   const LargestForce& largest = one.largest;
   if (largest.member < 0) return;
-  constexpr double least = 0.05, most_far = 0.45;  // of the largest of all, [cm]
+  constexpr double least = 0.05, most_far = 0.7;  // of the largest of all, [cm]
   const std::string at_blow = word(options, "struck column, at the blow");
   const LargestForce struck =
       largest_at_blow(run, carried, frame, drawn, shown.at_instant ? std::optional(frame.time) : std::nullopt);
@@ -349,11 +351,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
   Sheet sheet = sheet_of(drawn, options, true);
   if (are_three && !options.narrow && frames.size() <= 2) {
     const Sheet other = sheet_of(drawn, options, false);
-    const auto fills_panel = [&](const Drawn& one) { return one.wide() > 0.99 * sheet.one_cm * sheet.of_panel; };
-    const bool is_full = std::any_of(drawn.begin(), drawn.end(), [&](const std::vector<Drawn>& all) {
-      return std::any_of(all.begin(), all.end(), fills_panel);
-    });
-    const double as_large = is_full ? 1.05 : 1;  // values have room in wider panels
+    const double as_large = are_slender(drawn.front()) ? 1 : 1.05;  // values have more room in wider panels
     if (other.one_cm < as_large * sheet.one_cm) sheet = other;
   }
   Figure figure{.title = title, .columns = static_cast<int>(sheet.beside), .width = sheet.width, .shared_legend = true};
@@ -387,7 +385,7 @@ Figure frame_figure(const RunResults& run, const FigureOptions& options, const s
       const std::string what = with_unit(carried.symbol, unit);
       panel.title = building.name + ", " +
                     (shown.at_instant ? what + " " + word(options, "at {}", seconds_text(frame.time))
-                                      : word(options, "largest {}", what));
+                                      : word(options, "{}, largest", what));
       const bool is_below = f == (sheet.has_rows_of_frames ? frames.size() - 1 : 0);
       if (is_below && (c == 0 || carried.signs != columns[c - 1].carried.signs)) {
         panel.x.label = word(options, carried.signs);

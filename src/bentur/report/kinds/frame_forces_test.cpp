@@ -384,7 +384,9 @@ TEST(FrameForces, NumbersLieOnNoLineAndAtTheirDots) {
     const std::vector<PanelPlace> places = placed_figure(figure, "").panels;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const std::string what = kind + ", panel " + std::to_string(i);
-      const bool is_of_moments = figure.panels[i].title.find(", M [") != std::string::npos;
+      const std::string& title = figure.panels[i].title;
+      const bool is_of_moments =
+          title.find(", M [") != std::string::npos && (kind != "frame-moment" || !title.ends_with(", largest"));
       EXPECT_GE(std::ssize(figure.panels[i].texts), is_of_moments ? 3 : 1) << what << ": of each storey";
       expect_numbers_are_free(figure.panels[i], places[i], what);
       ++looked_at;
@@ -412,7 +414,7 @@ TEST(FrameForces, WhatAStruckColumnCarriesIsMarked) {
     }
     ASSERT_GT(most, 0);
     const auto is_of = [&](const Panel& panel) {
-      return panel.title == run.problem.buildings[frame.building].name + ", largest M [kN·m]";
+      return panel.title == run.problem.buildings[frame.building].name + ", M [kN·m], largest";
     };
     const Panel& panel = *std::find_if(figure.panels.begin(), figure.panels.end(), is_of);
     const auto dot = std::find_if(panel.curves.begin(), panel.curves.end(), [](const Curve& one) {
