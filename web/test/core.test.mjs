@@ -397,6 +397,21 @@ const sectionOf = (page, id) => new RegExp(`<section id="${id}"><h2>[^<]*</h2>\n
 // How much energy is not accounted for is round-off, and nothing else.
 const withoutResidual = (markup) => markup.replace(/\d(\.\d+)?\u00a0×\u00a010[⁻⁰¹²³⁴-⁹]+/g, "");
 
+test("at the instant of its still a run sampled coarsely has the report's displacements", () => {
+  const samplesOf = new Function("data", `${readFileSync(`${source}/src/bentur/report/html/motion/samples.js`, "utf8")} return benturSamples(data);`);
+  const still = (data) => ({ at: data.shown, floors: samplesOf(data).motionAt(data.shown).flat(), grain: Math.max(...data.buildings.map((each) => each.scale)) });
+  for (const name of ["row-of-three.toml", "plan/twisting-pair.toml"]) {
+    assert.ok(JSON.parse(one.open(read(name), name)).ok);
+    assert.ok(JSON.parse(one.solve(0.05, null)).ok);
+    const mine = still(JSON.parse(one.motion("en")));
+    const page = execFileSync(process.env.BENTUR, ["report", `${source}/examples/${name}`, "-o", "-"], { encoding: "utf8", maxBuffer: 2 ** 28 });
+    const theirs = still(JSON.parse(/<script type="application\/json" id="data">([^]*?)<\/script>/.exec(page)[1]));
+    assert.ok(Math.abs(mine.at - theirs.at) < 1e-6, name);
+    assert.equal(mine.floors.length, theirs.floors.length);
+    mine.floors.forEach((value, i) => assert.ok(Math.abs(value - theirs.floors[i]) <= 2 * theirs.grain, `${name}: ${value} ${theirs.floors[i]}`));
+  }
+});
+
 test("the tables are those of the report", () => {
   const ids = new Set();
   const all = process.env.BENTUR_PART === "all";

@@ -257,7 +257,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       const Case& c = *case_;
       const PlanProblem& problem = *plan_;
       SolveOptions options = options_of(c, problem, output_step);
-      options.course = output_step.isNull();
+      options.course = true;
       PlanResponse response;
       const auto refused = [&](const Effort& needed) { return beyond_limits(c, needed); };
       const Effort needed = effort(problem, c.analysis.solver, options);
@@ -274,7 +274,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
     const Case& c = *case_;
     const bool fine = output_step.isNull();
     SolveOptions options = options_of(c, *problem_, output_step);
-    options.course = fine;
+    options.course = true;
     Response response;
     const auto refused = [&](const Effort& needed) { return beyond_limits(c, *problem_, needed); };
     const Effort needed = effort(*problem_, c.analysis.solver, options);

@@ -183,9 +183,8 @@ Json key_of(const PlanRun& run, const Words& say) {
 }
 
 /// Of a building that moves three rows for each floor; of a wall none.
-Eigen::MatrixXd rows_of(const PlanRun& run, std::size_t b, double arm) {
+Eigen::MatrixXd rows_of(const PlanRun& run, const PlanHistories& histories, std::size_t b, double arm) {
   const PlanBuilding& building = run.problem.buildings[b];
-  const PlanHistories& histories = run.response.histories;
   if (building.is_rigid()) return {};
   Eigen::MatrixXd rows(3 * building.model.floors(), std::ssize(histories.time));
   for (Index floor = 0; floor < building.model.floors(); ++floor) {
@@ -217,7 +216,8 @@ Json points_json(const PlanRun& run, const PlanScene& scene, const std::vector<d
 }  // namespace
 
 std::string plan_animation_json(const PlanRun& run, const Words& say, const std::vector<Index>& listed) {
-  const std::vector<double>& time = run.response.histories.time;
+  const PlanHistories& samples = run.response.histories;
+  const PlanHistories& course = run.response.course.time.empty() ? samples : run.response.course;
   std::vector<Index> all_points(run.response.points.size());
   std::iota(all_points.begin(), all_points.end(), Index{0});
   const PlanInstant instant = telling_instant(run.response, all_points);
@@ -226,16 +226,16 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
   Index moving = 0;
   for (const PlanBuilding& building : run.problem.buildings)
     moving += building.is_rigid() ? 0 : 3 * building.model.floors();
-  const MotionSampling sampling = motion_sampling(time, motion_step(run.problem.duration, moving));
-  const std::vector<Index> keys = key_columns(time, run.response.impacts, listed, instant.time);
+  const MotionSampling sampling = motion_sampling(samples.time, motion_step(run.problem.duration, moving));
+  const std::vector<Index> keys = key_columns(course.time, run.response.impacts, listed, instant.time);
   const double arm = arm_of(run.problem);
   const std::vector<Tone> tones = tones_of(run.problem, run.response);
   Json buildings = Json::array();
   for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
     const PlanBuilding& building = run.problem.buildings[b];
-    const Eigen::MatrixXd rows = rows_of(run, b, arm);
+    const Eigen::MatrixXd rows = rows_of(run, samples, b, arm);
     Eigen::MatrixXd exact;
-    if (rows.size() > 0) exact = rows(Eigen::all, keys);
+    if (rows.size() > 0) exact = rows_of(run, course, b, arm)(Eigen::all, keys);
     Json one = {
         {"name", building.name}, {"tone", colour(tones[b]).name}, {"roof", 3 * (building.model.floors() - 1) + across}};
     one.update(samples_json(rows, sampling, exact));
@@ -252,7 +252,7 @@ std::string plan_animation_json(const PlanRun& run, const Words& say, const std:
               {"names", names_json(building_names(run.problem))},
               {"buildings", buildings}};
   all["scene"]["key"] = key_of(run, say);
-  all.update(played_json(sampling, time, keys, run.response.impacts, listed, units.force, say));
+  all.update(played_json(sampling, course.time, keys, run.response.impacts, listed, units.force, say));
   return all.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
