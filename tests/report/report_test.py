@@ -600,6 +600,16 @@ class Motion(Reports):
         self.assertAlmostEqual(self.shown_time(), float(hardest["peak_force_time [s]"]), delta=1e-12)
         self.assertEqual(len(self.contacts()), 1)
 
+    def test_on_a_telephone_the_caption_names_the_level_too(self):
+        self.opened(self.example("row-of-three"))
+        event = self.js("document.getElementById('event').textContent").split("; ")[0]
+        self.assertRegex(event, "level [0-9.]+ m$")
+        self.browser.resize(PHONE, 844)
+        told = "[...document.querySelectorAll('#stage .caption.fill-red')].map(line => line.textContent).join(' ')"
+        inside = ("(edge => [...document.querySelectorAll('#stage .caption')].every(line => line.getBoundingClientRect().right <="
+                  " edge))(document.getElementById('stage').getBoundingClientRect().right)")
+        self.until(lambda: event in self.js(told) and self.js(inside))
+
     def test_plays_in_real_time_pauses_and_goes_on(self):
         self.opened(self.example("m12-el-centro"))
         moved = self.js("document.querySelector('#stage .column').getAttribute('d')")

@@ -8,7 +8,7 @@
  *   timeAxis (the times below the time line) and buildingKey (what numbers stand for, where there are some in place of names); `steady`:
  *   the stage keeps its height; `shown`, where there is one, is told of every time that is shown [s], as show() is.
  * @param data what animation_json() or plan_animation_json() gives
- * @returns {impacts, html(name, text, parent), number, update(data), show(time, since, fading), showImpact(impact), start(), pause(), isPlaying(), watch(gap)}
+ * @returns {impacts, html(name, text, parent), number, update(data), show(time, since, fading), showImpact(impact), start(), pause(), isPlaying(), watch(gap, go)}
  */
 function benturMotion(parts, data) {
   "use strict";
@@ -99,7 +99,7 @@ function benturMotion(parts, data) {
     svg("stop", { offset: "45%", "stop-color": "var(--red)", "stop-opacity": "0.75" }, gradient);
     svg("stop", { offset: "100%", "stop-color": "var(--red)", "stop-opacity": "0" }, gradient);
     picture.build(stage);
-    drawn.caption = ["ink", "red"].map((tone) => svg("text", { class: `caption fill-${tone}` }, stage));
+    drawn.caption = [["ink"], ["red", "red"]].map((tones) => tones.map((tone) => svg("text", { class: `caption fill-${tone}` }, stage)));
     drawn.key = picture.key.map((marks) => {
       const line = svg("text", { class: "caption fill-ink" }, stage);
       marks.forEach(({ tone, mark, text }, k) => {
@@ -119,22 +119,20 @@ function benturMotion(parts, data) {
   /** Everything that depends on the magnification but not on time. */
   function frame() {
     const { left, right, top, bottom } = picture.frame(magnification), wide = right - left;
-    const below = picture.below + 70 + 17 * drawn.key.length; // of names, caption and what marks mean
+    const isNarrow = stage.clientWidth < 400; // what happens has two lines there
+    const lines = [...drawn.caption[0], ...drawn.caption[1].slice(0, isNarrow ? 2 : 1), ...drawn.key];
+    const below = picture.below + 36 + 17 * lines.length; // of names, caption and what marks mean
     // Lines and names keep their size on a narrow page, and most of it on a low one.
     const low = 0.7 * (bottom - top) / Math.max(parseFloat(getComputedStyle(stage).maxHeight) - 0.7 * below, below);
     const pixel = Math.max(1, wide / Math.max(stage.clientWidth, 1), low || 0);
     const grain = picture.grain / pixel, tall = bottom - top + below * pixel;
     drawn.pixel = pixel;
-    drawn.wide = wide;
+    drawn.isNarrow = isNarrow;
     stage.style.setProperty("--px", pixel.toFixed(3));
     stage.style.setProperty("--slab", `${Math.min(5, 0.35 * grain).toFixed(2)}px`);
     stage.style.setProperty("--dot", `${Math.min(4.5, Math.max(1.8, 0.11 * grain)).toFixed(2)}px`);
     stage.style.setProperty("--flash", `${Math.min(24, Math.max(10, 1.2 * grain)).toFixed(2)}px`);
     stage.setAttribute("viewBox", `${left} ${top - 24 * pixel} ${wide} ${tall}`);
-    [...drawn.caption, ...drawn.key].forEach((line, k) => {
-      line.setAttribute("x", left + 8 * pixel);
-      line.setAttribute("y", bottom + (picture.below + 20 + 17 * k) * pixel);
-    });
     const called = picture.name(pixel);
     if (parts.buildingKey) { // where a number stands for a name, in the picture or in the table of openings
       const { names } = data, inTable = !names.parts && buildings.length > 2;
@@ -145,6 +143,13 @@ function benturMotion(parts, data) {
       framed = stage.clientWidth;
       stage.style.height = `${Math.round(Math.min(framed * tall / wide, 454))}px`;
     }
+    drawn.wide = Math.max(wide, tall * stage.clientWidth / stage.clientHeight || 0); // as the page has room, for what is written
+    const from = left - (drawn.wide - wide) / 2;
+    stage.setAttribute("viewBox", `${from} ${top - 24 * pixel} ${drawn.wide} ${tall}`);
+    lines.forEach((line, k) => {
+      line.setAttribute("x", from + 8 * pixel);
+      line.setAttribute("y", bottom + (picture.below + 20 + 17 * k) * pixel);
+    });
   }
 
   // ---------------------------------------------------------------- the time line
@@ -219,6 +224,7 @@ function benturMotion(parts, data) {
 
   const { scrub, clock, event: event_, live } = parts;
   let now = 0, watched; // watched: a gap
+  const isOf = (gap) => ({ point }) => gapOf(point) === gap;
 
   /** Shows time t; contacts that were under way since `since` flash, and what is left of flashes before fades to this part. */
   function show(t, since, fading = 1) {
@@ -242,13 +248,14 @@ function benturMotion(parts, data) {
     });
     const named = underWay(now, now).sort((a, b) => b.force - a.force); // what has ended flashes, and is not named
     const touching = new Set(named.map((impact) => impact.point)), touches = (point) => touching.has(point);
+    const struck = new Set(named.filter(({ force }) => !(force > 0)).map((impact) => impact.point)); // at one instant, where the gap is just closed
     drawn.cells.forEach(({ cell, points }) => {
-      const open = picture.opening(points[0], motion);
-      cell.textContent = signed(open.toFixed(decimals));
-      const touched = points.some(touches) || (open < 0 && points[0] >= data.points.length) || (open < 0 && picture.together[points[0]].some(touches));
-      cell.className = touched ? "marked" : "";
+      const open = picture.opening(points[0], motion), told = signed(open.toFixed(decimals));
+      cell.textContent = told;
+      const inside = told.startsWith("\u2212") && (points[0] >= data.points.length || [...points, ...picture.together[points[0]]].some(touches));
+      cell.className = inside || points.some((i) => struck.has(i)) ? "marked" : "";
     });
-    orderLive(touching);
+    orderLive(touching, motion);
     drawn.head.setAttribute("transform", `translate(${(WIDTH * now / duration).toFixed(2)} 0)`);
     scrub.value = now;
     clock.textContent = `t = ${now.toFixed(4)} s`;
@@ -258,20 +265,22 @@ function benturMotion(parts, data) {
     event_.textContent = happens.slice(0, 3).join("; ") + more;
     const level = picture.levels.length > 0 ? `, ${words.level} ${picture.levels[picture.level]}` : "";
     told(drawn.caption[0], `${clock.textContent}, ${words.magnified.replace("{}", factor())}${level}`);
-    told(drawn.caption[1], happens.length > 0 ? happens[0] + (happens.length > 1 ? `; + ${happens.length - 1}` : "") : "");
+    told(drawn.isNarrow ? drawn.caption[1] : drawn.caption[1].slice(0, 1), happens.length > 0 ? happens[0] + (happens.length > 1 ? `; + ${happens.length - 1}` : "") : "");
     if (parts.shown) parts.shown(now, since, fading);
   }
 
-  /** A line below the picture, without its last parts where it has no room for them; beside the picture it is whole. */
-  function told(line, text) {
-    const room = drawn.wide - 16 * drawn.pixel, of = `${text} ${room}`;
-    if (line.bentur === of) return;
-    line.bentur = of;
-    line.textContent = text;
-    for (let parts = text.split(", "); parts.length > 1 && line.getComputedTextLength() > room;) {
-      parts = parts.slice(0, -1);
-      line.textContent = `${parts.join(", ")}, …`;
-    }
+  /** Lines below the picture, without the last parts of a text where they have no room for them; beside the picture it is whole. */
+  function told(lines, text) {
+    const room = drawn.wide - 16 * drawn.pixel, of = `${text} ${room} ${lines.length}`;
+    if (lines[0].bentur === of) return;
+    lines[0].bentur = of;
+    let rest = text.split(", ");
+    lines.forEach((line, k) => {
+      let count = rest.length;
+      const write = () => { line.textContent = rest.slice(0, count).join(", ") + (count === rest.length ? "" : k + 1 < lines.length ? "," : ", …"); };
+      for (write(); count > 1 && line.getComputedTextLength() > room; write()) count -= 1;
+      rest = rest.slice(count);
+    });
   }
 
   const factor = () => number(Number(magnification.toPrecision(2)));
@@ -299,7 +308,7 @@ function benturMotion(parts, data) {
     const { head, rows, many } = picture.live(Boolean(parts.buildingKey));
     drawn.lines = [];
     stage.parentNode.classList.toggle("stacked", head.length > 0);
-    stage.parentNode.classList.toggle("many", many);
+    stage.parentNode.classList.toggle("many", Boolean(many));
     const line = head.length > 0 ? html("tr", undefined, live) : undefined;
     for (const text of head) html("th", text, line).scope = "col";
     for (const { name, points } of rows) {
@@ -315,10 +324,14 @@ function benturMotion(parts, data) {
 
   const gapOf = (point) => (data.points[point] ? data.points[point].gap ?? data.points[point].left : data.watched[point - data.points.length].left);
 
-  /** Of many pairs those of the gap that is watched come first, then those that touch. */
-  function orderLive(touching) {
-    const rank = ({ points }) => (points.some((i) => gapOf(i) === watched) ? 0 : points.some((i) => touching.has(i)) ? 1 : 2);
-    [...drawn.lines].sort((a, b) => rank(a) - rank(b)).forEach(({ row }, i) => {
+  /** Of many pairs those of the gap that is watched come first, then those that touch; what is least open is before
+   * others, but that those that are apart keep their places while it plays. */
+  function orderLive(touching, motion) {
+    const places = drawn.lines.map(({ row, points }) => {
+      const rank = points.some((i) => gapOf(i) === watched) ? 0 : points.some((i) => touching.has(i)) ? 1 : 2;
+      return { row, rank, open: rank === 2 && playing ? 0 : Math.min(...points.map((i) => picture.opening(i, motion))) };
+    });
+    places.sort((a, b) => a.rank - b.rank || a.open - b.open).forEach(({ row }, i) => {
       if (live.rows[i] !== row) live.insertBefore(row, live.rows[i]);
     });
   }
@@ -463,7 +476,7 @@ function benturMotion(parts, data) {
     next.addEventListener("click", () => jump(1));
     hardest.addEventListener("click", () => showImpact(strongest));
     listenToTimeline();
-    new ResizeObserver(frame).observe(stage);
+    new ResizeObserver(() => { frame(); show(now); }).observe(stage);
   }
 
   // ---------------------------------------------------------------- for the page
@@ -490,7 +503,15 @@ function benturMotion(parts, data) {
     start,
     pause,
     isPlaying: () => playing,
-    watch(gap) { watched = gap; show(now); },
+    /** What is told of openings begins with that gap; `go`: where nothing plays, its hardest impact is shown. */
+    watch(gap, go = false) {
+      watched = gap;
+      const hardest = impacts.filter(isOf(gap)).sort((a, b) => b.force - a.force || b.speed - a.speed)[0];
+      if (go && !playing && hardest) {
+        choose(data.points[hardest.point].level);
+        show(hardest.force > 0 ? hardest.peak : hardest.start);
+      } else show(now);
+    },
     /** Another response; the time that is shown stays, and what plays goes on. */
     update(other) {
       data = other;
