@@ -751,7 +751,7 @@ test("a newer wish ends a run that has had its time, and the newest one is shown
   }, { slow: true });
 });
 
-test("a figure that is yet to be drawn says so, and the one before is dimmed", async () => {
+test("a figure that is yet to be drawn says so in the place of the one before", async () => {
   await onFresh(async (page) => {
     await page.locator('[data-figure="opening"]').evaluate((one) => one.scrollIntoView());
     await page.waitForSelector('[data-figure="opening"]:not(.old) svg');
@@ -760,12 +760,66 @@ test("a figure that is yet to be drawn says so, and the one before is dimmed", a
     await page.clock.runFor(1000);
     const figure = page.locator('[data-figure="opening"].old');
     assert.match(await figure.locator(".redrawn").textContent(), /being drawn/);
-    await page.waitForFunction(() => Number(getComputedStyle(document.querySelector('[data-figure="opening"] svg')).opacity) < 0.5);
+    await page.waitForFunction(() => getComputedStyle(document.querySelector('[data-figure="opening"] svg')).visibility === "hidden");
+    assert.ok(await figure.locator("button").first().isDisabled());
     assert.equal(await figure.locator(".redrawn").evaluate((one) => getComputedStyle(one).visibility), "visible");
     await letGo(page);
     await page.waitForSelector('[data-figure="opening"]:not(.old) svg');
     assert.equal(await page.locator('[data-figure="opening"] .redrawn').count(), 0);
   }, { slow: true });
+});
+
+test("under the verdict of a case that has just come no figure of the one before stands, and nothing moves", async () => {
+  await onFresh(async (page) => {
+    await page.locator("#figures").evaluate((one) => one.scrollIntoView());
+    await held(page);
+    const figures = () => page.$$eval(".drawn", (all) => all.map((one) => ({ kind: one.dataset.figure, text: one.querySelector(".sheet").textContent, high: one.querySelector(".sheet").clientHeight, drawn: one.querySelector("svg") !== null, live: one.querySelector("button:enabled") !== null })));
+    const before = new Map((await figures()).filter(({ drawn }) => drawn).map(({ kind, high }) => [kind, high]));
+    assert.ok(before.size > 4);
+    await page.evaluate(() => document.querySelector('[data-case="yielding"]').click());
+    await page.clock.runFor(50);
+    await page.waitForFunction(() => window.kept.length > 0);
+    await page.evaluate(() => window.kept.splice(0).forEach((hear) => hear())); // the verdict is there
+    await page.waitForFunction(() => document.querySelector("#motion h2").textContent.includes("yield"));
+    const blank = await figures();
+    assert.ok(blank.some(({ kind }) => kind === "gap-curve"));
+    for (const { kind, text, high, drawn, live } of blank) {
+      assert.ok(!drawn && !live, kind);
+      assert.match(text, /being drawn/);
+      if (before.has(kind)) assert.ok(Math.abs(high - before.get(kind)) <= 1, `${kind}: ${high} ${before.get(kind)}`);
+    }
+    await letGo(page);
+    await page.waitForSelector('[data-figure="opening"] svg');
+  }, { slow: true });
+});
+
+test("what other widths would give is told of the case that stands there alone, and ends", async () => {
+  await onFresh(async (page) => {
+    await solved(page); // its curve is under way
+    await page.click('[data-case="plan"]');
+    await solved(page);
+    await page.waitForFunction(() => !document.querySelector(".said").textContent.includes("still being simulated"));
+    assert.equal(await page.locator('[data-figure="gap-curve"]').count(), 0);
+  });
+});
+
+test("the gap that is pressed in a table is looked at, in motion and in figures", async () => {
+  await onFresh(async (page) => {
+    await solved(page);
+    await page.evaluate(() => document.querySelector('[data-case="row"]').click());
+    await solved(page);
+    const chosen = () => page.locator(".gap-slider select option:checked").textContent(), was = await chosen();
+    const other = page.locator('.known button[aria-pressed="false"]').first(), name = (await other.textContent()).replaceAll("\u00a0", " ");
+    await other.evaluate((one) => one.click());
+    assert.notEqual(name, was);
+    assert.equal(await chosen(), name);
+    const hardest = await page.getAttribute("#motion .stage", "data-time");
+    await page.locator('[data-figure="displacement"]').evaluate((one) => one.scrollIntoView());
+    await page.waitForFunction((title) => document.querySelector('[data-figure="displacement"]:not(.old) svg')?.textContent.includes(title), name);
+    await page.locator(`.verdict details[data-gap="${was}"] summary`).evaluate((one) => one.click());
+    await page.waitForFunction((title) => document.querySelector(".gap-slider select").selectedOptions[0].textContent === title, was);
+    assert.notEqual(await page.getAttribute("#motion .stage", "data-time"), hardest); // which is of the other gap
+  });
 });
 
 test("of a row the gaps of a verdict stand by the rank that its story gives them", async () => {
@@ -808,9 +862,8 @@ test("what stands beside errors, or while work takes its time, is said to be of 
     assert.equal(await stale(), 0);
     assert.equal(await colour(), alarm);
     await write(page, lasting("-1.0"), "errors");
-    const last = page.locator(".drawn").last(); // what was not in sight before is not drawn, which is said
-    await last.scrollIntoViewIfNeeded();
-    assert.equal(await last.locator("svg").count() === 0, /once the case can be computed/.test(await last.textContent()));
+    assert.equal(await page.locator(".drawn svg").count(), 0);
+    for (const told of await page.$$eval(".drawn .sheet", (all) => all.map((one) => one.textContent))) assert.match(told, /No figure: the case has errors/);
     for (const place of [".bar", ".verdicts", "#take"]) assert.match(await page.textContent(`${place} .stale-note`), /of “Eight and six storeys.*Gap 0\.05 m/, place);
     for (const section of ["#figures", "#impacts", "#compare"]) { // the bar stays in sight
       await page.locator(section).evaluate((one) => one.scrollIntoView());

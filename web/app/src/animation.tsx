@@ -51,7 +51,11 @@ export function MotionView({ data, overview, play, primary, children }: { data: 
       made.start();
     }
   }, [read]);
-  useEffect(() => motion.current?.watch(gap.value), [read, gap.value]);
+  const before = useRef<unknown>(null); // of what the gap was watched
+  useEffect(() => {
+    motion.current?.watch(gap.value, before.current === read); // another gap of the same run is gone to
+    before.current = read;
+  }, [read, gap.value]);
   useEffect(() => () => {
     motion.current?.pause();
     if (motion.current) followers.delete(motion.current);

@@ -53,12 +53,12 @@ export const wantedNow = () => wantedOf(inSight);
 
 let speaks = "";
 /** Takes the figures of a run that has just been solved; those out of sight are of the run before, if in the same language.
- *  `later`: they are yet to be drawn. */
+ *  `later`: of a case that has just come all are yet to be drawn, and none of the one before stays. */
 export function take(made: Record<string, Drawn>, later = false) {
   fresh.value = new Set(Object.keys(made));
   if (later) drawInSight();
   drawOthers(QUIET);
-  drawn.value = { ...(speaks === language.value ? drawn.value : {}), ...made };
+  drawn.value = { ...(speaks === language.value && !later ? drawn.value : {}), ...made };
   speaks = language.value;
 }
 

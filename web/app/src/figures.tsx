@@ -1,11 +1,11 @@
 import { useSignalEffect } from "@preact/signals";
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { curve, gap } from "./case";
 import { drawn, fresh, point, pointed, see, span } from "./drawing";
 import { main } from "./animation";
 import { png, save } from "./save";
 import type { AxisPlace, Drawn, FigureOverview, PanelPlace, Result } from "./solver";
-import { curveDone, rough, stale, takeFigure, time } from "./state";
+import { curveDone, errors, rough, stale, takeFigure, time } from "./state";
 import { isStill } from "./still";
 import { number, say } from "./texts";
 
@@ -45,12 +45,18 @@ function withUnit(value: number, { label }: AxisPlace, others: AxisPlace[]): str
   return unit ? `${number(value)}\u00a0${unit}` : number(value);
 }
 
+/** The x axes of panels that stand in one column, the lowest first, which all may share its label. */
+const columnOf = (panel: PanelPlace, shown: Drawn) => shown.panels.filter((one) => one.left === panel.left).map((one) => one.x).reverse();
+
+/** Of histories not every panel is over time: paths have displacements along both axes. */
+const isOverTime = (panel: PanelPlace, shown: Drawn) => withUnit(0, panel.x, columnOf(panel, shown)).endsWith("\u00a0s");
+
 /** The values under a place, a line each: of each history at its time, else of the nearest point. */
 function told({ panel, x, y }: Place, shown: Drawn, overTime: boolean, times: string): string[] {
   const name = (label: string) => (label ? `${label}: ` : "");
   const beside = shown.panels.filter((one) => one.top === panel.top).map((one) => one.y);
-  const below = shown.panels.filter((one) => one.left === panel.left).map((one) => one.x).reverse();
-  if (overTime) {
+  const below = columnOf(panel, shown);
+  if (overTime && isOverTime(panel, shown)) {
     const values = panel.curves.flatMap((one) => { const value = valueAt(one.x, one.y, x); return value === null ? [] : [`${name(one.label)}${withUnit(value, panel.y, beside)}`]; });
     return [`${times} ${number(x)}\u00a0s`, ...values];
   }
@@ -85,11 +91,17 @@ function besides({ panel, scale }: Place, [px, py]: [number, number], lines: str
   return least < Infinity ? best : { left: Math.max(0, Math.min(px, wide - broad)), top: (panel.top + panel.height) * scale + off };
 }
 
+/** Whether no figure is of the case that stands there, since that has errors. */
+const isWrong = () => stale.value && errors.value.length > 0;
+
+/** Why a figure is not there. */
+const none = () => say(isWrong() ? "figures.wrong" : rough.value ? "figures.rough" : "figures.drawing");
+
 /** A figure as files, as `bentur plot` writes it. */
-function Files({ kind, caption }: Pick<FigureOverview, "kind" | "caption">) {
+function Files({ kind, caption, off = false }: Pick<FigureOverview, "kind" | "caption"> & { off?: boolean }) {
   const file = (save_: (svg: string) => void) => { void takeFigure(kind).then(save_).catch(() => undefined); };
   return (
-    <span class="files">{(["svg", "png"] as const).map((format) => <button type="button" key={format} class="small" disabled={stale.value} data-file={`${kind}.${format}`} aria-label={`${caption}, ${format.toUpperCase()}`}
+    <span class="files">{(["svg", "png"] as const).map((format) => <button type="button" key={format} class="small" disabled={stale.value || off} data-file={`${kind}.${format}`} aria-label={`${caption}, ${format.toUpperCase()}`}
       onClick={() => file((svg) => (format === "svg" ? save(`${kind}.svg`, svg, "image/svg+xml") : void png(svg).then((blob) => save(`${kind}.png`, blob, "image/png"))))}>{format.toUpperCase()}</button>)}</span>
   );
 }
@@ -99,7 +111,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
   const root = useRef<HTMLDivElement>(null), heads = useRef<(HTMLElement | null)[]>([]), hairs = useRef<(HTMLElement | null)[]>([]);
   const [tip, tell] = useState<{ lines: string[]; left: number; top: number } | null>(null);
   const [drag, pull] = useState<{ from: Place; to: Place } | null>(null);
-  const made = drawn.value[kind], shown = made?.error === undefined ? made : undefined;
+  const made = drawn.value[kind], shown = made?.error === undefined && !isWrong() ? made : undefined, tall = useRef(0);
   useEffect(() => {
     let visible = false;
     const figure = root.current!.parentElement!;
@@ -113,7 +125,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
   const placeLines = (lines: (HTMLElement | null)[], at: number | null) => lines.forEach((line, i) => {
     const panel = shown?.panels[i];
     if (!line || !panel) return;
-    const part = at === null ? NaN : ofAxis(panel.x, at);
+    const part = at === null || !isOverTime(panel, shown) ? NaN : ofAxis(panel.x, at);
     line.hidden = !(part >= 0 && part <= 1);
     if (!line.hidden) line.style.left = `${(100 * (panel.left + part * panel.width)) / ((shown.width / 2.54) * 96)}%`;
   });
@@ -129,7 +141,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
     const lines = at ? told(at, shown!, overTime, times) : [];
     const sheet = root.current!.getBoundingClientRect();
     tell(at && lines.length > 0 ? { lines, ...besides(at, [event.clientX - sheet.left, event.clientY - sheet.top], lines, sheet.width) } : null);
-    if (overTime) pointed.value = at ? at.x : null;
+    if (overTime) pointed.value = at && isOverTime(at.panel, shown!) ? at.x : null;
     if (drag && at && at.panel === drag.from.panel) pull({ ...drag, to: at });
   };
   const lift = () => {
@@ -142,20 +154,22 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
   };
   const left = (at: Place) => `${(100 * (at.panel.left + ofAxis(at.panel.x, at.x) * at.panel.width)) / ((shown!.width / 2.54) * 96)}%`;
   const isOld = !fresh.value.has(kind); // of the run before, or of what was chosen before
+  useLayoutEffect(() => { if (shown) tall.current = root.current!.clientHeight; }); // which it keeps while it is blank
   const isBroad = (shown?.width ?? 0) > 15; // on a telephone it is moved sideways
   return (
     <figure class={`drawn${isBroad ? " broad" : ""}${shown && isOld ? " old" : ""}`} data-figure={kind} tabIndex={isBroad ? 0 : undefined}>
       <div ref={root} class="sheet" onPointerMove={move} onPointerLeave={() => { tell(null); pull(null); pointed.value = null; }}
-        onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at) pull({ from: at, to: at }); }}
+        onPointerDown={(event) => { const at = overTime && event.button === 0 && shown ? placeOf(event, shown) : null; if (at && isOverTime(at.panel, shown!)) pull({ from: at, to: at }); }}
         onPointerUp={lift} onDblClick={() => { if (overTime) span.value = null; }}>
-        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} /> : made?.error !== undefined ? <p class="blank note" lang="en">{made.error}</p> : <p class="blank note">{say(stale.value || rough.value ? "figures.wait" : "figures.drawing")}</p>}
-        {shown && isOld && <p class="redrawn note">{say("figures.drawing")}</p>}
+        {shown ? <div dangerouslySetInnerHTML={{ __html: shown.svg }} />
+          : <p class="blank note" style={tall.current > 0 ? { height: `${tall.current}px` } : {}} lang={!isWrong() && made?.error !== undefined ? "en" : undefined}>{(!isWrong() && made?.error) || none()}</p>}
+        {shown && isOld && <p class="redrawn note">{none()}</p>}
         {overTime && shown?.panels.map((panel, i) => <i key={i} class="instant" hidden ref={(node) => { heads.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         {overTime && shown?.panels.map((panel, i) => <i key={`hair${i}`} class="hair" hidden ref={(node) => { hairs.current[i] = node; }} style={{ top: percent(panel.top), height: percent(panel.height) }} />)}
         <output class="tip" hidden={!tip} aria-live="off" style={tip ? { left: `${tip.left}px`, top: `${tip.top}px` } : {}}>{tip?.lines.map((line) => <span key={line}>{line}</span>)}</output>
         {drag && <i class="pulled" style={{ top: percent(drag.from.panel.top), height: percent(drag.from.panel.height), left: drag.from.x < drag.to.x ? left(drag.from) : left(drag.to), width: `calc(${drag.from.x < drag.to.x ? left(drag.to) : left(drag.from)} - ${drag.from.x < drag.to.x ? left(drag.from) : left(drag.to)})` }} />}
       </div>
-      <figcaption>{(kind !== "gap-curve" && shown?.caption) || caption} <Files kind={kind} caption={caption} /></figcaption>
+      <figcaption>{(kind !== "gap-curve" && shown?.caption) || caption} <Files kind={kind} caption={caption} off={!shown || isOld} /></figcaption>
     </figure>
   );
 }
@@ -163,7 +177,7 @@ function FigureView({ kind, caption, overTime }: Omit<FigureOverview, "tells">) 
 /** What other widths of the gap would give, which the slider decides, and every figure of the run, as its report has them. */
 export function Figures({ now }: { now: Result }) {
   const { points, gaps, units, figures, plan } = now.overview;
-  const hasCurve = curve.value.length > 1 && !plan && !isStill(now.overview); // of buildings in plan no other widths are simulated
+  const hasCurve = (curve.value.length > 1 || curveDone.value < 1) && !plan && !isStill(now.overview); // of buildings in plan no other widths are simulated
   const levels = points.map((one, i) => ({ ...one, i })) // of the gap that is chosen; in plan there are several points of one
     .filter((one) => one.gap === gap.value && points.findIndex(({ gap, elevation }) => gap === one.gap && elevation === one.elevation) === one.i);
   return (
@@ -179,7 +193,7 @@ export function Figures({ now }: { now: Result }) {
       </p>
       <div class="sheets">
         {hasCurve && <FigureView key="gap-curve" kind="gap-curve" overTime={false}
-          caption={`${say("curve.note")}${curveDone.value < 1 ? ` ${say("curve.progress", { percent: Math.round(100 * curveDone.value) })}` : ""}`} />}
+          caption={`${say("curve.note")}${curveDone.value < 1 ? ` ${say("curve.progress", { percent: Math.floor(100 * curveDone.value) })}` : ""}`} />}
         {figures.filter((one) => one.tells).map((one) => <FigureView key={one.kind} {...one} />)}
       </div>
       {!isStill(now.overview) && <details><summary>{say("figures.more")}</summary>

@@ -12,7 +12,7 @@ import type { Overview, Said } from "./solver";
 import { Brief, caseOf, Comparison, Facts, Impacts, Stale, Verdict } from "./results";
 import { nameOf } from "./schema";
 import { isStill } from "./still";
-import { begin, complain, curveDone, hardest, isOwn, load, pinned, rough, stale, standing, startAnew } from "./state";
+import { begin, complain, curveDone, hardest, hardestRuns, isOwn, load, pinned, rough, stale, standing, startAnew } from "./state";
 import "./style.css";
 import { Tables } from "./tables";
 import { Take } from "./take";
@@ -82,9 +82,8 @@ function App() {
   const said = (
     <div class="said">
       {!isBelow && verdict}
-      {now && <Facts all={now.overview.facts} />}
       <Remarks all={remarks} />
-      {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{curveDone.value < 1 && ` ${say("curve.runs", { percent: Math.round(100 * curveDone.value) })}`}</p>}
+      {now && <p class="note">{say("solved.in", { ms: now.milliseconds.toFixed(0) })}{curveDone.value < 1 && !stale.value && standing.value !== "errors" && ` ${say("curve.runs", { percent: Math.floor(100 * curveDone.value) })}`}</p>}
     </div>
   );
   return (
@@ -110,9 +109,10 @@ function App() {
                   <MotionView data={moving.motion} overview={moving.overview} play={!still} primary={true}>{isBelow && <div class="said">{verdict}</div>}</MotionView></div>
                 {pinned.value && <div><h3>{say("pinned")}: {caseOf(pinned.value.overview)}</h3>
                   <MotionView data={pinned.value.motion} overview={pinned.value.overview} play={false} primary={false} /></div>}
-              </div></> : <p class="still">{say(now.overview.spectral ? "motion.none" : "suite.still")}</p>}
+              </div></> : hardestRuns.value ? <p class="coming note">{say("solving")}</p> : <p class="still">{say(now.overview.spectral ? "motion.none" : "suite.still")}</p>}
           </section>}
           {said}
+          {now && now.overview.facts.length > 0 && <div class="known"><Facts all={now.overview.facts} gaps={now.overview.gaps} /></div>}
           <section id="edit" class="edit">
             <h2>{say("edit")}</h2>
             <details open><summary>{say("edit.text")}</summary><Editor area={area} /></details>

@@ -35,7 +35,7 @@ declare module "*/bentur_web.mjs" {
 }
 declare module "*/report/html/motion/motion.js" {
   export interface Motion {
-    readonly impacts: { number: number; start: number; end: number }[];
+    readonly impacts: { number: number; point: number; start: number; end: number }[];
     number(value: number): string;
     show(time: number, since?: number, fading?: number): void;
     showImpact(impact: unknown): void;
@@ -43,7 +43,7 @@ declare module "*/report/html/motion/motion.js" {
     pause(): void;
     isPlaying(): boolean;
     /** The gap whose openings come first in the list. */
-    watch(gap: number): void;
+    watch(gap: number, go?: boolean): void;
     update(data: unknown): void;
   }
   export function benturMotion(parts: Record<string, unknown>, data: unknown): Motion;

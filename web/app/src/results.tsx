@@ -57,7 +57,7 @@ function Statements({ overview }: { overview: Overview }) {
   const one = (i: number) => {
     const each = overview.gaps[i], mine = told.filter((said) => ofGap(said) && said.gap === i);
     const badges = badgesOf(overview, i);
-    return <details key={i} data-gap={each.name} open={i === gap.value}>
+    return <details key={i} data-gap={each.name} open={i === gap.value} onToggle={(event) => { if (event.currentTarget.open) gap.value = i; }}>
       <summary>{each.name}{badges.size > 0 && ":"}{[...badges].map(([badge, tone]) => <Fragment key={badge}> <span class={`badge${tone}`}>{badge}</span></Fragment>)}</summary>
       <Sentences all={mine} under={[...badges.keys()]} />
     </details>;
@@ -74,19 +74,23 @@ function Statements({ overview }: { overview: Overview }) {
   );
 }
 
-/** In lines that end between the names of two buildings. */
-const parted = (name: string) => (name.includes(" | ") ? name.split(" | ").map((one) => one.replaceAll(" ", "\u00a0")).join("\u00a0| ") : name);
+/** In one line where it is short, else in lines that end between the names of two buildings. */
+const parted = (name: string) => (name.length <= 24 ? name.replaceAll(" ", "\u00a0") : name.includes(" | ") ? name.split(" | ").map((one) => one.replaceAll(" ", "\u00a0")).join("\u00a0| ") : name);
 
 const heading = ({ head, unit }: Column) => (unit ? `${head} [${unit}]` : head);
 
-/** The tables of the first screen. */
-export function Facts({ all }: { all: Fact[] }) {
+/** The tables of the first screen; of several gaps a press on one's name chooses it. */
+export function Facts({ all, gaps }: { all: Fact[]; gaps: GapOverview[] }) {
+  const named = (name: string) => {
+    const i = gaps.length > 1 ? gaps.findIndex((one) => one.name === name) : -1;
+    return i < 0 ? parted(name) : <button type="button" aria-pressed={i === gap.value} onClick={() => { gap.value = i; }}>{parted(name)}</button>;
+  };
   return <>{all.map(({ heading: title, columns, marked, note }) => <div key={title} class="facts">
     <h3>{title}</h3>
     <div class="wide" tabIndex={0} role="region" aria-label={title}><table class="cards">
       <thead><tr>{columns.map(({ head, unit, numbers }) => <th key={head} scope="col" class={numbers ? "" : "t"}>{head}{unit && <> <small>{unit}</small></>}</th>)}</tr></thead>
       <tbody>{columns[0].cells.map((name, row) => <tr key={row} class={marked.includes(row) ? "marked" : ""}>
-        <th scope="row" class="t long">{parted(name)}</th>{columns.slice(1).map((column) => <td key={column.head} class={column.numbers ? "" : "t"} data-head={heading(column)}>{column.cells[row]}</td>)}</tr>)}</tbody>
+        <th scope="row" class="t long">{named(name)}</th>{columns.slice(1).map((column) => <td key={column.head} class={column.numbers ? "" : "t"} data-head={heading(column)}>{column.cells[row]}</td>)}</tr>)}</tbody>
     </table></div>
     {note && <p class="note">{note}</p>}
   </div>)}</>;
@@ -103,7 +107,7 @@ export function Verdict() {
   const now = result.value;
   return (
     <div class="verdicts" role="status" aria-live="polite" aria-atomic="false">
-      {slow.value && <p class="busy">{say(now && !stale.value ? "solving.figures" : "solving")} {progress.value > 0 && `${Math.round(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
+      {slow.value && <p class="busy">{say(now && !stale.value ? "solving.figures" : "solving")} {progress.value > 0 && progress.value < 1 && `${Math.floor(100 * progress.value)} %`} <button type="button" onClick={cancel}>{say("cancel")}</button></p>}
       <div class="unseen"><Stale /></div>
       {now && <Statements overview={now.overview} />}
     </div>
@@ -122,7 +126,7 @@ function order({ cells, numbers, unit }: Column, descends: boolean): number[] {
 
 /** The list of impacts as a report has it; a heading sorts by its own column, and once more the other way. */
 export function Impacts({ now }: { now: Result }) {
-  const { impactColumns: columns, impactCount, force } = now.overview;
+  const { impactColumns: columns, impactCount, force, points } = now.overview;
   const [chosen, sort] = useState<{ head: string; descends: boolean } | null>(null);
   const [whole, setWhole] = useState(false);
   const hardness = columns.findIndex(({ numbers }, k) => k > 0 && numbers); // by which they come
@@ -132,7 +136,10 @@ export function Impacts({ now }: { now: Result }) {
   const listed = columns[0].cells.length;
   const choose = (k: number) => sort({ head: columns[k].head, descends: k === by ? !descends : k !== 0 && columns[k].numbers && columns[k].unit !== "s" });
   const show = (number: number) => {
-    main?.showImpact(main.impacts.find((one) => one.number === number));
+    const impact = main?.impacts.find((one) => one.number === number);
+    if (!impact) return;
+    main!.showImpact(impact);
+    gap.value = points[impact.point].gap;
     document.getElementById("motion")?.scrollIntoView();
   };
   const most = onTelephone.value ? 8 : 15, isShort = !whole && Math.min(listed, LISTED) > most;

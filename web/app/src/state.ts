@@ -14,10 +14,12 @@ import { type Slot, slotOf } from "./slot";
 import { leaf, outline } from "./toml";
 
 export const errors = signal<CaseError[]>([]);
-export const curveDone = signal(1);
+/** Which part of the curve over gaps is there; all of it where the case has none. */
+export const curveDone = signal(0);
 export const pinned = signal<Result | null>(null);
 /** Of all records of a suite the one that hits hardest, in full: its file, and of which run of all it is. */
 export const hardest = signal<{ file: string; of: Result; run: Result } | null>(null);
+export const hardestRuns = signal(false);
 export const time = signal(0);
 /** What is wrong with what was dropped, opened, pasted or linked, in the language that there is then. */
 export const problem = signal<(() => Told) | null>(null);
@@ -146,9 +148,12 @@ function run(fine: boolean) {
 /** Of a suite the record to look at, once all of them are there. */
 function runHardest(of: Result, wanted: string) {
   const { records = [], hardest: record = 0 } = of.overview.suite ?? {};
+  hardestRuns.value = record > 0;
   if (record === 0) return;
   behind.ask({ kind: "run", text: wanted, record, language: language.value, step: null, draw: [] }, (answer) => {
-    if (answer.kind === "result" && result.value === of) hardest.value = { file: records[record - 1], of, run: answer };
+    if (result.value !== of || answer.kind === "progress") return;
+    hardestRuns.value = false;
+    if (answer.kind === "result") hardest.value = { file: records[record - 1], of, run: answer };
   });
 }
 
@@ -156,15 +161,19 @@ function runHardest(of: Result, wanted: string) {
 function drawCurve(wanted: string) {
   const overview = result.value?.overview;
   const row = overview && !overview.plan ? slotOf(outline(wanted), gap.value, undefined, []) : null;
-  if (!overview || isStill(overview) || !row) return;
+  if (!overview || isStill(overview) || !row) {
+    curveDone.value = 1;
+    return;
+  }
   const key = `${chosen.value}|${gap.value}|${row.put(wanted, 0)}`;
   if (key === curveText && files.value === curveFiles) return;
   [curveText, curveFiles] = [key, files.value];
   const needed = overview.gaps[gap.value]?.needed ?? 0;
   const most = Math.max(1.25 * needed, 1e-9);
   const list = Array.from({ length: 41 }, (_, k) => (most * k) / 40);
-  curve.value = [];
+  batch(() => { curve.value = []; curveDone.value = 0; });
   behind.ask({ kind: "curve", text: wanted, record: chosen.value, language: language.value, gap: gap.value, widths: list }, (answer) => {
+    if (key !== curveText) return; // of a case that is no longer there
     if (answer.kind === "curve") batch(() => { curve.value = answer.curve; curveDone.value = answer.done; });
     else if (answer.kind === "refused") { curveDone.value = 1; curveText = ""; }
   });
@@ -241,6 +250,7 @@ export function load(given: string) {
     chosen.value = 0;
     hardest.value = null;
     curve.value = [];
+    curveDone.value = 0;
     problem.value = null;
   });
   curveText = "";
@@ -257,6 +267,7 @@ export function inUnits(length: string, force: string) {
       text.value = answer.text;
       loads.value += 1;
       curve.value = [];
+      curveDone.value = 0;
       problem.value = null;
     });
   });
