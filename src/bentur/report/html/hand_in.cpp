@@ -108,8 +108,6 @@ Html title_block(const Case& c, const std::string& title, const std::string& mad
   return title_block(c.project, title, made_by, say, identity);
 }
 
-std::string short_version(const std::string& version) { return version.substr(0, version.find('+')); }
-
 std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title) {
   if (!project) return title;
   std::string head;

@@ -65,7 +65,7 @@ std::string report_html(const RunResults& results, const ReportOptions& options)
                            say("figure.overview"), options.language);
 
   html::PageBody body;
-  body.header = html::title_block(c, title, say("report.by", {{"version", html::short_version(options.version)}}), say);
+  body.header = html::title_block(c, title, say("report.by", {{"version", options.version}}), say);
   body.sections = {verdict,
                    html::remarks_section(report),
                    html::motion_section(say, report.c.units.length, html::MotionView::row),

@@ -139,10 +139,8 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
         },
         "figure.design.", options.language);
   html::PageBody body{
-      .header = html::title_block(c, title,
-                                  say(is_given ? "spectral.by_displacements" : "spectral.by",
-                                      {{"version", html::short_version(options.version)}}),
-                                  say),
+      .header = html::title_block(
+          c, title, say(is_given ? "spectral.by_displacements" : "spectral.by", {{"version", options.version}}), say),
       .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
                    html::figures_section(say, figures), spectral_peaks_section(report, spectral),
                    spectral.plan ? html::plan_input_section(c, *spectral.plan, 0, say) : html::input_section(report)}};

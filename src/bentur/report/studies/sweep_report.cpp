@@ -446,9 +446,8 @@ std::string sweep_report_html(const NetcdfReader& results, const ReportOptions& 
 
   html::PageBody body;
   const std::optional<ProjectSpec> project = project_of(results.attribute("case"));
-  body.header =
-      html::title_block(project, title, say("sweep.by", {{"version", html::short_version(options.version)}}), say) +
-      element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
+  body.header = html::title_block(project, title, say("sweep.by", {{"version", options.version}}), say) +
+                element("p", given.empty() ? "" : say("sweep.of_case", {{"title", given}}), "class=\"note\"");
   body.sections = {verdict(sweep, say)};
   if (is_ida(results)) body.sections.push_back(ida_section(sweep, options, say));
   if (options.hazard && is_ida(results)) body.sections.push_back(risk_section(sweep, *options.hazard, options, say));

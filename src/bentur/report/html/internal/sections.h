@@ -83,8 +83,6 @@ constexpr std::size_t rows_in_print = 100, impacts_in_print = 60;
 /// The same of a study.
 [[nodiscard]] Html title_block(const std::optional<ProjectSpec>& project, const std::string& title,
                                const std::string& made_by, const Words& say, const Rows& identity = {});
-/// Of a version what names a release or how far it has come since: without the state that it was built from.
-[[nodiscard]] std::string short_version(const std::string& version);
 /// What runs along the top of every printed page.
 [[nodiscard]] std::string running_head(const std::optional<ProjectSpec>& project, const std::string& title);
 /// Records that a case applies, with what is made of each; those that are none are left out.

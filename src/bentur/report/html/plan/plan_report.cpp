@@ -344,8 +344,7 @@ std::string plan_report_html(const PlanRun& run, const ReportOptions& options) {
     motion = html::motion_section(say, run.c.units.length, html::MotionView::plan);
     data = html::json_script("data", html::plan_animation_json(run, say, listed));
   }
-  html::PageBody body{.header = html::title_block(
-                          run.c, title, say("report.by", {{"version", html::short_version(options.version)}}), say),
+  html::PageBody body{.header = html::title_block(run.c, title, say("report.by", {{"version", options.version}}), say),
                       .sections = {verdict, sections.remarks(), motion, sections.gap_needs(), sections.peaks(),
                                    sections.columns(), sections.impacts(listed),
                                    html::sensitivity_section(options.sensitivity, run.c, say, options.language),
