@@ -160,7 +160,7 @@ double add_beside(Panel& panel, double x, double y, const std::string& text, dou
   }
   const double round_off = 1e-6 * one_cm;  // of places to the left and to the right as far, the first is taken
   std::stable_sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
-    return std::floor(a.cost / round_off) < std::floor(b.cost / round_off);
+    return std::nearbyint(a.cost / round_off) < std::nearbyint(b.cost / round_off);
   });
   const double beyond = furthest * one_cm;
   const Obstacles obstacles =
@@ -195,7 +195,7 @@ double add_beside(Panel& panel, double x, double y, const std::string& text, dou
   for (const Place& place : places) {
     if (place.cost >= best.cost) break;
     const double cost = place.cost + one_cm * besides(place, (best.cost - place.cost) / one_cm);
-    if (cost >= best.cost) continue;
+    if (cost >= best.cost - round_off) continue;
     best = place;
     best.cost = cost;
   }
