@@ -98,7 +98,8 @@ void run(const std::string& file, const Words& say) {
                                  : "";
   if (loaded.c.is_in_plan()) {
     if (no_run.empty())
-      refuse(beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
+      refuse(
+          beyond_limits(loaded.c, loaded.plan, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
     const Story unusual = {remark_statements(remarks(loaded.c, loaded.plan))};
     return print(fitted(text + plan_lines(loaded, say) + (no_run.empty() ? solver() : no_run + "\n") +
                         story_text(gap_names(loaded.plan), unusual, say, Told::all)));

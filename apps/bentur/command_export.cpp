@@ -110,8 +110,7 @@ std::vector<ToldJudgement> judgements_of(const Loaded& loaded, const std::string
     return all;
   }
   if (c.excitation.spectrum) return told_judgements(c, loaded.problem, spectral_gaps(loaded));
-  return c.is_in_plan() ? told_judgements(simulate_plan(loaded, 0, true, language))
-                        : told_judgements(simulate(loaded, 0, true, language));
+  return with_run(loaded, language, [](const auto& run) { return told_judgements(run); });
 }
 
 /// Of the buildings of a row or in plan.
@@ -134,8 +133,7 @@ void export_taxonomy(const ExportArguments& arguments) {
   OutputFile output = output_file(arguments, ResultKind::taxonomy);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   const std::vector<ToldJudgement> gaps = judgements_of(loaded, arguments.language);
-  output.write(loaded.c.is_in_plan() ? taxonomy_table(loaded.c, loaded.plan, gaps)
-                                     : taxonomy_table(loaded.c, loaded.problem, gaps));
+  output.write(with_problem(loaded, [&](const auto& problem) { return taxonomy_table(loaded.c, problem, gaps); }));
   std::set<std::pair<Eigen::Index, Eigen::Index>> open;
   for (const ToldJudgement& gap : gaps) {
     if (gap.judgement.is_open()) open.emplace(gap.left, gap.right);

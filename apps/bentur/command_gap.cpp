@@ -165,14 +165,12 @@ void run_rules(const GapArguments& arguments) {
   const Words say(arguments.language);
   const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
   const Case& c = loaded.c;
-  const bool in_plan = c.is_in_plan();
   if (arguments.json) {
-    return print(in_plan ? height_rules_json(c, loaded.plan, version())
-                         : height_rules_json(c, loaded.problem, version()));
+    return print(with_problem(loaded, [&](const auto& problem) { return height_rules_json(c, problem, version()); }));
   }
   std::string text = c.title.empty() ? "" : c.title + "\n\n";
-  const Story story = in_plan ? height_rules_story(c, loaded.plan) : height_rules_story(c, loaded.problem);
-  const std::vector<std::string> names = in_plan ? gap_names(loaded.plan) : gap_names(loaded.problem);
+  const Story story = with_problem(loaded, [&](const auto& problem) { return height_rules_story(c, problem); });
+  const std::vector<std::string> names = with_problem(loaded, [](const auto& problem) { return gap_names(problem); });
   if (!story.tables.empty()) text += tables_text(names, story, say) + "\n" + wrapped(say("cli.height_note")) + "\n";
   print(fitted(text + codes_note(c.code, say)));
 }
@@ -194,16 +192,12 @@ void run(const GapArguments& arguments) {
     return tell_suite(arguments, loaded);
   }
   if (loaded.c.excitation.spectrum) return run_spectrum(loaded, arguments.json, say);
-  const auto told = [&](const auto& run, const std::string& note) {
-    return heading(run.c, say) +
-           all_gaps_text(gap_names(run.problem), run.c.code, gap_story(run), {note, say("screening.note")}, say);
-  };
-  if (loaded.c.is_in_plan()) {
-    const PlanRun run = simulate_plan(loaded, 0, true, arguments.language);
-    return print(arguments.json ? gap_json(run, version()) : fitted(told(run, say("cli.plan_gap_note"))));
-  }
-  const RunResults run = simulate(loaded, 0, true, arguments.language);
-  print(arguments.json ? gap_json(run, version()) : fitted(told(run, say("cli.gap_note"))));
+  const std::string note = say(loaded.c.is_in_plan() ? "cli.plan_gap_note" : "cli.gap_note");
+  print(with_run(loaded, arguments.language, [&](const auto& run) {
+    if (arguments.json) return gap_json(run, version());
+    return fitted(heading(run.c, say) + all_gaps_text(gap_names(run.problem), run.c.code, gap_story(run),
+                                                      {note, say("screening.note")}, say));
+  }));
 }
 
 }  // namespace

@@ -72,8 +72,7 @@ LeastGaps gaps_of(const RemedyArguments& arguments) {
   if (c.excitation.spectrum) {
     return least_gaps(c, loaded.problem, spectral_gaps(loaded));
   }
-  if (c.is_in_plan()) return least_gaps(simulate_plan(loaded, 0, true, arguments.language));
-  return least_gaps(simulate(loaded, 0, true, arguments.language));
+  return with_run(loaded, arguments.language, [](const auto& run) { return least_gaps(run); });
 }
 
 void run_case(const RemedyArguments& arguments) {

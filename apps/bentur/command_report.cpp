@@ -14,7 +14,6 @@
 #include "bentur/io/results/result_variable.h"
 #include "bentur/model/plan/plan_dense_run.h"
 #include "bentur/report/errors.h"
-#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/suite_report.h"
@@ -56,12 +55,9 @@ ReportOptions with_sensitivity(ReportOptions options, const Case& c, const std::
   return options;
 }
 
-std::string report_of(const RunResults& results, const std::filesystem::path& folder, const ReportOptions& options) {
+template <class Run>
+std::string report_of(const Run& results, const std::filesystem::path& folder, const ReportOptions& options) {
   return report_html(results, with_sensitivity(options, results.c, folder));
-}
-
-std::string report_of(const PlanRun& results, const std::filesystem::path& folder, const ReportOptions& options) {
-  return plan_report_html(results, with_sensitivity(options, results.c, folder));
 }
 
 /// The report of a folder of results.
@@ -107,14 +103,11 @@ std::string from_case(const Loaded& loaded, const std::string& file, const Repor
   }
   ReportOptions all = options;
   all.sensitivity = sensitivity_of_report(loaded.c, file);
-  if (loaded.c.is_in_plan()) {
-    PlanRun run = simulate_plan(loaded, report_output_step(loaded.plan), true, options.language);
-    run.closer = dense_findings(run);
-    return plan_report_html(run, all);
-  }
-  RunResults results = simulate(loaded, report_output_step(loaded.problem), true);
-  results.figures = figure_data(results);
-  return report_html(results, all);
+  return with_problem(loaded, [&](const auto& problem) {
+    auto run = simulate(loaded, problem, report_output_step(problem), true, options.language);
+    find_figures(run);
+    return report_html(run, all);
+  });
 }
 
 /// The result files that a report is made from.

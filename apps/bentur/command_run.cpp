@@ -19,8 +19,8 @@
 #include "bentur/report/files/figure_files.h"
 #include "bentur/report/files/picture.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/run_tables.h"
 #include "bentur/report/words.h"
-#include "cases/plan_text.h"
 #include "cases/suite.h"
 #include "commands.h"
 #include "output/output.h"
@@ -42,67 +42,15 @@ struct RunArguments {
   std::string language = "en";
 };
 
-/// Columns behind the elevations [length] of their places.
-Table table_of(std::vector<TableColumn> columns, const RunView& run, const std::vector<double>& elevations,
-               const Words& say) {
-  Table table;
-  table.add(say("cli.level"), run.units.length, elevations);
-  for (TableColumn& column : columns) {
-    table.add(std::move(column.label), std::move(column.unit), std::move(column.cells));
-  }
-  return table;
+std::string text_of(const RunTable& table) {
+  Table made;
+  for (const TableColumn& column : table.columns) made.add(column.label, column.unit, column.cells);
+  return made.text();
 }
 
-/// Every quantity of contact points, links or floors that is for tables, behind the elevations of the places.
-Table quantity_table(const RunView& run, Owner owner, const std::vector<QuantityPlace>& places, const Words& say) {
-  std::vector<double> elevations;
-  for (const QuantityPlace& at : places) {
-    elevations.push_back(owner == Owner::point  ? run.problem.points[at.item].elevation
-                         : owner == Owner::link ? run.problem.links[at.item].elevation
-                                                : run.problem.buildings[at.item].model.elevations[at.floor]);
-  }
-  return table_of(table_columns(owner, run, places, say.number()), run, elevations, say);
-}
-
-/// What the storeys of a building do that yield, each by the floor above it; empty where none can.
-std::string yielding_table(const RunView& run, Eigen::Index building, const Words& say) {
-  const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
-  std::vector<TableColumn> columns =
-      table_columns(Owner::floor, run, floors_from_top(run.problem, building), say.number(), QuantityTable::yielding);
-  if (columns.empty()) return "";
-  return "\n" + say("cli.yielding", {{"building", run.problem.buildings[building].name}}) + "\n\n" +
-         table_of(std::move(columns), run, {levels.rbegin(), levels.rend()}, say).text();
-}
-
-/// Accelerations and storey shears of a building with and without contact, storeys by the floor above them.
-std::string force_table(const RunView& run, Eigen::Index building, const Words& say) {
-  const std::vector<double>& levels = run.problem.buildings[building].model.elevations;
-  return "\n" + table_of(table_columns(Owner::floor, run, floors_from_top(run.problem, building), say.number(),
-                                       QuantityTable::forces),
-                         run, {levels.rbegin(), levels.rend()}, say)
-                    .text();
-}
-
-/// The contact points of a gap from the top down.
-std::vector<Eigen::Index> points_from_top(const Gap& gap) { return {gap.points.rbegin(), gap.points.rend()}; }
-
-/// What the columns bear that floors strike in a gap, from the top down; empty where floors meet.
-std::string struck_table(const RunView& run, const Gap& gap, const Words& say) {
-  std::vector<Eigen::Index> points = points_from_top(gap);
-  std::erase_if(points, [&](Eigen::Index i) { return !struck_column(run.problem, run.problem.points[i]); });
-  if (points.empty()) return "";
-  std::vector<double> elevations;
-  std::vector<std::string> struck;
-  for (const Eigen::Index i : points) {
-    const ContactPoint& point = run.problem.points[i];
-    elevations.push_back(point.elevation);
-    struck.push_back(run.problem.buildings[struck_column(run.problem, point)->building].name);
-  }
-  std::vector<TableColumn> columns =
-      table_columns(Owner::point, run, places_of(points), say.number(), QuantityTable::struck);
-  columns.insert(columns.begin(), {say("cli.column_of"), "", struck});
-  return "\n" + say("cli.columns", {{"gap", gap_name(run.problem, gap.number)}}) + "\n\n" +
-         table_of(std::move(columns), run, elevations, say).text();
+/// A table below its heading; empty where there is none.
+std::string under(const std::string& heading, const RunTable& table) {
+  return table.is_empty() ? "" : "\n" + heading + "\n\n" + text_of(table);
 }
 
 /// What decides the law beside its stiffness and the restitution asked for: "damping_ratio 0.1359".
@@ -142,7 +90,9 @@ std::string law_text(const RunResults& run, const RunView& view, const Words& sa
     for (const auto& [name, word] : gaps[gap].contact.choices()) {
       made += (made.empty() ? "" : ", ") + word;
     }
-    for (const Eigen::Index i : points_from_top(gap_at(run.problem, gap))) {
+    const std::vector<Eigen::Index> points = gap_at(run.problem, gap).points;
+    for (auto point = points.rbegin(); point != points.rend(); ++point) {
+      const Eigen::Index i = *point;
       between.push_back(gap_name(run.problem, gap));
       elevation.push_back(run.problem.points[i].elevation);
       law.push_back(gaps[gap].contact.law);
@@ -170,61 +120,63 @@ std::string law_text(const RunResults& run, const RunView& view, const Words& sa
   return "\n" + say("cli.laws") + "\n\n" + table.text() + note;
 }
 
-using cli::run_tables;  // of buildings in plan
-
-/// Points, laws, links and floors of a row, as tables.
-std::string run_tables(const RunResults& run, const Words& say) {
-  const RunView view = run.view();
-  const Problem& problem = run.problem;
-  std::string text;
-  for (const Gap& gap : gaps_of(problem)) {
-    if (gap.points.empty()) continue;
-    text += "\n" + say("cli.contact", {{"gap", gap_name(problem, gap.number)}}) + "\n\n" +
-            quantity_table(view, Owner::point, places_of(points_from_top(gap)), say).text() +
-            struck_table(view, gap, say);
-  }
-  text += law_text(run, view, say);
-  const std::vector<std::vector<Eigen::Index>> links = links_by_spec(run.c.links);
-  for (std::size_t k = 0; k < links.size(); ++k) {
-    if (links[k].empty()) continue;
-    const std::vector<Eigen::Index> from_top(links[k].rbegin(), links[k].rend());
-    text += "\n" +
-            say("cli.links",
-                {{"link", link_name(problem, problem.links.at(from_top.front()))}, {"law", run.c.links[k].law}}) +
-            "\n\n" + quantity_table(view, Owner::link, places_of(from_top), say).text();
-  }
-  for (Eigen::Index b = 0; b < std::ssize(problem.buildings); ++b) {
-    const Building& building = problem.buildings[b];
+/// The base shear of a building of a row over its weight, and what one compares first; of what moves nothing.
+std::vector<std::string> proportions_of(const RunResults& run, const Words& say) {
+  std::vector<std::string> lines;
+  const ShownUnits shown = shown_units(run);
+  for (std::size_t b = 0; b < run.problem.buildings.size(); ++b) {
+    const Building& building = run.problem.buildings[b];
+    lines.emplace_back();
+    if (building.is_rigid()) continue;
     const Proportions found = proportions(building, run.c.units, &run.response.buildings[b]);
-    text += "\n" + say("cli.peaks", {{"building", building.name}}) + "\n\n" +
-            quantity_table(view, Owner::floor, floors_from_top(problem, b), say).text();
-    text += force_table(view, b, say);
-    if (building.is_rigid()) {
-      text += "  " + say("cli.moves") + "\n";
-      continue;
-    }
     const auto& coefficient = found.base_shear_coefficient;
-    text += "  " +
-            say("cli.base_shear", {{"coefficient", coefficient ? number(*coefficient) : "–"},
-                                   {"proportions", proportions_text(building, found, view.shown, say)}}) +
-            "\n";
-    if (const Eigen::VectorXd& foundation = run.response.buildings[b].foundation; foundation.size() == 2) {
-      text +=
-          "  " +
-          say("cli.foundation",
-              {{"sway", number(foundation(0))}, {"length", run.c.units.length}, {"rocking", number(foundation(1))}}) +
-          "\n";
-    }
-    text += yielding_table(view, b, say);
+    lines.back() = say("cli.base_shear", {{"coefficient", coefficient ? number(*coefficient) : "–"},
+                                          {"proportions", proportions_text(building, found, shown, say)}});
+  }
+  return lines;
+}
+
+/// Points, laws, links and buildings, as tables. @param below the floors of each building, a line
+std::string tables_text(const RunTables& tables, const std::vector<PointSummary>& points, const std::string& laws,
+                        const std::vector<std::string>& below, const Words& say) {
+  std::string text;
+  for (const ContactTable& one : tables.contacts) {
+    text += under(say("cli.contact", {{"gap", one.gap}}), one.points);
+  }
+  if (is_elastic(points)) text += "  " + say("peaks.elastic") + "\n";
+  text += under(say("columns.table"), tables.struck) + laws;
+  for (const LinkTable& one : tables.links) {
+    text += under(say("cli.links", {{"link", one.link}, {"law", one.law}}), one.links);
+  }
+  for (std::size_t b = 0; b < tables.buildings.size(); ++b) {
+    const BuildingTables& one = tables.buildings[b];
+    const std::pair<std::string, std::string> of = {"building", one.building};
+    text += under(say("cli.peaks", {of}), one.floors);
+    if (!one.forces.is_empty()) text += "\n" + text_of(one.forces);
+    if (one.moves_with_ground) text += "  " + say("cli.moves") + "\n";
+    if (!below[b].empty()) text += "  " + below[b] + "\n";
+    text += under(say("plan.foundation"), one.foundation) + under(say("cli.yielding", {of}), one.yielding) +
+            under(say("plan.bearings"), one.bearings) + under(say("cli.planes", {of}), one.planes);
   }
   return text;
+}
+
+std::string run_text(const RunResults& run, const Words& say) {
+  const RunView view = run.view();
+  return tables_text(run_tables(view, run.c, say), run.response.points, law_text(run, view, say),
+                     proportions_of(run, say), say);
+}
+
+std::string run_text(const PlanRun& run, const Words& say) {
+  return tables_text(run_tables(run, say), run.response.points, "",
+                     std::vector<std::string>(run.problem.buildings.size()), say);
 }
 
 template <class Run>
 std::string summary_text(const Run& run, const Words& say) {
   const std::vector<std::string> gaps = gap_names(run.problem);
   const Story story = run_story(run);
-  std::string text = heading(run.c, say) + "\n" + story_text(gaps, story, say, Told::outcome) + run_tables(run, say) +
+  std::string text = heading(run.c, say) + "\n" + story_text(gaps, story, say, Told::outcome) + run_text(run, say) +
                      "\n" + say("cli.storeys") + "\n\n" + story_text(gaps, story, say, Told::remarks);
   if (run.response.energy) {
     const ShownUnits shown = shown_units(run);
@@ -334,14 +286,11 @@ void execute(const RunArguments& arguments) {
   std::optional<RunOutput> output;
   if (!arguments.directory.empty()) output.emplace(arguments, loaded);
   const double step = output ? loaded.c.analysis.output_step : 0;
-  if (loaded.c.is_in_plan()) {
-    PlanRun run = simulate_plan(loaded, step, !arguments.quiet, arguments.language);
-    if (!arguments.figures.empty()) run.closer = dense_findings(run);
-    return tell(arguments, run, output);
-  }
-  RunResults run = simulate(loaded, step, !arguments.quiet, arguments.language);
-  if (!arguments.figures.empty()) run.figures = figure_data(run);
-  tell(arguments, run, output);
+  with_problem(loaded, [&](const auto& problem) {
+    auto run = simulate(loaded, problem, step, !arguments.quiet, arguments.language);
+    if (!arguments.figures.empty()) find_figures(run);
+    tell(arguments, run, output);
+  });
 }
 
 }  // namespace

@@ -177,21 +177,6 @@ void refuse_beyond_limits(const Loaded& loaded, const std::string& refusal, cons
 
 }  // namespace
 
-RunResults simulate(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
-  SolveOptions options = solve_options(loaded.c);
-  options.output_step = output_step;
-  options.energy_step = loaded.c.analysis.output_step;
-  options.course = output_step > 0;
-  const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  refuse_beyond_limits(loaded, beyond_limits(loaded.c, loaded.problem, needed), language);
-  const std::string warning = long_run_text(loaded, needed, Words(language));
-  if (progress && !warning.empty()) message(warning);
-  Response response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
-    return solve(loaded.problem, loaded.c.analysis.solver, shown);
-  });
-  return run_results(loaded.c, loaded.problem, std::move(response));
-}
-
 namespace {
 
 /// What the solver has freed, to the system: of a block it is most of what there is, in pieces that what is written
@@ -202,19 +187,41 @@ void give_back_memory() {
 #endif
 }
 
-}  // namespace
+/// Says so before what may take long; the steps of buildings in plan are not known well enough.
+void warn(const Loaded& loaded, const Problem& /*problem*/, const Effort& needed, const std::string& language) {
+  const std::string warning = long_run_text(loaded, needed, Words(language));
+  if (!warning.empty()) message(warning);
+}
+void warn(const Loaded& /*loaded*/, const PlanProblem& /*problem*/, const Effort& /*needed*/,
+          const std::string& /*language*/) {}
 
-PlanRun simulate_plan(const Loaded& loaded, double output_step, bool progress, const std::string& language) {
+template <class AnyProblem>
+auto simulated(const Loaded& loaded, const AnyProblem& problem, double output_step, bool progress,
+               const std::string& language) {
   SolveOptions options = solve_options(loaded.c);
-  if (output_step > 0) options.output_step = output_step;
+  options.output_step = output_step;
+  options.energy_step = loaded.c.analysis.output_step;
   options.course = output_step > 0;
-  refuse_beyond_limits(loaded, beyond_limits(loaded.c, effort(loaded.plan, loaded.c.analysis.solver, options)),
-                       language);
-  PlanResponse response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
-    return solve(loaded.plan, loaded.c.analysis.solver, shown);
+  const Effort needed = effort(problem, loaded.c.analysis.solver, options);
+  refuse_beyond_limits(loaded, beyond_limits(loaded.c, problem, needed), language);
+  if (progress) warn(loaded, problem, needed, language);
+  auto response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
+    return solve(problem, loaded.c.analysis.solver, shown);
   });
   give_back_memory();
-  return run_results(loaded.c, loaded.plan, std::move(response));
+  return run_results(loaded.c, problem, std::move(response));
+}
+
+}  // namespace
+
+RunResults simulate(const Loaded& loaded, const Problem& problem, double output_step, bool progress,
+                    const std::string& language) {
+  return simulated(loaded, problem, output_step, progress, language);
+}
+
+PlanRun simulate(const Loaded& loaded, const PlanProblem& problem, double output_step, bool progress,
+                 const std::string& language) {
+  return simulated(loaded, problem, output_step, progress, language);
 }
 
 std::string solver_name(const Solver& solver) {

@@ -133,12 +133,22 @@ auto solve_shown(Options options, bool progress, const std::string& language, co
 /// take long. With `progress`, work of more than two seconds shows how far it is, if standard error is a terminal.
 /// @throws Failure when it takes more than the case's limits (exit_bad_input), when the numbers fail
 /// (exit_numbers_failed) and when it is stopped (exit_other).
-[[nodiscard]] RunResults simulate(const Loaded& loaded, double output_step, bool progress,
-                                  const std::string& language = "en");
+[[nodiscard]] RunResults simulate(const Loaded& loaded, const Problem& problem, double output_step, bool progress,
+                                  const std::string& language);
+/// The same of buildings in plan, without saying so beforehand.
+[[nodiscard]] PlanRun simulate(const Loaded& loaded, const PlanProblem& problem, double output_step, bool progress,
+                               const std::string& language);
 
-/// The same of buildings in plan, without a warning.
-[[nodiscard]] PlanRun simulate_plan(const Loaded& loaded, double output_step, bool progress,
-                                    const std::string& language = "en");
+/// What `use` makes of the problem of a case, of a row or in plan.
+template <class Use>
+auto with_problem(const Loaded& loaded, const Use& use) {
+  return loaded.c.is_in_plan() ? use(loaded.plan) : use(loaded.problem);
+}
+/// What `use` makes of a run of a case without histories, of a row or in plan.
+template <class Use>
+auto with_run(const Loaded& loaded, const std::string& language, const Use& use) {
+  return with_problem(loaded, [&](const auto& problem) { return use(simulate(loaded, problem, 0, true, language)); });
+}
 
 /// "exact", or another one with its number: "runge-kutta, step 0.006 s".
 [[nodiscard]] std::string solver_name(const Solver& solver);

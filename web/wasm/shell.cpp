@@ -30,7 +30,7 @@
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/pounding/pounding.h"
 #include "bentur/report/html/page_parts.h"
-#include "bentur/report/html/plan/plan_report.h"
+#include "bentur/report/html/report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/html/spectral_report.h"
 #include "bentur/report/html/suite_report.h"
@@ -259,7 +259,7 @@ std::string Studio::solve(const emscripten::val& output_step, const emscripten::
       SolveOptions options = options_of(c, problem, output_step);
       options.course = true;
       PlanResponse response;
-      const auto refused = [&](const Effort& needed) { return beyond_limits(c, needed); };
+      const auto refused = [&](const Effort& needed) { return beyond_limits(c, problem, needed); };
       const Effort needed = effort(problem, c.analysis.solver, options);
       const auto run = [&]() -> const PlanResponse& {
         return response = bentur::solve(problem, c.analysis.solver, options);
@@ -322,7 +322,7 @@ std::string Studio::motion(const std::string& language) const {
 
 std::string Studio::report(const std::string& language) const {
   const ReportOptions options{.language = language, .version = std::string(version())};
-  if (plan_run_) return plan_report_html(*plan_run_, options);
+  if (plan_run_) return report_html(*plan_run_, options);
   if (spectral_) return spectral_report_html(*case_, *problem_, *spectral_, options);
   if (suite_run_) return suite_report_html(*suite_run_, *suite_gaps_, options);
   if (!run_) return "";

@@ -155,10 +155,10 @@ Json impacts_of(const RunResults& run, const ShownUnits& shown) {
 }
 
 /// The list of impacts as a report has it.
-Json columns_of(const std::vector<PageColumn>& columns) {
+Json columns_of(const std::vector<TableColumn>& columns) {
   Json all = Json::array();
-  for (const PageColumn& one : columns) {
-    all.push_back({{"head", one.heading}, {"unit", one.unit}, {"cells", one.cells}, {"numbers", one.are_numbers}});
+  for (const TableColumn& one : columns) {
+    all.push_back({{"head", one.label}, {"unit", one.unit}, {"cells", one.cells}, {"numbers", !one.is_words}});
   }
   return all;
 }

@@ -25,7 +25,6 @@
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
 #include "bentur/pounding/pounding.h"
-#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/figure_width.h"
 #include "bentur/report/kinds/kinds.h"
@@ -105,35 +104,30 @@ SpectralGaps spectral_of(const PyCase& given) {
                     : spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units);
 }
 
-/// As solved() of buildings in plan.
-std::shared_ptr<PyRun> solved_in_plan(const PyCase& given, std::optional<double> output_step,
-                                      const py::object& progress) {
-  PlanProblem problem = *given.plan;
+std::shared_ptr<PyRun> kept(RunResults run) { return std::make_shared<PyRun>(PyRun{std::move(run)}); }
+std::shared_ptr<PyRun> kept(PlanRun run) {
+  return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
+}
+
+template <class AnyProblem>
+std::shared_ptr<PyRun> solved(const PyCase& given, AnyProblem problem, std::optional<double> output_step,
+                              const py::object& progress) {
   const AnalysisSpec& analysis = given.c.analysis;
   SolveOptions options = solve_options(analysis);
   options.output_step = output_step.value_or(report_output_step(problem));
   if (!output_step) options.energy_step = analysis.output_step;
   options.course = options.output_step > 0;
-  refuse(beyond_limits(given.c, effort(problem, analysis.solver, options)), given);
-  PlanResponse response = watched(given, options, progress, [&] { return solve(problem, analysis.solver, options); });
-  PlanRun run = run_results(given.c, std::move(problem), std::move(response));
-  return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
+  refuse(beyond_limits(given.c, problem, effort(problem, analysis.solver, options)), given);
+  auto response = watched(given, options, progress, [&] { return solve(problem, analysis.solver, options); });
+  const py::gil_scoped_release unlocked;
+  return kept(run_results(given.c, std::move(problem), std::move(response)));
 }
 
 /// With histories at so many seconds, or, with nothing, as a report needs them.
 std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_step, const py::object& progress) {
   if (Diagnostics found; refuse_without_motion(given.c, found)) raise_case_error(found);
-  if (given.plan) return solved_in_plan(given, output_step, progress);
-  Problem problem = given.problem;
-  SolveOptions options = solve_options(given.c);
-  options.output_step = output_step.value_or(report_output_step(problem));
-  if (!output_step) options.energy_step = given.c.analysis.output_step;
-  options.course = options.output_step > 0;
-  refuse(beyond_limits(given.c, problem, effort(problem, given.c.analysis.solver, options)), given);
-  Response response =
-      watched(given, options, progress, [&] { return solve(problem, given.c.analysis.solver, options); });
-  const py::gil_scoped_release unlocked;
-  return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
+  return given.plan ? solved(given, *given.plan, output_step, progress)
+                    : solved(given, given.problem, output_step, progress);
 }
 
 std::string sensitivities(const PyCase& given, const std::vector<std::string>& numbers, const py::object& progress) {
@@ -269,13 +263,13 @@ std::string modes(const PyCase& given, bool jacobi) {
 /// The run with what figures show beyond histories.
 const RunResults& with_figures(PyRun& run) {
   RunResults& results = run.results;
-  if (!run.has_figures) results.figures = figure_data(results);
+  if (!run.has_figures) find_figures(results);
   run.has_figures = true;
   return results;
 }
 
 const PlanRun& plan_with_figures(PyRun& run) {
-  if (!run.has_figures) run.plan->closer = dense_findings(*run.plan);
+  if (!run.has_figures) find_figures(*run.plan);
   run.has_figures = true;
   return *run.plan;
 }
@@ -351,8 +345,7 @@ void bind_run(py::module_& module) {
             if (given != nullptr) {
               options.sensitivity = sensitivity_of_report(given->c, given->folder / fs::path(given->name).filename());
             }
-            return run.plan ? plan_report_html(plan_with_figures(run), options)
-                            : report_html(with_figures(run), options);
+            return run.plan ? report_html(plan_with_figures(run), options) : report_html(with_figures(run), options);
           },
           py::arg("language") = "en", py::arg("case") = py::none())
       .def("figure_kinds", &kinds_of)

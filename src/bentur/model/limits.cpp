@@ -63,7 +63,7 @@ std::string beyond_limits(const Case& c, const Problem& problem, const Effort& e
                 [&] { return fmt::format("The fastest motion is {}. ", fastest_text(c, problem, effort.apart)); });
 }
 
-std::string beyond_limits(const Case& c, const Effort& effort) {
+std::string beyond_limits(const Case& c, const PlanProblem& /*problem*/, const Effort& effort) {
   return beyond(c.analysis.limits, effort, [] { return ""; });
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "bentur/model/case.h"
+#include "bentur/pounding/plan/plan_problem.h"
 #include "bentur/pounding/pounding.h"
 
 namespace bentur {
@@ -13,6 +14,6 @@ namespace bentur {
 /// Why a run is refused before any work is done, with what makes it so; empty where it is within the case's limits.
 [[nodiscard]] std::string beyond_limits(const Case& c, const Problem& problem, const Effort& effort);
 /// The same of buildings in plan, without naming the cause.
-[[nodiscard]] std::string beyond_limits(const Case& c, const Effort& effort);
+[[nodiscard]] std::string beyond_limits(const Case& c, const PlanProblem& problem, const Effort& effort);
 
 }  // namespace bentur

@@ -165,8 +165,8 @@ std::deque<Quantity>& list() {
       // Of frames with hinges.
       {"hinge_energy", building, "F L", "Σ E_h", "energy that the hinges have dissipated", {}, hinge_energy()},
       // Of buildings on soil.
-      {"peak_sway", building, "L", "max |u|", "largest sway of the foundation relative to the free field", {}, of_foundation(0), "/soil/peak_sway"},
-      {"peak_rocking", building, "rad", "max |θ|", "largest rotation of the foundation", {}, of_foundation(1), "/soil/peak_rocking"},
+      {"peak_sway", building, "L", "max |u|", "largest sway of the foundation relative to the free field", {"Sway", "Goyangan"}, of_foundation(0), "/soil/peak_sway"},
+      {"peak_rocking", building, "rad", "max |θ|", "largest rotation of the foundation", {"Rocking", "Guling"}, of_foundation(1), "/soil/peak_rocking", "mrad", 1e3},
       // Floors, and the storeys below them.
       {"peak_displacement", floor, "L", "max |x|", "largest displacement relative to the own base", {"Displacement", "Perpindahan"}, of_floors(&BuildingPeaks::displacement)},
       {"peak_displacement_no_contact", floor, "L", "max |x⁰|", "largest displacement with contact switched off", {"Without contact", "Tanpa kontak"}, of_floors(&BuildingPeaks::displacement_no_contact)},

@@ -154,9 +154,10 @@ void add_quantity(const Quantity& quantity);
 
 /// A column of a table for people.
 struct TableColumn {
-  std::string label, unit;
-  std::vector<std::string> cells;
+  std::string label = {}, unit = {};
+  std::vector<std::string> cells = {};
   std::vector<double> values = {};  ///< of which column() makes the cells; empty: they are words, or made otherwise
+  bool is_words = false;            ///< to be read, not compared
 };
 /// A column for each quantity of this owner that has a label and is of this table, with a cell for each place. Of
 /// buildings in plan what none of the places has is left out, and round-off is shown as 0.

@@ -47,6 +47,8 @@ struct RunResults {
 [[nodiscard]] FigureData figure_data(const RunResults& run);
 /// The same where `known` is that of a run before: of the same motion it has the spectrum already.
 [[nodiscard]] FigureData figure_data(const RunResults& run, const GroundMotion& of_known, FigureData known);
+/// Finds what figures show beyond the histories, for the run to keep.
+inline void find_figures(RunResults& run) { run.figures = figure_data(run); }
 
 /// Whether some building has storeys that can yield, by the problem or, where its laws are not known, by the response.
 [[nodiscard]] bool some_building_yields(const Problem& problem, const Response& response);

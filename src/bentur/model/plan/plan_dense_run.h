@@ -19,5 +19,7 @@ namespace bentur {
 /// As of a row: floors move at their centres of mass, frames are counted among frames_with_members(). Speeds are those
 /// of movements between samples, so that S_a falls 0.4 % short at most.
 [[nodiscard]] DenseFindings dense_findings(const PlanRun& run, double budget = 2e7);
+/// As that of a row (run_results.h).
+inline void find_figures(PlanRun& run) { run.closer = dense_findings(run); }
 
 }  // namespace bentur

@@ -3,82 +3,83 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bentur/core/number_text.h"
+#include "bentur/model/plan/plan_places.h"
+#include "bentur/model/run_results.h"
 #include "bentur/report/html/internal/sections.h"
 
 namespace bentur::html {
 namespace {
 
-/// What the sentence about the worst column names: the one nearest to what it bears, else the one with the largest
-/// shear.
-Eigen::Index worst_of(const Report& report, const std::vector<Eigen::Index>& points) {
-  const auto demand = [&](Eigen::Index i) {
-    const double ratio = value_of(quantity_named("column_demand_capacity", Owner::point), report.run, {i, 0});
-    const std::optional<ColumnPeaks>& column = report.response.points[i].column;
-    return std::pair{std::isnan(ratio) ? 0.0 : ratio, column ? column->shear : 0.0};
-  };
-  return *std::max_element(points.begin(), points.end(),
-                           [&](Eigen::Index a, Eigen::Index b) { return demand(a) < demand(b); });
+double demand_capacity(const RunView& run, const QuantityPlace& at) {
+  return value_of(quantity_named("column_demand_capacity", Owner::point), run, at);
 }
 
-Html lead(const Report& report, const std::vector<Eigen::Index>& points) {
-  const Words& say = report.say;
-  const Eigen::Index i = worst_of(report, points);
-  const ColumnPeaks column = report.response.points[i].column.value_or(ColumnPeaks{});
-  const StruckColumn struck = struck_column(report.problem, report.problem.points[i]).value();
-  std::string text =
-      say("columns.worst", {{"building", report.problem.buildings[struck.building].name},
-                            {"elevation", quantity(report.problem.points[i].elevation, report.c.units.length)},
-                            {"shear", force_text(report, column.shear, "F")},
-                            {"shear_without", force_text(report, column.shear_no_contact, "F")},
-                            {"moment", force_text(report, column.moment, "F L")},
-                            {"moment_without", force_text(report, column.moment_no_contact, "F L")}});
-  const double ratio = value_of(quantity_named("column_demand_capacity", Owner::point), report.run, {i, 0});
+double demand_capacity(const PlanRun& run, const QuantityPlace& at) {
+  return value_of(quantity_named("column_demand_capacity", Owner::point, true), run, at);
+}
+
+const ShownUnits& shown_of(const RunView& run) { return run.shown; }
+ShownUnits shown_of(const PlanRun& run) { return shown_units(run); }
+
+/// A struck column and where.
+struct Struck {
+  Eigen::Index building = 0;
+  double elevation = 0;
+};
+
+Struck struck_at(const RunView& run, Eigen::Index point) {
+  const ContactPoint& at = run.problem.points.at(point);
+  return {struck_column(run.problem, at).value().building, at.elevation};
+}
+
+Struck struck_at(const PlanRun& run, Eigen::Index point) {
+  const PlanContactPlace at = contact_at(run.problem, point);
+  return {struck_column(run.problem, run.problem.gaps[at.gap], *at.contact).value().building, at.contact->elevation};
+}
+
+/// The column nearest to what it bears, else the one with the largest shear.
+template <class Run>
+Html lead(const Run& run, const std::vector<QuantityPlace>& places, const Units& units, const Words& say) {
+  const auto demand = [&](const QuantityPlace& at) {
+    const double ratio = demand_capacity(run, at);
+    const std::optional<ColumnPeaks>& column = run.response.points[at.item].column;
+    return std::pair{std::isnan(ratio) ? 0.0 : ratio, column ? column->shear : 0.0};
+  };
+  const QuantityPlace& worst =
+      *std::max_element(places.begin(), places.end(),
+                        [&](const QuantityPlace& a, const QuantityPlace& b) { return demand(a) < demand(b); });
+  const ColumnPeaks column = run.response.points[worst.item].column.value_or(ColumnPeaks{});
+  const Struck struck = struck_at(run, worst.item);
+  const ShownUnits& shown = shown_of(run);
+  std::string text = say("columns.worst", {{"building", run.problem.buildings[struck.building].name},
+                                           {"elevation", quantity(struck.elevation, units.length)},
+                                           {"shear", force_text(shown, column.shear, "F")},
+                                           {"shear_without", force_text(shown, column.shear_no_contact, "F")},
+                                           {"moment", force_text(shown, column.moment, "F L")},
+                                           {"moment_without", force_text(shown, column.moment_no_contact, "F L")}});
+  const double ratio = demand_capacity(run, worst);
   if (!std::isnan(ratio)) {
     text += " " + say(ratio > 1 ? "columns.fails" : "columns.holds", {{"ratio", fmt::format("{:.2f}", ratio)}});
   }
-  return element("p", Html::text(text), "class=\"lead\"");
+  return element("p", text, "class=\"lead\"");
+}
+
+template <class Run>
+PageSection section(const Run& run, const RunTable& struck, const Units& units, const Words& say) {
+  if (struck.is_empty()) return {};
+  return {"columns", say("heading.columns"),
+          lead(run, struck.places, units, say) + table_of(struck).called(say("columns.table")).markup() +
+              element("p", say("columns.note"), "class=\"note\"")};
 }
 
 }  // namespace
 
-std::vector<Eigen::Index> struck_points(const Problem& problem) {
-  std::vector<Eigen::Index> points;
-  for (Eigen::Index i = std::ssize(problem.points); i-- > 0;) {
-    if (struck_column(problem, problem.points[i])) points.push_back(i);
-  }
-  return points;
+PageSection columns_section(const RunView& run, const RunTable& struck, const Words& say) {
+  return section(run, struck, run.units, say);
 }
 
-std::string struck_text(const Report& report, Eigen::Index point) {
-  const std::optional<StruckColumn> struck = struck_column(report.problem, report.problem.points[point]);
-  return struck ? report.say("columns.of", {{"building", report.problem.buildings[struck->building].name}})
-                : report.say("columns.floor");
-}
-
-PageSection columns_section(const Report& report) {
-  const std::vector<Eigen::Index> points = struck_points(report.problem);
-  if (points.empty()) return {};
-  const Words& say = report.say;
-  std::vector<std::string> gaps, struck, times;
-  std::vector<double> elevations;
-  for (const Eigen::Index i : points) {
-    const ContactPoint& point = report.problem.points[i];
-    const std::optional<double>& hardest = report.response.points[i].peak_force_time;
-    gaps.push_back(gap_name(report.problem, point.gap));
-    struck.push_back(report.problem.buildings[struck_column(report.problem, point)->building].name);
-    elevations.push_back(point.elevation);
-    times.push_back(hardest ? fmt::format("{:.3f}", *hardest) : "–");
-  }
-  HtmlTable table;
-  if (report.problem.buildings.size() > 2) table.add(say("column.gap"), "", gaps, false);
-  table.add(say("column.elevation"), report.c.units.length, elevations);
-  table.add(say("columns.struck"), "", struck, false);
-  table.add(say("columns.hardest"), "s", times);
-  add_columns(table, table_columns(Owner::point, report.run, places_of(points), say.number(), QuantityTable::struck));
-  return {"columns", say("heading.columns"),
-          lead(report, points) + table.called(say("columns.table")).markup() +
-              element("p", Html::text(say("columns.note")), "class=\"note\"")};
+PageSection columns_section(const PlanRun& run, const RunTable& struck, const Words& say) {
+  return section(run, struck, run.c.units, say);
 }
 
 }  // namespace bentur::html

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "bentur/report/html/internal/sections.h"
 
 namespace bentur::html {
@@ -41,16 +43,16 @@ Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTab
   return each.markup(say, "appendix.gaps");
 }
 
-PageSection gap_section(const Report& report) {
-  const Words& say = report.say;
-  Html content = gap_tables(gap_names(report.problem), report.gap_tables, say);
-  content += element("p", say("gap.note"), "class=\"note\"");
-  if (report.from_case()) content += element("p", say("screening.note"), "class=\"note\"");
-  content += element("p",
-                     say(!report.from_case()           ? "gap.no_case"
-                         : report.c.code.rules.empty() ? "gap.no_codes"
-                                                       : "gap.codes_note"),
-                     "class=\"note\"");
+PageSection gap_section(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables, const Case& c,
+                        const Words& say) {
+  if (tables.empty()) return {};
+  const auto note = [&](std::string_view key) { return element("p", say(key), "class=\"note\""); };
+  const bool from_case = !c.buildings.empty();
+  const bool is_screened =
+      std::any_of(tables.begin(), tables.end(), [](const StoryTable& one) { return one.kind == "screening"; });
+  Html content = gap_tables(gaps, tables, say) + note(c.is_in_plan() ? "cli.plan_gap_note" : "gap.note");
+  if (is_screened) content += note("screening.note");
+  content += note(!from_case ? "gap.no_case" : c.code.rules.empty() ? "gap.no_codes" : "gap.codes_note");
   return {"gaps", say("heading.gaps"), content};
 }
 

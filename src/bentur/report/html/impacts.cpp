@@ -22,6 +22,9 @@ Html csv_script(const std::string& csv) {
   return json_script("impacts-csv", nlohmann::json(csv).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
+namespace {
+
+/// The list with its buttons; a page's script sorts and saves it. @param all how many there are
 Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all) {
   // By the peak force, which stands behind the number and, where there are several, the gap.
   const int sorted = table.all().at(1).numeric ? 1 : 2;
@@ -50,51 +53,13 @@ Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, s
   return content;
 }
 
-void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const HtmlTable& places, const Words& say,
-                 bool in_plan) {
-  for (const char* const key : {"peak_force", "peak_force_time"}) {
-    const std::string_view name = quantity_named(key, Owner::impact, in_plan).label[say.number()];
-    const auto first = std::find_if(quantities.begin(), quantities.end(),
-                                    [&](const TableColumn& column) { return column.label == name; });
-    if (first == quantities.end()) continue;
-    table.add(first->label, first->unit, std::move(first->cells));
-    quantities.erase(first);
-  }
-  table.add(places);
-  add_columns(table, std::move(quantities));
-}
+}  // namespace
 
-HtmlTable impact_table(const Report& report, const std::vector<Eigen::Index>& listed) {
-  const Words& say = report.say;
-  std::vector<std::string> numbers, gaps, struck;
-  std::vector<double> elevations;
-  for (const Eigen::Index k : listed) {
-    const Eigen::Index i = report.response.impacts.at(static_cast<std::size_t>(k)).point;
-    const ContactPoint& point = report.problem.points.at(static_cast<std::size_t>(i));
-    numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(short_gap_name(report, point.gap));
-    elevations.push_back(point.elevation);
-    struck.push_back(struck_text(report, i));
-  }
-  HtmlTable table, places;
-  table.add("#", "", numbers);
-  if (report.c.gaps.size() > 1) table.add(say("column.gap"), "", gaps, false);
-  places.add(say("column.elevation"), report.c.units.length, elevations);
-  if (!struck_points(report.problem).empty()) places.add(say("columns.struck"), "", struck, false);
-  add_impacts(table,
-              without_losses(table_columns(Owner::impact, report.run, places_of(listed), say.number()), Owner::impact,
-                             report.response.points, say),
-              places, say, false);
-  return table;
-}
-
-PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed) {
-  const Words& say = report.say;
-  const std::size_t all = report.response.impacts.size();
-  if (all == 0) return {"impacts", say("heading.impacts"), element("p", Html::text(say("impacts.none")))};
-  return {
-      "impacts", say("heading.impacts"),
-      impact_list(say, impact_table(report, listed), listed.size(), all) + elastic_note(report.response.points, say)};
+PageSection impacts_section(const RunOutcome& outcome, const RunTable& listed, const Words& say) {
+  const std::size_t all = outcome.impacts.size();
+  if (all == 0) return {"impacts", say("heading.impacts"), element("p", say("impacts.none"))};
+  return {"impacts", say("heading.impacts"),
+          impact_list(say, table_of(listed), listed.places.size(), all) + elastic_note(outcome.points, say)};
 }
 
 }  // namespace bentur::html

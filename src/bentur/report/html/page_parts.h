@@ -22,16 +22,10 @@ constexpr std::size_t most_impacts = 1500;
 [[nodiscard]] std::string motion_json(const RunResults& results, const std::string& language);
 [[nodiscard]] std::string motion_json(const PlanRun& run, const std::string& language);
 
-/// A column of a table as a report has it.
-struct PageColumn {
-  std::string heading, unit;
-  std::vector<std::string> cells;
-  bool are_numbers = true;
-};
 /// What is listed of the listed_impacts(), the hardest first; the first column has their numbers from 1.
 /// @throws InvalidParameter for an unknown language.
-[[nodiscard]] std::vector<PageColumn> impact_columns(const RunResults& results, const std::string& language);
-[[nodiscard]] std::vector<PageColumn> impact_columns(const PlanRun& run, const std::string& language);
+[[nodiscard]] std::vector<TableColumn> impact_columns(const RunResults& results, const std::string& language);
+[[nodiscard]] std::vector<TableColumn> impact_columns(const PlanRun& run, const std::string& language);
 
 /// A section of a report. No text of a case can bring a tag, an attribute or a script into its markup.
 struct PagePart {

@@ -15,8 +15,7 @@ namespace bentur::html {
 
 std::string quantity(double value, const std::string& unit) { return number(value) + "\u00A0" + unit; }
 
-std::string force_text(const Report& report, double value, std::string_view form) {
-  const ShownUnits& shown = report.run.shown;
+std::string force_text(const ShownUnits& shown, double value, std::string_view form) {
   return quantity(value * shown.factor(form), unit_text(form, shown.units));
 }
 
@@ -68,78 +67,22 @@ std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap) {
   return {between.points.rbegin(), between.points.rend()};
 }
 
-void add_columns(HtmlTable& table, std::vector<TableColumn> columns) {
-  for (TableColumn& column : columns) {
-    table.add(column.label, column.unit, std::move(column.cells), true, std::move(column.values));
+HtmlTable table_of(const RunTable& table) {
+  HtmlTable made;
+  for (const TableColumn& column : table.columns) {
+    made.add(column.label, column.unit, column.cells, !column.is_words, column.values);
   }
-}
-
-bool is_elastic(const std::vector<PointSummary>& points) {
-  constexpr double round_off = 1e-9;
-  const auto loses_nothing = [](const PointSummary& one) {
-    return std::abs(one.energy_lost) <= round_off * one.peak_force * one.peak_penetration;
-  };
-  return std::any_of(points.begin(), points.end(), [](const PointSummary& one) { return one.impacts > 0; }) &&
-         std::all_of(points.begin(), points.end(), loses_nothing);
-}
-
-std::vector<TableColumn> without_losses(std::vector<TableColumn> columns, Owner owner,
-                                        const std::vector<PointSummary>& points, const Words& say) {
-  const std::string_view lost = quantity_named("energy_lost", owner).label[say.number()];
-  if (is_elastic(points)) std::erase_if(columns, [&](const TableColumn& one) { return one.label == lost; });
-  return columns;
+  return made;
 }
 
 Html elastic_note(const std::vector<PointSummary>& points, const Words& say) {
   return is_elastic(points) ? element("p", say("peaks.elastic"), "class=\"note\"") : Html();
 }
 
-void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places) {
-  add_columns(table, table_columns(owner, report.run, places, report.say.number()));
-}
-
 namespace {
-
-HtmlTable contact_table(const Report& report, const std::vector<Eigen::Index>& points) {
-  std::vector<double> elevations;
-  for (const Eigen::Index i : points) elevations.push_back(report.problem.points[i].elevation);
-  HtmlTable table;
-  table.add(report.say("column.elevation"), report.c.units.length, elevations);
-  add_columns(table, without_losses(table_columns(Owner::point, report.run, places_of(points), report.say.number()),
-                                    Owner::point, report.response.points, report.say));
-  return table;
-}
-
-/// Some quantities of a building's floors, from the top down; empty where there are none.
-HtmlTable floors_table(const Report& report, Eigen::Index b, std::vector<TableColumn> columns) {
-  if (columns.empty()) return {};
-  const std::vector<double>& levels = report.problem.buildings[b].model.elevations;
-  HtmlTable table;
-  table.add(report.say("column.elevation"), report.c.units.length, std::vector<double>(levels.rbegin(), levels.rend()));
-  add_columns(table, std::move(columns));
-  return table;
-}
 
 /// A table under its title, folded away on a telephone.
 Html folded(const HtmlTable& table) { return table.rows() == 0 ? Html() : fold("h4", table.title(), table.markup()); }
-
-/// What the foundation does; empty without soil.
-Html foundation_text(const Report& report, Eigen::Index b) {
-  const Eigen::VectorXd& peaks = report.response.buildings[b].foundation;
-  if (peaks.size() < 2) return {};
-  return element("p", Html::text(report.say("peaks.foundation", {{"sway", quantity(peaks(0), report.c.units.length)},
-                                                                 {"rocking", quantity(peaks(1), "rad")}})));
-}
-
-/// Of one [[link]] table, from the top down.
-HtmlTable links_table(const Report& report, const std::vector<Eigen::Index>& links) {
-  std::vector<double> elevations;
-  for (const Eigen::Index i : links) elevations.push_back(report.problem.links[i].elevation);
-  HtmlTable table;
-  table.add(report.say("column.elevation"), report.c.units.length, elevations);
-  add_quantities(table, report, Owner::link, places_of(links));
-  return table;
-}
 
 /// Restitution asked and obtained, where a law was asked for one or an impact tells one.
 Html restitution_table(const Report& report) {
@@ -158,7 +101,7 @@ Html restitution_table(const Report& report) {
     order.insert(order.end(), points.begin(), points.end());
   }
   for (const Eigen::Index i : order) {
-    gaps.push_back(short_gap_name(report, report.problem.points[i].left));
+    gaps.push_back(short_gap_name(report, report.problem.points[i].gap));
     elevations.push_back(report.problem.points[i].elevation);
     asked.push_back(text(restitution[i].asked));
     smallest.push_back(text(restitution[i].smallest));
@@ -179,65 +122,83 @@ Html proportions_text(const Report& report, Eigen::Index b) {
   const Proportions found = proportions(building, report.c.units, &report.response.buildings[b]);
   if (!found.base_shear_coefficient) return {};  // results do not hold the masses
   const double period = 2 * std::numbers::pi / building.first_omega();
-  return element("p",
-                 Html::text(report.say("peaks.proportions", {{"weight", force_text(report, found.weight, "F")},
-                                                             {"coefficient", number(*found.base_shear_coefficient)},
-                                                             {"period", quantity(period, "s")},
-                                                             {"per_storey", quantity(found.period_per_storey, "s")}})));
+  return element(
+      "p", Html::text(report.say("peaks.proportions", {{"weight", force_text(report.run.shown, found.weight, "F")},
+                                                       {"coefficient", number(*found.base_shear_coefficient)},
+                                                       {"period", quantity(period, "s")},
+                                                       {"per_storey", quantity(found.period_per_storey, "s")}})));
+}
+
+/// Tables of what each gap, link and building came to.
+/// @param of_buildings what else stands below the forces of each @param restitution behind contacts
+Html peaks_of(const RunTables& tables, const RunOutcome& outcome, const std::vector<Html>& of_buildings,
+              const Html& restitution, const Words& say) {
+  EachOf contacts, buildings;
+  for (const ContactTable& one : tables.contacts) {
+    const std::string heading = say("heading.contact_of", {{"gap", one.gap}});
+    const RunTable struck =
+        one.points.where([&](const QuantityPlace& at) { return outcome.points[at.item].impacts > 0; });
+    contacts.add(heading, table_of(one.points).called(heading).markup(), {table_of(struck)}, one.gap);
+  }
+  Html content = contacts.markup(say, "appendix.contacts") + elastic_note(outcome.points, say) + restitution;
+  for (const LinkTable& one : tables.links) {
+    content += under("h3", say("heading.links_of", {{"link", one.link}}), table_of(one.links));
+  }
+  for (std::size_t b = 0; b < tables.buildings.size(); ++b) {
+    const BuildingTables& one = tables.buildings[b];
+    const std::string heading = say("heading.peaks_of", {{"building", one.building}});
+    const HtmlTable floors = table_of(one.floors);
+    const HtmlTable forces = table_of(one.forces).called(say("peaks.forces"));
+    const HtmlTable yielding = table_of(one.yielding).called(say("peaks.yielding"));
+    buildings.add(heading,
+                  floors.called(heading).markup() + folded(forces) + of_buildings.at(b) +
+                      under("h4", say("plan.foundation"), table_of(one.foundation)) + folded(yielding) +
+                      under("h4", say("plan.bearings"), table_of(one.bearings)) +
+                      under("h4", say("plan.of_planes"), table_of(one.planes)),
+                  {floors, forces, yielding}, one.building);
+  }
+  return content + buildings.markup(say, "appendix.buildings");
+}
+
+/// Tables of a story that do not stand in the verdict.
+Html tables_of(const Story& story, const Words& say) {
+  Html content;
+  for (const StoryTable& table : story.tables) {
+    if (table.kind.starts_with("row")) continue;
+    const SaidTable shown = said(table, say);
+    content += element("h3", shown.heading) + table_of(shown);
+  }
+  return content;
+}
+
+Html energy_text(const std::optional<EnergyAudit>& energy, const ShownUnits& shown, const Words& say) {
+  if (!energy) return {};
+  return element("p", say("peaks.energy", {{"input", force_text(shown, energy->peak_input, "F L")},
+                                           {"residual", number(energy->relative_residual())}}));
 }
 
 }  // namespace
 
-PageSection peaks_section(const Report& report) {
+PageSection peaks_section(const Report& report, const RunTables& tables) {
   const Words& say = report.say;
-  EachOf contacts, buildings;
-  for (Eigen::Index gap = 0; gap < gap_count(report.problem); ++gap) {
-    std::vector<Eigen::Index> points = points_of(report.problem, gap);
-    if (points.empty()) continue;
-    const std::string name = gap_name(report.problem, gap), heading = say("heading.contact_of", {{"gap", name}});
-    const Html all = contact_table(report, points).called(heading).markup();
-    std::erase_if(points, [&](Eigen::Index point) { return report.response.points[point].impacts == 0; });
-    contacts.add(heading, all, {contact_table(report, points)}, name);
-  }
-  Html content = contacts.markup(say, "appendix.contacts") + elastic_note(report.response.points, say);
-  const std::size_t language = say.number();
-  content += restitution_table(report);
-  for (std::vector<Eigen::Index> links : links_by_spec(report.c.links)) {
-    if (links.empty()) continue;
-    std::reverse(links.begin(), links.end());
-    const std::string name = link_name(report.problem, report.problem.links.at(links.front()));
-    content += under("h3", say("heading.links_of", {{"link", name}}), links_table(report, links));
-  }
+  std::vector<Html> proportions;
   for (Eigen::Index b = 0; b < std::ssize(report.problem.buildings); ++b) {
-    const std::string name = report.problem.buildings[b].name, heading = say("heading.peaks_of", {{"building", name}});
-    const std::vector<QuantityPlace> floors = floors_from_top(report.problem, b);
-    const auto table = [&](QuantityTable of) {
-      return floors_table(report, b, table_columns(Owner::floor, report.run, floors, language, of));
-    };
-    const HtmlTable main = table(QuantityTable::main);
-    const HtmlTable forces = table(QuantityTable::forces).called(say("peaks.forces"));
-    const HtmlTable yielding = table(QuantityTable::yielding).called(say("peaks.yielding"));
-    buildings.add(heading,
-                  main.called(heading).markup() + folded(forces) + proportions_text(report, b) +
-                      foundation_text(report, b) + folded(yielding),
-                  {main, forces, yielding}, name);
+    proportions.push_back(proportions_text(report, b));
   }
-  content += buildings.markup(say, "appendix.buildings");
-  for (const StoryTable& table : report.story.tables) {
-    if (table.kind != "hinges" && table.kind != "broken_columns") continue;
-    const SaidTable shown = said(table, say);
-    content += element("h3", shown.heading) + table_of(shown);
-  }
-  content += element("p", Html::text(say("peaks.note")), "class=\"note\"");
+  Html content = peaks_of(tables, report.response, proportions, restitution_table(report), say) +
+                 tables_of(report.story, say) + element("p", say("peaks.note"), "class=\"note\"");
   if (some_building_yields(report.problem, report.response)) {
-    content += element("p", Html::text(say("peaks.yielding_note")), "class=\"note\"");
+    content += element("p", say("peaks.yielding_note"), "class=\"note\"");
   }
-  if (report.response.energy) {
-    const EnergyAudit& energy = *report.response.energy;
-    content += element("p", Html::text(say("peaks.energy", {{"input", force_text(report, energy.peak_input, "F L")},
-                                                            {"residual", number(energy.relative_residual())}})));
-  }
-  return {"peaks", say("heading.peaks"), content};
+  return {"peaks", say("heading.peaks"), content + energy_text(report.response.energy, report.run.shown, say)};
+}
+
+PageSection peaks_section(const PlanRun& run, const RunTables& tables, const Story& story, const Words& say) {
+  const std::vector<Html> nothing(tables.buildings.size());
+  return {"peaks", say("heading.peaks"),
+          peaks_of(tables, run.response, nothing, {}, say) + tables_of(story, say) +
+              element("p", say("plan.peaks_note"), "class=\"note\"") +
+              energy_text(run.response.energy, shown_units(run), say)};
 }
 
 }  // namespace bentur::html

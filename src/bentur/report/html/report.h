@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 #include "bentur/report/words.h"
 #include "bentur/study/fragility/ida_results.h"
@@ -26,6 +27,8 @@ struct ReportOptions {
 /// Step of the histories a report of this problem moves by [s]: fine enough to see an impact in slow motion, and so
 /// coarse that the samples take no more than 0.6 MB for 10 s and 3 MB for 50 s and longer.
 [[nodiscard]] double report_output_step(const Problem& problem);
+/// Of buildings in plan: fine enough for impacts, within some megabytes.
+[[nodiscard]] double report_output_step(const PlanProblem& problem);
 
 /// One HTML page that needs nothing else. With [project] in the case it is one to hand in: a title block,
 /// numbered sections, assumptions, every input with the line it stands on, records, checks in the order of codes, what
@@ -34,6 +37,8 @@ struct ReportOptions {
 /// script. The same run gives the same bytes. The response must have histories. A run read from result files
 /// (files/result_reading.h) gives a report without the buildings as given, DDC and the rules of codes.
 /// @throws InvalidParameter for an unknown language, or a response that is not that of the problem.
-[[nodiscard]] std::string report_html(const RunResults& results, const ReportOptions& options);
+[[nodiscard]] std::string report_html(const RunResults& run, const ReportOptions& options);
+/// The same of buildings in plan, which move as seen from above; results read back have their case.
+[[nodiscard]] std::string report_html(const PlanRun& run, const ReportOptions& options);
 
 }  // namespace bentur

@@ -206,7 +206,7 @@ TEST(Report, BearingsWallsAndTheirAnimation) {
 TEST(Report, SoilAndANeighbourKnownByLittle) {
   const Simulated pair = run(example("generic-neighbour"));
   const std::string page = plain(pair.page());
-  EXPECT_TRUE(has(page, "Foundation: largest sway"));
+  EXPECT_TRUE(has(page, "Foundation, relative to the free field"));
   EXPECT_TRUE(has(plain(pair.page("id")), "Fondasi"));
   EXPECT_FALSE(has(page, ">nan<"));
   EXPECT_FALSE(has(page, "collapses"));
@@ -419,12 +419,12 @@ TEST(Report, HighFiguresArePartedForPaper) {
 /// When an impact is hardest stands beside how hard it is, and the table says its order.
 TEST(Report, ImpactsHaveTheTimeOfTheirPeak) {
   const Simulated impact = run(example("two-frames-si"));
-  const std::vector<PageColumn> columns = impact_columns(impact, "en");
+  const std::vector<TableColumn> columns = impact_columns(impact, "en");
   const auto force = std::find_if(columns.begin(), columns.end(),
-                                  [](const PageColumn& column) { return column.heading == "Peak force"; });
+                                  [](const TableColumn& column) { return column.label == "Peak force"; });
   ASSERT_NE(force, columns.end());
   ASSERT_NE(force + 1, columns.end());
-  EXPECT_EQ((force + 1)->heading, "Peak at");
+  EXPECT_EQ((force + 1)->label, "Peak at");
   EXPECT_EQ((force + 1)->unit, "s");
   const auto& impacts = impact.response.impacts;
   const auto hardest = std::max_element(impacts.begin(), impacts.end(),

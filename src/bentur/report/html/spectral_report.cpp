@@ -108,7 +108,6 @@ Report report_of(const Case& c, const Problem& problem, const Response& none, co
           none,
           say,
           spectral_story(c, problem, spectral),
-          {},
           judged_gaps(c, problem, spectral),
           c.project.has_value()};
 }

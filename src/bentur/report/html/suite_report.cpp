@@ -7,7 +7,6 @@
 #include "bentur/report/html/internal/page.h"
 #include "bentur/report/html/internal/page_figures.h"
 #include "bentur/report/html/internal/sections.h"
-#include "bentur/report/html/plan/plan_report.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/study/suite/suite_hand_in.h"
@@ -112,17 +111,15 @@ PageSection suite_gaps_section(const html::Report& report) {
 std::vector<PagePart> table_parts(const SuiteRun& run, const GapStudy& gaps, const std::string& language) {
   const Words say(language);
   const Response none;
-  const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say,
-                            suite_story(run, gaps),           {}};
+  const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say, suite_story(run, gaps)};
   return html::parts({suite_section(report), suite_runs_section(report), suite_gaps_section(report)});
 }
 
 std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const ReportOptions& options) {
   const Words say(options.language);
   const Response none;
-  const html::Report report{
-      {run.problem, none, run.c.units}, run.c, run.problem, none, say, suite_story(run, gaps), {}, {},
-      run.c.project.has_value()};
+  const html::Report report{{run.problem, none, run.c.units}, run.c, run.problem, none, say, suite_story(run, gaps), {},
+                            run.c.project.has_value()};
   const std::string title = run.c.title.empty() ? say("report.untitled") : run.c.title;
   const std::vector<html::PageFigure> figures = html::page_figures(
       {{"suite", "the spectra"}},

@@ -179,13 +179,6 @@ StoryColumn not_modelled_in(const SuiteRun& run) {
 
 bool ended_in_time(const SuiteRecordRun& one) { return one.status == Status::done; }
 
-std::string refusal_of(const Case& c, const Problem& problem, const Effort& effort) {
-  return beyond_limits(c, problem, effort);
-}
-std::string refusal_of(const Case& c, const PlanProblem& /*problem*/, const Effort& effort) {
-  return beyond_limits(c, effort);
-}
-
 const RunResults& as_row(const RunResults& run) { return run; }
 const RunResults& as_row(const PlanRun& run) { return *run.row; }
 
@@ -261,7 +254,7 @@ void run_records(const AnyProblem& problem, const WithMotion& with_motion, const
     SolveOptions options = solve_options(one);
     options.progress = [&](double fraction) { return progress((static_cast<double>(i) + fraction) / count); };
     SuiteRecordRun result;
-    const std::string refusal = refusal_of(one, moved, effort(moved, one.analysis.solver, options));
+    const std::string refusal = beyond_limits(one, moved, effort(moved, one.analysis.solver, options));
     if (!refusal.empty()) {
       result.status = Status::failed;
       result.message = refusal;

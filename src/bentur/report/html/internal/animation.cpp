@@ -7,6 +7,7 @@
 
 #include "bentur/report/figures/internal/colours.h"
 #include "bentur/report/html/internal/motion_data.h"
+#include "bentur/report/html/internal/sections.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/internal/hinge_marks.h"
 #include "bentur/report/kinds/internal/scene_panel.h"
@@ -120,7 +121,8 @@ Json watched_json(const Report& report, const Scene& scene) {
 
 }  // namespace
 
-std::string animation_json(const Report& report, const std::vector<Eigen::Index>& listed) {
+std::string animation_json(const RunResults& run, const std::vector<Eigen::Index>& listed, const Words& say) {
+  const Report report{run.view(), run.c, run.problem, run.response, say};
   const Histories& histories = report.response.histories;
   const MotionSampling sampling = motion_sampling(histories.time, report_output_step(report.problem));
   const std::optional<NearestFloor> nearest = nearest_floor(report.problem, report.response);

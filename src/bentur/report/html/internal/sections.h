@@ -16,6 +16,7 @@
 #include "bentur/report/html/page_parts.h"
 #include "bentur/report/html/report.h"
 #include "bentur/report/kinds/kinds.h"
+#include "bentur/report/run_tables.h"
 #include "bentur/report/story_text.h"
 #include "bentur/report/words.h"
 #include "bentur/study/sensitivity/sensitivity.h"
@@ -29,10 +30,9 @@ struct Report {
   const Problem& problem;
   const Response& response;
   const Words& say;
-  Story story = {};                         ///< what is to be said
-  std::vector<StoryTable> gap_tables = {};  ///< of the gaps
-  std::vector<JudgedGap> judged = {};       ///< per gap
-  bool to_hand_in = false;                  ///< with what a report has that is handed in
+  Story story = {};                    ///< what is to be said
+  std::vector<JudgedGap> judged = {};  ///< per gap
+  bool to_hand_in = false;             ///< with what a report has that is handed in
 
   /// The buildings as given are known; not so where the run comes from result files (files/result_reading.h).
   [[nodiscard]] bool from_case() const { return !c.buildings.empty(); }
@@ -46,11 +46,14 @@ constexpr std::size_t rows_in_print = 100, impacts_in_print = 60;
 /// Remarks on unusual numbers, and what the model leaves out.
 [[nodiscard]] PageSection remarks_section(const Report& report);
 
-/// The gap needed at each level, simulated and by every rule.
-[[nodiscard]] PageSection gap_section(const Report& report);
+/// The gap needed at each level, simulated and by every rule. @param tables gap_tables_of() a run
+[[nodiscard]] PageSection gap_section(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables,
+                                      const Case& c, const Words& say);
 
 /// Contact totals per level and peaks per floor.
-[[nodiscard]] PageSection peaks_section(const Report& report);
+[[nodiscard]] PageSection peaks_section(const Report& report, const RunTables& tables);
+[[nodiscard]] PageSection peaks_section(const PlanRun& run, const RunTables& tables, const Story& story,
+                                        const Words& say);
 
 /// How the peaks change with the numbers of the case, which have the words of its keys: sentences, a picture, tables;
 /// empty where none were found.
@@ -62,13 +65,11 @@ constexpr std::size_t rows_in_print = 100, impacts_in_print = 60;
 
 /// Columns that floors strike, with and without contact, and how that compares with what they bear; nothing where
 /// floors meet at every contact point.
-[[nodiscard]] PageSection columns_section(const Report& report);
+[[nodiscard]] PageSection columns_section(const RunView& run, const RunTable& struck, const Words& say);
+[[nodiscard]] PageSection columns_section(const PlanRun& run, const RunTable& struck, const Words& say);
 
-/// Impacts by their numbers from 1, what is listed of each; `listed` holds their places in Response::impacts.
-[[nodiscard]] HtmlTable impact_table(const Report& report, const std::vector<Eigen::Index>& listed);
-[[nodiscard]] HtmlTable impact_table(const PlanRun& run, const std::vector<Eigen::Index>& listed, const Words& say);
-/// The same to be sorted and downloaded.
-[[nodiscard]] PageSection impacts_section(const Report& report, const std::vector<Eigen::Index>& listed);
+/// The impacts of a run, listed ones alone, to be sorted and downloaded.
+[[nodiscard]] PageSection impacts_section(const RunOutcome& outcome, const RunTable& listed, const Words& say);
 
 /// The input with its units, the ground motion, the modes.
 [[nodiscard]] PageSection input_section(const Report& report);
@@ -128,12 +129,6 @@ struct Verdict {
                                   const std::string& language);
 /// The hardest impacts, as many as a page lists, the hardest first.
 [[nodiscard]] std::vector<Eigen::Index> hardest_impacts(const std::vector<Impact>& impacts);
-/// Adds what is reported of impacts to a table of them: the peak force and its time first, then where they are, then
-/// all else.
-void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const HtmlTable& places, const Words& say,
-                 bool in_plan);
-/// The list of impacts with its buttons; a page's script sorts and saves it. @param all how many there are
-[[nodiscard]] Html impact_list(const Words& say, const HtmlTable& table, std::size_t listed, std::size_t all);
 /// impacts.csv for the script that saves it.
 [[nodiscard]] Html csv_script(const std::string& csv);
 
@@ -151,7 +146,7 @@ void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const Ht
 /// "0.7262 cm", which no line break separates.
 [[nodiscard]] std::string quantity(double value, const std::string& unit);
 /// The same of a value in units of the case, of a form "F L", in the units that people are shown.
-[[nodiscard]] std::string force_text(const Report& report, double value, std::string_view form);
+[[nodiscard]] std::string force_text(const ShownUnits& shown, double value, std::string_view form);
 /// Whether buildings are called in short where names would take too much room: in rows.
 [[nodiscard]] bool numbers_buildings(const Report& report);
 /// "Model 1 | Model 2", or of a row what the buildings are called in short (scene/names.h): "1 | 2", "West | Middle".
@@ -162,23 +157,12 @@ void add_impacts(HtmlTable& table, std::vector<TableColumn> quantities, const Ht
 [[nodiscard]] std::string building_key(const Report& report);
 [[nodiscard]] std::string acceleration_unit(const Units& units);  ///< "cm/s²"
 [[nodiscard]] std::string mass_unit(const Units& units);          ///< "t", "kgf·s²/cm"
-/// Columns of quantities, behind those that say where they are.
-void add_columns(HtmlTable& table, std::vector<TableColumn> columns);
-/// Whether there was contact, and none lost more energy than round-off.
-[[nodiscard]] bool is_elastic(const std::vector<PointSummary>& points);
-/// Columns of contact, without what it loses where it loses nothing.
-[[nodiscard]] std::vector<TableColumn> without_losses(std::vector<TableColumn> columns, Owner owner,
-                                                      const std::vector<PointSummary>& points, const Words& say);
-/// Says in place of that column that contact is elastic; nothing where it stands.
+/// A table of a run for a page.
+[[nodiscard]] HtmlTable table_of(const RunTable& table);
+/// Says, in place of the column of losses, that contact is elastic; nothing where it is not.
 [[nodiscard]] Html elastic_note(const std::vector<PointSummary>& points, const Words& say);
-/// Every quantity of an owner that is for tables, at these places.
-void add_quantities(HtmlTable& table, const Report& report, Owner owner, const std::vector<QuantityPlace>& places);
 
 /// Indices of the contact points of a gap, highest first.
 [[nodiscard]] std::vector<Eigen::Index> points_of(const Problem& problem, Eigen::Index gap);
-/// Contact points where a floor strikes a column, the highest first.
-[[nodiscard]] std::vector<Eigen::Index> struck_points(const Problem& problem);
-/// What is struck at a contact point: "column of B", or "floor".
-[[nodiscard]] std::string struck_text(const Report& report, Eigen::Index point);
 
 }  // namespace bentur::html

@@ -1,4 +1,4 @@
-#include "bentur/report/html/plan/plan_animation.h"
+#include "bentur/report/html/internal/animation.h"
 
 #include <algorithm>
 #include <functional>
@@ -215,7 +215,7 @@ Json points_json(const PlanRun& run, const PlanScene& scene, const std::vector<d
 
 }  // namespace
 
-std::string plan_animation_json(const PlanRun& run, const Words& say, const std::vector<Index>& listed) {
+std::string animation_json(const PlanRun& run, const std::vector<Index>& listed, const Words& say) {
   const PlanHistories& samples = run.response.histories;
   const PlanHistories& course = run.response.course.time.empty() ? samples : run.response.course;
   std::vector<Index> all_points(run.response.points.size());

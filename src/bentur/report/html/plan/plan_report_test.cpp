@@ -1,4 +1,4 @@
-#include "bentur/report/html/plan/plan_report.h"
+#include "bentur/report/html/report.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ namespace bentur {
 namespace {
 
 std::string page_of(const PlanRun& run, const std::string& language = "en") {
-  return plan_report_html(run, {.language = language, .version = "0"});
+  return report_html(run, {.language = language, .version = "0"});
 }
 
 const PlanRun& twisting_pair() {

@@ -16,8 +16,8 @@
 #include "bentur/model/story/story.h"
 #include "bentur/report/figures/box.h"
 #include "bentur/report/figures/internal/text_width.h"
-#include "bentur/report/html/plan/plan_animation.h"
-#include "bentur/report/html/plan/plan_report.h"
+#include "bentur/report/html/internal/animation.h"
+#include "bentur/report/html/report.h"
 #include "bentur/report/kinds/internal/plan_figures.h"
 #include "bentur/report/kinds/kinds.h"
 #include "bentur/report/scene/plan_scene.h"
@@ -167,8 +167,8 @@ TEST(PlanMap, IsOfManyHousesAloneAndInTheirReport) {
   EXPECT_FALSE(has(pair));
   EXPECT_TRUE(has(run()));
   const std::string caption = "numbers are places in the table of the worst";
-  EXPECT_EQ(plan_report_html(pair, {.version = "0"}).find(caption), std::string::npos);
-  EXPECT_NE(plan_report_html(run(), {.version = "0"}).find(caption), std::string::npos);
+  EXPECT_EQ(report_html(pair, {.version = "0"}).find(caption), std::string::npos);
+  EXPECT_NE(report_html(run(), {.version = "0"}).find(caption), std::string::npos);
 }
 
 TEST(PlanMap, CourtsAreDrawn) {
@@ -177,7 +177,7 @@ TEST(PlanMap, CourtsAreDrawn) {
     EXPECT_EQ(curves_of(figure, "H2"), 2) << kind;
     EXPECT_EQ(curves_of(figure, "H3"), 1) << kind;
   }
-  const std::string data = html::plan_animation_json(run(), Words("en"), {});
+  const std::string data = html::animation_json(run(), {}, Words("en"));
   EXPECT_NE(data.find("\"rings\":[[],[[["), std::string::npos);
 }
 
@@ -341,7 +341,7 @@ TEST(PlanMap, NamesInMotionAreThoseOfTheTexts) {
   for (std::size_t at = 0; (at = text.find("name = \"H", at)) != std::string::npos; ++at)
     text.insert(at + 9, "ouse 5.");
   const PlanRun many = test::plan_run(text);
-  const auto data = nlohmann::json::parse(html::plan_animation_json(many, Words("en"), {}));
+  const auto data = nlohmann::json::parse(html::animation_json(many, {}, Words("en")));
   const PlanScene scene(many);
   for (std::size_t b = 0; b < many.problem.buildings.size(); ++b) {
     EXPECT_EQ(data["buildings"][b]["name"].get<std::string>(), "House 5." + std::to_string(b + 1));
@@ -353,7 +353,7 @@ TEST(PlanMap, NamesInMotionAreThoseOfTheTexts) {
     const PlanPoint right(row[1][0].get<double>(), row[1][1].get<double>());
     for (const double part : {0.01, 0.5, 0.99}) EXPECT_TRUE(lies_in(left + part * (right - left), rings)) << b;
   }
-  EXPECT_EQ(plan_report_html(many, {.version = "0"}).find("1 House 5.1, 2 House 5.2"), std::string::npos);
+  EXPECT_EQ(report_html(many, {.version = "0"}).find("1 House 5.1, 2 House 5.2"), std::string::npos);
 }
 
 }  // namespace
