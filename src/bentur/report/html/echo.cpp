@@ -269,14 +269,9 @@ std::string unit_of(const Key& key, const Units& units) {
   return key.dimension == dimension::mass ? mass_unit(units) : key.dimension.text(units.length, units.force);
 }
 
-Echoed echo(const KeyTable& keys, const TomlValue& given, const Report& report, const Rows& more) {
-  Echo of_case(report.say, report.c.units, report.to_hand_in);
-  of_case.add(keys, given);
-  return of_case.made(more);
-}
-
-Echoed echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units, const Rows& more) {
-  Echo of_case(say, units, false);
+Echoed echo(const KeyTable& keys, const TomlValue& given, const Words& say, const Units& units, bool with_lines,
+            const Rows& more) {
+  Echo of_case(say, units, with_lines);
   of_case.add(keys, given);
   return of_case.made(more);
 }

@@ -15,14 +15,6 @@
 namespace bentur::html {
 namespace {
 
-/// What the report says of a table of the case beside its keys: what follows from them.
-struct Derived {
-  std::string heading;
-  Rows rows = {};
-  Html tables = {};
-  std::vector<HtmlTable> printed = {};  ///< of many, what stands for the tables on paper
-};
-
 constexpr Eigen::Index most_modes = 8;
 
 std::string list_text(const std::vector<double>& values) {
@@ -106,25 +98,31 @@ HtmlTable modes_table(const Building& building, const Report& report, Eigen::Ind
   return table;
 }
 
+/// What follows of the soil below a building, and by what its stiffness was multiplied for a period that is asked for.
+Rows of_structure(const Case& c, const BuildingSpec& spec, const std::optional<double>& stiffness_factor,
+                  const Words& say) {
+  Rows rows;
+  if (spec.soil && spec.soil->half_space) {
+    const Soil soil = soil_of(*spec.soil);
+    const auto add = [&](const char* motion, const KeyTable& keys, const Impedance& impedance) {
+      rows.emplace_back(label_text(soil_keys().at(motion).label, say),
+                        quantity(impedance.stiffness, unit_of(keys.at("stiffness"), c.units)) + ", " +
+                            quantity(impedance.damping, unit_of(keys.at("damping"), c.units)));
+    };
+    add("sway", sway_keys(), soil.sway);
+    add("rocking", rocking_keys(), soil.rocking);
+  }
+  if (spec.calibrate_period) rows.emplace_back(say("input.stiffness_factor"), number(stiffness_factor.value_or(1)));
+  return rows;
+}
+
 /// What is computed from what a building is given by.
 Derived of_building(const Report& report, const TomlValue& given, Eigen::Index b) {
   const Words& say = report.say;
   const BuildingSpec& spec = report.c.buildings.at(b);
   const Building& building = report.problem.buildings.at(b);
   Derived derived{building.name};
-  if (spec.soil && spec.soil->half_space) {
-    const Soil soil = soil_of(*spec.soil);
-    const auto add = [&](const char* motion, const KeyTable& keys, const Impedance& impedance) {
-      derived.rows.emplace_back(label_text(soil_keys().at(motion).label, say),
-                                quantity(impedance.stiffness, unit_of(keys.at("stiffness"), report.c.units)) + ", " +
-                                    quantity(impedance.damping, unit_of(keys.at("damping"), report.c.units)));
-    };
-    add("sway", sway_keys(), soil.sway);
-    add("rocking", rocking_keys(), soil.rocking);
-  }
-  if (spec.calibrate_period) {
-    derived.rows.emplace_back(say("input.stiffness_factor"), number(building.model.stiffness_factor.value_or(1)));
-  }
+  derived.rows = of_structure(report.c, spec, building.model.stiffness_factor, say);
   if (const auto* frame = std::get_if<PlaneFrame>(&spec.structure)) {
     const HtmlTable members = members_table(*frame, *given.find("frame"), report);
     derived.tables += under("h4", say("input.members"), members);
@@ -193,44 +191,74 @@ Derived of_gap(const Report& report, Eigen::Index gap) {
   return derived;
 }
 
-/// The ground motion as it was read and as it is applied.
-Rows of_motion(const Report& report) {
-  const Words& say = report.say;
-  const Case& c = report.c;
-  const std::string acceleration = acceleration_unit(c.units);
-  const MotionMeasures measures = motion_measures(c.excitation.motion);
+/// The ground motion as it was read and as it is applied; of two components each behind its axis.
+/// @param pgas of the components as applied [length/s²]
+Rows of_motion(const Case& c, const std::vector<std::string>& buildings, const std::vector<double>& pgas,
+               const Words& say) {
+  const std::vector<const ExcitationSpec*> components = c.excitations();
+  const bool are_two = std::count_if(pgas.begin(), pgas.end(), [](double pga) { return pga > 0; }) > 1;
   Rows rows;
-  if (c.excitation.record) rows = rows_of_record(*c.excitation.record, say);
-  if (c.excitation.spectrum && !c.excitation.spectrum->of_displacements) {
-    rows.emplace_back(say("spectral.parameters"), spectrum_parameters(*c.excitation.spectrum, c.units));
-  }
-  const double pga = applied_pga(c);
-  if (pga > 0) {
-    rows.emplace_back(say("motion.pga"), quantity(pga, acceleration) + " = " + quantity(pga / c.units.gravity, "g"));
-  }
-  if (measures.pgv > 0) rows.emplace_back(say("motion.pgv"), quantity(measures.pgv, c.units.length + "/s"));
-  if (measures.significant_duration > 0) {
-    rows.emplace_back(say("motion.significant"), quantity(measures.significant_duration, "s"));
-  }
-  for (Eigen::Index b = 0; b < std::ssize(c.excitation.delays); ++b) {
-    if (c.excitation.delays[b] != 0) {
-      rows.emplace_back(say("motion.delay", {{"building", report.problem.buildings.at(b).name}}),
-                        quantity(c.excitation.delays[b], "s"));
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const ExcitationSpec& excitation = *components[i];
+    const double pga = pgas.at(i);
+    if (c.is_in_plan() && !(pga > 0) && !excitation.spectrum) continue;
+    const std::string of = !are_two ? "" : i == 0 ? "x: " : "y: ";
+    if (excitation.record) {
+      for (auto& [name, text] : rows_of_record(*excitation.record, say)) rows.emplace_back(of + name, text);
     }
+    if (excitation.spectrum && !excitation.spectrum->of_displacements) {
+      rows.emplace_back(of + say("spectral.parameters"), spectrum_parameters(*excitation.spectrum, c.units));
+    }
+    if (pga > 0) {
+      rows.emplace_back(of + say("motion.pga"),
+                        quantity(pga, acceleration_unit(c.units)) + " = " + quantity(pga / c.units.gravity, "g"));
+    }
+    if (c.is_in_plan()) continue;  // results read back do not have the motion, and say what the run said
+    const MotionMeasures measures = motion_measures(excitation.motion);
+    if (measures.pgv > 0) rows.emplace_back(of + say("motion.pgv"), quantity(measures.pgv, c.units.length + "/s"));
+    if (measures.significant_duration > 0) {
+      rows.emplace_back(of + say("motion.significant"), quantity(measures.significant_duration, "s"));
+    }
+  }
+  for (std::size_t b = 0; b < c.excitation.delays.size(); ++b) {
+    if (c.excitation.delays[b] == 0) continue;
+    rows.emplace_back(say("motion.delay", {{"building", buildings.at(b)}}), quantity(c.excitation.delays[b], "s"));
   }
   return rows;
 }
 
-Derived of_analysis(const Report& report, const TomlValue& given) {
-  const Words& say = report.say;
-  Derived derived{label_text(case_keys().at("analysis").label, say)};
-  if (is_without_motion(report.c)) return derived;  // no run is told of
-  const Key& duration = analysis_keys().at("duration");
+Rows of_motion(const Report& report) {
+  std::vector<std::string> names;
+  for (const Building& building : report.problem.buildings) names.push_back(building.name);
+  return of_motion(report.c, names, {applied_pga(report.c)}, report.say);
+}
+
+/// @param given the table of the case
+Rows of_analysis(const InputOf& of, const TomlValue& given) {
+  Rows rows;
+  if (is_without_motion(of.c)) return rows;  // no run is told of
   if (given.find("duration") == nullptr) {
-    derived.rows.emplace_back(label_text(duration.label, say), quantity(report.problem.duration, "s"));
+    rows.emplace_back(label_text(analysis_keys().at("duration").label, of.say), quantity(of.duration, "s"));
   }
-  derived.rows.emplace_back(say("analysis.events"), std::to_string(report.response.events));
-  return derived;
+  rows.emplace_back(of.say("analysis.events"), std::to_string(of.events));
+  return rows;
+}
+
+InputOf input_of(const Report& report) {
+  InputOf of{.c = report.c,
+             .say = report.say,
+             .to_hand_in = report.to_hand_in,
+             .duration = report.problem.duration,
+             .events = report.response.events};
+  of.motion = of_motion(report);
+  for (const std::vector<Eigen::Index>& links : links_by_spec(report.c.links)) {
+    of.links.push_back(links.empty() ? "" : link_name(report.problem, report.problem.links.at(links.front())));
+  }
+  of.building = [&](std::size_t b, const TomlValue& given) {
+    return of_building(report, given, static_cast<Eigen::Index>(b));
+  };
+  of.gap = [&](std::size_t gap) { return of_gap(report, static_cast<Eigen::Index>(gap)); };
+  return of;
 }
 
 /// What result files hold of the buildings.
@@ -286,10 +314,10 @@ Html without_case(const Report& report) {
     content += element("h3", label_text(case_keys().at("link").label, say)) +
                facts({choice(link_keys(), "law", link.law)}) + under("h4", say("input.levels"), table);
   }
-  Derived analysis = of_analysis(report, {});
-  analysis.rows.push_back(choice(analysis_keys(), "solver", name(report.c.analysis.solver)));
-  analysis.rows.emplace_back(say("analysis.units"), report.c.units.length + ", " + report.c.units.force + ", s");
-  return content + element("h3", analysis.heading) + facts(analysis.rows);
+  Rows analysis = of_analysis(input_of(report), {});
+  analysis.push_back(choice(analysis_keys(), "solver", name(report.c.analysis.solver)));
+  analysis.emplace_back(say("analysis.units"), report.c.units.length + ", " + report.c.units.force + ", s");
+  return content + element("h3", label_text(case_keys().at("analysis").label, say)) + facts(analysis);
 }
 
 }  // namespace
@@ -309,46 +337,43 @@ Rows rows_of_record(const RecordEcho& record, const Words& say) {
   return rows;
 }
 
-PageSection input_section(const Report& report) {
-  const Words& say = report.say;
-  if (report.c.given == nullptr) return {"input", say("heading.input"), without_case(report)};
-  const std::vector<std::vector<Eigen::Index>> links = links_by_spec(report.c.links);
+PageSection input_section(const InputOf& of) {
+  const Words& say = of.say;
+  const Case& c = of.c;
   Html content;
-  if (report.to_hand_in) {
-    const std::string file = report.c.source ? report.c.source->file : "";
+  if (of.to_hand_in) {
+    const std::string file = c.source ? c.source->file : "";
     if (!file.empty()) content += element("p", say("input.lines_of", {{"file", file}}), "class=\"note\"");
     Html sources;
-    if (report.c.project) {
-      for (const std::string& one : report.c.project->sources) sources += element("li", one);
+    if (c.project) {
+      for (const std::string& one : c.project->sources) sources += element("li", one);
     }
     if (!sources.str().empty()) content += element("p", say("input.sources")) + element("ul", sources);
   }
   for (const Key& key : case_keys().keys) {
     if (key.name == "project") continue;  // it stands at the head
     const TomlValue nothing;
-    const TomlValue* const found = report.c.given->find(std::string(key.name));
+    const TomlValue* const found = c.given->find(std::string(key.name));
     const TomlValue& given = found != nullptr ? *found : nothing;
-    const bool always = key.name == "units" || (key.name == "analysis" && !is_without_motion(report.c));
+    const bool always = key.name == "units" || (key.name == "analysis" && !is_without_motion(c));
     if (key.table == nullptr || (found == nullptr && !always)) continue;
     const bool is_list = given.kind == TomlValue::Kind::list;
     EachOf each(true);
     for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
-      const TomlValue& one = is_list ? given.items[i] : given;
-      const auto place = static_cast<Eigen::Index>(i);
+      TomlValue one = is_list ? given.items[i] : given;
       Derived derived{label_text(key.label, say)};
-      if (key.name == "building") derived = of_building(report, one, place);
-      if (key.name == "gap") derived = of_gap(report, place);
-      if (key.name == "link") {
-        const Link& link = report.problem.links.at(links.at(i).front());
-        derived.heading = say("heading.links_of", {{"link", link_name(report.problem, link)}});
-      }
-      if (key.name == "excitation") derived.rows = of_motion(report);
-      if (key.name == "analysis") derived = of_analysis(report, one);
+      if (key.name == "building") derived = of.building(i, one);
+      if (key.name == "gap") derived = of.gap(i);
+      if (key.name == "link") derived.heading = say("heading.links_of", {{"link", of.links.at(i)}});
+      if (key.name == "excitation") derived.rows = of.motion;
+      if (key.name == "analysis") derived.rows = of_analysis(of, one);
       if (key.name == "units" && one.find("gravity") == nullptr) {
         derived.rows.emplace_back(label_text(unit_keys().at("gravity").label, say),
-                                  quantity(report.c.units.gravity, acceleration_unit(report.c.units)));
+                                  quantity(c.units.gravity, acceleration_unit(c.units)));
       }
-      Echoed echoed = echo(*key.table, one, report, derived.rows);
+      if (key.name == "building")
+        std::erase_if(one.members, [](const TomlMember& member) { return member.key == "plane"; });
+      Echoed echoed = echo(*key.table, one, say, c.units, of.to_hand_in, derived.rows);
       if (key.name == "gap") {
         for (const HtmlTable& of_points : std::exchange(derived.printed, {})) echoed.row.add_new(of_points);
       }
@@ -356,8 +381,38 @@ PageSection input_section(const Report& report) {
       each.add(derived.heading, echoed.markup + derived.tables, derived.printed);
     }
     content += each.markup(say, entries_key(say, key.name));
+    if (key.name == "gap" && c.is_in_plan()) content += element("p", say("plan.shared"), "class=\"note\"");
   }
   return {"input", say("heading.input"), content};
+}
+
+PageSection input_section(const Report& report) {
+  if (report.c.given == nullptr) return {"input", report.say("heading.input"), without_case(report)};
+  return input_section(input_of(report));
+}
+
+PageSection input_section(const Case& c, const PlanProblem& problem, long events, const Words& say) {
+  InputOf of{.c = c, .say = say, .to_hand_in = c.project.has_value(), .duration = problem.duration, .events = events};
+  std::vector<std::string> names;
+  for (const PlanBuilding& building : problem.buildings) names.push_back(building.name);
+  std::vector<double> pgas;
+  for (std::size_t i = 0; i < c.excitations().size(); ++i) {
+    const std::optional<RecordEcho>& record = c.excitations()[i]->record;
+    pgas.push_back(record ? record->pga : peak_acceleration(problem.motions.at(i)));
+  }
+  of.motion = of_motion(c, names, pgas, say);
+  for (const std::vector<Eigen::Index>& links : links_by_spec(c.links)) {
+    of.links.push_back(links.empty() ? "" : link_name(problem, problem.links.at(links.front())));
+  }
+  of.building = [&](std::size_t b, const TomlValue& given) {
+    Derived derived = of_building_in_plan(c, problem, static_cast<Eigen::Index>(b), given, say);
+    derived.rows = of_structure(c, c.buildings.at(b), problem.buildings.at(b).model.stiffness_factor, say);
+    return derived;
+  };
+  of.gap = [&](std::size_t gap) {
+    return Derived{say("heading.gap_of", {{"gap", gap_name(problem, problem.gaps.at(gap))}})};
+  };
+  return input_section(of);
 }
 
 }  // namespace bentur::html

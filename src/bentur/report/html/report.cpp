@@ -79,7 +79,7 @@ html::PageSection input_of(const RunResults& run, const Words& say) {
   return html::input_section(told_of(run, {}, say));
 }
 html::PageSection input_of(const PlanRun& run, const Words& say) {
-  return html::plan_input_section(run.c, run.problem, run.response.events, say);
+  return html::input_section(run.c, run.problem, run.response.events, say);
 }
 
 /// The records of a run as applied.

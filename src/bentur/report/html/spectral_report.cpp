@@ -142,7 +142,7 @@ std::string spectral_report_html(const Case& c, const Problem& problem, const Sp
           c, title, say(is_given ? "spectral.by_displacements" : "spectral.by", {{"version", options.version}}), say),
       .sections = {html::verdict_section(report), html::remarks_section(report), spectral_gap_section(report),
                    html::figures_section(say, figures), spectral_peaks_section(report, spectral),
-                   spectral.plan ? html::plan_input_section(c, *spectral.plan, 0, say) : html::input_section(report)}};
+                   spectral.plan ? html::input_section(c, *spectral.plan, 0, say) : html::input_section(report)}};
   if (report.to_hand_in) {
     body.sections =
         html::in_order_of_codes(std::move(body.sections), {}, c.project, say, hand_in(c, problem, spectral));

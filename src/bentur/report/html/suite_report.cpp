@@ -132,7 +132,7 @@ std::string suite_report_html(const SuiteRun& run, const GapStudy& gaps, const R
       .header = html::title_block(run.c, title, say("suite.by", {{"version", options.version}}), say),
       .sections = {std::move(verdict), suite_section(report), html::remarks_section(report),
                    html::figures_section(say, figures), suite_runs_section(report), suite_gaps_section(report),
-                   run.plan ? html::plan_input_section(run.c, *run.plan, 0, say) : html::input_section(report)}};
+                   run.plan ? html::input_section(run.c, *run.plan, 0, say) : html::input_section(report)}};
   if (report.to_hand_in) {
     const auto records = body.sections.begin() + 1;
     html::PageSection of_suite = std::move(*records);

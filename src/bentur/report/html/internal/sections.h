@@ -74,7 +74,7 @@ constexpr std::size_t rows_in_print = 100, impacts_in_print = 60;
 /// The input with its units, the ground motion, the modes.
 [[nodiscard]] PageSection input_section(const Report& report);
 /// The same of buildings in plan. @param events of the run; of a suite none is reported
-[[nodiscard]] PageSection plan_input_section(const Case& c, const PlanProblem& problem, long events, const Words& say);
+[[nodiscard]] PageSection input_section(const Case& c, const PlanProblem& problem, long events, const Words& say);
 
 // hand_in.cpp: of reports to hand in.
 

@@ -10,7 +10,7 @@
 #include "bentur/report/html/internal/sections.h"
 #include "bentur/structure/modes.h"
 
-// The section of a report in plan that echoes the case.
+// What the section of the input says of a building in plan.
 namespace bentur::html {
 namespace {
 
@@ -19,51 +19,14 @@ using Eigen::Index;
 /// Writes it.
 class PlanInput {
  public:
-  PlanInput(const Case& c, const PlanProblem& problem, long events, const Words& say)
-      : c_(c), problem_(problem), events_(events), say_(say) {}
+  PlanInput(const Case& c, const PlanProblem& problem, const Words& say) : c_(c), problem_(problem), say_(say) {}
 
-  /// The case key by key, and what follows from it.
-  [[nodiscard]] PageSection input() const {
-    Html content;
-    bool is_sharing_told = false;
-    for (const Key& key : case_keys().keys) {
-      const TomlValue nothing;
-      const TomlValue* const found = c_.given ? c_.given->find(std::string(key.name)) : nullptr;
-      const bool always = key.name == "units" || (key.name == "analysis" && !is_without_motion(c_));
-      if (key.table == nullptr || (found == nullptr && !always)) continue;
-      const TomlValue& given = found != nullptr ? *found : nothing;
-      const bool is_list = given.kind == TomlValue::Kind::list;
-      EachOf each(true);
-      for (std::size_t i = 0; i < (is_list ? given.items.size() : 1); ++i) {
-        TomlValue one = is_list ? given.items[i] : given;
-        const bool is_building = key.name == "building";
-        const TomlValue planes = is_building && one.find("plane") != nullptr ? *one.find("plane") : TomlValue();
-        if (is_building) std::erase_if(one.members, [](const TomlMember& member) { return member.key == "plane"; });
-        Rows rows;
-        if (key.name == "excitation") rows = motion();
-        if (key.name == "analysis") rows = analysis(one);
-        if (key.name == "units" && one.find("gravity") == nullptr) {
-          rows.emplace_back(label_text(unit_keys().at("gravity").label, say_),
-                            quantity(c_.units.gravity, acceleration_unit(c_.units)));
-        }
-        const std::string heading = is_building ? problem_.buildings.at(i).name : label_text(key.label, say_);
-        Echoed echoed = echo(*key.table, one, say_, c_.units, rows);
-        Html told = std::move(echoed.markup);
-        std::vector<HtmlTable> printed = {std::move(echoed.row)};
-        if (!is_sharing_told && (key.name == "plan" || key.name == "gap")) {
-          told += element("p", say_("plan.shared"), "class=\"note\"");
-          is_sharing_told = true;
-        }
-        if (is_building) {
-          const auto b = static_cast<Index>(i);
-          told += given_planes(b, planes, printed) + modes(b);
-          printed.push_back(main_modes(b).called(say_("heading.modes")));
-        }
-        each.add(heading, told, printed);
-      }
-      content += each.markup(say_, entries_key(say_, key.name));
-    }
-    return {"input", say_("heading.input"), content};
+  [[nodiscard]] Derived of(Index b, const TomlValue& given) const {
+    Derived derived{problem_.buildings.at(b).name};
+    const TomlValue* const planes = given.find("plane");
+    derived.tables = given_planes(b, planes != nullptr ? *planes : TomlValue(), derived.printed) + modes(b);
+    derived.printed.push_back(main_modes(b).called(say_("heading.modes")));
+    return derived;
   }
 
  private:
@@ -71,7 +34,7 @@ class PlanInput {
   /// @param printed gets the table of them, and what planes that yield are given by
   [[nodiscard]] Html given_planes(Index b, const TomlValue& given, std::vector<HtmlTable>& printed) const {
     const auto* const plan = std::get_if<Plan>(&c_.buildings[b].structure);
-    printed.resize(3);  // as many of each building
+    printed.resize(2);  // as many of each building
     if (plan == nullptr || plan->planes.empty()) return {};
     std::vector<std::string> names, stiffnesses;
     std::vector<double> x, y, angles;
@@ -103,12 +66,12 @@ class PlanInput {
         return std::find(std::begin(told), std::end(told), member.key) != std::end(told);
       });
       if (yielding.members.empty()) continue;
-      Echoed echoed = echo(plane_keys(), yielding, say_, c_.units);
+      Echoed echoed = echo(plane_keys(), yielding, say_, c_.units, c_.project.has_value());
       content += element("p", names[p]) + echoed.markup;
       yielding_planes.join(names[p], echoed.row);
     }
-    printed[1] = table.called(say_("plan.planes"));
-    printed[2] = yielding_planes.called(say_("plan.yielding_planes"));
+    printed[0] = table.called(say_("plan.planes"));
+    printed[1] = yielding_planes.called(say_("plan.yielding_planes"));
     return content;
   }
 
@@ -160,53 +123,16 @@ class PlanInput {
   /// Without round-off [%].
   [[nodiscard]] static double rounded(double percent) { return std::round(1e6 * percent) / 1e6; }
 
-  /// Both motions as they were read and as they are applied.
-  [[nodiscard]] Rows motion() const {
-    Rows rows;
-    const auto pga_of = [&](std::size_t i) {
-      const std::optional<RecordEcho>& record = c_.excitations()[i]->record;
-      return record ? record->pga : peak_acceleration(problem_.motions[i]);
-    };
-    for (const std::size_t i : {0U, 1U}) {
-      const std::optional<RecordEcho>& record = c_.excitations()[i]->record;
-      const double pga = pga_of(i);
-      if (!(pga > 0)) continue;
-      // Of two components which one; one alone acts in a direction that the table has.
-      const std::string of = !(pga_of(1 - i) > 0) ? "" : i == 0 ? "x: " : "y: ";
-      if (record) {
-        for (auto& [name, text] : rows_of_record(*record, say_)) rows.emplace_back(of + name, text);
-      }
-      rows.emplace_back(of + say_("motion.pga"),
-                        quantity(pga, acceleration_unit(c_.units)) + " = " + quantity(pga / c_.units.gravity, "g"));
-    }
-    const std::vector<double>& delays = c_.excitation.delays;
-    for (std::size_t b = 0; b < delays.size(); ++b) {
-      if (delays[b] == 0) continue;
-      rows.emplace_back(say_("motion.delay", {{"building", problem_.buildings.at(b).name}}), quantity(delays[b], "s"));
-    }
-    return rows;
-  }
-
-  [[nodiscard]] Rows analysis(const TomlValue& given) const {
-    Rows rows;
-    if (is_without_motion(c_)) return rows;  // no run is told of
-    if (given.find("duration") == nullptr) {
-      rows.emplace_back(label_text(analysis_keys().at("duration").label, say_), quantity(problem_.duration, "s"));
-    }
-    rows.emplace_back(say_("analysis.events"), std::to_string(events_));
-    return rows;
-  }
-
   const Case& c_;
   const PlanProblem& problem_;
-  long events_;
   const Words& say_;
 };
 
 }  // namespace
 
-PageSection plan_input_section(const Case& c, const PlanProblem& problem, long events, const Words& say) {
-  return PlanInput(c, problem, events, say).input();
+Derived of_building_in_plan(const Case& c, const PlanProblem& problem, Index building, const TomlValue& given,
+                            const Words& say) {
+  return PlanInput(c, problem, say).of(building, given);
 }
 
 }  // namespace bentur::html
