@@ -256,7 +256,7 @@ RunTable impacts_of(const Run& run, const Indices& impacts, const Words& say) {
     const GapPair sides = sides_at(run.problem, point);
     const std::optional<StruckColumn> column = struck_at(run.problem, point);
     numbers.push_back(std::to_string(k + 1));
-    gaps.push_back(called.at(sides.left) + " | " + called.at(sides.right));
+    gaps.push_back(called.at(sides.left) + "\u00A0|\u00A0" + called.at(sides.right));
     struck.push_back(column ? say("columns.of", {{"building", names.at(column->building)}}) : say("columns.floor"));
     points.push_back(point);
   }

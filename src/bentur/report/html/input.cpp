@@ -381,7 +381,8 @@ PageSection input_section(const InputOf& of) {
       each.add(derived.heading, echoed.markup + derived.tables, derived.printed);
     }
     content += each.markup(say, entries_key(say, key.name));
-    if (key.name == "gap" && c.is_in_plan()) content += element("p", say("plan.shared"), "class=\"note\"");
+    const bool is_of_plan = key.name == "plan" || (key.name == "gap" && c.given->find("plan") == nullptr);
+    if (c.is_in_plan() && is_of_plan) content += element("p", say("plan.shared"), "class=\"note\"");
   }
   return {"input", say("heading.input"), content};
 }
