@@ -13,7 +13,7 @@
 #include "bentur/model/limits.h"
 #include "bentur/model/plan/plan_places.h"
 #include "bentur/report/errors.h"
-#include "cases/plan.h"
+#include "bentur/structure/modes.h"
 #include "commands.h"
 #include "session.h"
 #include "text/effort_text.h"
@@ -75,72 +75,91 @@ std::string infill_text(const Building& building, const Units& units, const Word
          "\n";
 }
 
+/// What a building is, in lines: of a row, or in plan.
+std::string building_lines(const Case& c, const Problem& problem, std::size_t b, const Words& say) {
+  const Building& building = problem.buildings[b];
+  if (building.is_rigid()) {
+    return say(building.given ? "checked.given" : "checked.moves", {{"building", building.name}}) + "\n";
+  }
+  const Proportions found = proportions(building, c.units, nullptr);
+  std::string text =
+      fmt::format("{}: {}, {}, {}\n", building.name, say.count("checked.count.floors", building.model.floors()),
+                  say.count("checked.count.freedom", building.model.dofs()),
+                  proportions_text(building, found, shown_units(c.units, found.weight), say));
+  if (building.storeys_yield()) text += yielding_text(building, c.buildings[b], say);
+  return text + infill_text(building, c.units, say);
+}
+
+std::string building_lines(const Case& /*c*/, const PlanProblem& problem, std::size_t b, const Words& say) {
+  const PlanBuilding& building = problem.buildings[b];
+  if (building.is_rigid()) return say("checked.moves", {{"building", building.name}}) + "\n";
+  const PlanModel& model = building.model;
+  const double period = modal_properties(building.modes, model.load.col(0)).periods(0);
+  return fmt::format("{}: {}, {}, {}, {}\n", building.name, say.count("checked.count.floors", model.floors()),
+                     say.count("checked.count.freedom", model.dofs()),
+                     say.count("checked.count.planes", std::ssize(model.planes)),
+                     say("checked.period", {{"period", number(period)}}));
+}
+
+std::string gap_text(const Case& c, const Problem& problem, std::size_t gap, const Words& say) {
+  const GapSpec& spec = c.gaps[gap];
+  const auto place = static_cast<Eigen::Index>(gap);
+  return say.count("checked.count.points", std::ssize(spec.elevations)) + ", " +
+         (is_known_by_peaks(problem, place) ? say("checked.still") : spec.contact.law);
+}
+
+std::string gap_text(const Case& c, const PlanProblem& problem, std::size_t gap, const Words& say) {
+  const PlanGap& of = problem.gaps[gap];
+  const auto length = [&](double value) { return number(value) + " " + c.units.length; };
+  const PlanPoint& n = of.stretch.n;
+  const std::string across = of.stretch.is_oblique()  ? fmt::format("({}, {})", number(n.x()), number(n.y()))
+                             : of.stretch.across == 0 ? "x"
+                                                      : "y";
+  return say("checked.gap", {{"width", length(of.stretch.width)},
+                             {"across", across},
+                             {"stretch", length(of.stretch.to - of.stretch.from)},
+                             {"points", say.count("checked.count.points", std::ssize(of.contacts))},
+                             {"law", c.gaps[gap].contact.law}});
+}
+
+/// What stands there, and what a run of it takes. @throws Failure where that is beyond the case's limits
+template <class AnyProblem>
+std::string checked(const Case& c, const AnyProblem& problem, const std::string& file, const Words& say) {
+  std::string text;
+  for (std::size_t b = 0; b < problem.buildings.size(); ++b) text += building_lines(c, problem, b, say);
+  const std::vector<std::string> gaps = gap_names(problem);
+  for (std::size_t gap = 0; gap < gaps.size(); ++gap) {
+    text += gaps[gap] + ": " + gap_text(c, problem, gap, say) +
+            (c.gaps[gap].contact.axial ? say("checked.axial") : "") + "\n";
+  }
+  for (const LinkSpec& spec : c.links) {
+    text += fmt::format("{} – {}: {}, {}\n", c.buildings[spec.left].name, c.buildings[spec.right].name,
+                        say.count("story.count.links", std::ssize(spec.elevations)), spec.law);
+  }
+  const std::string unusual = story_text(gaps, {remark_statements(remarks(c, problem))}, say, Told::all);
+  if (c.excitation.suite) return text + say("suite.takes_all") + "\n" + unusual;
+  if (const auto& spectrum = c.excitation.spectrum) {
+    return text + say(spectrum->of_displacements ? "checked.no_run_given" : "checked.no_run") + "\n" + unusual;
+  }
+  text +=
+      say("checked.solver", {{"duration", number(c.analysis.duration)}, {"solver", solver_name(c.analysis.solver)}}) +
+      (c.analysis.energy_audit ? say("checked.audit") : "") + "\n";
+  SolveOptions options = solve_options(c);
+  options.output_step = c.analysis.output_step;
+  const Effort needed = effort(problem, c.analysis.solver, options);
+  if (const std::string why = beyond_limits(c, problem, needed); !why.empty()) {
+    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = why}, say.language()));
+  }
+  return text + effort_text(c, problem, needed, say) + unusual;
+}
+
 void run(const std::string& file, const Words& say) {
   const Loaded loaded = load(file, Purpose::no_run, say.language(), Takes::rows_and_plans);
   std::string text = say("checked.no_errors", {{"file", file}}) + "\n";
-  if (!loaded.c.title.empty()) {
-    text += loaded.c.title + "\n";
-  }
+  if (!loaded.c.title.empty()) text += loaded.c.title + "\n";
   text += excitation_lines(loaded.c, say);
-  const auto solver = [&] {
-    return say("checked.solver",
-               {{"duration", number(loaded.c.analysis.duration)}, {"solver", solver_name(loaded.c.analysis.solver)}}) +
-           (loaded.c.analysis.energy_audit ? say("checked.audit") : "") + "\n";
-  };
-  const auto refuse = [&](const std::string& why) {
-    if (why.empty()) return;
-    throw Failure(exit_bad_input, error_text({.position = {.file = file}, .rule = why}, say.language()));
-  };
-  const auto& spectrum = loaded.c.excitation.spectrum;
-  const std::string no_run = loaded.c.excitation.suite ? say("suite.takes_all") + "\n"
-                             : spectrum
-                                 ? say(spectrum->of_displacements ? "checked.no_run_given" : "checked.no_run") + "\n"
-                                 : "";
-  if (loaded.c.is_in_plan()) {
-    if (no_run.empty())
-      refuse(
-          beyond_limits(loaded.c, loaded.plan, effort(loaded.plan, loaded.c.analysis.solver, solve_options(loaded.c))));
-    const Story unusual = {remark_statements(remarks(loaded.c, loaded.plan))};
-    return print(fitted(text + plan_lines(loaded, say) + (no_run.empty() ? solver() : no_run + "\n") +
-                        story_text(gap_names(loaded.plan), unusual, say, Told::all)));
-  }
-  for (std::size_t b = 0; b < loaded.problem.buildings.size(); ++b) {
-    const Building& building = loaded.problem.buildings[b];
-    if (building.is_rigid()) {
-      text += say(building.given ? "checked.given" : "checked.moves", {{"building", building.name}}) + "\n";
-      continue;
-    }
-    const Proportions found = proportions(building, loaded.c.units, nullptr);
-    text += fmt::format("{}: {}, {}, {}\n", building.name, say.count("checked.count.floors", building.model.floors()),
-                        say.count("checked.count.freedom", building.model.dofs()),
-                        proportions_text(building, found, shown_units(loaded.c.units, found.weight), say));
-    if (building.storeys_yield()) text += yielding_text(building, loaded.c.buildings[b], say);
-    text += infill_text(building, loaded.c.units, say);
-  }
-  for (Eigen::Index gap = 0; gap < std::ssize(loaded.c.gaps); ++gap) {
-    const GapSpec& spec = loaded.c.gaps[gap];
-    text += fmt::format("{}: {}, {}{}\n", gap_name(loaded.problem, gap),
-                        say.count("checked.count.points", std::ssize(spec.elevations)),
-                        is_known_by_peaks(loaded.problem, gap) ? say("checked.still") : spec.contact.law,
-                        spec.contact.axial ? say("checked.axial") : "");
-  }
-  for (const LinkSpec& spec : loaded.c.links) {
-    text += fmt::format("{} – {}: {}, {}\n", loaded.c.buildings[spec.left].name, loaded.c.buildings[spec.right].name,
-                        say.count("story.count.links", std::ssize(spec.elevations)), spec.law);
-  }
-  const std::string unusual =
-      story_text(gap_names(loaded.problem), {remark_statements(remarks(loaded.c, loaded.problem))}, say, Told::all);
-  if (!no_run.empty()) {
-    print(fitted(text + no_run + unusual));
-    return;
-  }
-  text += solver();
-  SolveOptions options;
-  options.output_step = loaded.c.analysis.output_step;
-  options.energy_audit = loaded.c.analysis.energy_audit;
-  const Effort needed = effort(loaded.problem, loaded.c.analysis.solver, options);
-  refuse(beyond_limits(loaded.c, loaded.problem, needed));
-  print(fitted(text + effort_text(loaded, needed, say) + unusual));
+  print(
+      fitted(text + with_problem(loaded, [&](const auto& problem) { return checked(loaded.c, problem, file, say); })));
 }
 
 }  // namespace

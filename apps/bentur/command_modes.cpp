@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "arguments.h"
+#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/structure/modes.h"
-#include "cases/plan.h"
 #include "commands.h"
 #include "session.h"
 #include "text/table.h"
@@ -70,6 +70,45 @@ std::string modes_text(const Building& building, const Units& units, const Words
   return text + "\n  " + say("modes.shapes") + "\n\n" + shape_table(building, units.length, say).text();
 }
 
+/// How much of each mode is along x, along y, and rotation: parts of φᵀMφ = 1 [%].
+std::string modes_text(const PlanBuilding& building, const Units& /*units*/, const Words& say) {
+  if (building.is_rigid()) return say("modes.rigid", {{"building", building.name}}) + "\n";
+  const Modes& modes = building.modes;
+  const ModalProperties x = modal_properties(modes, building.model.load.col(0));
+  const ModalProperties y = modal_properties(modes, building.model.load.col(1));
+  std::vector<std::string> numbers, mass_x, mass_y, rotation;
+  std::vector<double> periods;
+  for (Eigen::Index mode = 0; mode < modes.omega.size(); ++mode) {
+    const Eigen::ArrayXd parts = building.model.mass.diagonal().array() * modes.shapes.col(mode).array().square();
+    double turning = 0;
+    for (Eigen::Index f = 0; f < building.model.floors(); ++f) turning += parts(3 * f + 2);
+    numbers.push_back(std::to_string(mode + 1));
+    periods.push_back(x.periods(mode));
+    mass_x.push_back(fmt::format("{:.2f}", 100 * x.effective_mass_fraction(mode)));
+    mass_y.push_back(fmt::format("{:.2f}", 100 * y.effective_mass_fraction(mode)));
+    rotation.push_back(fmt::format("{:.2f}", 100 * turning));
+  }
+  Table table;
+  table.add(say("column.mode"), "", numbers);
+  table.add(say("column.period"), "s", periods);
+  table.add(say("modes.mass_along", {{"axis", "x"}}), "%", mass_x);
+  table.add(say("modes.mass_along", {{"axis", "y"}}), "%", mass_y);
+  table.add(say("modes.rotation"), "%", rotation);
+  return building.name + "\n\n" + table.text();
+}
+
+/// Modes by the monograph's method in place of those that are known.
+void find_by_jacobi(Building& building) {
+  if (building.modes.omega.size() < building.model.dofs()) return;  // known by some modes alone, or by none
+  building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+}
+void find_by_jacobi(PlanBuilding& building) {
+  if (!building.is_rigid()) building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+}
+
+std::string json_of(const Problem& problem, const Units& units) { return modes_json(problem.buildings, units); }
+std::string json_of(const PlanProblem& problem, const Units& /*units*/) { return modes_json(problem); }
+
 struct ModesArguments {
   std::string file;
   std::string method = "library";
@@ -78,26 +117,19 @@ struct ModesArguments {
 };
 
 void run(const ModesArguments& arguments) {
-  Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
-  if (loaded.c.is_in_plan()) {
-    return print_plan_modes(std::move(loaded.plan), arguments.method == "jacobi", arguments.json,
-                            Words(arguments.language));
-  }
-  if (arguments.method == "jacobi") {
-    for (Building& building : loaded.problem.buildings) {
-      if (building.modes.omega.size() < building.model.dofs()) continue;  // known by some modes alone, or by none
-      building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Words say(arguments.language);
+  print(with_problem(loaded, [&](auto problem) {
+    if (arguments.method == "jacobi") {
+      for (auto& building : problem.buildings) find_by_jacobi(building);
     }
-  }
-  if (arguments.json) {
-    print(modes_json(loaded.problem.buildings, loaded.c.units));
-    return;
-  }
-  std::string text;
-  for (const Building& building : loaded.problem.buildings) {
-    text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units, Words(arguments.language));
-  }
-  print(fitted(text));
+    if (arguments.json) return json_of(problem, loaded.c.units);
+    std::string text;
+    for (const auto& building : problem.buildings) {
+      text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units, say);
+    }
+    return fitted(text);
+  }));
 }
 
 }  // namespace

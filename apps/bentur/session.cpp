@@ -187,14 +187,6 @@ void give_back_memory() {
 #endif
 }
 
-/// Says so before what may take long; the steps of buildings in plan are not known well enough.
-void warn(const Loaded& loaded, const Problem& /*problem*/, const Effort& needed, const std::string& language) {
-  const std::string warning = long_run_text(loaded, needed, Words(language));
-  if (!warning.empty()) message(warning);
-}
-void warn(const Loaded& /*loaded*/, const PlanProblem& /*problem*/, const Effort& /*needed*/,
-          const std::string& /*language*/) {}
-
 template <class AnyProblem>
 auto simulated(const Loaded& loaded, const AnyProblem& problem, double output_step, bool progress,
                const std::string& language) {
@@ -204,7 +196,8 @@ auto simulated(const Loaded& loaded, const AnyProblem& problem, double output_st
   options.course = output_step > 0;
   const Effort needed = effort(problem, loaded.c.analysis.solver, options);
   refuse_beyond_limits(loaded, beyond_limits(loaded.c, problem, needed), language);
-  if (progress) warn(loaded, problem, needed, language);
+  const std::string warning = long_run_text(loaded.c, problem, needed, Words(language));
+  if (progress && !warning.empty()) message(warning);
   auto response = solve_shown(options, progress, language, [&](const SolveOptions& shown) {
     return solve(problem, loaded.c.analysis.solver, shown);
   });

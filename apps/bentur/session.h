@@ -135,7 +135,7 @@ auto solve_shown(Options options, bool progress, const std::string& language, co
 /// (exit_numbers_failed) and when it is stopped (exit_other).
 [[nodiscard]] RunResults simulate(const Loaded& loaded, const Problem& problem, double output_step, bool progress,
                                   const std::string& language);
-/// The same of buildings in plan, without saying so beforehand.
+/// The same of buildings in plan.
 [[nodiscard]] PlanRun simulate(const Loaded& loaded, const PlanProblem& problem, double output_step, bool progress,
                                const std::string& language);
 

@@ -1250,7 +1250,7 @@ class PlanCases(CommandLine):
         self.assertIn("[ida]", self.fails(2, "gap", self.CASE, "--at", "1").stderr)
 
     def test_beyond_its_limits_nothing_is_run(self):
-        for limit, english, indonesian in (("steps = 10", "steps or more, over the limit of 10. Is that meant?",
+        for limit, english, indonesian in (("steps = 10", "steps or more, over the limit of 10. The fastest motion is",
                                             "langkah atau lebih, melebihi batas 10."),
                                            ("memory = 1", "MB of memory, over the limit of 1:", "perlu memori")):
             case = self.case("duration = 15.0", f"duration = 15.0\nlimits = {{ {limit} }}")
@@ -1258,6 +1258,11 @@ class PlanCases(CommandLine):
             self.assertIn(english, self.fails(2, "run", case, "-o", results).stderr)
             self.assertIn(indonesian, self.fails(2, "run", case, "--lang", "id").stderr)
             self.assertFalse(results.exists())
+
+    def test_check_says_what_a_run_takes(self):
+        told = self.done("check", self.CASE).stdout
+        self.assertRegex(told, r"Fastest: [0-9.]+ Hz, mode 6 of Walled\nFastest in contact: [0-9.]+ Hz, the contact of "
+                               r"Walled \| Frame at level 6\.7 m\nA run takes [0-9]+ steps, and [0-9]+ for every")
 
     def test_modes(self):
         told = self.done("modes", self.CASE).stdout

@@ -26,40 +26,57 @@ std::string time_text(double seconds, const Words& say) {
   return of("checked.time.days", seconds / 86400);
 }
 
-std::string motion_text(const Loaded& loaded, const Effort::Fastest& fastest, const Words& say) {
+template <class AnyProblem>
+std::string motion_text(const Case& c, const AnyProblem& problem, const Effort::Fastest& fastest, const Words& say) {
   return fmt::format("{} Hz, {}", number(fastest.frequency),
-                     error_words(fastest_source(loaded.c, loaded.problem, fastest), say.language()));
+                     error_words(fastest_source(c, problem, fastest), say.language()));
 }
 
 bool same(const Effort::Fastest& a, const Effort::Fastest& b) { return a.frequency == b.frequency; }
 
-}  // namespace
+template <class AnyProblem>
+std::string warning_of(const Case& c, const AnyProblem& problem, const Effort& effort, const Words& say) {
+  const double most = std::min(effort.seconds, effort.seconds * c.analysis.limits.steps / effort.most_steps);
+  if (most < long_run) return {};
+  const double certain = effort.seconds * effort.certain_steps / effort.most_steps;
+  return wrapped(say(certain < long_run ? "checked.long_in_contact" : "checked.long",
+                     {{"time", time_text(most, say)}, {"motion", motion_text(c, problem, effort.in_contact, say)}}));
+}
 
-std::string effort_text(const Loaded& loaded, const Effort& effort, const Words& say) {
-  std::string text = say("checked.fastest", {{"motion", motion_text(loaded, effort.apart, say)}});
+template <class AnyProblem>
+std::string text_of(const Case& c, const AnyProblem& problem, const Effort& effort, const Words& say) {
+  std::string text = say("checked.fastest", {{"motion", motion_text(c, problem, effort.apart, say)}});
   if (!same(effort.apart, effort.in_contact)) {
-    text += "\n" + say("checked.fastest_in_contact", {{"motion", motion_text(loaded, effort.in_contact, say)}});
+    text += "\n" + say("checked.fastest_in_contact", {{"motion", motion_text(c, problem, effort.in_contact, say)}});
   }
   text +=
       "\n" + say("checked.steps", {{"steps", number(effort.steps)}, {"in_contact", number(effort.steps_in_contact)}});
   if (effort.samples > 0) text += say("checked.samples", {{"samples", number(effort.samples)}});
   text += say("checked.memory", {{"memory", number(std::ceil(effort.memory / 1e6))}}) + "\n";
-  if (effort.growing_step > 0 && std::get<RungeKuttaSolver>(loaded.c.analysis.solver).step > effort.growing_step) {
-    const std::string source = fastest_source(loaded.c, loaded.problem, effort.apart);
+  if (effort.growing_step > 0 && std::get<RungeKuttaSolver>(c.analysis.solver).step > effort.growing_step) {
+    const std::string source = fastest_source(c, problem, effort.apart);
     text += wrapped(say("checked.grows",
                         {{"step", number(effort.growing_step)}, {"source", error_words(source, say.language())}})) +
             "\n";
   }
-  const std::string warning = long_run_text(loaded, effort, say);
+  const std::string warning = warning_of(c, problem, effort, say);
   return warning.empty() ? text : text + warning + "\n";
 }
 
-std::string long_run_text(const Loaded& loaded, const Effort& effort, const Words& say) {
-  const double most = std::min(effort.seconds, effort.seconds * loaded.c.analysis.limits.steps / effort.most_steps);
-  if (most < long_run) return {};
-  const double certain = effort.seconds * effort.certain_steps / effort.most_steps;
-  return wrapped(say(certain < long_run ? "checked.long_in_contact" : "checked.long",
-                     {{"time", time_text(most, say)}, {"motion", motion_text(loaded, effort.in_contact, say)}}));
+}  // namespace
+
+std::string effort_text(const Case& c, const Problem& problem, const Effort& effort, const Words& say) {
+  return text_of(c, problem, effort, say);
+}
+std::string effort_text(const Case& c, const PlanProblem& problem, const Effort& effort, const Words& say) {
+  return text_of(c, problem, effort, say);
+}
+
+std::string long_run_text(const Case& c, const Problem& problem, const Effort& effort, const Words& say) {
+  return warning_of(c, problem, effort, say);
+}
+std::string long_run_text(const Case& c, const PlanProblem& problem, const Effort& effort, const Words& say) {
+  return warning_of(c, problem, effort, say);
 }
 
 }  // namespace bentur::cli

@@ -5,10 +5,24 @@
 #include <cmath>
 
 #include "bentur/core/number_text.h"
+#include "bentur/model/plan/plan_places.h"
 
 namespace bentur {
 
-std::string fastest_source(const Case& c, const Problem& problem, const Effort::Fastest& fastest) {
+namespace {
+
+/// The gap of a contact by name, and its level [length].
+std::pair<std::string, double> place_of_contact(const Problem& problem, Eigen::Index point) {
+  const ContactPoint& at = problem.points.at(point);
+  return {gap_name(problem, at.gap), at.elevation};
+}
+std::pair<std::string, double> place_of_contact(const PlanProblem& problem, Eigen::Index point) {
+  const PlanContactPlace at = contact_at(problem, point);
+  return {gap_name(problem, problem.gaps[at.gap]), at.contact->elevation};
+}
+
+template <class AnyProblem>
+std::string source_of(const Case& c, const AnyProblem& problem, const Effort::Fastest& fastest) {
   using By = Effort::Fastest::By;
   switch (fastest.by) {
     case By::motion:
@@ -16,9 +30,8 @@ std::string fastest_source(const Case& c, const Problem& problem, const Effort::
     case By::damping:
       return fmt::format("the damping of {}", problem.buildings[fastest.building].name);
     case By::contact: {
-      const ContactPoint& point = problem.points[fastest.point];
-      return fmt::format("the contact of {} at level {} {}", gap_name(problem, point.gap), number(point.elevation),
-                         c.units.length);
+      const auto [gap, elevation] = place_of_contact(problem, fastest.point);
+      return fmt::format("the contact of {} at level {} {}", gap, number(elevation), c.units.length);
     }
     case By::mode:
       break;
@@ -26,21 +39,16 @@ std::string fastest_source(const Case& c, const Problem& problem, const Effort::
   return fmt::format("mode {} of {}", fastest.mode + 1, problem.buildings[fastest.building].name);
 }
 
-namespace {
-
-/// "35296 Hz, mode 3 of A".
-std::string fastest_text(const Case& c, const Problem& problem, const Effort::Fastest& fastest) {
-  return fmt::format("{} Hz, {}", number(fastest.frequency), fastest_source(c, problem, fastest));
-}
-
-/// @param why what makes it so many steps, as a sentence before a space
-template <class Why>
-std::string beyond(const LimitsSpec& limits, const Effort& effort, const Why& why) {
+template <class AnyProblem>
+std::string beyond(const Case& c, const AnyProblem& problem, const Effort& effort) {
+  const LimitsSpec& limits = c.analysis.limits;
   if (effort.certain_steps > limits.steps) {
     return fmt::format(
-        "a run takes {:.3g} steps or more, over the limit of {:.3g}. {}Is that meant? [analysis] limits = {{ steps = "
+        "a run takes {:.3g} steps or more, over the limit of {:.3g}. The fastest motion is {} Hz, {}. Is that meant? "
+        "[analysis] limits = {{ steps = "
         "{:.1e} }} lets it run",
-        effort.certain_steps, limits.steps, why(), 2 * effort.most_steps);
+        effort.certain_steps, limits.steps, number(effort.apart.frequency), source_of(c, problem, effort.apart),
+        2 * effort.most_steps);
   }
   if (effort.memory > 1e6 * limits.memory) {
     const double of_histories = effort.memory - effort.memory_of_steps;
@@ -58,13 +66,18 @@ std::string beyond(const LimitsSpec& limits, const Effort& effort, const Why& wh
 
 }  // namespace
 
-std::string beyond_limits(const Case& c, const Problem& problem, const Effort& effort) {
-  return beyond(c.analysis.limits, effort,
-                [&] { return fmt::format("The fastest motion is {}. ", fastest_text(c, problem, effort.apart)); });
+std::string fastest_source(const Case& c, const Problem& problem, const Effort::Fastest& fastest) {
+  return source_of(c, problem, fastest);
+}
+std::string fastest_source(const Case& c, const PlanProblem& problem, const Effort::Fastest& fastest) {
+  return source_of(c, problem, fastest);
 }
 
-std::string beyond_limits(const Case& c, const PlanProblem& /*problem*/, const Effort& effort) {
-  return beyond(c.analysis.limits, effort, [] { return ""; });
+std::string beyond_limits(const Case& c, const Problem& problem, const Effort& effort) {
+  return beyond(c, problem, effort);
+}
+std::string beyond_limits(const Case& c, const PlanProblem& problem, const Effort& effort) {
+  return beyond(c, problem, effort);
 }
 
 }  // namespace bentur
