@@ -110,8 +110,8 @@ std::shared_ptr<PyRun> kept(PlanRun run) {
 }
 
 template <class AnyProblem>
-std::shared_ptr<PyRun> solved(const PyCase& given, AnyProblem problem, std::optional<double> output_step,
-                              const py::object& progress) {
+std::shared_ptr<PyRun> solved_of(const PyCase& given, AnyProblem problem, std::optional<double> output_step,
+                                 const py::object& progress) {
   const AnalysisSpec& analysis = given.c.analysis;
   SolveOptions options = solve_options(analysis);
   options.output_step = output_step.value_or(report_output_step(problem));
@@ -126,8 +126,8 @@ std::shared_ptr<PyRun> solved(const PyCase& given, AnyProblem problem, std::opti
 /// With histories at so many seconds, or, with nothing, as a report needs them.
 std::shared_ptr<PyRun> solved(const PyCase& given, std::optional<double> output_step, const py::object& progress) {
   if (Diagnostics found; refuse_without_motion(given.c, found)) raise_case_error(found);
-  return given.plan ? solved(given, *given.plan, output_step, progress)
-                    : solved(given, given.problem, output_step, progress);
+  return given.plan ? solved_of(given, *given.plan, output_step, progress)
+                    : solved_of(given, given.problem, output_step, progress);
 }
 
 std::string sensitivities(const PyCase& given, const std::vector<std::string>& numbers, const py::object& progress) {
