@@ -189,8 +189,9 @@ Json facts_of(const std::vector<std::string>& gaps, const Story& story, const Wo
   for (const SaidTable& table : tables) {
     Json columns = Json::array();
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      const auto& [head, unit, cells, values] = table.columns[i];
-      columns.push_back({{"head", head}, {"unit", unit}, {"cells", cells}, {"numbers", bool{table.are_numbers[i]}}});
+      const TableColumn& one = table.columns[i];
+      columns.push_back(
+          {{"head", one.label}, {"unit", one.unit}, {"cells", one.cells}, {"numbers", bool{table.are_numbers[i]}}});
     }
     all.push_back({{"heading", table.heading}, {"columns", columns}, {"marked", table.marked}, {"note", table.note}});
   }

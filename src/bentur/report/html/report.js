@@ -124,6 +124,20 @@
     });
   }
 
+  /** On a telephone the worst gaps are in sight, the others once they are asked for. */
+  function shortenGaps() {
+    if (!telephone) return;
+    for (const note of document.querySelectorAll(".more-gaps")) {
+      const table = note.previousElementSibling.querySelector("table");
+      table.classList.add("short");
+      note.hidden = false;
+      note.querySelector("button").addEventListener("click", () => {
+        table.classList.remove("short");
+        note.hidden = true;
+      });
+    }
+  }
+
   /** On a telephone details are folded away. */
   function foldOnTelephones() {
     if (!telephone) return;
@@ -132,6 +146,7 @@
 
   buildList();
   shortenList();
+  shortenGaps();
   buildUnfold();
   foldOnTelephones();
   document.documentElement.classList.add("ready");

@@ -74,9 +74,11 @@ Html paragraphs(const SaidStatement& statement, std::string& badge) {
   return block + element("p", lead + Html::text(statement.text.substr(statement.lead)), "class=\"lead\"");
 }
 
-Html table_of(const SaidTable& table, HtmlTable::OnTelephone form, std::vector<std::string> titles) {
+Html table_of(const SaidTable& table, HtmlTable::OnTelephone form, std::vector<std::string> titles,
+              const std::vector<std::size_t>& in_sight) {
   HtmlTable shown;
   shown.explain(std::move(titles));
+  for (const std::size_t row : in_sight) shown.keep_in_sight(row);
   for (const std::size_t row : table.marked) shown.mark(row);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const TableColumn& column = table.columns[i];
@@ -86,11 +88,38 @@ Html table_of(const SaidTable& table, HtmlTable::OnTelephone form, std::vector<s
   return shown.called(table.heading).markup("", form);
 }
 
+namespace {
+
+constexpr std::size_t most_in_sight = 3;  ///< of the gaps of a telephone's list, before the others are asked for
+
+/// Of a list of gaps the worst; nothing of a short one. @param are_worst whether it has the worst alone, in that order
+std::vector<std::size_t> worst_of(const std::vector<VerdictGap>& gaps, std::size_t rows, bool are_worst) {
+  if (rows <= most_in_sight + 1) return {};
+  std::vector<std::size_t> worst = {0, 1, 2};
+  if (are_worst) return worst;
+  std::vector<JudgedGap> judged;
+  for (const VerdictGap& gap : gaps) {
+    if (gap.judged != nullptr) judged.push_back(*gap.judged);
+  }
+  if (judged.size() != rows) return {};
+  worst = worst_first(judged);
+  worst.resize(most_in_sight);
+  return worst;
+}
+
+/// Asks for the gaps that are not in sight; the script shows it where there are such.
+Html more_gaps(std::size_t rows, const Words& say) {
+  const std::string text = say("gap.show_more", {{"n", std::to_string(rows - most_in_sight)}});
+  return element("p", element("button", text, "type=\"button\""), "class=\"more-gaps screen\" hidden");
+}
+
+}  // namespace
+
 PageSection verdict_section(const Verdict& verdict, const Words& say) {
   const std::vector<SaidStatement> all = said(verdict.story.statements, say);
   const std::vector<VerdictGap>& gaps = verdict.gaps;
   const bool are_many = gaps.size() > 1;
-  Html block;
+  Html block, numbers;  // what is said, and of how much
   std::string badge;
   std::vector<Html> of_gaps(gaps.size());
   std::vector<std::string> badges(gaps.size());
@@ -113,12 +142,15 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
   for (const StoryTable& table : verdict.story.tables) {
     if (!table.kind.starts_with("row")) continue;
     const SaidTable shown = said(table, say);
-    block += element("h3", shown.heading) + table_of(shown, HtmlTable::OnTelephone::gaps);
+    const std::size_t rows = shown.columns.empty() ? 0 : shown.columns.front().cells.size();
+    const std::vector<std::size_t> in_sight = worst_of(gaps, rows, table.kind == "row_worst");
+    numbers += element("h3", shown.heading) + table_of(shown, HtmlTable::OnTelephone::gaps, {}, in_sight);
+    if (!in_sight.empty()) numbers += more_gaps(rows, say);
     if (shown.note.empty()) continue;
     const Html link = element("a", say("gap.all_of_them", {{"section", say("heading.gaps")}}), "href=\"#gaps\"");
-    block += element("p", Html::text(shown.note + " ") + link);
+    numbers += element("p", Html::text(shown.note + " ") + link);
   }
-  block += verdict.key;
+  numbers += verdict.key;
   std::vector<std::string> names;
   for (const VerdictGap& gap : gaps) names.push_back(gap.in_short);
   const std::optional<SaidTable> known = known_table(names, all, say);
@@ -134,17 +166,19 @@ PageSection verdict_section(const Verdict& verdict, const Words& say) {
     if (are_many) {
       each.add(gaps[gap].name, of_gaps[gap] + drawn);
     } else {
-      block += drawn;
+      numbers += drawn;
     }
   }
-  block += each.folded(say, "appendix.gaps");
+  numbers += each.folded(say, "appendix.gaps");
   // Of several tables one can be parted from the others by the end of a page, so that pictures have room before it.
   const std::string box = fmt::format("class=\"verdict {}\"", verdict_tone(all));
   Html behind;
   if (known) {
     behind = element("div", element("h3", known->heading) + table_of(*known, HtmlTable::OnTelephone::said), box);
   }
-  return {"verdict", say("heading.verdict"), element("div", block, box), behind};
+  Html content = element("div", block, box);
+  if (!numbers.str().empty()) content += element("div", numbers, box);
+  return {"verdict", say("heading.verdict"), content, behind};
 }
 
 PageSection verdict_section(const Report& report) {

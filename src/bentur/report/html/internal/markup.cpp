@@ -278,8 +278,13 @@ Html HtmlTable::written(std::string_view attributes, Heads heads, std::size_t mo
       }
       line += element("td", column.numeric ? signed_text(column.cells.at(row)) : column.cells.at(row), about);
     }
-    const bool marked = std::find(marked_.begin(), marked_.end(), row) != marked_.end();
-    body += element("tr", line, marked ? "class=\"marked\"" : "") + Html::markup("\n");
+    const auto is_among = [&](const std::vector<std::size_t>& rows) {
+      return std::find(rows.begin(), rows.end(), row) != rows.end();
+    };
+    const char* const of_row = !is_among(in_sight_) ? (is_among(marked_) ? "class=\"marked\"" : "")
+                               : is_among(marked_)  ? "class=\"marked in-sight\""
+                                                    : "class=\"in-sight\"";
+    body += element("tr", line, of_row) + Html::markup("\n");
   }
   Html title;  // shown in print alone, where the head of a table stands on each of its pages
   std::string about(attributes);

@@ -65,6 +65,8 @@ class HtmlTable {
   void explain(std::vector<std::string> titles) { titles_ = std::move(titles); }
   /// Makes a row stand out, e.g. the level that governs.
   void mark(std::size_t row) { marked_.push_back(row); }
+  /// Keeps a row in sight on a telephone, where the script folds the others of a long list away.
+  void keep_in_sight(std::size_t row) { in_sight_.push_back(row); }
   /// Adds the rows of another one, each with the name of what it is of in the first column; cells without a column
   /// there stay empty.
   void join(const std::string& name, const HtmlTable& other);
@@ -110,7 +112,7 @@ class HtmlTable {
 
   std::string title_;
   std::vector<Column> columns_;
-  std::vector<std::size_t> marked_;
+  std::vector<std::size_t> marked_, in_sight_;
   std::vector<std::string> titles_;
 };
 

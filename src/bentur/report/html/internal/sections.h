@@ -133,8 +133,9 @@ struct Verdict {
 [[nodiscard]] Html csv_script(const std::string& csv);
 
 /// A table in words. @param titles of the cells of its first column, for a pointer
+/// @param in_sight rows that stay so on a telephone, where a list has others too
 [[nodiscard]] Html table_of(const SaidTable& table, HtmlTable::OnTelephone form = HtmlTable::OnTelephone::as_fits,
-                            std::vector<std::string> titles = {});
+                            std::vector<std::string> titles = {}, const std::vector<std::size_t>& in_sight = {});
 /// Tables of gaps, each gap under its name and each table under its heading. @param gaps names of all
 [[nodiscard]] Html gap_tables(const std::vector<std::string>& gaps, const std::vector<StoryTable>& tables,
                               const Words& say);
