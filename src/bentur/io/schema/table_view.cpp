@@ -185,7 +185,11 @@ const Key& TableView::key(std::string_view name) const {
 
 std::optional<TomlView> TableView::get(std::string_view name) const {
   auto found = find(std::string(name));
-  if (!found && key(name).is_required()) error_missing(std::string(name));
+  if (!found && key(name).is_required()) {
+    const std::vector<std::string_view>& words = key(name).words;
+    const bool is_choice = key(name).kind == Key::Kind::choice && !words.empty();
+    error_missing(std::string(name), is_choice ? fmt::format("one of {}", fmt::join(words, ", ")) : "");
+  }
   return found;
 }
 
