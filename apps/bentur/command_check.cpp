@@ -154,7 +154,7 @@ std::string checked(const Case& c, const AnyProblem& problem, const std::string&
 }
 
 void run(const std::string& file, const Words& say) {
-  const Loaded loaded = load(file, Purpose::no_run, say.language(), Takes::rows_and_plans);
+  const Loaded loaded = load(file, say.language());
   std::string text = say("checked.no_errors", {{"file", file}}) + "\n";
   if (!loaded.c.title.empty()) text += loaded.c.title + "\n";
   text += excitation_lines(loaded.c, say);

@@ -131,7 +131,7 @@ std::string taxonomy_table(const Case& c, const AnyProblem& problem, const std::
 
 void export_taxonomy(const ExportArguments& arguments) {
   OutputFile output = output_file(arguments, ResultKind::taxonomy);
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Loaded loaded = load(arguments.file, arguments.language);
   const std::vector<ToldJudgement> gaps = judgements_of(loaded, arguments.language);
   output.write(with_problem(loaded, [&](const auto& problem) { return taxonomy_table(loaded.c, problem, gaps); }));
   std::set<std::pair<Eigen::Index, Eigen::Index>> open;

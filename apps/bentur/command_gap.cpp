@@ -163,7 +163,7 @@ void run_rules(const GapArguments& arguments) {
                   error_words("bentur gap: --record is for simulated gaps, not for --rules", arguments.language));
   }
   const Words say(arguments.language);
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Loaded loaded = load(arguments.file, arguments.language);
   const Case& c = loaded.c;
   if (arguments.json) {
     return print(with_problem(loaded, [&](const auto& problem) { return height_rules_json(c, problem, version()); }));
@@ -186,7 +186,7 @@ void run(const GapArguments& arguments) {
   if (arguments.at)
     throw Failure(exit_bad_input, error_words("bentur gap: --at is for a study with [ida]", arguments.language));
   const Words say(arguments.language);
-  Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  Loaded loaded = load(arguments.file, arguments.language);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   if (loaded.c.excitation.suite) {
     return tell_suite(arguments, loaded);

@@ -117,7 +117,7 @@ struct ModesArguments {
 };
 
 void run(const ModesArguments& arguments) {
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Loaded loaded = load(arguments.file, arguments.language);
   const Words say(arguments.language);
   print(with_problem(loaded, [&](auto problem) {
     if (arguments.method == "jacobi") {

@@ -98,7 +98,7 @@ void draw_own(const PlotArguments& arguments) {
 
 /// Of a case with a suite what each record needs, which is run for that, or the spectra of its records.
 void draw_suite(const PlotArguments& arguments) {
-  const Loaded loaded = load(arguments.results, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Loaded loaded = load(arguments.results, arguments.language);
   const auto& suite = loaded.c.excitation.suite;
   if (!suite) {
     throw Failure(exit_bad_input,

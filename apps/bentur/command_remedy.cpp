@@ -60,7 +60,7 @@ std::optional<RemedySearch> seek(const RemedyArguments& arguments, const std::fi
 
 /// Of a case as it stands: the least gap, which wants no search.
 LeastGaps gaps_of(const RemedyArguments& arguments) {
-  const Loaded loaded = load(arguments.study, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Loaded loaded = load(arguments.study, arguments.language);
   const Case& c = loaded.c;
   if (c.excitation.suite) {
     const SuiteRun run = run_records(loaded, true, arguments.language);

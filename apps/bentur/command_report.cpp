@@ -144,7 +144,7 @@ void run(const ReportArguments& arguments) {
     throw Failure(exit_bad_input,
                   error_words("--event and --method are for the results of bentur ida", arguments.language));
   }
-  Loaded loaded = from_files ? Loaded{} : load(input, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  Loaded loaded = from_files ? Loaded{} : load(input, arguments.language);
   if (arguments.record) loaded = record_of(std::move(loaded), *arguments.record, arguments.language);
   // Before the work, so that a place that cannot be written to costs none.
   std::vector<std::filesystem::path> files = from_files ? files_of_results(input, is_folder) : loaded.files;

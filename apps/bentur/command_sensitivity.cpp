@@ -25,7 +25,7 @@ struct SensitivityArguments {
 };
 
 void run(const SensitivityArguments& arguments) {
-  const Loaded loaded = load(arguments.file, Purpose::no_run, arguments.language, Takes::rows_and_plans);
+  const Loaded loaded = load(arguments.file, arguments.language);
   std::optional<OutputFile> output;
   const OutputRules rules{.inputs = {arguments.file}, .force = arguments.force};
   if (!arguments.output.empty()) output.emplace(arguments.output, ResultKind::sensitivity, rules);

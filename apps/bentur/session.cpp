@@ -111,7 +111,7 @@ Notice::~Notice() {
 Failure::Failure(const Diagnostics& diagnostics, const std::string& language)
     : Failure(exit_bad_input, all_of(diagnostics, language)) {}
 
-Loaded load(const std::filesystem::path& file, Purpose purpose, const std::string& language, Takes takes) {
+Loaded load(const std::filesystem::path& file, const std::string& language) {
   Diagnostics diagnostics;
   MadeParts made;
   std::optional<Case> c;
@@ -121,10 +121,8 @@ Loaded load(const std::filesystem::path& file, Purpose purpose, const std::strin
     c = read_case(file, diagnostics, &made, [&](double fraction) { display.show(fraction); });
   }
   if (!c) throw Failure(diagnostics, language);
-  if (takes == Takes::rows && refuse_plan(*c, file, diagnostics)) throw Failure(diagnostics, language);
   std::vector<std::filesystem::path> files = files_read(*c);
   files.push_back(file);
-  if (purpose == Purpose::run && refuse_without_motion(*c, diagnostics)) throw Failure(diagnostics, language);
   if (c->is_in_plan()) {
     Problem row = c->excitation.spectrum ? row_of(made.plan) : Problem();
     return {std::move(*c), std::move(row), std::move(made.plan), std::move(files)};

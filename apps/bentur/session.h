@@ -76,14 +76,8 @@ struct Loaded {
   std::vector<std::filesystem::path> files;  ///< that it was read from
 };
 
-/// What a case is read for: a run, which a spectrum has nothing for, or what needs no course in time.
-enum class Purpose { run, no_run };
-/// Which cases are taken.
-enum class Takes { rows, rows_and_plans };
-
 /// Reads a case and makes its problem. @throws Failure with every error found, in that language (exit_bad_input).
-[[nodiscard]] Loaded load(const std::filesystem::path& file, Purpose purpose = Purpose::run,
-                          const std::string& language = "en", Takes takes = Takes::rows);
+[[nodiscard]] Loaded load(const std::filesystem::path& file, const std::string& language = "en");
 
 /// The gaps under the spectrum of a case that has one.
 [[nodiscard]] SpectralGaps spectral_gaps(const Loaded& loaded);

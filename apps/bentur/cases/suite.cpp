@@ -26,7 +26,7 @@ Loaded record_of(Loaded loaded, int number, const std::string& language) {
 }
 
 Loaded load_for_run(const std::string& file, std::optional<int> record, const std::string& language) {
-  Loaded loaded = load(file, Purpose::no_run, language, Takes::rows_and_plans);
+  Loaded loaded = load(file, language);
   if (record) return record_of(std::move(loaded), *record, language);
   Diagnostics found;
   if (loaded.c.excitation.spectrum && refuse_without_motion(loaded.c, found)) throw Failure(found, language);

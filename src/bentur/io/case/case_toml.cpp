@@ -398,19 +398,6 @@ void leave_out_lost_logo(TomlValue& root, const std::filesystem::path& folder) {
   std::erase_if(project->members, [](const TomlMember& one) { return one.key == "logo"; });
 }
 
-bool refuse_plan(const Case& c, const std::filesystem::path& file, Diagnostics& diagnostics) {
-  if (!c.is_in_plan()) return false;
-  const std::string name = file.string();
-  const auto plan = c.given != nullptr ? plan_of(TomlView(*c.given, "", name, diagnostics)) : std::nullopt;
-  const std::string why = "is of buildings in plan, which is not taken here; bentur run, gap and report take it";
-  if (plan) {
-    plan->error(why);
-  } else {
-    diagnostics.error({name, 0, 0}, why);
-  }
-  return true;
-}
-
 std::optional<Case> read_case_text(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics,
                                    MadeParts* made, const std::function<void(double)>& progress) {
   return read_parsed(text, file, diagnostics, [&](const TomlValue& root, const std::string& name, Diagnostics& found) {

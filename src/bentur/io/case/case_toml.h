@@ -39,9 +39,6 @@ struct MadeParts {
 [[nodiscard]] std::optional<Case> read_case_without_record(const std::string& text, const std::filesystem::path& file,
                                                            Diagnostics& diagnostics, MadeParts* made = nullptr);
 
-/// Whether a case is in plan, which is an error where rows alone are taken. @param file that it was read from
-bool refuse_plan(const Case& c, const std::filesystem::path& file, Diagnostics& diagnostics);
-
 /// Takes a logo out that does not stand beside the case, as where results hold a copy of it, or a page has it alone.
 void leave_out_lost_logo(TomlValue& root, const std::filesystem::path& folder);
 

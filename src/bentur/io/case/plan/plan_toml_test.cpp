@@ -405,13 +405,7 @@ TEST(PlanToml, SaysWhatIsWrongInTables) {
                     "initial.velocities.Q is for no building of the case, the buildings are A, B, W"}));
 }
 
-TEST(PlanToml, ARowHasNoPlanAndOtherDoorsStayShut) {
-  Diagnostics diagnostics;
-  const auto c = read_case_text(plan_text, "a.toml", diagnostics);
-  ASSERT_TRUE(c && refuse_plan(*c, "a.toml", diagnostics));
-  ASSERT_EQ(diagnostics.errors().size(), 1U);
-  EXPECT_EQ(diagnostics.errors()[0].message(),
-            "plan is of buildings in plan, which is not taken here; bentur run, gap and report take it");
+TEST(PlanToml, ARowHasNoPlan) {
   const auto errors_of_row = [](const std::string& more_of_gap, const std::string& more,
                                 const std::string& more_of_contact = "") {
     Diagnostics found;
