@@ -1110,6 +1110,7 @@ class PlanCases(CommandLine):
         self.assertIn("Ground motion along x + 30°, peak 0.347 g 3.4 m/s²", words)
         table = text[text.index("Contact Walled | Frame"):text.index("Peaks of Walled")]
         rows = [line.split() for line in table.splitlines()[6:] if line.strip()]
+        self.assertEqual(" ".join(rows.pop()), "No energy is lost across the gap: the contact is elastic.")
         points.sort(key=lambda point: -point["elevation"])
         self.assertEqual(len(rows), len(points))
         for row, point in zip(rows, points):
