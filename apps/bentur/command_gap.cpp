@@ -6,7 +6,6 @@
 
 #include "arguments.h"
 #include "bentur/core/version.h"
-#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/rules_json.h"
 #include "bentur/model/gap/spectral_gap.h"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "arguments.h"
-#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/structure/modes.h"
 #include "commands.h"
@@ -97,18 +96,6 @@ std::string modes_text(const PlanBuilding& building, const Units& /*units*/, con
   return building.name + "\n\n" + table.text();
 }
 
-/// Modes by the monograph's method in place of those that are known.
-void find_by_jacobi(Building& building) {
-  if (building.modes.omega.size() < building.model.dofs()) return;  // known by some modes alone, or by none
-  building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
-}
-void find_by_jacobi(PlanBuilding& building) {
-  if (!building.is_rigid()) building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
-}
-
-std::string json_of(const Problem& problem, const Units& units) { return modes_json(problem.buildings, units); }
-std::string json_of(const PlanProblem& problem, const Units& /*units*/) { return modes_json(problem); }
-
 struct ModesArguments {
   std::string file;
   std::string method = "library";
@@ -121,9 +108,9 @@ void run(const ModesArguments& arguments) {
   const Words say(arguments.language);
   print(with_problem(loaded, [&](auto problem) {
     if (arguments.method == "jacobi") {
-      for (auto& building : problem.buildings) find_by_jacobi(building);
+      for (auto& building : problem.buildings) find_modes_by_jacobi(building);
     }
-    if (arguments.json) return json_of(problem, loaded.c.units);
+    if (arguments.json) return modes_json(problem, loaded.c.units);
     std::string text;
     for (const auto& building : problem.buildings) {
       text += (text.empty() ? "" : "\n") + modes_text(building, loaded.c.units, say);

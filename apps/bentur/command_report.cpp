@@ -10,7 +10,6 @@
 #include "bentur/core/version.h"
 #include "bentur/files/netcdf.h"
 #include "bentur/files/result_reading.h"
-#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_variable.h"
 #include "bentur/model/plan/plan_dense_run.h"
 #include "bentur/report/errors.h"
@@ -55,21 +54,17 @@ ReportOptions with_sensitivity(ReportOptions options, const Case& c, const std::
   return options;
 }
 
-template <class Run>
-std::string report_of(const Run& results, const std::filesystem::path& folder, const ReportOptions& options) {
-  return report_html(results, with_sensitivity(options, results.c, folder));
-}
-
 /// The report of a folder of results.
 std::string from_results(const std::filesystem::path& folder, const ReportOptions& options) {
+  const auto report_of = [&](const AnyRun& results, const ReportOptions& of) {
+    return std::visit([&](const auto& run) { return report_html(run, with_sensitivity(of, run.c, folder)); }, results);
+  };
   try {
     if (std::filesystem::exists(folder / "histories.nc") && std::filesystem::exists(folder / "summary.json")) {
       const NetcdfReader histories(folder / "histories.nc");
-      const ReportOptions told = of_results(options, histories);
-      return is_plan_run(histories) ? report_of(read_plan_results(histories), folder, told)
-                                    : report_of(read_results(folder), folder, told);
+      return report_of(read_any_results(histories), of_results(options, histories));
     }
-    return report_of(read_results(folder), folder, options);
+    return report_of(read_results(folder), options);
   } catch (const Failure&) {
     throw;
   } catch (const std::exception& error) {

@@ -9,7 +9,6 @@
 #include "bentur/core/version.h"
 #include "bentur/files/netcdf_kind.h"
 #include "bentur/files/result_netcdf.h"
-#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/model/plan/plan_dense_run.h"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_json.h"
 #include "tests/reference/shared_folder.h"
 
 namespace bentur {

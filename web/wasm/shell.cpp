@@ -19,7 +19,6 @@
 #include "bentur/io/case/case_memo.h"
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/results/plan/plan_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/schema/case_keys.h"
@@ -311,8 +310,8 @@ std::string Studio::gaps() const {
 }
 
 std::string Studio::modes() const {
-  if (plan_) return modes_json(*plan_);
-  return problem_ ? modes_json(problem_->buildings, case_->units) : "";
+  if (plan_) return modes_json(*plan_, case_->units);
+  return problem_ ? modes_json(*problem_, case_->units) : "";
 }
 
 std::string Studio::motion(const std::string& language) const {

@@ -12,8 +12,7 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/results/result_variable.h"
 #include "bentur/io/toml/toml_value.h"
-#include "bentur/model/plan/plan_run.h"
-#include "bentur/model/run_results.h"
+#include "bentur/model/any_run.h"
 
 namespace bentur::python {
 
@@ -33,9 +32,8 @@ struct PyCase {
 
 /// A run and all that is reported of it. Arrays that Python gets look into it and keep it alive.
 struct PyRun {
-  RunResults results;
-  std::optional<PlanRun> plan = {};  ///< of buildings in plan, whose `results` are empty
-  bool has_figures = false;          ///< results.figures is there
+  AnyRun run;
+  bool has_figures = false;  ///< what figures show beyond histories has been found
 };
 
 void bind_case(pybind11::module_& module);

@@ -11,8 +11,6 @@
 #include "bentur/io/case/case_toml.h"
 #include "bentur/io/file_identity.h"
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/plan/plan_json.h"
-#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/results/result_json.h"
 #include "bentur/io/results/rules_json.h"
@@ -104,11 +102,6 @@ SpectralGaps spectral_of(const PyCase& given) {
                     : spectral_gaps(given.problem, *c.excitation.spectrum, c.code, c.units);
 }
 
-std::shared_ptr<PyRun> kept(RunResults run) { return std::make_shared<PyRun>(PyRun{std::move(run)}); }
-std::shared_ptr<PyRun> kept(PlanRun run) {
-  return std::make_shared<PyRun>(PyRun{.results = {}, .plan = std::move(run)});
-}
-
 template <class AnyProblem>
 std::shared_ptr<PyRun> solved_of(const PyCase& given, AnyProblem problem, std::optional<double> output_step,
                                  const py::object& progress) {
@@ -120,7 +113,7 @@ std::shared_ptr<PyRun> solved_of(const PyCase& given, AnyProblem problem, std::o
   refuse(beyond_limits(given.c, problem, effort(problem, analysis.solver, options)), given);
   auto response = watched(given, options, progress, [&] { return solve(problem, analysis.solver, options); });
   const py::gil_scoped_release unlocked;
-  return kept(run_results(given.c, std::move(problem), std::move(response)));
+  return std::make_shared<PyRun>(PyRun{run_results(given.c, std::move(problem), std::move(response))});
 }
 
 /// With histories at so many seconds, or, with nothing, as a report needs them.
@@ -146,19 +139,28 @@ std::string sensitivities(const PyCase& given, const std::vector<std::string>& n
   return sensitivity_json(*result, version());
 }
 
+/// What `use` makes of a run, of a row or in plan.
+template <class Run, class Use>
+decltype(auto) with(Run& run, const Use& use) {
+  return std::visit(use, run.run);
+}
+
+Case& case_of(PyRun& run) {
+  return with(run, [](auto& of) -> Case& { return of.c; });
+}
+
 /// A case that was made in Python has no file: what it says as one, so that results tell what was run.
 void tell_source(PyRun& run) {
-  std::optional<CaseSource>& source = run.plan ? run.plan->c.source : run.results.c.source;
-  const std::shared_ptr<const TomlValue>& given = run.plan ? run.plan->c.given : run.results.c.given;
-  if (source || given == nullptr) return;
-  const std::string text = toml_file(*given);
-  source = CaseSource{.file = "case.toml", .text = text, .sha256 = sha256(text)};
+  Case& c = case_of(run);
+  if (c.source || c.given == nullptr) return;
+  const std::string text = toml_file(*c.given);
+  c.source = CaseSource{.file = "case.toml", .text = text, .sha256 = sha256(text)};
 }
 
 /// Attributes of the file, and each variable.
 py::tuple variables(const std::shared_ptr<PyRun>& run) {
   tell_source(*run);
-  const ResultFile file = run->plan ? plan_file(*run->plan, version()) : run_file(run->results, version());
+  const ResultFile file = with(*run, [](const auto& of) { return run_file(of, version()); });
   const py::object owner = py::cast(run);
   py::list found;
   for (const ResultVariable& one : file.variables) found.append(python_of(one, owner));
@@ -167,44 +169,37 @@ py::tuple variables(const std::shared_ptr<PyRun>& run) {
 
 /// The columns of the list of impacts that are numbers: key, unit, values, whether they are yes or no.
 py::list impacts(const PyRun& run) {
-  py::list found;
-  if (run.plan) {
-    const Units& units = run.plan->c.units;
-    for (const Quantity* const one : quantities_of(Owner::impact, true)) {
+  return with(run, [](const auto& of) {
+    py::list found;
+    const auto& seen = of.view();
+    for (const Quantity* const one : quantities_of(Owner::impact, of.c.is_in_plan())) {
       std::vector<double> values;
-      for (Eigen::Index i = 0; i < std::ssize(run.plan->response.impacts); ++i) {
-        values.push_back(value_of(*one, *run.plan, {i}));
+      for (const QuantityPlace& at : first_places(std::ssize(of.response.impacts))) {
+        values.push_back(value_of(*one, seen, at));
       }
-      found.append(py::make_tuple(std::string(one->key), udunits(one->units, units), array_of(values), is_whole(*one)));
+      found.append(
+          py::make_tuple(std::string(one->key), udunits(one->units, of.c.units), array_of(values), is_whole(*one)));
     }
     return found;
-  }
-  const RunView view = run.results.view();
-  for (const Quantity* quantity : quantities_of(Owner::impact)) {
-    std::vector<double> values;
-    for (const QuantityPlace& at : first_places(std::ssize(view.response.impacts))) {
-      values.push_back(value_of(*quantity, view, at));
-    }
-    found.append(py::make_tuple(std::string(quantity->key), udunits(quantity->units, view.units), array_of(values),
-                                is_whole(*quantity)));
-  }
-  return found;
+  });
 }
 
 std::string summary(PyRun& run) {
   tell_source(run);
-  return run.plan ? summary_json(*run.plan, version()) : summary_json(run.results, version());
+  return with(run, [](const auto& of) { return summary_json(of, version()); });
 }
 
-const std::vector<Remark>& remarks_of(const PyRun& run) { return run.plan ? run.plan->remarks : run.results.remarks; }
+const std::vector<Remark>& remarks_of(const PyRun& run) {
+  return with(run, [](const auto& of) -> const std::vector<Remark>& { return of.remarks; });
+}
 
 std::string table_of_impacts(const PyRun& run) {
-  return run.plan ? impacts_csv(*run.plan) : impacts_csv(run.results.view());
+  return with(run, [](const auto& of) { return impacts_csv(of.view()); });
 }
 
 std::string gaps(PyRun& run) {
   tell_source(run);
-  return run.plan ? gap_json(*run.plan, version()) : gap_json(run.results, version());
+  return with(run, [](const auto& of) { return gap_json(of, version()); });
 }
 
 /// Writes the results into a folder by the rules that the command line has. @return the names of the files.
@@ -212,7 +207,7 @@ std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& fold
                               const std::optional<py::bytes>& histories, const py::function& is_histories, bool force) {
   tell_source(run);
   OutputRules rules{
-      .inputs = run.plan ? files_read(run.plan->c) : files_read(run.results.c),
+      .inputs = files_read(case_of(run)),
       .force = force,
       .is_netcdf = [&](const fs::path& file,
                        ResultKind kind) { return kind == ResultKind::histories && is_histories(file).cast<bool>(); },
@@ -225,7 +220,7 @@ std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& fold
       files.add(name, content, kind);
       names.emplace_back(name);
     };
-    std::optional<CaseSource>& source = run.plan ? run.plan->c.source : run.results.c.source;
+    std::optional<CaseSource>& source = case_of(run).source;
     if (source) source->copied = !rules.is_input(folder / "case.toml");
     add("summary.json", summary(run), ResultKind::summary);
     add("impacts.csv", table_of_impacts(run), ResultKind::impacts);
@@ -244,40 +239,26 @@ std::vector<std::string> save(PyRun& run, const PyCase& of, const fs::path& fold
 }
 
 std::string modes(const PyCase& given, bool jacobi) {
-  if (given.plan) {
-    PlanProblem problem = *given.plan;
-    for (PlanBuilding& building : problem.buildings) {
-      if (!jacobi || building.is_rigid()) continue;
-      building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+  const auto told = [&](auto problem) {
+    if (jacobi) {
+      for (auto& building : problem.buildings) find_modes_by_jacobi(building);
     }
-    return modes_json(problem);
-  }
-  std::vector<Building> buildings = given.problem.buildings;
-  for (Building& building : buildings) {
-    if (!jacobi || building.modes.omega.size() < building.model.dofs()) continue;
-    building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
-  }
-  return modes_json(buildings, given.c.units);
+    return modes_json(problem, given.c.units);
+  };
+  return given.plan ? told(*given.plan) : told(given.problem);
 }
 
 /// The run with what figures show beyond histories.
-const RunResults& with_figures(PyRun& run) {
-  RunResults& results = run.results;
-  if (!run.has_figures) find_figures(results);
+const AnyRun& with_figures(PyRun& run) {
+  if (!run.has_figures) with(run, [](auto& of) { find_figures(of); });
   run.has_figures = true;
-  return results;
-}
-
-const PlanRun& plan_with_figures(PyRun& run) {
-  if (!run.has_figures) find_figures(*run.plan);
-  run.has_figures = true;
-  return *run.plan;
+  return run.run;
 }
 
 /// Kinds of figure that the run can give, each with what it shows.
 std::vector<std::pair<std::string, std::string>> kinds_of(PyRun& run) {
   std::vector<std::pair<std::string, std::string>> kinds;
-  const std::vector<FigureKind> all = run.plan ? figure_kinds(plan_with_figures(run)) : figure_kinds(with_figures(run));
+  const auto all = std::visit([](const auto& of) { return figure_kinds(of); }, with_figures(run));
   for (const FigureKind& kind : all) kinds.emplace_back(kind.name, kind.shows);
   return kinds;
 }
@@ -293,8 +274,8 @@ std::string drawn(PyRun& run, const std::string& kind, const std::string& langua
   options.to = end;
   options.gap = gap;
   options.elevation = elevation;
-  const auto make = [&](const FigureOptions& with) {
-    return run.plan ? make_figure(plan_with_figures(run), kind, with) : make_figure(with_figures(run), kind, with);
+  const auto make = [&](const FigureOptions& of) {
+    return std::visit([&](const auto& results) { return make_figure(results, kind, of); }, with_figures(run));
   };
   try {
     return figure_svg(width ? figure_of_width(make, options, *width) : make(options));
@@ -317,9 +298,8 @@ void bind_run(py::module_& module) {
       .def("lines",
            [](const PyRun& run, const std::string& language) {
              const Words say(language);
-             const std::vector<std::string> gaps =
-                 run.plan ? gap_names(run.plan->problem) : gap_names(run.results.problem);
-             const Story story = run.plan ? run_story(*run.plan) : run_story(run.results);
+             const std::vector<std::string> gaps = with(run, [](const auto& of) { return gap_names(of.problem); });
+             const Story story = with(run, [](const auto& of) { return run_story(of); });
              const std::vector<SaidStatement> all = said(story.statements, say);
              std::vector<std::string> lines = story_lines(gaps, all, say, Told::outcome);
              if (const auto known = known_table(gaps, all, say)) {
@@ -345,7 +325,7 @@ void bind_run(py::module_& module) {
             if (given != nullptr) {
               options.sensitivity = sensitivity_of_report(given->c, given->folder / fs::path(given->name).filename());
             }
-            return run.plan ? report_html(plan_with_figures(run), options) : report_html(with_figures(run), options);
+            return std::visit([&](const auto& of) { return report_html(of, options); }, with_figures(run));
           },
           py::arg("language") = "en", py::arg("case") = py::none())
       .def("figure_kinds", &kinds_of)
@@ -371,7 +351,7 @@ void bind_run(py::module_& module) {
           return least_gap_json(least_gaps(c, still_of(given), spectral_of(given)), version());
         }
         const std::shared_ptr<PyRun> run = solved(given, 0, progress);
-        return least_gap_json(run->plan ? least_gaps(*run->plan) : least_gaps(run->results), version());
+        return least_gap_json(with(*run, [](const auto& of) { return least_gaps(of); }), version());
       },
       py::arg("case"), py::arg("progress"));
   module.def("sensitivity_json", &sensitivities, py::arg("case"), py::arg("numbers"), py::arg("progress"));

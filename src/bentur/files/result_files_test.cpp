@@ -270,7 +270,7 @@ TEST(SummaryJson, NumbersSurviveToTheLastBit) {
 
 TEST(ModesJson, ShapesAreMassNormalisedAndFractionsAddUpToOne) {
   const Fixture f;
-  const Json json = Json::parse(modes_json(f.problem.buildings, f.c.units))["buildings"];
+  const Json json = Json::parse(modes_json(f.problem, f.c.units))["buildings"];
   ASSERT_EQ(json.size(), 2U);
   const Json& left = json[0];
   for (const Json& shape : left["shapes"]) {

@@ -10,7 +10,7 @@ std::string histories_netcdf(const RunResults& results, std::string_view version
 }
 
 std::string histories_netcdf(const PlanRun& run, std::string_view version) {
-  return netcdf_image(plan_file(run, version));
+  return netcdf_image(run_file(run, version));
 }
 
 }  // namespace bentur

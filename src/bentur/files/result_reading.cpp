@@ -352,7 +352,9 @@ RunResults read_results(const fs::path& folder) {
   return results;
 }
 
-PlanRun read_plan_results(const NetcdfReader& histories) {
+namespace {
+
+PlanRun plan_of(const NetcdfReader& histories) {
   const fs::path folder = fs::path(histories.name()).parent_path();
   const fs::path file = folder / "case.toml";
   const std::string text = contents(file);
@@ -377,6 +379,18 @@ PlanRun read_plan_results(const NetcdfReader& histories) {
   return run;
 }
 
-PlanRun read_plan_results(const fs::path& folder) { return read_plan_results(NetcdfReader(folder / "histories.nc")); }
+}  // namespace
+
+PlanRun read_plan_results(const fs::path& folder) { return plan_of(NetcdfReader(folder / "histories.nc")); }
+
+AnyRun read_any_results(const NetcdfReader& histories) {
+  if (is_plan_run(histories)) return plan_of(histories);
+  const fs::path file = histories.name(), folder = file.parent_path();
+  // With its summary all that was found: what floors need that no contact is modelled with is there alone.
+  const bool is_whole = file.filename() == "histories.nc" && fs::exists(folder / "summary.json");
+  return is_whole ? read_results(folder) : read_run(histories);
+}
+
+bool is_any_run(const NetcdfReader& results) { return is_run(results) || is_plan_run(results); }
 
 }  // namespace bentur

@@ -3,8 +3,7 @@
 #include <filesystem>
 
 #include "bentur/files/netcdf.h"
-#include "bentur/model/plan/plan_run.h"
-#include "bentur/model/run_results.h"
+#include "bentur/model/any_run.h"
 
 namespace bentur {
 
@@ -18,7 +17,11 @@ namespace bentur {
 
 /// The same of buildings in plan, whose case.toml must be there: it says where they stand.
 [[nodiscard]] PlanRun read_plan_results(const std::filesystem::path& folder);
-/// The same where histories.nc has been opened; the other files stand beside it.
-[[nodiscard]] PlanRun read_plan_results(const NetcdfReader& histories);
+
+/// What histories.nc is of, a row or buildings in plan, with the other files that stand beside it; of a row they need
+/// not. @throws std::runtime_error as read_results()
+[[nodiscard]] AnyRun read_any_results(const NetcdfReader& histories);
+/// Whether a file is histories.nc of either.
+[[nodiscard]] bool is_any_run(const NetcdfReader& results);
 
 }  // namespace bentur

@@ -12,6 +12,13 @@ namespace bentur {
 /// Same signs and errors.
 [[nodiscard]] Modes modes_by_jacobi(const Eigen::MatrixXd& mass, const Eigen::MatrixXd& stiffness);
 
+/// A building, of a row or in plan, with its modes found so, where all of them are known.
+template <class AnyBuilding>
+void find_modes_by_jacobi(AnyBuilding& building) {
+  if (building.is_rigid() || building.modes.omega.size() < building.model.dofs()) return;
+  building.modes = modes_by_jacobi(building.model.mass, building.model.stiffness);
+}
+
 /// Smallest eigenvalue of a symmetric matrix, n × n with n > 0; only the lower half is read.
 [[nodiscard]] double smallest_eigenvalue(const Eigen::MatrixXd& matrix);
 

@@ -161,9 +161,9 @@ std::string summary_json(const RunResults& results, std::string_view version) {
   return text_of(json);
 }
 
-std::string modes_json(const std::vector<Building>& buildings, const Units& units) {
+std::string modes_json(const Problem& problem, const Units& units) {
   Json all = Json::array();
-  for (const Building& building : buildings) {
+  for (const Building& building : problem.buildings) {
     const ModalProperties properties = modal_properties(building);
     Json shapes = Json::array();
     for (Eigen::Index mode = 0; mode < building.modes.shapes.cols(); ++mode) {

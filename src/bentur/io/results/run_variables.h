@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bentur/io/results/result_variable.h"
+#include "bentur/model/plan/plan_run.h"
 #include "bentur/model/run_results.h"
 
 namespace bentur {
@@ -15,6 +16,8 @@ namespace bentur {
 /// it and its variables are left out, and without histories all that go along `time`. Group `exact` is the exact
 /// course. The values look into `results`, which must outlive them.
 [[nodiscard]] ResultFile run_file(const RunResults& results, std::string_view version);
+/// Of buildings in plan, with dimensions `component` of the ground motion and `plane_N` of building N too.
+[[nodiscard]] ResultFile run_file(const PlanRun& run, std::string_view version);
 
 /// What histories.nc alone tells of a run: of the case its title, units and duration; buildings with names, elevations,
 /// periods and shapes; contact points and links without laws; every kept quantity of floors, points, links and impacts;

@@ -30,19 +30,12 @@ bool some_collapse(const NetcdfReader& results) {
 
 bool is_in(const NetcdfReader& results, const SweepKind& kind) { return !variables_of(results, kind.quantity).empty(); }
 
-/// Of a run with its summary beside it all that was found: what floors need that no contact is modelled with is there
-/// alone.
-RunResults run_of(const NetcdfReader& results) {
-  const std::filesystem::path file = results.name(), folder = file.parent_path();
-  const bool is_whole = file.filename() == "histories.nc" && std::filesystem::exists(folder / "summary.json");
-  return is_whole ? read_results(folder) : read_run(results);
-}
-
 }  // namespace
 
 std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
-  if (is_run(results)) return figure_kinds(run_of(results));
-  if (is_plan_run(results)) return figure_kinds(read_plan_results(results));
+  if (is_any_run(results)) {
+    return std::visit([](const auto& run) { return figure_kinds(run); }, read_any_results(results));
+  }
   if (results.find("status") == nullptr) refuse(results);
   std::vector<FigureKind> kinds;
   if (is_ida(results)) {
@@ -65,8 +58,9 @@ std::vector<FigureKind> figure_kinds(const NetcdfReader& results) {
 }
 
 Figure make_figure(const NetcdfReader& results, const std::string& kind, const FigureOptions& options) {
-  if (is_run(results)) return make_figure(run_of(results), kind, options);
-  if (is_plan_run(results)) return make_figure(read_plan_results(results), kind, options);
+  if (is_any_run(results)) {
+    return std::visit([&](const auto& run) { return make_figure(run, kind, options); }, read_any_results(results));
+  }
   if (results.find("status") != nullptr) {
     const SweepData sweep(results, options.say);
     const auto titled = [&](Figure figure) {

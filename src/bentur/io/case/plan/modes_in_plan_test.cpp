@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_json.h"
 #include "bentur/model/story/hand_in.h"
 #include "tests/support/plan_run.h"
 

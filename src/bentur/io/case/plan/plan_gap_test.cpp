@@ -10,7 +10,7 @@
 
 #include "bentur/core/errors.h"
 #include "bentur/io/case/case_toml.h"
-#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_json.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/model/story/story.h"
 #include "tests/support/plan_run.h"

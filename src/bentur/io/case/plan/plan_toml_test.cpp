@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bentur/contact/laws/rubbing.h"
-#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_json.h"
 #include "tests/support/plan_run.h"
 
 namespace bentur {

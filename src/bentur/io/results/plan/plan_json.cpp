@@ -1,4 +1,4 @@
-#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -199,7 +199,7 @@ std::string height_rules_json(const Case& c, const PlanProblem& problem, std::st
   return height_rules_json(c, row_of(problem), version);
 }
 
-std::string modes_json(const PlanProblem& problem) {
+std::string modes_json(const PlanProblem& problem, const Units& /*units*/) {
   Json all = Json::array();
   for (const PlanBuilding& building : problem.buildings) {
     Json shapes = Json::array();

@@ -445,7 +445,7 @@ void read_plan_response(const ResultSource& source, PlanRun& run) {
 
 bool is_plan_run(const ResultSource& source) { return source.has("footprint_1") && source.has("displacement_x_1"); }
 
-ResultFile plan_file(const PlanRun& run, std::string_view version) {
+ResultFile run_file(const PlanRun& run, std::string_view version) {
   ResultFile file;
   file.attributes = run_attributes(run.c, "seismic pounding analysis in plan", version);
   Teller teller;

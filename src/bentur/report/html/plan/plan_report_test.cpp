@@ -18,7 +18,7 @@
 #include "bentur/files/result_netcdf.h"
 #include "bentur/files/result_reading.h"
 #include "bentur/io/output/atomic_file.h"
-#include "bentur/io/results/plan/plan_json.h"
+#include "bentur/io/results/result_json.h"
 #include "bentur/io/results/result_csv.h"
 #include "bentur/io/temporary_folder.h"
 #include "bentur/model/gap/gap_outcome.h"
