@@ -12,7 +12,7 @@
 #include "bentur/io/case/case_parts.h"
 #include "bentur/io/results/result_variable.h"
 #include "bentur/io/toml/toml_value.h"
-#include "bentur/model/any_run.h"
+#include "bentur/model/plan/any_run.h"
 
 namespace bentur::python {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "bentur/files/netcdf.h"
-#include "bentur/model/any_run.h"
+#include "bentur/model/plan/any_run.h"
 
 namespace bentur {
 
