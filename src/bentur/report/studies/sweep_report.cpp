@@ -348,7 +348,7 @@ html::PageSection risk_section(const SweepData& sweep, const HazardCurve& hazard
     if (!report) throw std::runtime_error("--hazard " + error);
     for (const SaidStatement& one : said(risk_story(*report, asked).statements, say)) {
       if (one.kind == "study_not_known") continue;  // the verdict says so
-      const bool is_gap = one.kind == "risk_gap" || one.kind == "risk_no_gap";
+      const bool is_gap = one.kind.starts_with("risk_gap") || one.kind == "risk_no_gap";
       if (is_gap || target == 0.1) content += element("p", one.text);
     }
   }

@@ -32,6 +32,9 @@ Json rate_json(const AnnualRate& rate) {
 
 Json risk_of_case(const RiskReport& report, const CaseRisk& risk, const RiskRequest& request) {
   const double rate = risk.told().rate;
+  // Without an event the rate is a bound, which is one of all runs alone.
+  const bool is_bound = risk.fragility.events == 0;
+  const bool is_known = risk.is_of_some() && !(is_bound && (risk.failed() > 0 || report.results.open.runs > 0));
   const bool fitted = risk.lognormal.has_value();
   const std::optional<double> distance = risk.fragility.distance();
   Json records = Json::array();
@@ -40,8 +43,8 @@ Json risk_of_case(const RiskReport& report, const CaseRisk& risk, const RiskRequ
         {{"record", i < report.results.records.size() ? report.results.records[i] : ""}, {"rate", risk.of_records[i]}});
   }
   return {{"case", risk_case_json(report.results, risk.c)},
-          {"rate", rate},
-          {"probability", probability_in(request.years, rate)},
+          {"rate", is_known ? Json(rate) : Json(nullptr)},
+          {"probability", is_known ? Json(probability_in(request.years, rate)) : Json(nullptr)},
           {"by", risk.is_lognormal() ? "lognormal" : "observed"},
           {"bounds", risk.bounds ? Json::array({finite_json(risk.bounds->lower), finite_json(risk.bounds->upper)})
                                  : Json(nullptr)},
@@ -52,6 +55,7 @@ Json risk_of_case(const RiskReport& report, const CaseRisk& risk, const RiskRequ
           {"distance", distance ? Json(*distance) : Json(nullptr)},
           {"misfit", risk.fragility.is_misfit()},
           {"runs", risk.fragility.runs},
+          {"failed", risk.failed()},
           {"events", risk.fragility.events},
           {"lognormal", fitted ? rate_json(*risk.lognormal) : Json(nullptr)},
           {"closed_form", risk.closed_form ? Json(*risk.closed_form) : Json(nullptr)},
@@ -66,9 +70,12 @@ std::string risk_json(const RiskReport& report, const RiskRequest& request, std:
   for (const CaseRisk& risk : report.cases) cases.push_back(risk_of_case(report, risk, request));
   for (const TargetGap& gap : report.gaps) {
     gaps.push_back({{"case", risk_case_json(report.results, gap.c, report.gaps_vary_along)},
-                    {"gap", gap.width ? Json(*gap.width) : Json(nullptr)},
+                    {"gap", gap.is_known() ? Json(*gap.width) : Json(nullptr)},
+                    {"gap_by_what_is_known", gap.width && gap.runs > 0 ? Json(*gap.width) : Json(nullptr)},
                     {"units", report.gap_units},
-                    {"rate", gap.rate}});
+                    {"rate", gap.runs > 0 ? Json(gap.rate) : Json(nullptr)},
+                    {"failed", gap.failed},
+                    {"open", gap.open}});
   }
   const Json json = {
       {"title", report.results.title},

@@ -223,7 +223,14 @@ std::optional<RiskReport> risk_report(IdaResults results, const std::optional<Id
     for (std::size_t axis = 0; axis < places.size(); ++axis) {
       is_first = is_first && (report.gaps_vary_along[axis] || places[axis] == 0);
     }
-    if (is_first) report.gaps.push_back(target_gap(needed->table, c, report.hazard, target, request.method));
+    if (!is_first) continue;
+    TargetGap gap = target_gap(needed->table, c, report.hazard, target, request.method);
+    const auto runs = static_cast<std::ptrdiff_t>(needed->table.records * needed->table.levels.size());
+    const auto first = needed->table.outcomes.begin() + static_cast<std::ptrdiff_t>(c) * runs;
+    gap.failed = std::count(first, first + runs, Outcome::failed);
+    gap.runs = runs - gap.failed;
+    gap.open = report.results.open.runs;
+    report.gaps.push_back(gap);
   }
   return report;
 }

@@ -32,6 +32,9 @@ struct CaseRisk {
   /// Each record's part of `observed`, applied both ways together [1/year]; of a cloud none is known.
   std::vector<double> of_records;
 
+  /// How many runs tell nothing, as their values make no case: rate and shares are of the others.
+  [[nodiscard]] long failed() const { return fragility.failed; }
+  [[nodiscard]] bool is_of_some() const { return fragility.runs > 0; }  ///< else nothing is known
   /// Whether the runs follow the lognormal; else the rate is that of the shares.
   [[nodiscard]] bool is_lognormal() const { return lognormal && !fragility.is_misfit(); }
   [[nodiscard]] const AnnualRate& told() const { return is_lognormal() ? *lognormal : observed; }
@@ -42,6 +45,10 @@ struct TargetGap {
   std::size_t c = 0;            ///< the first of the cases that need the same: they differ in gap widths and contact
   std::optional<double> width;  ///< [length]; nothing: no gap does, by what was run and what the hazard says
   double rate = 0;              ///< at that gap, else beyond what is known [1/year]
+  long runs = 0, failed = 0;    ///< that tell what they need, and that make no case
+  long open = 0;                ///< of the whole study, runs of which it is not known what they need
+  /// Whether the width keeps the target: all runs tell what they need.
+  [[nodiscard]] bool is_known() const { return width && failed == 0 && open == 0; }
 };
 
 struct RiskReport {

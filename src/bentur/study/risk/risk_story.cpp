@@ -162,6 +162,16 @@ void tell_shares(const RiskReport& report, const CaseRisk& risk, std::vector<Sta
   }
 }
 
+/// Why runs that show no event, or what they need, bound nothing: of some it is not known, or they make no case.
+void add_why(long failed, long open, std::vector<StoryValue>& values) {
+  const char* const key = failed == 0 ? "story.risk_why_open"
+                          : open == 0 ? "story.risk_why_failed"
+                                      : "story.risk_why_both";
+  values.push_back({"failed", static_cast<double>(failed)});
+  values.push_back({"open", static_cast<double>(open)});
+  values.push_back({"why", std::string(key), {}, true});
+}
+
 }  // namespace
 
 Story risk_story(const RiskReport& report, const RiskRequest& request) {
@@ -174,6 +184,29 @@ Story risk_story(const RiskReport& report, const RiskRequest& request) {
     const std::string subject = has_cases ? risk_case_name(report.results, risk.c) : "";
     const double rate = risk.told().rate;
     const bool is_pounding = request.event == pounding_event;
+    const auto failed = static_cast<double>(risk.failed()), runs = static_cast<double>(risk.fragility.runs);
+    if (!risk.is_of_some()) {
+      story.statements.push_back(
+          {.kind = "risk_nothing", .severity = Severity::warning, .values = {{"failed", failed}}, .subject = subject});
+      continue;
+    }
+    const bool none = risk.fragility.events == 0;
+    if (none && (risk.failed() > 0 || report.results.open.runs > 0)) {
+      std::vector<StoryValue> why;
+      add_why(risk.failed(), report.results.open.runs, why);
+      if (!is_pounding) why.push_back({"event", request.event});
+      story.statements.push_back({.kind = is_pounding ? "risk_no_pounding_known" : "risk_no_event_known",
+                                  .severity = Severity::warning,
+                                  .values = std::move(why),
+                                  .subject = subject});
+      continue;
+    }
+    if (risk.failed() > 0) {
+      story.statements.push_back({.kind = "risk_of_others",
+                                  .severity = Severity::warning,
+                                  .values = {{"failed", failed}, {"all", failed + runs}},
+                                  .subject = subject});
+    }
     std::vector<StoryValue> values = {{"rate", rate},
                                       {"return", 1 / rate},
                                       {"probability", 100 * probability_in(request.years, rate), "%"},
@@ -187,7 +220,6 @@ Story risk_story(const RiskReport& report, const RiskRequest& request) {
     } else {
       values.push_back({"bounds", std::string()});
     }
-    const bool none = risk.fragility.events == 0;
     story.statements.push_back({.kind = none          ? (is_pounding ? "risk_no_pounding" : "risk_no_event")
                                         : is_pounding ? "risk_pounding"
                                                       : "risk_event",
@@ -202,12 +234,18 @@ Story risk_story(const RiskReport& report, const RiskRequest& request) {
   for (const TargetGap& gap : report.gaps) {
     const std::string subject =
         report.gaps.size() > 1 ? risk_case_name(report.results, gap.c, report.gaps_vary_along) : "";
-    story.statements.push_back({.kind = gap.width ? "risk_gap" : "risk_no_gap",
-                                .severity = gap.width ? Severity::finding : Severity::warning,
-                                .values = {{"gap", gap.width.value_or(0), report.gap_units},
-                                           {"target", 100 * *request.target, "%"},
-                                           {"years", request.years},
-                                           {"rate", gap.rate}},
+    const char* const kind = gap.is_known()  ? "risk_gap"
+                             : gap.runs == 0 ? "risk_gap_nothing"
+                             : gap.width     ? "risk_gap_open"
+                                             : "risk_no_gap";
+    std::vector<StoryValue> values = {{"gap", gap.width.value_or(0), report.gap_units},
+                                      {"target", 100 * *request.target, "%"},
+                                      {"years", request.years},
+                                      {"rate", gap.rate}};
+    if (!gap.is_known() && gap.width && gap.runs > 0) add_why(gap.failed, gap.open, values);
+    story.statements.push_back({.kind = kind,
+                                .severity = gap.is_known() ? Severity::finding : Severity::warning,
+                                .values = std::move(values),
                                 .subject = subject});
   }
   if (report.unit_is_taken) {
