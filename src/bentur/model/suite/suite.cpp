@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -281,6 +282,12 @@ void name_records(std::vector<SuiteRecord>& records) {
   }
   if (names.size() == records.size()) return;
   for (SuiteRecord& record : records) record.called = record.files();
+}
+
+double SuiteSpec::least_share() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < mean.size(); ++i) least = std::min(least, mean[i] / target.ordinates[i]);
+  return least;
 }
 
 Case case_of_record(const Case& c, std::size_t number) {

@@ -103,6 +103,12 @@ struct SuiteSpec {
 
   /// The files that it was read from.
   [[nodiscard]] std::vector<std::string> paths() const;
+  /// The least share of the target that the mean has at a period of the band [-]; infinite of no spectra.
+  [[nodiscard]] double least_share() const;
+  /// Whether that is less than codes ask for (EN 1998-1:2004, 3.2.3.1.2; ASCE 7-16, 16.2.3.2): then what is so under
+  /// these records says nothing of the target.
+  [[nodiscard]] bool falls_short() const { return least_share() < share_asked; }
+  static constexpr double share_asked = 0.9;
   /// Whether its records have two components.
   [[nodiscard]] bool is_of_pairs() const { return !records.empty() && records.front().along_y.has_value(); }
 };

@@ -12,10 +12,8 @@ Story suite_story(const SuiteSpec& suite, const Units& units) {
   using story::text_of;
   using story::value_in;
   const auto [first, last] = suite.target.band();
-  double least_ratio = INFINITY, least_factor = INFINITY, most_factor = 0, most_misfit = 0;
-  for (std::size_t i = 0; i < suite.mean.size(); ++i) {
-    least_ratio = std::min(least_ratio, suite.mean[i] / suite.target.ordinates[i]);
-  }
+  const double least_ratio = suite.least_share();
+  double least_factor = INFINITY, most_factor = 0, most_misfit = 0;
   StoryColumn name{.label = "column.record"}, event{.label = "column.event"}, factor{"column.factor"};
   StoryColumn pga{"column.pga", "g"}, misfit{"column.misfit"};
   for (const SuiteRecord& record : suite.records) {
@@ -55,6 +53,11 @@ Story suite_story(const SuiteSpec& suite, const Units& units) {
     const bool is_en = suite.request.scale == "en-1998-1";
     mean.values.push_back(text_of("clause", is_en ? "EN 1998-1:2004, 3.2.3.1.2" : "ASCE 7-16, 16.2.3.2"));
     mean.values.push_back(value_in("common", suite.common_factor));
+  }
+  if (suite.falls_short()) {
+    mean.kind = "suite_target_not_known";
+    mean.severity = Severity::warning;
+    mean.values.push_back(value_in("asked", SuiteSpec::share_asked));
   }
   told.statements.push_back(std::move(mean));
   if (suite.is_of_pairs()) {

@@ -10,6 +10,7 @@
 
 #include "bentur/io/input_file.h"
 #include "bentur/model/judgement/compare.h"
+#include "bentur/model/judgement/judged_gaps.h"
 #include "bentur/model/judgement/open_needs.h"
 #include "bentur/model/plan/plan_row.h"
 #include "bentur/study/design/study_check.h"
@@ -360,6 +361,9 @@ class Work {
       result_.code = chosen.c.code;
       result_.of_either_way = takes_both_ways_ && chosen.c.analysis.both_ways;
     }
+    (acts_reversed(chosen.c) ? some_reversed_ : some_as_recorded_) = true;
+    result_.is_one_way =
+        chosen.c.analysis.both_ways && !result_.of_either_way && !(some_reversed_ && some_as_recorded_);
     return result;
   }
 
@@ -368,6 +372,7 @@ class Work {
   const Problem& row_;
   CaseMemo& memo_;
   GapStudy& result_;
+  bool some_reversed_ = false, some_as_recorded_ = false;
   /// Of the records of a suite, unless the study says which way they are applied.
   const bool takes_both_ways_ =
       study_.suite != nullptr && std::none_of(study_.varies.begin(), study_.varies.end(), [](const Vary& vary) {

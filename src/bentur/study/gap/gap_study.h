@@ -125,6 +125,8 @@ struct GapStudy {
   /// Whether each number of a record is the larger one of both directions: of a suite, unless analysis.both_ways is off
   /// or the study varies the polarity.
   bool of_either_way = false;
+  /// Whether all motions act in one direction alone though the case looks at both: reversed they can need more.
+  bool is_one_way = false;
   long asked = 0;  ///< records, with every choice of what else varies; fewer are done where it was stopped
   long done = 0;
 

@@ -342,6 +342,7 @@ Story gap_study_story(const GapStudy& study, const std::vector<JudgedOverRecords
     for (Statement& one : suite.statements) story.statements.push_back(std::move(one));
     for (StoryTable& one : suite.tables) story.tables.push_back(std::move(one));
   }
+  if (study.is_one_way) story.statements.push_back({.kind = "records_one_way", .severity = Severity::warning});
   if (!study.is_whole()) {
     story.statements.push_back({.kind = "suite_stopped",
                                 .severity = Severity::warning,

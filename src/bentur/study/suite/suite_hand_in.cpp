@@ -89,7 +89,8 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
                   .is_met = is_met};
     if (!faces || std::isnan(demand)) made.result = faces ? not_known_word : "story.silence.no_level";
     if (collapses) made.result = collapsed_word;
-    if (made.result.empty() && is_met && !judged.many.is_enough()) made.result = "gap.asks_less";
+    const bool says_it = judged.many.is_enough() && !run.c.excitation.suite->falls_short();
+    if (made.result.empty() && is_met && !says_it) made.result = "gap.asks_less";
     rows.push_back(std::move(made));
   };
   const std::string alone = judged.alone ? "_alone" : "";
@@ -115,6 +116,14 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
 
 HandIn suite_hand_in(const SuiteRun& run, const GapStudy& gaps) {
   std::vector<CheckRow> rows;
+  const SuiteSpec& suite = *run.c.excitation.suite;
+  rows.push_back({.check = "check.suite_target",
+                  .by = "check.by_records",
+                  .where = "",
+                  .demand = known(suite.least_share()),
+                  .limit = SuiteSpec::share_asked,
+                  .unit = "",
+                  .is_met = !suite.falls_short()});
   check_drifts(run, rows);
   const std::vector<SuiteJudgement> judged = judged_gaps(run, gaps);
   for (Eigen::Index gap = 0; gap < std::ssize(gaps.gaps); ++gap) check_gap(run, gaps, gap, judged.at(gap), rows);
