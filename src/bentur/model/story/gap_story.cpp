@@ -45,7 +45,11 @@ StoryTable level_table(const GapView& facts, Eigen::Index gap, const std::vector
   const Judgement& judged = judged_of(facts, gap);
   StoryColumn elevation{"column.elevation", length}, kind{.label = "gap.faces", .are_words = true};
   StoryColumn owner{.label = "gap.floor_of"}, given{"column.given", length};
-  StoryColumn needed{facts.response != nullptr ? "column.simulated" : "spectral.difference", length};
+  const bool is_alone = !facts.gaps.empty() && judged.alone;
+  StoryColumn needed{facts.response == nullptr ? "spectral.difference"
+                     : is_alone                ? "column.simulated_alone"
+                                               : "column.simulated",
+                     length};
   StoryColumn reversed{"column.reversed", length}, abs{"ABS", length}, srss{"SRSS", length}, ddc{"DDC", length};
   StoryColumn verdict{.label = "gap.given_is", .are_words = true}, governs{.label = "", .are_words = true};
   const auto shown = [&](double value) { return value > 0 ? without_round_off(value, scale) : value; };

@@ -197,10 +197,11 @@ void check_need(const GapView& facts, Index gap, Checks& checks) {
     return std::all_of(of.levels.begin(), of.levels.end(),
                        [&](const LevelFacts& one) { return one.in(way).need.has_value(); });
   };
-  add("check.gap", is_known(Way::given));
+  const bool is_alone = facts.gaps.at(static_cast<std::size_t>(gap)).judgement.alone;
+  add(is_alone ? "check.gap_alone" : "check.gap", is_known(Way::given));
   if (!of.has_other_way) return;
   for (LevelSeparation& one : levels) one.gap_needed = one.gap_needed_reversed.value_or(0);
-  add("check.gap_reversed", is_known(Way::reversed));
+  add(is_alone ? "check.gap_reversed_alone" : "check.gap_reversed", is_known(Way::reversed));
 }
 
 void check_rules(const GapView& facts, Index gap, Checks& checks) {

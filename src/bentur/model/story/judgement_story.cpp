@@ -251,6 +251,7 @@ const char* verdict_of(const Judgement& judged, bool is_short, bool is_cut) {
         break;
     }
   }
+  if (judged.is_enough() && judged.alone) return "gap.enough_alone";
   return judged_word(judged.value, judged, is_cut);
 }
 

@@ -90,11 +90,13 @@ Statement statement_of(const LeastGaps& found, Eigen::Index gap) {
     statement.severity = Severity::danger;
     return statement;
   }
-  statement.kind = one.by_peaks                           ? "least_gap_peaks"
-                   : one.others_close && is_small         ? "least_gap_alone_small"
-                   : one.others_close                     ? "least_gap_alone"
-                   : one.is_short                         ? "least_gap_short"
-                   : one.is_doubted                       ? "least_gap_doubt"
+  const bool is_mean = found.basis == LeastGaps::Basis::spectrum && !one.is_doubted;  // of its motions
+  statement.kind = one.by_peaks                   ? "least_gap_peaks"
+                   : is_mean                      ? (one.is_short ? "least_gap_spectrum_short" : "least_gap_spectrum")
+                   : one.others_close && is_small ? "least_gap_alone_small"
+                   : one.others_close             ? "least_gap_alone"
+                   : one.is_short                 ? "least_gap_short"
+                   : one.is_doubted               ? "least_gap_doubt"
                    : one.judged == Sufficiency::too_small ? "least_gap_rules"
                                                           : "least_gap_enough";
   if (one.judged != Sufficiency::enough) statement.severity = Severity::warning;
