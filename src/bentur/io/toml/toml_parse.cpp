@@ -2,6 +2,8 @@
 // (some malformed inputs, such as "[#", trip one): see docs/case-file.md.
 #undef NDEBUG
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 namespace bentur {
@@ -106,6 +108,31 @@ int tripping_line(const std::string& text) {
   return static_cast<int>(line - ends.begin()) + 1;
 }
 
+/// What the parser's words leave to be guessed: that tables of which there are several have double brackets, and that
+/// decimals have a point. @param line, column from 1
+std::string hint_of(const std::string& text, std::string_view description, std::size_t line, std::size_t column) {
+  constexpr std::string_view redefined = "cannot redefine existing table '";
+  if (const std::size_t at = description.find(redefined); at != std::string_view::npos) {
+    const std::string_view name = description.substr(at + redefined.size());
+    std::string first(name.substr(0, name.find_first_of(".'")));
+    for (const std::string_view several : {"building", "gap", "link", "vary"}) {
+      if (first == several || first == std::string(several) + "s") {
+        return fmt::format("; each {} begins with [[{}]]", several, several);
+      }
+    }
+  }
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i < line && begin != std::string::npos; ++i) begin = text.find('\n', begin) + 1;
+  const std::size_t at = begin + column - 1;
+  const auto is_digit = [&](std::size_t place) {
+    return place < text.size() && text[place] >= '0' && text[place] <= '9';
+  };
+  if (column > 1 && at < text.size() && text[at] == ',' && is_digit(at - 1) && is_digit(at + 1)) {
+    return "; decimals have a point, not a comma";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::optional<TomlValue> parse_toml(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
@@ -115,9 +142,10 @@ std::optional<TomlValue> parse_toml(const std::string& text, const std::string& 
     root.line = root.column = 0;
     return root;
   } catch (const toml::parse_error& error) {
-    diagnostics.error(
-        {file, static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column)},
-        "not valid TOML: " + std::string(error.description()));
+    const auto [line, column] = error.source().begin;
+    const std::string hint = hint_of(text, error.description(), line, column);
+    diagnostics.error({file, static_cast<int>(line), static_cast<int>(column)},
+                      "not valid TOML: " + std::string(error.description()) + hint);
   } catch (const ParserAssertion&) {
     diagnostics.error({file, tripping_line(text), 0}, "not valid TOML: cannot be understood from here on");
   } catch (const std::exception& error) {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "bentur/files/result_reading.h"
-#include "bentur/io/results/plan/plan_variables.h"
 #include "bentur/io/results/run_variables.h"
 #include "bentur/model/quantities.h"
+#include "bentur/report/figures/internal/visible.h"
 #include "bentur/report/kinds/internal/run_figures.h"
 #include "bentur/report/studies/sweep_data.h"
 #include "bentur/report/words.h"
@@ -64,6 +64,9 @@ Figure make_figure(const NetcdfReader& results, const std::string& kind, const F
   if (results.find("status") != nullptr) {
     const SweepData sweep(results, options.say);
     const auto titled = [&](Figure figure) {
+      std::erase_if(figure.panels,
+                    [](const Panel& panel) { return is_empty(panel); });  // of a choice whose every run failed
+      if (figure.panels.empty()) throw NoFigure("no run has succeeded");
       figure.title = figure_title(options.language, "figure.sweep." + kind, std::move(figure.title));
       return figure;
     };

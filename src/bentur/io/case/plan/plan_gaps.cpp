@@ -287,6 +287,7 @@ void Pairs::add_near(const TomlView& root) {
     return;
   }
   const TomlView clearance = *defaults_.view->find("clearance");
+  bool brings_some = false;  // though no gap between them can be made
   for (const auto& [a, b] : pairs_within(buildings_, *defaults_.clearance)) {
     if (is_named(a, b)) continue;
     if (buildings_[a].spec.is_rigid() && buildings_[b].spec.is_rigid()) continue;
@@ -296,6 +297,7 @@ void Pairs::add_near(const TomlView& root) {
     gap.points = defaults_.points;
     gap.levels = levels_of(gap, std::nullopt);
     if (gap.levels.empty() && stretch->is_corner()) continue;
+    brings_some = true;
     if (gap.levels.empty()) {
       clearance.error(
           fmt::format("brings together {}, which have no floors at one elevation: give a [[gap]] between "
@@ -309,7 +311,7 @@ void Pairs::add_near(const TomlView& root) {
   }
   const bool all_known =
       std::all_of(buildings_.begin(), buildings_.end(), [](const auto& one) { return one.is_whole; });
-  if (all_known && gaps_.empty() && named_.empty()) {
+  if (all_known && !brings_some && gaps_.empty() && named_.empty()) {
     clearance.error_value("brings no two buildings together: make it larger, or give a [[gap]] between two");
   }
 }

@@ -56,6 +56,11 @@ void check(const Figure& figure) {
   }
 }
 
+bool is_empty(const Panel& panel) {
+  return !panel.map && std::none_of(panel.curves.begin(), panel.curves.end(),
+                                    [](const Curve& curve) { return has_values(curve); });
+}
+
 Points visible(const Curve& curve, double width) {
   if (!curve.top.empty() || (curve.complete && curve.x.size() <= most_points)) return {curve.x, curve.y, curve.top};
   if (curve.line != Line::none && curve.mark == Mark::none) {

@@ -10,6 +10,9 @@ namespace bentur {
 /// @throws InvalidParameter when a panel has nothing to draw, or sizes disagree.
 void check(const Figure& figure);
 
+/// Whether a panel has nothing to draw.
+[[nodiscard]] bool is_empty(const Panel& panel);
+
 /// The points of a curve that can be seen in a frame of this width [cm]; of a line that would fill its envelope that.
 [[nodiscard]] Points visible(const Curve& curve, double width);
 
