@@ -161,6 +161,9 @@ TEST(GapStudies, TheMirroredRecordIsARecordOfItsOwn) {
   const std::string ida = "[ida]\nintensity = 'pga'\nunit = 'm/s2'\nlevels = [1.0]\n";
   const std::vector<double> one_way = gap_needed(needs_of(records + ida).value().needs.at(0));
   const GapStudy study = needs_of(records + ida + "polarity = 'both'\n").value();
+  EXPECT_TRUE(needs_of(records + ida).value().is_one_way);
+  EXPECT_TRUE(needs_of(records + ida + "polarity = 'reversed'\n").value().is_one_way);
+  EXPECT_FALSE(study.is_one_way);
   ASSERT_EQ(study.needs.size(), 1U);
   const std::vector<double> both = gap_needed(study.needs[0]);
   ASSERT_EQ(both.size(), 4U);

@@ -110,7 +110,11 @@ TEST_F(LeastGapOf, ASpectrumIsItsLargestDifference) {
   const LeastGaps found = least_gaps(c, problem, spectral);
   EXPECT_EQ(found.gaps[0].needed, most);
   EXPECT_FALSE(found.both_ways);
-  EXPECT_EQ(kind_of(found), "least_gap_short");
+  EXPECT_EQ(kind_of(found), "least_gap_spectrum_short");  // a mean: nobody is said to stay apart
+  LeastGaps wide = found;
+  wide.gaps[0].is_short = false;
+  wide.gaps[0].judged = Sufficiency::enough;
+  EXPECT_EQ(kind_of(wide), "least_gap_spectrum");
 }
 
 // What keeps a gap from being known to be enough, and what rules ask beyond it, is said beside its least width.

@@ -292,5 +292,54 @@ TEST(RiskReport, OfACloudItIsTheFittedCurveAndBesideItTheSharesThatRise) {
   }
 }
 
+std::vector<std::string> kinds_of(const RiskReport& report, const RiskRequest& asked) {
+  std::vector<std::string> kinds;
+  for (const Statement& one : risk_story(report, asked).statements) kinds.push_back(one.kind);
+  return kinds;
+}
+
+bool says(const std::vector<std::string>& kinds, const std::string& kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+/// Of runs that make no case, or of which it is not known what they need, nothing is bounded.
+TEST(RiskReport, RunsThatTellNothingBoundNothing) {
+  const RiskRequest asked = request(0.1);
+  IdaResults quiet = results(3);
+  for (Outcome& one : quiet.table.outcomes) one = Outcome::no_event;
+  for (double& one : quiet.table.demands) one *= 1e-3;
+  const RiskReport known = reported(quiet, asked);
+  EXPECT_TRUE(says(kinds_of(known, asked), "risk_no_pounding"));
+  EXPECT_TRUE(known.gaps.at(0).is_known());
+
+  IdaResults failed = quiet;
+  for (Outcome& one : failed.table.outcomes) one = Outcome::failed;
+  const RiskReport nothing = reported(failed, asked);
+  EXPECT_TRUE(says(kinds_of(nothing, asked), "risk_nothing"));
+  EXPECT_TRUE(says(kinds_of(nothing, asked), "risk_gap_nothing"));
+
+  IdaResults part = quiet;
+  part.table.outcomes.front() = Outcome::failed;
+  IdaResults open = quiet;
+  open.open.runs = 1;
+  for (const IdaResults* const of : {&failed, &part, &open}) {
+    const RiskReport report = reported(*of, asked);
+    const std::vector<std::string> kinds = kinds_of(report, asked);
+    EXPECT_FALSE(says(kinds, "risk_no_pounding"));
+    EXPECT_FALSE(says(kinds, "risk_gap"));
+    const auto json = nlohmann::json::parse(risk_json(report, asked, "0"));
+    EXPECT_TRUE(json.at("cases")[0].at("rate").is_null());
+    EXPECT_TRUE(json.at("cases")[0].at("probability").is_null());
+    EXPECT_TRUE(json.at("gaps")[0].at("gap").is_null());
+  }
+  EXPECT_TRUE(says(kinds_of(reported(part, asked), asked), "risk_gap_open"));
+
+  IdaResults some = results(10);  // a rate that is of the others alone
+  some.table.outcomes.front() = Outcome::failed;
+  const std::vector<std::string> kinds = kinds_of(reported(some, asked), asked);
+  EXPECT_TRUE(says(kinds, "risk_of_others"));
+  EXPECT_TRUE(says(kinds, "risk_pounding"));
+}
+
 }  // namespace
 }  // namespace bentur
