@@ -2,8 +2,9 @@
 
 A table stands between two comments. `<!-- keys building.frame -->` is of the keys of a table; with `kind=record` after
 it of those that are for that word of `kind` alone, with `kind=` of those that are for all, with `law` of those that are
-for some. `<!-- words gap.contact law -->` is of the words of a key and what each needs. A way that begins with `study`
-is into a study. docs/keys.md lists all of these keys with the places of their tables. tests/python/keys_test.py finds
+for some; keys after a minus, `-unit -format`, are left out, as the text says where they are explained.
+`<!-- words gap.contact law -->` is of the words of a key and what each needs. A way that begins with `study` is into a
+study. docs/keys.md lists all of these keys with the places of their tables. tests/python/keys_test.py finds
 what is not as it would be written.
 """
 
@@ -12,6 +13,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+from wrap import wrapped
 
 PAGES = pathlib.Path(__file__).resolve().parents[1] / "docs"
 DOCUMENTS = (*sorted(f"docs/{page.name}" for page in PAGES.glob("case-*.md")), "docs/studies.md", "docs/suites.md")
@@ -40,9 +43,13 @@ def row_of(told):
 
 
 def keys_table(properties, choice):
-    by, equals, word = choice.partition("=")
+    left_out = {one[1:] for one in choice.split() if one.startswith("-")}
+    assert left_out <= set(properties), left_out - set(properties)
+    by, equals, word = " ".join(one for one in choice.split() if not one.startswith("-")).partition("=")
     rows = {}
     for key, schema in properties.items():
+        if key in left_out:
+            continue
         for told in schema["x-bentur"]:
             of = told.get("when", {}).get(by)
             if equals and not word and of or by and not equals and not of or word and word not in (of or []):
@@ -142,13 +149,12 @@ def index(texts, schemas):
         while above not in places and above not in tables:
             above = above.rpartition(".")[0]
         keys.setdefault(key, {}).update(places.get(above) or tables[above])
-    lines = ["# Keys from A to Z", "", "All keys of case and study files, with the tables that explain them.", "",
-             "| key | explained under |", "|---|---|"]
+    lines = ["# Keys from A to Z", "", "All keys of case and study files, with the tables that explain them.", ""]
     for key, where in sorted(keys.items()):
         links = ", ".join("[" + heading.partition(":")[0].replace("`", "").replace("[", "\\[").replace("]", "\\]") +
                           f"]({at})" for at, heading in where.items())
-        lines.append(f"| `{key}` | {links} |")
-    return "\n".join(lines) + "\n"
+        lines.append(f"- `{key}`: {links}")
+    return wrapped("\n".join(lines) + "\n")
 
 
 INDEX = "docs/keys.md"

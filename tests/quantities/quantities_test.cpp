@@ -149,8 +149,20 @@ bool is_there(const std::string& key, Owner owner) {
                      [&](const Quantity& one) { return one.key == key && one.owner == owner; });
 }
 
+/// Of what is the same in another direction the key in the first one, empty of all others.
+std::string first_direction(const std::string& key) {
+  for (const std::string other : {"_y", "_north", "_west", "_east"}) {
+    const std::string first = other == "_y" ? "_x" : "_south";
+    if (key.ends_with(other)) return key.substr(0, key.size() - other.size()) + first;
+    if (key.ends_with(other + without_contact)) {
+      return key.substr(0, key.size() - other.size() - without_contact.size()) + first + without_contact;
+    }
+  }
+  return "";
+}
+
 /// "| `peak_force` | point | force | max F | largest contact force |", a row of docs/result-quantities.md: of all that
-/// differ in nothing but their owner, and with what they are with contact switched off.
+/// differ in nothing but their owner, with what they are in other directions and with contact switched off.
 std::string row_of(const Quantity& quantity) {
   const std::string_view owners[] = {"run",    "building", "floor", "plane",  "point",  "gap",
                                      "impact", "link",     "hinge", "column", "bearing"};
@@ -162,8 +174,17 @@ std::string row_of(const Quantity& quantity) {
       owner += (owner.empty() ? "" : ", ") + std::string(owners[static_cast<int>(one.owner)]);
   }
   const bool both = is_there(std::string(quantity.key) + without_contact, quantity.owner);
-  return fmt::format("| `{}`{} | {} | {} | {} | {} |\n", quantity.key, both ? ", `…_no_contact`" : "", owner,
-                     unit.empty() ? "–" : unit, symbol.empty() ? "–" : symbol, quantity.long_name);
+  std::string directions;
+  for (const std::string other : {"y", "north", "west", "east"}) {
+    for (const Quantity& one : quantities()) {
+      const std::string_view key = one.key;
+      if (one.owner == quantity.owner && key.ends_with("_" + other) &&
+          first_direction(std::string(key)) == quantity.key)
+        directions += ", `…_" + other + "`";
+    }
+  }
+  return fmt::format("| `{}`{}{} | {} | {} | {} | {} |\n", quantity.key, directions, both ? ", `…_no_contact`" : "",
+                     owner, unit.empty() ? "–" : unit, symbol.empty() ? "–" : symbol, quantity.long_name);
 }
 
 TEST(Quantities, EveryOneIsInTheDocuments) {
@@ -173,7 +194,8 @@ TEST(Quantities, EveryOneIsInTheDocuments) {
     const std::string key(quantity.key);
     const bool is_twin =
         key.ends_with(without_contact) && is_there(key.substr(0, key.size() - without_contact.size()), quantity.owner);
-    if (quantity.long_name == "made up" || is_twin) continue;  // the row of its twin has it
+    const bool is_other_direction = is_there(first_direction(key), quantity.owner);
+    if (quantity.long_name == "made up" || is_twin || is_other_direction) continue;  // the row of its twin has it
     EXPECT_NE(page.find(row_of(quantity)), std::string::npos) << row_of(quantity);
   }
 }

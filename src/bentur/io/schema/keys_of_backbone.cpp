@@ -19,11 +19,10 @@ std::vector<Key> points_of_backbone(const Key& yield, bool storeys) {
           .goes_with("plastic_drift")
           .optional("it keeps the cap"),
       Key::number("residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
-                  "share of the force at yielding that softening leaves: c of ASCE 41; 0: what has come down to it has "
-                  "failed")
+                  "share of the yield force that softening leaves: c of ASCE 41; 0: down there it has failed")
           .by_default(0),
       Key::number("ultimate_drift", dimension::length, Range::positive, {"Ultimate drift", "Simpangan batas"},
-                  "at which it fails and carries nothing any more")
+                  "at which it fails and carries nothing")
           .optional("none")};
   if (!storeys) return points;
   for (Key& point : points) point.for_each("one per storey");
@@ -66,13 +65,11 @@ const KeyTable& hinge_backbone_keys() {
                    "from the cap to where the line that falls from it would come to zero")
            .counted_in("rad")
            .optional("it keeps the cap"),
-       Key::number(
-           "residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
-           "share of the moment at yielding that softening leaves: c of ASCE 41; 0: what has come down to it has "
-           "failed")
+       Key::number("residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
+                   "share of the yield moment that softening leaves: c of ASCE 41; 0: down there it has failed")
            .by_default(0),
        Key::number("ultimate_rotation", dimension::none, Range::positive, {"Ultimate rotation", "Rotasi batas"},
-                   "beyond the cap, at which it fails and carries nothing any more: b of ASCE 41")
+                   "beyond the cap, at which it fails and carries nothing: b of ASCE 41")
            .counted_in("rad")
            .optional("none"),
        wear("strength_wear", {"Wear of strength", "Keausan kekuatan"},

@@ -45,18 +45,18 @@ const KeyTable& building_keys() {
                 .optional(),
             Key::number("calibrate_period", dimension::time, Range::positive,
                         {"Stiffness scaled to a first period of", "Kekakuan diskalakan ke periode pertama"},
-                        "the stiffness is scaled until the first period is this, on a fixed base and without gravity "
-                        "loads; `axial` contact stiffness is not scaled")
+                        "first period to which the stiffness is scaled, on a fixed base, without gravity loads; not "
+                        "`axial` contact stiffness")
                 .optional("none"),
             Key::number("base_elevation", dimension::length, Range::level, {"Base elevation", "Elevasi dasar"},
                         "of the base above the common datum")
                 .by_default(0),
             Key::number("width", dimension::length, Range::size, {"Width", "Lebar"},
-                        "for `wave_velocity` only; not for a frame, whose width is the sum of its bays")
+                        "for `wave_velocity` only; a frame has that of its bays")
                 .optional("none"),
             Key::of("rigid", Key::Kind::flag, {"Rigid", "Kaku"},
-                    "a [wall](case-buildings.md#walls-rigid--true) that moves with the ground, with no other key but "
-                    "`elevations` and `base_elevation`")
+                    "a [wall](case-buildings.md#walls-rigid--true) that moves with the ground; other keys: "
+                    "`elevations`, `base_elevation`")
                 .by_default(0),
             Key::number("elevations", dimension::length, Range::level, {"Levels above the base", "Elevasi dari dasar"},
                         "of a wall alone: ascending, where it can be struck")
@@ -74,9 +74,8 @@ const KeyTable& building_keys() {
                 .one_of("gravity")
                 .optional("none"),
             Key::sub_table("soil", soil_keys(), {"Soil", "Tanah"},
-                           "[soil](case-foundations.md#buildingsoil-sway-and-rocking) that lets the foundation sway "
-                           "and rock; not with "
-                           "`isolation`")
+                           "[soil](case-foundations.md#buildingsoil-sway-and-rocking) on which the foundation sways "
+                           "and rocks; not with `isolation`")
                 .one_of("support")
                 .optional("none"),
             Key::sub_table("isolation", isolation_keys(), {"Bearings", "Bantalan"},
@@ -233,9 +232,7 @@ const KeyTable& section_keys() {
            .one_of("weight"),
        Key::number("moment_capacity", dimension::moment, Range::positive_or_infinite,
                    {"Moment capacity", "Kapasitas momen"},
-                   "moment at which its ends [yield](case-buildings.md#hinges): of columns also one per column line, "
-                   "of beams also "
-                   "those with the tension below and above")
+                   "at which its ends [yield](case-buildings.md#hinges); of beams also two: tension below, above")
            .for_each("one per column line, or below and above")
            .optional("it stays elastic"),
        Key::number("hardening", dimension::none, Range::ratio, {"Hardening", "Pengerasan"},
@@ -243,7 +240,7 @@ const KeyTable& section_keys() {
            .goes_with("moment_capacity")
            .by_default(0),
        Key::number("rotation_limits", dimension::none, Range::positive, {"Limits of rotation", "Batas rotasi"},
-                   "IO, LS and CP of ASCE 41, ascending, that rotations of its hinges are reported as parts of")
+                   "IO, LS and CP of ASCE 41, ascending: rotations of its hinges are reported as parts of them")
            .list("IO, LS, CP", 3)
            .counted_in("rad")
            .goes_with("moment_capacity")
@@ -253,7 +250,7 @@ const KeyTable& section_keys() {
            .goes_with("moment_capacity")
            .optional("no strength is lost"),
        Key::number("line_load", dimension::stiffness, Range::not_negative, {"Line load", "Beban merata"},
-                   "on a beam, downwards: the moments that its hinges carry at rest")
+                   "on a beam, downwards: it gives its hinges moments at rest")
            .by_default(0),
        Key::number("shear_capacity", dimension::force, Range::positive_or_infinite,
                    {"Shear capacity", "Kapasitas geser"},
@@ -291,7 +288,7 @@ const KeyTable& storey_columns_keys() {
        Key::number("mass", dimension::mass, Range::positive, {"Mass", "Massa"}, "of one column from floor to floor")
            .for_each("one per storey"),
        Key::whole("number", 1, 1000, {"Columns side by side", "Kolom berdampingan"},
-                  "how many a floor strikes at once; forces that are reported are those of all of them")
+                  "how many a floor strikes at once; reported forces are of all of them")
            .by_default(1)}};
   return table;
 }
@@ -369,9 +366,8 @@ const KeyTable& modal_keys() {
            .matrix("one per mode")
            .one_of("shapes"),
        Key::of("shapes_file", Key::Kind::file, {"File of shapes", "Berkas bentuk ragam"},
-               "a table beside the case, named relative to it: a row per floor, a column per mode (in plan three: u_x, "
-               "u_y, "
-               "rotation), or a row per storey and mode as ETABS and SAP2000 write it; exactly one of the two")
+               "a table, relative to the case: a row per floor, a column per mode (in plan three: u_x, u_y, rotation), "
+               "or a row per storey and mode as of ETABS and SAP2000; exactly one of the two")
            .one_of("shapes"),
        Key::choice("shapes_column", {"UX", "UY", "U1", "U2"}, {"Column of the file", "Kolom berkas"},
                    "of a file with a row per storey and mode: the displacement along the row of buildings")
@@ -383,8 +379,7 @@ const KeyTable& modal_keys() {
            .goes_with("shapes_file")
            .optional("all that the file has"),
        Key::of("floor_names", Key::Kind::text, {"Names in the file", "Nama dalam berkas"},
-               "of its storeys or joints, lowest first, where neither elevations nor numbers in the names show which "
-               "is which")
+               "of its storeys or joints, lowest first, where neither elevations nor numbers in them give the order")
            .list("one per floor")
            .goes_with("shapes_file")
            .optional("none")}};
@@ -400,8 +395,8 @@ const KeyTable& displacements_keys() {
                    "peaks of the floors, relative to the base")
            .list("one per floor"),
        Key::number("amplification", dimension::none, Range::positive, {"Amplification", "Pembesaran"},
-                   "what makes them those expected, such as C_d/I_e of displacements under reduced forces: ABS, SRSS, "
-                   "DDC and rules that do not amplify take u times it")
+                   "to those expected, such as C_d/I_e under reduced forces: ABS, SRSS, DDC and rules that do not "
+                   "amplify take u times it")
            .by_default(1),
        Key::number("period", dimension::time, Range::positive, {"First period", "Periode pertama"}, "for DDC")
            .optional("DDC is not known"),
@@ -424,8 +419,7 @@ const KeyTable& generic_keys() {
        Key::number("period", dimension::time, Range::positive, {"First period", "Periode pertama"}, "the first; or")
            .one_of("period"),
        Key::sub_table("period_formula", period_formula_keys(), {"Formula for the period", "Rumus periode"},
-                      "T₁ = coefficient · H^exponent with the height H in metres, as codes have it; exactly one of the "
-                      "two")
+                      "T₁ = coefficient · H^exponent, height H in metres, as of codes; exactly one of the two")
            .one_of("period"),
        Key::number("stiffness_ratio", dimension::none, Range::not_negative, {"Stiffness ratio", "Rasio kekakuan"},
                    "α = H √(GA/EI): 0 bends only, 30 and more shears only; or")
@@ -436,13 +430,13 @@ const KeyTable& generic_keys() {
                     {"frame, α = 12", "portal, α = 12"}})
            .one_of("system"),
        Key::number("yield_base_shear", dimension::none, Range::positive, {"Base shear at yield", "Geser dasar leleh"},
-                   "share of the weight: the shear springs yield, each in proportion to its shear in the first mode; "
-                   "needs `stiffness_ratio` ≥ 30; or")
+                   "over the weight: each shear spring yields in proportion to its shear in the first mode; needs "
+                   "`stiffness_ratio` ≥ 30; or")
            .one_of("yields", Need::optional)
            .optional("none yields"),
        Key::number("design_base_shear", dimension::none, Range::positive, {"Design base shear", "Geser dasar rencana"},
-                   "share of the weight, as the drawings or the code of its year give it: times `overstrength` it is "
-                   "the base shear at yield; at most one of the two")
+                   "over the weight, by drawings or the code of its year: times `overstrength` the base shear at "
+                   "yield; at most one of the two")
            .one_of("yields", Need::optional)
            .optional("none yields"),
        Key::number("overstrength", dimension::none, Range::positive, {"Overstrength", "Kuat lebih"},

@@ -28,14 +28,11 @@ const KeyTable& gap_keys() {
                       "its law, see below; may be left out with `elevations = []`")
            .optional("needed but for `elevations = []`"),
        Key::of("strikes_columns", Key::Kind::flag, {"Floors strike columns", "Lantai membentur kolom"},
-               "`elevations` may name a floor that faces a column of the other building, a frame or one with "
-               "`columns`, in plan "
-               "columns of its frames across the joint")
+               "`elevations` may name a floor that faces a column of the other building: a frame, one with `columns`, "
+               "in plan its frames across the joint")
            .by_default(0),
-       Key::sub_table(
-           "column_capacity", column_capacity_keys(), {"Capacity of struck columns", "Kapasitas kolom"},
-           "the capacities of the columns that are struck, for demand over capacity; with `strikes_columns`. Where "
-           "floors meet the number counts for nothing")
+       Key::sub_table("column_capacity", column_capacity_keys(), {"Capacity of struck columns", "Kapasitas kolom"},
+                      "of struck columns, for demand over capacity; where floors meet the number counts for nothing")
            .optional("none")
            .goes_with("strikes_columns")}};
   return table;
@@ -67,11 +64,11 @@ const KeyTable& contact_keys() {
                             .for_each("one per contact point")
                             .goes_with("friction")
                             .optional("8/9 of the stiffness across, at its beginning"));
-    made.keys.push_back(
-        Key::number("spread", dimension::length, Range::positive, {"Spread of a corner", "Sebaran sudut"},
-                    "between buildings in plan alone: the length of a joint that belongs to one corner, "
-                    "which carries half of what a long joint does")
-            .optional("a quarter of the shorter building along the joint"));
+    made.keys.push_back(Key::number("spread", dimension::length, Range::positive,
+                                    {"Spread of a corner", "Sebaran sudut"},
+                                    "between buildings in plan alone: the length of joint of one corner, which carries "
+                                    "half of what a long joint does")
+                            .optional("a quarter of the shorter building along the joint"));
     return made;
   }();
   return table;
@@ -93,9 +90,8 @@ const KeyTable& link_keys() {
                      "how far apart in height those two floors may be, as in a gap")
              .optional("as in a gap"),
          Key::number("at", dimension::length, Range::level, {"Place along the joint", "Letak sepanjang celah"},
-                     "of buildings in plan: the coordinate along their joint, the x or y that its middle runs along, "
-                     "within the part "
-                     "where they face each other")
+                     "of buildings in plan: the x or y along the middle of their joint, within the part where they "
+                     "face each other")
              .optional("needed in plan"),
          Key::choice("along", {"x", "y"}, {"Along", "Sejajar"}, "of buildings in plan: the axis that it acts along")
              .optional("across the joint")}};

@@ -176,15 +176,13 @@ std::vector<Key> suite_keys() {
   return of_kind(
       {"suite"},
       {suite_files_key("patterns such as `\"records/*.AT2\"` (files sorted by name) and names, relative to the case "
-                       "file. An entry may be a table with `file` and keys of its own: `{ file = \"sct.txt\", unit = "
-                       "\"g\", column = 3 }`; `event` says which earthquake it is of"),
-       Key::sub_table(
-           "target", target_keys(), {"Target spectrum", "Spektrum target"},
-           "what the records are chosen and scaled for, at 5 % damping: a design spectrum by its `shape` and "
-           "the keys of that"),
+                       "file; or tables with `file`, keys of their own and `event`, the earthquake"),
+       Key::sub_table("target", target_keys(), {"Target spectrum", "Spektrum target"},
+                      "what the records are chosen and scaled for, at 5 % damping: a design spectrum by its `shape` "
+                      "and the keys of that"),
        Key::choice("scale", {"en-1998-1", "asce-7-16", "period"}, {"Scaling", "Penskalaan"},
-                   "a code's: each record fits the target in the least squares of ln S_a, and one common factor lifts "
-                   "their mean to the clause; `\"period\"`: S_a is the target's at `period`; or factors as given")
+                   "a code's ([how](suites.md#how-records-are-chosen-and-scaled)); `\"period\"`: S_a is the target's "
+                   "at `period`; or factors as given")
            .called({{"EN 1998-1:2004, 3.2.3.1.2", "EN 1998-1:2004, 3.2.3.1.2"},
                     {"ASCE 7-16, 16.2.3.2", "ASCE 7-16, 16.2.3.2"},
                     {"to one period", "pada satu periode"}})
@@ -192,28 +190,27 @@ std::vector<Key> suite_keys() {
        Key::number("period", dimension::time, Range::positive, {"Period", "Periode"}, "of `scale = \"period\"`")
            .optional("needed for that"),
        Key::whole("select", 1, last_place, {"How many", "Banyaknya"},
-                  "of all records: those whose shape fits the target best")
+                  "how many, those whose shape fits the target best")
            .optional("all"),
        Key::number("factor_bounds", dimension::none, Range::positive, {"Bounds of factors", "Batas faktor"},
-                   "what a record may be multiplied by: no other is chosen, and without `select` one beyond them is an "
-                   "error")
+                   "what a record may be multiplied by")
            .list("least and most", 2)
            .optional("none"),
        Key::whole("per_event", 1, last_place, {"Records of one event", "Rekaman per gempa"},
-                  "at most so many of one earthquake, where files or `event` say which it is")
+                  "at most so many of one earthquake")
            .optional("any number"),
        Key::number("largest_misfit", dimension::none, Range::positive, {"Largest misfit", "Selisih terbesar"},
-                   "σ of ln(S_a/target) over the band: records that fit worse are not taken")
+                   "σ of ln(S_a/target) over the band; records that fit worse are not taken")
            .optional("none")});
 }
 
 /// Of buildings in plan alone.
 std::vector<Key> plan_motion_keys() {
   return {Key::sub_table("y", motion_along_y_keys(), {"Motion along y", "Gerakan searah y"},
-                         "of buildings in plan: what shakes them along y, while this table shakes them along x")
+                         "of buildings in plan: the motion along y, while this table is that along x")
               .optional("no motion along y"),
           Key::number("angle", dimension::none, Range::finite, {"Angle", "Sudut"},
-                      "of buildings in plan: both motions act along axes that are turned by this, counter-clockwise")
+                      "of buildings in plan: turns the axes of both motions, counter-clockwise")
               .by_default(0)
               .counted_in("degrees"),
           Key::number("wave_angle", dimension::none, Range::finite, {"Angle of the wave", "Sudut gelombang"},
@@ -394,17 +391,17 @@ const KeyTable& analysis_keys() {
                    "of the histories only; at most 10⁷ samples")
            .by_default(0.01),
        Key::of("energy_audit", Key::Kind::flag, {"Energy audit", "Audit energi"},
-               "all energy is accounted for; what is missing is reported, and the curves stand in `histories.nc`")
+               "energy that is not accounted for is reported; curves stand in `histories.nc`")
            .by_default(0),
        Key::of("both_ways", Key::Kind::flag, {"Both ways", "Dua arah"},
-               "what the same ground motion reversed needs is reported beside what it needs as given")
+               "the need of the ground motion reversed is reported too")
            .by_default(1),
        Key::sub_table("limits", limit_keys(), {"Limits", "Batas"},
                       "see [What a run takes](case-file.md#what-a-run-takes)")
            .optional(),
-       Key::number("collapse_drift", dimension::none, Range::positive, {"Drift of collapse", "Simpangan runtuh"},
-                   "drift ratio at which a storey of a building with [gravity "
-                   "loads](case-foundations.md#gravity-loads-p-δ) has collapsed")
+       Key::number(
+           "collapse_drift", dimension::none, Range::positive, {"Drift of collapse", "Simpangan runtuh"},
+           "drift ratio at which a storey under [gravity loads](case-foundations.md#gravity-loads-p-δ) has collapsed")
            .by_default(0.1)}};
   return table;
 }
@@ -414,10 +411,10 @@ const KeyTable& limit_keys() {
       "analysis.limits",
       "what a run may take",
       {Key::number("steps", dimension::none, Range::step_limit, {"Steps", "Langkah"},
-                   "a run takes no more, samples and searches for peaks included")
+                   "of a run, samples and searches for peaks included")
            .by_default(2e7),
        Key::number("events", dimension::none, Range::step_limit, {"Events", "Peristiwa"},
-                   "a response has no more of contacts: touches, partings; each takes up to 1 kB")
+                   "of contacts of a response: touches, partings; each takes up to 1 kB")
            .by_default(1e6),
        Key::number("seconds", dimension::time, Range::positive, {"Seconds", "Detik"},
                    "of wall time, of each response: without contact, with it, and reversed")

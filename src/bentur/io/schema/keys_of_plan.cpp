@@ -102,8 +102,8 @@ const KeyTable& building_plan_keys() {
            .optional("the middle of the footprint"),
        Key::number("accidental_eccentricity", dimension::none, Range::finite,
                    {"Accidental eccentricity", "Eksentrisitas tak terduga"},
-                   "parts of the size: a list moves all centres of mass, and what holds the floors stays; a number is "
-                   "of both ways, along x and along y")
+                   "parts of the size: a list moves all centres of mass, but not what holds the floors; a number is of "
+                   "both ways, along x and along y")
            .for_each("along x and y")
            .optional("0"),
        Key::number("inertias", dimension::mass_inertia, Range::positive, {"Inertias", "Inersia"},

@@ -15,14 +15,14 @@ const KeyTable& project_keys() {
        line("date", {"Date", "Tanggal"}, "of the report, as it is to be printed"),
        line("revision", {"Revision", "Revisi"}, "of the report"),
        line("code_basis", {"Code basis", "Dasar peraturan"},
-            "the codes and standards that the project follows, as they are to be named; which separation rules are "
-            "checked `[code]` says"),
+            "codes and standards of the project, as they are to be named; `[code]` says which separation rules are "
+            "checked"),
        Key::of("assumptions", Key::Kind::line, {"Assumptions", "Asumsi"},
-               "the engineer's own, a sentence each, before those that the program states")
+               "the engineer's own, a sentence each, before the program's")
            .list()
            .optional("none"),
        Key::of("sources", Key::Kind::line, {"Sources", "Sumber"},
-               "where the numbers of the case come from, a sentence each: drawings, surveys, other programs")
+               "of the numbers of the case, a sentence each: drawings, surveys, other programs")
            .list()
            .optional("none"),
        Key::of("logo", Key::Kind::file, {"Logo", "Logo"},

@@ -67,14 +67,12 @@ const KeyTable& bearing_keys() {
                                   "from the corner: one pair, or a list of one for each bearing of this kind")
                           .matrix("x and y", true)}};
     add_bearing_laws(made, "needed without another law of bearings", "of a dashpot beside it",
-                     "in place of stiffness, strength and displacement: Q = μW, stiffness W/R, W its share of all "
-                     "weight above, the slab's too");
-    made.keys.push_back(
-        Key::whole("yield_sides", PolygonYield::least_sides, PolygonYield::most_sides,
-                   {"Sides of its yield surface", "Sisi permukaan leleh"},
-                   "a multiple of 4, of the polygon that the part of its force which yields stays within: 4: along x "
-                   "and along y, each by itself; n: a circle as near as 1/cos(π/n)")
-            .by_default(PolygonYield::least_sides));
+                     "as above, W its share of the weight");
+    made.keys.push_back(Key::whole("yield_sides", PolygonYield::least_sides, PolygonYield::most_sides,
+                                   {"Sides of its yield surface", "Sisi permukaan leleh"},
+                                   "a multiple of 4, of the polygon that bounds the force which yields; 4: along x and "
+                                   "along y, each by itself; n: a circle to 1/cos(π/n)")
+                            .by_default(PolygonYield::least_sides));
     return made;
   }();
   return table;
@@ -98,9 +96,9 @@ const KeyTable& soil_keys() {
                       "of buildings in plan: the one that moves floors along y, where it is not as along x")
            .optional("as `rocking`")
            .goes_with("sway"),
-       Key::choice("twist", {"rigid"}, {"Twist", "Puntir"},
-                   "of buildings in plan: spring and dashpot of the rotation about the vertical; `\"rigid\"`: the "
-                   "foundation does not turn")
+       Key::choice(
+           "twist", {"rigid"}, {"Twist", "Puntir"},
+           "of buildings in plan: of the rotation about the vertical; `\"rigid\"`: the foundation does not turn")
            .or_table(twist_keys())
            .optional("needed in plan with `sway`")
            .goes_with("sway"),

@@ -104,44 +104,38 @@ const KeyTable& study_keys() {
 
 const KeyTable& vary_keys() {
   static const KeyTable table = [] {
-    KeyTable made = {
-        "vary",
-        "one thing that varies",
-        {Key::of("parameter", Key::Kind::text, {"Parameter", "Parameter"},
-                 "any key of the case: `gap[0].width`, `building[\"Model 2\"].frame.beams[0].mass`, `excitation.pga`. "
-                 "Entries of a list count from 0; those with a `name` can be named. An optional key need not stand in "
-                 "the case. A whole table, such as `excitation`, can be varied too"),
-         Key::of("values", Key::Kind::any, {"Values", "Nilai"},
-                 "of numbers, texts, true/false, or of tables and lists with `labels`")
-             .list()
-             .one_of("form")}};
+    KeyTable made = {"vary",
+                     "one thing that varies",
+                     {Key::of("parameter", Key::Kind::text, {"Parameter", "Parameter"},
+                              "any key of the case: `gap[0].width`, `building[\"Model 2\"].frame.beams[0].mass`. "
+                              "Entries of a list count from 0, or go by their `name`. An optional key need not stand "
+                              "in the case. Whole tables, such as `excitation`, vary too"),
+                      Key::of("values", Key::Kind::any, {"Values", "Nilai"},
+                              "of numbers, texts, true/false, or of tables and lists with `labels`")
+                          .list()
+                          .one_of("form")}};
     const auto add = [&](std::vector<Key> more) { made.keys.insert(made.keys.end(), more.begin(), more.end()); };
-    for (std::vector<Key> both :
-         {keys_of_ends(
-              Range::finite,
-              "the first of `count` numbers; with `[sampling]` the low end of a uniform distribution, with `[remedy]` "
-              "of what may be chosen"),
-          keys_of_ends(Range::positive, "the same of `spacing = \"log\"`")}) {
+    for (std::vector<Key> both : {keys_of_ends(Range::finite,
+                                               "the first of `count` numbers; with `[sampling]` the low end of a "
+                                               "uniform distribution, with `[remedy]` of what may be chosen"),
+                                  keys_of_ends(Range::positive, "the same of `spacing = \"log\"`")}) {
       for (Key& key : both) key.when("spacing", {key.range == Range::finite ? "linear" : "log"});
       both.front().one_of("form");
       add(both);
     }
     add({count_of_range(), spacing_key(),
-         Key::of(
-             "files", Key::Kind::file, {"Files", "Berkas"},
-             "a pattern such as `\"../records/*.AT2\"` (files sorted by name), one name, or a list of both; relative "
-             "to the study. An entry of a list may be a table with `file` and keys of its own: "
-             "`{ file = \"a/*.txt\", unit = \"m/s2\", column = 2 }`")
+         Key::of("files", Key::Kind::file, {"Files", "Berkas"},
+                 "a pattern such as `\"../records/*.AT2\"` (files sorted by name), a name, or a list of both, relative "
+                 "to the study; in a list also tables, `{ file = \"a/*.txt\", unit = \"m/s2\", column = 2 }`")
              .for_each({})
              .or_table(file_entry_keys())
              .one_of("form"),
          Key::of("distribution", Key::Kind::table, {"Distribution", "Distribusi"}, "with `[sampling]`: see there")
              .or_table(distribution_keys())
              .one_of("form"),
-         Key::of(
-             "factor", Key::Kind::any, {"Factor", "Faktor"},
-             "a list: each number multiplies what the case says, a number or a whole list. Or `factor = true`, which "
-             "makes the numbers of another form factors")
+         Key::of("factor", Key::Kind::any, {"Factor", "Faktor"},
+                 "a list: each number multiplies the case's number or whole list; or `factor = true`: the numbers of "
+                 "another form are factors")
              .optional(),
          Key::of("labels", Key::Kind::line, {"Labels", "Label"}, "what the results call values that are no numbers")
              .or_empty()
@@ -157,10 +151,8 @@ const KeyTable& vary_keys() {
              .optional("none")
              .goes_with("files"),
          Key::of("together", Key::Kind::text, {"Together", "Bersama"},
-                 "a name. All `vary` of that name move in step along one dimension, which has the name; its coordinate "
-                 "holds the first labels among them, or numbers from 0: `.sel(motion=\"El Centro\")`. Rows of a design "
-                 "may be "
-                 "alike")
+                 "a name: all `vary` of it move in step along one dimension of that name, whose coordinate holds their "
+                 "first labels, or numbers from 0. Rows may be alike")
              .optional(),
          Key::of("name", Key::Kind::text, {"Name", "Nama"}, "of the coordinate in the results")
              .optional("the last key of the parameter")});
@@ -222,13 +214,12 @@ const KeyTable& remedy_keys() {
       "remedy",
       "what is sought within the ranges",
       {Key::of("objective", Key::Kind::text, {"Objective", "Sasaran"},
-               "a quantity of the results as an event names it, such as `peak_force`: its largest value is to become "
-               "small"),
+               "a quantity, named as in an event, such as `peak_force`: its largest value is to become small"),
        Key::choice("of_records", {"largest", "mean"}, {"Of the records", "Dari rekaman"},
                    "of all records and whatever else has a list of values, what counts")
            .optional(),
        number_of("limit", Range::not_negative, {"Limit", "Batas"},
-                 "that the objective must not exceed, in its unit: the smallest remedy that keeps it is sought too")
+                 "of the objective, in its unit: the smallest remedy that keeps it is sought too")
            .optional("none"),
        Key::whole("evaluations", 10, most_evaluations, {"Evaluations", "Evaluasi"},
                   "choices that are tried at most, each with all records")
@@ -252,8 +243,8 @@ const KeyTable& ida_keys() {
              .when("intensity", {"sa"}),
          // In the order of IntensityOf.
          Key::choice("component", {"geometric-mean", "larger", "x", "y"}, {"Component", "Komponen"},
-                     "of buildings in plan with `[excitation.y]`: what of the intensities of both components is that "
-                     "of the record; both are multiplied by one factor")
+                     "of buildings in plan with `[excitation.y]`: which intensity of both components counts; both are "
+                     "multiplied by one factor")
              .optional("\"geometric-mean\""),
          Key::choice("unit", {acceleration_units().begin(), acceleration_units().end()}, {"Unit", "Satuan"},
                      "of the levels; needed where the highest would be usual in g")
