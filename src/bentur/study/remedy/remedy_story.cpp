@@ -81,7 +81,7 @@ Story remedy_story(const RemedySearch& search) {
   // The search knows its objective alone, no rules; the motion reversed of needs, or where the study asks for it.
   if (best != nullptr || smallest != nullptr) {
     statements.push_back({.kind = search.both_ways ? "remedy_by_objective_both" : "remedy_by_objective",
-                          .severity = Severity::finding,
+                          .severity = search.both_ways ? Severity::remark : Severity::finding,
                           .values = {{"objective", search.spec().objective}}});
   }
   sort_by_severity(statements);
