@@ -203,7 +203,7 @@ def test_the_list_of_keys_leads_to_all_of_these_tables(program, root):
 
 def test_the_list_of_keys_has_every_key_of_the_schemas(program, root):
     text = (root / key_tables.INDEX).read_text()
-    listed = re.findall(r"^- `(.*?)`: ", text, re.MULTILINE)
+    listed = re.findall(r"^- `(.*?)`:", text, re.MULTILINE)
     assert len(set(listed)) == len(listed)
     of_schemas = {key for schema in key_tables.schemas_of(program).values() for key, _ in told_in(schema)}
     assert {"ratios", "half_space", "low", "title", "asce-7-16"} <= of_schemas

@@ -8,7 +8,7 @@
 
 namespace bentur {
 
-/// What is said, without words, as a list in JSON (docs/result-files.md#statements). `problem` names the buildings.
+/// What is said, without words, as a list in JSON (docs/result-json.md). `problem` names the buildings.
 [[nodiscard]] std::string statements_json(const Problem& problem, const std::vector<Statement>& statements);
 /// The same by the buildings' names.
 [[nodiscard]] std::string statements_json(const std::vector<std::string>& names,

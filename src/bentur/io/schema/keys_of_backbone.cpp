@@ -19,7 +19,7 @@ std::vector<Key> points_of_backbone(const Key& yield, bool storeys) {
           .goes_with("plastic_drift")
           .optional("it keeps the cap"),
       Key::number("residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
-                  "share of the yield force that softening leaves: c of ASCE 41; 0: down there it has failed")
+                  "share of the yield force that softening leaves: c of ASCE 41; 0: then it has failed")
           .by_default(0),
       Key::number("ultimate_drift", dimension::length, Range::positive, {"Ultimate drift", "Simpangan batas"},
                   "at which it fails and carries nothing")
@@ -66,7 +66,7 @@ const KeyTable& hinge_backbone_keys() {
            .counted_in("rad")
            .optional("it keeps the cap"),
        Key::number("residual", dimension::none, Range::ratio, {"Residual strength", "Kekuatan sisa"},
-                   "share of the yield moment that softening leaves: c of ASCE 41; 0: down there it has failed")
+                   "share of the yield moment that softening leaves: c of ASCE 41; 0: then it has failed")
            .by_default(0),
        Key::number("ultimate_rotation", dimension::none, Range::positive, {"Ultimate rotation", "Rotasi batas"},
                    "beyond the cap, at which it fails and carries nothing: b of ASCE 41")

@@ -67,7 +67,8 @@ const KeyTable& bearing_keys() {
                                   "from the corner: one pair, or a list of one for each bearing of this kind")
                           .matrix("x and y", true)}};
     add_bearing_laws(made, "needed without another law of bearings", "of a dashpot beside it",
-                     "as above, W its share of the weight");
+                     "in place of stiffness, strength and displacement: Q = μW, stiffness W/R, W its share of all "
+                     "weight above, the slab's too");
     made.keys.push_back(Key::whole("yield_sides", PolygonYield::least_sides, PolygonYield::most_sides,
                                    {"Sides of its yield surface", "Sisi permukaan leleh"},
                                    "a multiple of 4, of the polygon that bounds the force which yields; 4: along x and "
