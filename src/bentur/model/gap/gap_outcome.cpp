@@ -26,7 +26,7 @@ double rounded_up(double apart) {
 
 }  // namespace
 
-bool GoverningLevel::is_short() const { return falls_short(width, gap_needed, scale); }
+bool GoverningLevel::is_short() const { return is_below_target(width, gap_needed, scale); }
 
 double displacement_scale(const Problem& problem, const Response& response, Eigen::Index gap) {
   double scale = 0;
@@ -57,7 +57,7 @@ std::optional<GoverningLevel> governing_level(const std::vector<LevelSeparation>
     }
   }
   const auto without_little = [&](double& needed) {
-    if (!falls_short(0, needed, scale)) needed = 0;  // round-off
+    if (!is_below_target(0, needed, scale)) needed = 0;  // round-off
   };
   if (worst) {
     without_little(worst->gap_needed);

@@ -192,10 +192,10 @@ std::vector<RuleFinding> rule_findings(const Problem& problem, const std::vector
       if (!is_known_by_peaks(problem, one.level.gap)) needed = std::max(needed, one.level.of_gap(simulated));
       found.most = std::max(found.most, one.level.of_gap(asked(one)));
     }
-    if (known && !falls && falls_short(found.most, needed, scale)) found.lacks = needed - found.most;
+    if (known && !falls && is_below_target(found.most, needed, scale)) found.lacks = needed - found.most;
     const bool is_by_peaks = find_code_rule(rule) == nullptr;  // of which those up to a fall are not all
     found.is_short =
-        found.at && !(falls && is_by_peaks) && falls_short(levels[*found.at].level.width, found.gap, scale);
+        found.at && !(falls && is_by_peaks) && is_below_target(levels[*found.at].level.width, found.gap, scale);
     if (!found.is_short) {
       const bool linked = rule == "ddc" && !levels.empty() && is_linked(problem, levels.front().level.gap);
       const bool turning = rule == "ddc" && in_plan && !known;

@@ -107,7 +107,7 @@ GapFacts gap_facts(const Problem& problem, const Response& response, Index gap,
     for (LevelFacts& level : facts.levels) {
       std::optional<double>& need = level.in(way).need;
       // What falls short by an elastic response does all the same.
-      if (of.fall || (need && !falls_short(level.at.width, *need, facts.scale))) need.reset();
+      if (of.fall || (need && !is_below_target(level.at.width, *need, facts.scale))) need.reset();
     }
   }
   return facts;
@@ -155,7 +155,7 @@ bool closes_either_way(const Problem& problem, const Response& response, Index g
       if (facts.in(way).impacts > 0) return true;
     }
     if (level.is_point &&
-        falls_short(level.width, facts.reversed.need.value_or(0), displacement_scale(problem, response, gap)))
+        is_below_target(level.width, facts.reversed.need.value_or(0), displacement_scale(problem, response, gap)))
       return true;
   }
   return false;

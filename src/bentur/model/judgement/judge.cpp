@@ -39,7 +39,7 @@ void judge_need(const GapFacts& facts, Way way, std::vector<Reason>& reasons) {
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     const FacingLevel& at = facts.levels[i].at;
     const auto take = [&](const std::optional<double>& asked, Reason& of) {
-      if (!asked || !falls_short(at.width, *asked, facts.scale)) return;
+      if (!asked || !is_below_target(at.width, *asked, facts.scale)) return;
       if (of.level && *asked - at.width <= of.value - of.width) return;
       of.level = i;
       of.value = *asked;
@@ -113,7 +113,7 @@ void judge_unknown(const GapFacts& facts, Way way, std::vector<Reason>& reasons)
 
 }  // namespace
 
-bool falls_short(double given, double needed, double scale) {
+bool is_below_target(double given, double needed, double scale) {
   constexpr double round_off = 1e-9;
   return needed > given + round_off * std::max(scale, given);
 }
@@ -175,7 +175,7 @@ Judgement judge(const GapFacts& facts) {
   for (std::size_t i = 0; i < facts.levels.size(); ++i) {
     for (const Way way : ways_of_motion) {
       const LevelFacts::OneWay& level = facts.levels[i].in(way);
-      const bool is_short = level.need && falls_short(facts.levels[i].at.width, *level.need, facts.scale);
+      const bool is_short = level.need && is_below_target(facts.levels[i].at.width, *level.need, facts.scale);
       if (is_short || level.impacts > 0 || level.depth > 0) made.levels[i] = Sufficiency::too_small;
     }
   }
@@ -199,7 +199,7 @@ std::optional<GoverningNeed> governing_need(const GapFacts& facts) {
     GoverningNeed::OneWay one;
     if (!way.need) return one;
     return GoverningNeed::OneWay{without_round_off(*way.need, facts.scale),
-                                 falls_short(worst->at.width, *way.need, facts.scale)};
+                                 is_below_target(worst->at.width, *way.need, facts.scale)};
   };
   return GoverningNeed{worst->at, of(worst->given), of(worst->reversed)};
 }

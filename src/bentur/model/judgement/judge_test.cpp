@@ -234,8 +234,8 @@ TEST(Judge, RulesOfThumbDoNotDecide) {
 }
 
 TEST(Judge, RoundOffIsNotALack) {
-  EXPECT_FALSE(falls_short(0.05, 0.05 * (1 + 1e-12), 1));
-  EXPECT_TRUE(falls_short(0.05, 0.050001, 1));
+  EXPECT_FALSE(is_below_target(0.05, 0.05 * (1 + 1e-12), 1));
+  EXPECT_TRUE(is_below_target(0.05, 0.050001, 1));
   EXPECT_EQ(without_round_off(1e-12, 1), 0);
   GapFacts facts = nothing_wrong();
   facts.levels[0].given.need = 0.05 * (1 + 1e-12);

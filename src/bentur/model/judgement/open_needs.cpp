@@ -15,7 +15,7 @@ bool more_may_come_in(const Problem& problem, const Response& response) {
   for (Eigen::Index gap = 0; gap < gap_count(problem); ++gap) {
     const double scale = displacement_scale(problem, response, gap);
     const auto is_more = [&](const auto& summary, double width) {
-      const bool is_enough_so_far = !falls_short(width, summary.gap_needed, scale);
+      const bool is_enough_so_far = !is_below_target(width, summary.gap_needed, scale);
       return comes_without_bound(summary.to_come) || (is_enough_so_far && more_may_come(summary.to_come, width, scale));
     };
     for (const FacingLevel& level : facing_levels(problem, gap)) {

@@ -107,7 +107,7 @@ struct SuiteSpec {
   [[nodiscard]] double least_share() const;
   /// Whether that is less than codes ask for (EN 1998-1:2004, 3.2.3.1.2; ASCE 7-16, 16.2.3.2): then what is so under
   /// these records says nothing of the target.
-  [[nodiscard]] bool falls_short() const { return least_share() < (1 - round_off) * share_asked; }
+  [[nodiscard]] bool is_below_target() const { return least_share() < (1 - round_off) * share_asked; }
   static constexpr double share_asked = 0.9, round_off = 1e-9;  ///< a common factor lifts the mean to just that
   /// Whether its records have two components.
   [[nodiscard]] bool is_of_pairs() const { return !records.empty() && records.front().along_y.has_value(); }

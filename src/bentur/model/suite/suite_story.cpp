@@ -54,7 +54,7 @@ Story suite_story(const SuiteSpec& suite, const Units& units) {
     mean.values.push_back(text_of("clause", is_en ? "EN 1998-1:2004, 3.2.3.1.2" : "ASCE 7-16, 16.2.3.2"));
     mean.values.push_back(value_in("common", suite.common_factor));
   }
-  if (suite.falls_short()) {
+  if (suite.is_below_target()) {
     mean.kind = "suite_target_not_known";
     mean.severity = Severity::warning;
     mean.values.push_back(value_in("asked", SuiteSpec::share_asked));

@@ -173,7 +173,7 @@ TEST_F(Suites, LiftsTheMeanToTheClauseAndNoFurther) {
   }
   EXPECT_NEAR(least, 0.9, 1e-12);
   EXPECT_EQ(suite.least_share(), least);
-  EXPECT_FALSE(suite.falls_short());
+  EXPECT_FALSE(suite.is_below_target());
   const auto says_so = [](const SuiteSpec& of) {
     const Story story = suite_story(of, Units());
     return std::any_of(story.statements.begin(), story.statements.end(),
@@ -182,7 +182,7 @@ TEST_F(Suites, LiftsTheMeanToTheClauseAndNoFurther) {
   EXPECT_FALSE(says_so(suite));
   SuiteSpec weak = suite;
   for (double& one : weak.mean) one *= 0.999;
-  EXPECT_TRUE(weak.falls_short() && says_so(weak));
+  EXPECT_TRUE(weak.is_below_target() && says_so(weak));
 
   // At one period all spectra are the target.
   SuiteSpec period = suite_about(1);

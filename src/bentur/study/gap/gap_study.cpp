@@ -237,7 +237,7 @@ class Work {
         if (level == 0 || taken > demand.taken()) demand.elevation = given[level].elevation;
         demand.mean = std::max(demand.mean, mean);
         demand.largest = std::max(demand.largest, largest);
-        demand.is_short = demand.is_short || falls_short(given[level].width, taken, largest);
+        demand.is_short = demand.is_short || is_below_target(given[level].width, taken, largest);
       }
       for (std::size_t rule = 0; rule < needs.records.front().gaps[gap].codes.size(); ++rule) {
         double mean = 0, largest = 0;
@@ -284,7 +284,7 @@ class Work {
           found.asked = asked;
           found.elevation = level.elevation;
           found.width = level.width;
-          found.is_short = falls_short(level.width, asked, asked);
+          found.is_short = is_below_target(level.width, asked, asked);
         }
         if (!is_known && !found.is_short) found.asked = not_known;
         over.rules.push_back(std::move(found));
@@ -295,7 +295,7 @@ class Work {
   static bool needs_more(const RecordNeed& record, Eigen::Index gap, const std::vector<FacingLevel>& given) {
     const std::vector<LevelSeparation> needed = of_gap(record.separations, gap);
     for (std::size_t i = 0; i < needed.size(); ++i) {
-      if (falls_short(given.at(i).width, needed[i].gap_needed, needed[i].gap_needed)) return true;
+      if (is_below_target(given.at(i).width, needed[i].gap_needed, needed[i].gap_needed)) return true;
     }
     return false;
   }

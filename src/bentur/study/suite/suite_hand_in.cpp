@@ -89,7 +89,7 @@ void check_gap(const SuiteRun& run, const GapStudy& study, Eigen::Index gap, con
                   .is_met = is_met};
     if (!faces || std::isnan(demand)) made.result = faces ? not_known_word : "story.silence.no_level";
     if (collapses) made.result = collapsed_word;
-    const bool says_it = judged.many.is_enough() && !run.c.excitation.suite->falls_short();
+    const bool says_it = judged.many.is_enough() && !run.c.excitation.suite->is_below_target();
     if (made.result.empty() && is_met && !says_it) made.result = "gap.asks_less";
     rows.push_back(std::move(made));
   };
@@ -123,7 +123,7 @@ HandIn suite_hand_in(const SuiteRun& run, const GapStudy& gaps) {
                   .demand = known(suite.least_share()),
                   .limit = SuiteSpec::share_asked,
                   .unit = "",
-                  .is_met = !suite.falls_short()});
+                  .is_met = !suite.is_below_target()});
   check_drifts(run, rows);
   const std::vector<SuiteJudgement> judged = judged_gaps(run, gaps);
   for (Eigen::Index gap = 0; gap < std::ssize(gaps.gaps); ++gap) check_gap(run, gaps, gap, judged.at(gap), rows);

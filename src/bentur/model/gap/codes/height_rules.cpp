@@ -28,7 +28,7 @@ std::vector<HeightFinding> height_findings(const Problem& problem, Eigen::Index 
       most = lacks;
       found.at = found.needs.size() - 1;
     }
-    if (found.at && falls_short(levels[*found.at].width, found.needs[*found.at].asked->asked.gap, 0)) {
+    if (found.at && is_below_target(levels[*found.at].width, found.needs[*found.at].asked->asked.gap, 0)) {
       found.verdict = Verdict::too_small;
     } else if (levels.empty() || !all) {
       const bool at_way = code.boundary_at(static_cast<std::size_t>(gap)) == Boundary::public_way &&

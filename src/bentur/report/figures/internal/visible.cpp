@@ -57,8 +57,8 @@ void check(const Figure& figure) {
 }
 
 bool is_empty(const Panel& panel) {
-  return !panel.map && std::none_of(panel.curves.begin(), panel.curves.end(),
-                                    [](const Curve& curve) { return has_values(curve); });
+  return !panel.map &&
+         std::none_of(panel.curves.begin(), panel.curves.end(), [](const Curve& curve) { return has_values(curve); });
 }
 
 Points visible(const Curve& curve, double width) {
